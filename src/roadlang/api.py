@@ -1,0 +1,63 @@
+"""All that a plugin author imports."""
+
+from .diagnostics import Diagnostic, DiagnosticError, diagnose
+from .plugins.hookspecs import hookimpl
+from .plugins.kinds import (
+    Adjuster,
+    AgentKind,
+    Backend,
+    Controller,
+    Distribution,
+    Drawer,
+    DriveSignal,
+    Extractor,
+    Kind,
+    Monitor,
+    ObjectKind,
+    Perturber,
+    Piece,
+    Reader,
+    RoadNumber,
+    Sampler,
+    Searcher,
+    Selector,
+    Signal,
+    Simulator,
+)
+from .plugins.option_types import (
+    Acceleration,
+    AgentName,
+    AgentOrObject,
+    Angle,
+    Anything,
+    Condition,
+    ConstraintNames,
+    Curvature,
+    Duration,
+    File,
+    Flag,
+    Jerk,
+    Length,
+    Like,
+    Mass,
+    Number,
+    PixelPoint,
+    Pixels,
+    Point,
+    RoadName,
+    RoadOrNetwork,
+    Scale,
+    Speed,
+    Stretch,
+    String,
+    Whole,
+    Word,
+    call_of,
+    list_of,
+    map_of,
+    one_of,
+    quantity,
+)
+from .plugins.options import option
+
+__all__ = [name for name in dir() if not name.startswith("_")]

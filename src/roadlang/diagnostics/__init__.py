@@ -1,0 +1,23 @@
+"""What the compiler says to its user: sources, spans, coded diagnostics, renderers."""
+
+from .catalogue import Page, UnknownCode, codes, page
+from .diagnostic import Diagnostic, DiagnosticError, Fix, Label, Severity, diagnose
+from .nearest import did_you_mean, nearest
+from .source import Source, Span
+
+__all__ = [
+    "Diagnostic",
+    "DiagnosticError",
+    "Fix",
+    "Label",
+    "Page",
+    "Severity",
+    "Source",
+    "Span",
+    "UnknownCode",
+    "codes",
+    "diagnose",
+    "did_you_mean",
+    "nearest",
+    "page",
+]

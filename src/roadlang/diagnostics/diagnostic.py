@@ -1,0 +1,84 @@
+"""One value for everything the compiler has to say; renderers turn it into text or JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from .catalogue import page
+from .source import Span
+
+Severity = Literal["error", "warning", "note"]
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A replacement of one place in the source that would mend the fault."""
+
+    span: Span
+    replacement: str
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A second place that a diagnostic points at, with a word on why."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """A coded message at a place. `help` says what to do, `fixes` say it as edits."""
+
+    code: str
+    severity: Severity
+    message: str
+    span: Span | None = None
+    help: tuple[str, ...] = ()
+    labels: tuple[Label, ...] = ()
+    fixes: tuple[Fix, ...] = ()
+    path: str | None = None
+    """The file meant when there is no span in a source (an image, an output)."""
+
+    @property
+    def is_error(self) -> bool:
+        return self.severity == "error"
+
+    @property
+    def file(self) -> str | None:
+        return self.span.source.path if self.span is not None else self.path
+
+
+class DiagnosticError(Exception):
+    """Carries diagnostics to whoever reports them. Raised for bad input, never for bugs."""
+
+    def __init__(self, *diagnostics: Diagnostic) -> None:
+        super().__init__("; ".join(f"{d.code}: {d.message}" for d in diagnostics))
+        self.diagnostics = diagnostics
+
+
+def diagnose(
+    code: str,
+    span: Span | None = None,
+    *,
+    help: str | Iterable[str] = (),
+    labels: Iterable[Label] = (),
+    fixes: Iterable[Fix] = (),
+    path: str | None = None,
+    severity: Severity | None = None,
+    **values: object,
+) -> Diagnostic:
+    """Fill the message template of the catalogue page `code` with `values`."""
+    entry = page(code)
+    return Diagnostic(
+        code=code,
+        severity=severity or entry.severity,
+        message=entry.message.format(**values),
+        span=span,
+        help=(help,) if isinstance(help, str) else tuple(help),
+        labels=tuple(labels),
+        fixes=tuple(fixes),
+        path=path,
+    )

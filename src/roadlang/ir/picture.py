@@ -1,0 +1,104 @@
+"""A picture as extractors see it, and what they give back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..geometry import RoadNetwork
+
+
+@dataclass(frozen=True)
+class Picture:
+    """`pixels`: (height, width, 3) uint8 BGR, row 0 at the top.
+
+    `characters` is the grid of a picture typed as text (its `pixels` are then None).
+    `legend` maps a character or a colour ("#2e7d32", "white") to "road" or an object kind.
+    `scale` is metres per pixel. Pixel (0, 0) has its centre at image coordinates (0, 0); in the
+    world the picture's bottom-left pixel corner is the origin, x east, y north.
+    """
+
+    pixels: NDArray[np.uint8] | None
+    scale: float
+    legend: Mapping[str, str] = field(default_factory=dict)
+    characters: tuple[str, ...] | None = None
+    path: str = ""
+
+    @property
+    def height(self) -> int:
+        """Rows."""
+        if self.characters is not None:
+            return len(self.characters)
+        assert self.pixels is not None
+        return int(self.pixels.shape[0])
+
+    @property
+    def width(self) -> int:
+        """Columns."""
+        if self.characters is not None:
+            return max((len(row) for row in self.characters), default=0)
+        assert self.pixels is not None
+        return int(self.pixels.shape[1])
+
+    def to_world(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, 2) image coordinates (x right, y down) to metres."""
+        import numpy as np
+
+        points = np.asarray(points, dtype=float)
+        x = (points[..., 0] + 0.5) * self.scale
+        y = (self.height - 0.5 - points[..., 1]) * self.scale
+        return np.stack([x, y], axis=-1)
+
+    def to_pixels(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, 2) metres to image coordinates."""
+        import numpy as np
+
+        points = np.asarray(points, dtype=float)
+        x = points[..., 0] / self.scale - 0.5
+        y = self.height - 0.5 - points[..., 1] / self.scale
+        return np.stack([x, y], axis=-1)
+
+    def network(
+        self, polylines: Iterable[NDArray[np.float64]], width: float | None = None
+    ) -> Extraction:
+        """An extraction of roads given as (n, 2) polylines in image coordinates.
+
+        Ends that coincide (to half a pixel) become one junction. `width` is in pixels.
+        """
+        from .polylines import network_of_polylines
+
+        world = [self.to_world(line) for line in polylines]
+        metres = None if width is None else width * self.scale
+        return Extraction(network_of_polylines(world, metres, tolerance=0.5 * self.scale))
+
+
+@dataclass(frozen=True)
+class FoundObject:
+    """Something that a legend named: `kind`, and its outline's centre and size in metres."""
+
+    kind: str
+    x: float
+    y: float
+    length: float
+    width: float
+    heading: float = 0.0
+
+
+@dataclass(frozen=True)
+class Extraction:
+    """Roads in metres, objects of the legend, how sure the extractor is (0 to 1), remarks.
+
+    `mask`: (height, width) bool, the pixels taken for road, where the extractor has one: tiles
+    are built from it.
+    """
+
+    network: RoadNetwork
+    objects: tuple[FoundObject, ...] = ()
+    confidence: float = 1.0
+    remarks: tuple[str, ...] = ()
+    mask: NDArray[np.bool_] | None = None

@@ -1,0 +1,147 @@
+"""The abstract scenario: every statement resolved and typed, its values possibly random."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..diagnostics import Span
+from .dimension import Dimension
+from .values import Condition, PassCall, Value
+
+SCENARIO_SCHEMA = "roadlang.scenario/1"
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """A file that the scenario was made from; the digest is filled in when it is read."""
+
+    path: str
+    sha256: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    name: str
+    title: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A `param` or `let` that is a number, word, list or point. A `let` that names a signal or a
+    formula is written out where it is used."""
+
+    name: str
+    value: Value
+    dimension: Dimension | None
+    is_param: bool
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FileSource:
+    """`path` as written; `resolved` against the folder of the file that names it."""
+
+    path: str
+    resolved: str
+
+
+@dataclass(frozen=True, slots=True)
+class TextSource:
+    """A picture typed as text, one character a pixel."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class NameSource:
+    """Another image, network or road."""
+
+    name: str
+    role: str
+
+
+Source = FileSource | TextSource | NameSource
+
+
+@dataclass(frozen=True, slots=True)
+class Image:
+    """`options`: `scale` (m/px), `legend`."""
+
+    name: str
+    source: Source
+    options: tuple[tuple[str, Value], ...] = ()
+    passes: tuple[PassCall, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Network:
+    """`passes` in the order written: one `extract` or `read` at most, then `perturb`s."""
+
+    name: str
+    source: Source
+    options: tuple[tuple[str, Value], ...] = ()
+    passes: tuple[PassCall, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Road:
+    """`source` is None for a drawn road; `options`: `select`, `width`, `lanes`, `closed`."""
+
+    name: str
+    source: Source | None
+    options: tuple[tuple[str, Value], ...] = ()
+    passes: tuple[PassCall, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """A `require` or an `expect`: a formula or the call of a monitor."""
+
+    name: str
+    test: Condition | PassCall
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Actor:
+    """An agent or object. `kind` is the call of an agent or object kind, or a draw among such.
+
+    `at` is a length along the road, a fraction of its length (`Operation`s of such too) or a
+    point (`Items` of two lengths); `at_fraction` tells the first two apart.
+    `options`: `offset`, `lane`, `side`, `facing`, `heading`, `count`.
+    """
+
+    name: str
+    kind: Value
+    on: str | None
+    at: Value
+    at_fraction: bool = False
+    options: tuple[tuple[str, Value], ...] = ()
+    drive: tuple[PassCall, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """All of a scene file and what it includes. Each group in an order in which it can be
+    evaluated: what a thing depends on comes before it."""
+
+    header: Header
+    values: tuple[Named, ...] = ()
+    images: tuple[Image, ...] = ()
+    networks: tuple[Network, ...] = ()
+    roads: tuple[Road, ...] = ()
+    requirements: tuple[Constraint, ...] = ()
+    expectations: tuple[Constraint, ...] = ()
+    agents: tuple[Actor, ...] = ()
+    objects: tuple[Actor, ...] = ()
+    world: tuple[tuple[str, Value], ...] = ()
+    sample: PassCall | None = None
+    simulate: PassCall | None = None
+    falsify: PassCall | None = None
+    emits: tuple[PassCall, ...] = ()
+    inputs: tuple[Input, ...] = ()
+    schema: str = SCENARIO_SCHEMA

@@ -1,0 +1,152 @@
+"""A concrete scene: one sample of every random value, with geometry. SI units and radians."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+SCENE_SCHEMA = "roadlang.scene/1"
+
+
+@dataclass(frozen=True, slots=True)
+class SceneRoad:
+    """One curve. `stations` is arc length along this road itself; all tuples are as long.
+
+    `reference_stations` is the arc length of the root road at the same points: the positions of
+    the requirements. `base` is the (n, 2) centre line of the root road, for the ghost.
+    """
+
+    name: str
+    stations: tuple[float, ...]
+    reference_stations: tuple[float, ...]
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    heading: tuple[float, ...]
+    curvature: tuple[float, ...]
+    width: tuple[float, ...]
+    lanes: int
+    closed: bool
+    length: float
+    root: str
+    network: str | None = None
+    """the network this is an edge of, else None"""
+    edge: int | None = None
+    derived: bool = False
+    """True for the last road of a chain: what is driven, drawn in full and built"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneNode:
+    id: int
+    x: float
+    y: float
+    roads: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SceneNetwork:
+    """Its roads are in `Scene.roads`, named `town/3` for edge 3 of network `town`."""
+
+    name: str
+    nodes: tuple[SceneNode, ...]
+    roads: tuple[str, ...]
+    confidence: float = 1.0
+    mask: str | None = None
+    """PNG of the road pixels, base64, where the extractor has one (`road: tiles`)"""
+    mask_scale: float | None = None
+    mask_origin: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A kind with every option concrete, defaults included."""
+
+    kind: str
+    options: Mapping[str, Any] = field(default_factory=dict)
+    when: Mapping[str, Any] | None = None
+    """condition as JSON formula with its signals, where the call has one"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneActor:
+    """An agent or object, placed. A group has one for each copy, `name` with `[i]`."""
+
+    name: str
+    group: str
+    kind: str
+    x: float
+    y: float
+    heading: float
+    length: float
+    width: float
+    height: float
+    road: str | None = None
+    start: float | None = None
+    """arc length along `road`"""
+    offset: float | None = None
+    """left of the centre line, metres"""
+    lane: int | None = None
+    facing: str = "forward"
+    options: Mapping[str, Any] = field(default_factory=dict)
+    drive: tuple[Call, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """Where a requirement is violated: arc length of the root road, metres."""
+
+    road: str
+    start: float
+    end: float
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """A `require` or `expect` of this scene. `robustness` is None for what is judged later."""
+
+    name: str
+    text: str
+    domain: str
+    robustness: float | None
+    satisfied: bool | None
+    violated: tuple[Stretch, ...] = ()
+    formula: Mapping[str, Any] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Provenance:
+    """What this scene was made from and by. `plugins` maps distribution to version."""
+
+    roadlang: str
+    seed: int
+    scene: int
+    attempt: int
+    inputs: Mapping[str, str] = field(default_factory=dict)
+    """sha256 by path as written"""
+    plugins: Mapping[str, str] = field(default_factory=dict)
+    source: str = ""
+    overrides: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """All that a backend gets."""
+
+    name: str
+    title: str
+    index: int
+    provenance: Provenance
+    values: Mapping[str, Any] = field(default_factory=dict)
+    """params and lets that are values"""
+    draws: Mapping[str, Any] = field(default_factory=dict)
+    """every random value by its place"""
+    networks: tuple[SceneNetwork, ...] = ()
+    roads: tuple[SceneRoad, ...] = ()
+    agents: tuple[SceneActor, ...] = ()
+    objects: tuple[SceneActor, ...] = ()
+    world: Mapping[str, Any] = field(default_factory=dict)
+    requirements: tuple[Verdict, ...] = ()
+    expectations: tuple[Verdict, ...] = ()
+    simulate: Call | None = None
+    schema: str = SCENE_SCHEMA

@@ -1,0 +1,159 @@
+"""Values of the abstract scenario: constants, draws, references and what is computed of them.
+
+All quantities are in SI units and radians. A value is a tree; the pipeline evaluates it for a
+batch of variants at a time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from ..diagnostics import Span
+from ..stl import Formula
+from .dimension import Dimension
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A number in SI units."""
+
+    value: float
+    dimension: Dimension = Dimension()
+
+
+@dataclass(frozen=True, slots=True)
+class Flag:
+    value: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A string, or a word of an option that takes words (`auto` is `Text("auto")`)."""
+
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """A `param` or `let`: one draw per scene, however often it is used."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """A random value; `place` keys the draw: `bent/perturb 1/amplitude`.
+
+    `per`: made anew for each "road" of a network or each "copy" of a `count`, else per "scene".
+    """
+
+    place: str
+    call: PassCall
+    per: str = "scene"
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """`operator`: `+ - * / ^ negate abs min max`."""
+
+    operator: str
+    operands: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A number that the scene's geometry has: `length(street)`, `lead.start`."""
+
+    call: PassCall
+
+
+@dataclass(frozen=True, slots=True)
+class Entity:
+    """An image, network, road, agent or object, by name."""
+
+    name: str
+    role: str
+
+
+@dataclass(frozen=True, slots=True)
+class Items:
+    """A list, an interval, a stretch or a point: the option's type tells which."""
+
+    items: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Entries:
+    """A map."""
+
+    entries: tuple[tuple[str, Value], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SignalBinding:
+    """The variable of a formula that stands for a signal."""
+
+    variable: str
+    call: PassCall
+    dimension: Dimension
+
+
+@dataclass(frozen=True, slots=True)
+class NumberBinding:
+    """The variable of a formula that stands for a number of the scene."""
+
+    variable: str
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A formula with what its variables stand for.
+
+    `domain` is "road" (over arc length), "drive" (over time) or "scene" (numbers alone).
+    `text` is the formula as written, in canonical form.
+    """
+
+    text: str
+    formula: Formula
+    domain: str
+    signals: tuple[SignalBinding, ...] = ()
+    numbers: tuple[NumberBinding, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PassCall:
+    """A kind with the options given in the source; options not given take their defaults.
+
+    `kind` is the qualified name in the registry (`roadlang.sine`); `place` names the call for
+    people and keys its draws (`bent/perturb 1`). `common` holds the options that every kind of
+    the verb has (`over`, `taper`, `roads`, `when`).
+    """
+
+    verb: str
+    kind: str
+    options: tuple[tuple[str, Value], ...]
+    place: str
+    span: Span | None = None
+    common: tuple[tuple[str, Value], ...] = ()
+
+    def option(self, name: str) -> Value | None:
+        """The value given for an option, or None."""
+        return dict(self.options).get(name) or dict(self.common).get(name)
+
+
+Value: TypeAlias = (
+    Constant
+    | Flag
+    | Text
+    | Reference
+    | Draw
+    | Operation
+    | Measure
+    | Entity
+    | Items
+    | Entries
+    | Condition
+    | PassCall
+)

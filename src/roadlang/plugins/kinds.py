@@ -1,0 +1,293 @@
+"""The base classes of kinds. A kind is a frozen dataclass; its fields are its options.
+
+A kind of a verb derives from the verb's base class, sets `name`, declares its options as
+fields and implements one method. Random options reach batch methods as columns (variants, 1),
+so that numpy broadcasting over (variants, stations) just works.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from ..ir.dimension import Dimension
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..geometry import Curve
+    from ..ir.batch import BatchRandom, RoadBatch
+    from ..ir.picture import Extraction, Picture
+    from ..ir.scene import Scene
+    from ..ir.trace import Trace
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Anything a plugin brings. The class docstring's first line is its help."""
+
+    verb: ClassVar[str] = ""
+    name: ClassVar[str] = ""
+
+
+@dataclass(frozen=True)
+class Adjuster(Kind):
+    """`adjust with`: image to image."""
+
+    verb: ClassVar[str] = "adjust"
+
+    def adjust(self, pixels: NDArray[np.uint8], random: np.random.Generator) -> NDArray[np.uint8]:
+        """(height, width, 3) BGR to the same shape."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Extractor(Kind):
+    """`extract with`: image to network."""
+
+    verb: ClassVar[str] = "extract"
+
+    def extract(self, picture: Picture) -> Extraction:
+        """Find the roads (and, with a legend, the objects) of a picture."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Reader(Kind):
+    """`read with`: a file to what the statement declares (`reads`), chosen by `suffixes`."""
+
+    verb: ClassVar[str] = "read"
+    suffixes: ClassVar[tuple[str, ...]] = ()
+    reads: ClassVar[tuple[str, ...]] = ("road",)
+
+    def read(self, path: Path) -> Any:
+        """A `Curve` or `Road` for a road, a `RoadNetwork` for a network, an array for an image."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Drawer(Kind):
+    """`draw with`: nothing to a curve."""
+
+    verb: ClassVar[str] = "draw"
+
+    def draw(self, closed: bool) -> Curve:
+        """The centre line; `closed` is the road's option."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Piece(Kind):
+    """A piece of a drawn road, written as a call: `arc(40m, 60deg)`."""
+
+    verb: ClassVar[str] = "piece"
+
+
+@dataclass(frozen=True)
+class Selector(Kind):
+    """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
+
+    verb: ClassVar[str] = "select"
+
+
+@dataclass(frozen=True)
+class Perturber(Kind):
+    """`perturb with`: a road to itself, displaced along its left normal.
+
+    Implement `displacement` (one variant, options are floats) or, for speed, `displacements`
+    (a batch, random options are (variants, 1) columns).
+    """
+
+    verb: ClassVar[str] = "perturb"
+
+    def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
+        """(stations,) metres, left positive, of one variant (`road` has one)."""
+        raise NotImplementedError
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        """(variants, stations) metres. The runner loops over `displacement` without it."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Controller(Kind):
+    """`drive with`: what steers an agent. `control` is for controllers written in Python."""
+
+    verb: ClassVar[str] = "drive"
+
+    def control(self, observation: Any) -> Any:
+        """From an `Observation` to a `Control`, once a step."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Signal(Kind):
+    """A road signal over arc length, written as a call: `curvature(bent)`.
+
+    `unit` is the unit of the values, or override `dimension_of`.
+    """
+
+    verb: ClassVar[str] = "signal"
+    unit: ClassVar[str] = ""
+
+    def values(self) -> Floats:
+        """(variants, stations), SI units. Fields that name roads hold `RoadBatch`es."""
+        raise NotImplementedError
+
+    @classmethod
+    def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
+        """The dimension of the values; `options` has the constant options by name."""
+        from ..ir.units import parse_unit
+
+        return parse_unit(cls.unit).dimension
+
+
+@dataclass(frozen=True)
+class RoadNumber(Signal):
+    """A number of a road, written as a call: `length(bent)`. `values` has shape (variants, 1)."""
+
+    verb: ClassVar[str] = "number"
+
+
+@dataclass(frozen=True)
+class DriveSignal(Signal):
+    """A drive signal over time. `member`: written `ego.speed`, else as a call.
+
+    Fields that name agents hold their `AgentTrace`s; `values` has shape (steps,).
+    """
+
+    verb: ClassVar[str] = "drive_signal"
+    member: ClassVar[bool] = True
+
+
+@dataclass(frozen=True)
+class Monitor(Kind):
+    """`require/expect N with`: a judge instead of STL."""
+
+    verb: ClassVar[str] = "monitor"
+    domain: ClassVar[str] = "road"
+
+    def robustness(self) -> Floats:
+        """(variants,) positive where satisfied, of a judge of roads (`domain` "road")."""
+        raise NotImplementedError
+
+    def judge(self, trace: Trace) -> float:
+        """Positive where satisfied, of a judge of drives (`domain` "drive")."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Distribution(Kind):
+    """A random value, written as a call: `normal(1m, 0.5m)`. Options are those of the call."""
+
+    verb: ClassVar[str] = "distribution"
+
+    def quantile(self, uniform: Floats) -> Any:
+        """(variants,) numbers in [0, 1) to values of the same shape."""
+        raise NotImplementedError
+
+    def support(self) -> tuple[float, float] | None:
+        """Least and greatest value, for bounds; None when not known."""
+        return None
+
+    def choices(self, steps: int) -> Any:
+        """The values that `sample with grid` visits; `steps` of them where it is continuous."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Sampler(Kind):
+    """`sample with`: which points of the unit cube of all draws are tried.
+
+    `sequential`: candidates are one stream and scene i is the i-th accepted of it; otherwise
+    each scene has a stream of attempts of its own.
+    """
+
+    verb: ClassVar[str] = "sample"
+    sequential: ClassVar[bool] = True
+
+    def points(self, indices: NDArray[np.int64], dimensions: int, seed: int) -> Floats:
+        """(candidates, dimensions) in [0, 1); a function of each index alone."""
+        raise NotImplementedError
+
+    def size(self, dimensions: int) -> int | None:
+        """How many candidates there are; None: without end."""
+        return None
+
+
+@dataclass(frozen=True)
+class Simulator(Kind):
+    """`simulate with`: where scenes are driven."""
+
+    verb: ClassVar[str] = "simulate"
+
+    def drive(self, scene: Scene) -> Trace:
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Searcher(Kind):
+    """`falsify with`: how scenes that break an `expect` are searched."""
+
+    verb: ClassVar[str] = "falsify"
+
+
+@dataclass(frozen=True)
+class Backend(Kind):
+    """`emit`: a scene to files, or to an engine."""
+
+    verb: ClassVar[str] = "emit"
+
+    def files(self, scene: Scene) -> Mapping[str, bytes | str]:
+        """Contents by file ending: `{"json": "..."}` becomes `scene-0000.json`."""
+        return {}
+
+    def collection(self, scenes: Iterable[Scene]) -> Mapping[str, bytes | str]:
+        """Contents by file name of what is written once for all scenes."""
+        return {}
+
+    def send(self, scene: Scene) -> None:
+        """Deliver to an engine. Raises `DiagnosticError` when it cannot."""
+
+
+@dataclass(frozen=True)
+class AgentKind(Kind):
+    """What may stand behind `agent N is`; fields with defaults are its size and looks."""
+
+    verb: ClassVar[str] = "agent"
+
+
+@dataclass(frozen=True)
+class ObjectKind(Kind):
+    """What may stand behind `object N is` and in a legend."""
+
+    verb: ClassVar[str] = "object"
+
+
+BASES: tuple[type[Kind], ...] = (
+    Adjuster,
+    Extractor,
+    Reader,
+    Drawer,
+    Piece,
+    Selector,
+    Perturber,
+    Controller,
+    Signal,
+    RoadNumber,
+    DriveSignal,
+    Monitor,
+    Distribution,
+    Sampler,
+    Simulator,
+    Searcher,
+    Backend,
+    AgentKind,
+    ObjectKind,
+)
+VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)

@@ -1,0 +1,102 @@
+"""Options are the fields of a kind: what each is, its default, its bounds, its line of help."""
+
+from __future__ import annotations
+
+import dataclasses
+import typing
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from .option_types import OptionType, type_of
+
+_KEY = "roadlang"
+
+
+class _Required:
+    def __repr__(self) -> str:
+        return "required"
+
+
+REQUIRED: Any = _Required()
+
+
+@dataclass(frozen=True, slots=True)
+class Constraints:
+    """What `option` says beside type and default."""
+
+    help: str = ""
+    minimum: float | None = None
+    maximum: float | None = None
+    above: float | None = None
+    below: float | None = None
+    words: tuple[str, ...] = ()
+
+
+def option(
+    default: Any = REQUIRED,
+    *,
+    help: str = "",
+    minimum: float | None = None,
+    maximum: float | None = None,
+    above: float | None = None,
+    below: float | None = None,
+    words: Iterable[str] = (),
+) -> Any:
+    """A field of a kind that a scene file can set.
+
+    `minimum` and `maximum` are allowed values, `above` and `below` are not, all in SI units.
+    `words` may be written instead of a value (`auto`); the field then holds the word as a
+    string. A `None` default means "not given".
+    """
+    metadata = {_KEY: Constraints(help, minimum, maximum, above, below, tuple(words))}
+    if default is REQUIRED:
+        return dataclasses.field(metadata=metadata)
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True, slots=True)
+class OptionSchema:
+    """One option of a kind, as the checker, the reference page and `roadlang plugins` see it."""
+
+    name: str
+    type: OptionType
+    default: Any
+    constraints: Constraints
+
+    @property
+    def required(self) -> bool:
+        return self.default is REQUIRED
+
+    @property
+    def help(self) -> str:
+        return self.constraints.help
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        return self.constraints.words
+
+
+@cache
+def schema_of(kind: type) -> tuple[OptionSchema, ...]:
+    """The options of a kind, in the order of its fields.
+
+    Raises `TypeError` with the field's name where a field is no option.
+    """
+    if not dataclasses.is_dataclass(kind):
+        raise TypeError(f"{kind.__name__} is not a dataclass")
+    hints = typing.get_type_hints(kind, include_extras=True)
+    options = []
+    for field in dataclasses.fields(kind):
+        try:
+            option_type = type_of(hints[field.name])
+        except TypeError as error:
+            raise TypeError(f"field `{field.name}` of {kind.__name__}: {error}") from None
+        constraints = field.metadata.get(_KEY, Constraints())
+        default = REQUIRED if field.default is dataclasses.MISSING else field.default
+        options.append(OptionSchema(field.name, option_type, default, constraints))
+    return tuple(options)
+
+
+__all__ = ["REQUIRED", "Constraints", "OptionSchema", "option", "schema_of"]

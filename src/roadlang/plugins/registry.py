@@ -1,0 +1,133 @@
+"""The kinds that are there, by verb and name, and the plugins that are not, with the reason."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from .kinds import Kind
+from .options import OptionSchema, schema_of
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The distribution that brings a kind; `plugin` is its entry point, the prefix of its kinds."""
+
+    plugin: str
+    distribution: str
+    version: str
+
+    def __str__(self) -> str:
+        return f"{self.distribution} {self.version}"
+
+
+@dataclass(frozen=True, slots=True)
+class KindEntry:
+    """A kind that may not be imported yet: `target` is its class or `module:Class`."""
+
+    verb: str
+    name: str
+    origin: Origin
+    target: type[Kind] | str
+
+    @property
+    def qualified(self) -> str:
+        return f"{self.origin.plugin}.{self.name}"
+
+    def load(self) -> type[Kind]:
+        """The class. Raises what importing raises; the caller blames `origin`."""
+        if not isinstance(self.target, str):
+            return self.target
+        module, _, attribute = self.target.partition(":")
+        loaded: type[Kind] = getattr(importlib.import_module(module), attribute)
+        return loaded
+
+    @property
+    def options(self) -> tuple[OptionSchema, ...]:
+        return schema_of(self.load())
+
+    @property
+    def help(self) -> str:
+        return (self.load().__doc__ or "").strip().split("\n")[0]
+
+
+@dataclass(frozen=True, slots=True)
+class BrokenPlugin:
+    """A plugin that could not be loaded, or a part of it that is no kind."""
+
+    origin: Origin
+    reason: str
+
+
+class UnknownKind(KeyError):
+    """No plugin brings this kind."""
+
+
+class AmbiguousKind(KeyError):
+    """Several plugins bring it; `entries` are the candidates."""
+
+    def __init__(self, entries: tuple[KindEntry, ...]) -> None:
+        super().__init__(entries[0].name)
+        self.entries = entries
+
+
+@dataclass(frozen=True)
+class Registry:
+    """Looked up by verb and name, plain (`sine`) or qualified (`acme.sine`)."""
+
+    entries: tuple[KindEntry, ...] = ()
+    broken: tuple[BrokenPlugin, ...] = ()
+    announced: frozenset[str] = frozenset()
+    _by_name: Mapping[tuple[str, str], tuple[KindEntry, ...]] = field(
+        init=False, repr=False, compare=False
+    )
+
+    def __post_init__(self) -> None:
+        by_name: dict[tuple[str, str], tuple[KindEntry, ...]] = {}
+        for entry in self.entries:
+            for name in (entry.name, entry.qualified):
+                key = (entry.verb, name)
+                by_name[key] = (*by_name.get(key, ()), entry)
+        object.__setattr__(self, "_by_name", by_name)
+
+    def find(self, verb: str, name: str) -> KindEntry:
+        """The kind. Raises `UnknownKind`, `AmbiguousKind`."""
+        found = self._by_name.get((verb, name), ())
+        if not found:
+            raise UnknownKind(name)
+        if len(found) > 1:
+            raise AmbiguousKind(found)
+        return found[0]
+
+    def has(self, verb: str, name: str) -> bool:
+        return (verb, name) in self._by_name
+
+    def names(self, verb: str) -> tuple[str, ...]:
+        """Plain names of all kinds of a verb, in order."""
+        return tuple(sorted({entry.name for entry in self.entries if entry.verb == verb}))
+
+    def is_announced(self, verb: str, name: str) -> bool:
+        return f"{verb} {name}" in self.announced
+
+    def of(self, verb: str) -> Iterator[KindEntry]:
+        return (entry for entry in self.entries if entry.verb == verb)
+
+
+def entries_of(kinds: Iterable[type] | Mapping[str, str], origin: Origin) -> list[KindEntry]:
+    """The entries of what a `roadlang_kinds` hook returned. Raises `TypeError` with the reason."""
+    if isinstance(kinds, Mapping):
+        entries = []
+        for key, target in kinds.items():
+            verb, _, name = key.partition(" ")
+            entries.append(KindEntry(verb, name, origin, target))
+        return entries
+    entries = []
+    for kind in kinds:
+        if not (isinstance(kind, type) and issubclass(kind, Kind)):
+            raise TypeError(f"{kind!r} does not derive from a kind of roadlang.api")
+        if not kind.name:
+            raise TypeError(f"{kind.__name__} has no `name`")
+        schema_of(kind)
+        entries.append(KindEntry(kind.verb, kind.name, origin, kind))
+    return entries
