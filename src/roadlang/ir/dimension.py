@@ -54,7 +54,8 @@ class Dimension:
     @property
     def unit(self) -> str:
         """The SI unit as the language writes it: `m/s^2`, `1/m`, empty for a pure number."""
-        above, below = [], []
+        above: list[str] = []
+        below: list[str] = []
         for part in fields(self):
             exponent = getattr(self, part.name)
             if exponent:

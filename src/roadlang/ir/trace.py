@@ -1,0 +1,49 @@
+"""What was recorded while a scene was driven: one time axis, a pose and more for each agent."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class AgentTrace:
+    """One agent (or object) over the T steps of a drive; arrays are (T,), SI units, radians.
+
+    `station` is arc length along the agent's own road, `cross_track` the signed distance from
+    the line it should follow (left positive), `progress` the share of the road driven (0 to 1),
+    `contacts` the number of bodies touched beside the ground. What an engine does not report is
+    NaN throughout, and a signal of it is refused with a diagnostic.
+    """
+
+    name: str
+    time: Floats
+    x: Floats
+    y: Floats
+    heading: Floats
+    speed: Floats
+    acceleration: Floats
+    steering: Floats
+    station: Floats
+    cross_track: Floats
+    progress: Floats
+    contacts: Floats
+    length: float = 4.5
+    width: float = 1.8
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A whole drive. `time` is (T,) seconds from 0; a group's copies are `name[i]`."""
+
+    time: Floats
+    agents: Mapping[str, AgentTrace]
+    engine: str = ""
+    events: tuple[Mapping[str, Any], ...] = field(default_factory=tuple)

@@ -1,0 +1,78 @@
+"""A diagnostic shows its place in the source, underlined, and says what to do."""
+
+import json
+
+import pytest
+
+from roadlang.diagnostics import Diagnostic, Fix, Label, Source, did_you_mean, nearest
+from roadlang.diagnostics.render import in_order, render, render_json
+
+SOURCE = Source("scene.rl", "road main {\n  widht: 8m\n}\n")
+MISSPELT = Diagnostic(
+    code="RL220",
+    severity="error",
+    message="`road` has no option `widht`",
+    span=SOURCE.span(14, 19),
+    help=("did you mean `width`?",),
+    fixes=(Fix(SOURCE.span(14, 19), "width"),),
+)
+
+
+def test_the_place_is_underlined_and_the_help_follows() -> None:
+    assert render(MISSPELT) == "\n".join(
+        [
+            "error[RL220]: `road` has no option `widht`",
+            " --> scene.rl:2:3",
+            "  |",
+            "2 |   widht: 8m",
+            "  |   ^^^^^",
+            "  = help: did you mean `width`?",
+        ]
+    )
+
+
+def test_a_second_place_is_shown_with_its_own_words() -> None:
+    twice = Diagnostic(
+        code="RL101",
+        severity="error",
+        message="`main` is declared twice",
+        span=SOURCE.span(5, 9),
+        labels=(Label(SOURCE.span(0, 4), "first here"),),
+    )
+    assert "  | ---- first here" in render(twice)
+
+
+def test_colour_only_where_asked_for() -> None:
+    assert "\x1b[" not in render(MISSPELT)
+    assert "\x1b[" in render(MISSPELT, colour=True)
+
+
+def test_a_very_long_line_is_cut_around_the_place() -> None:
+    text = "x" * 5000 + " bad " + "y" * 5000
+    shown = render(Diagnostic("RL001", "error", "bad", Source("x", text).span(5001, 5004)))
+    assert max(map(len, shown.splitlines())) < 200
+    assert "bad" in shown.splitlines()[3]
+    assert "^^^" in shown.splitlines()[4]
+
+
+def test_the_json_form_has_place_help_and_fixes() -> None:
+    [record] = json.loads(render_json([MISSPELT]))
+    assert (record["file"], record["line"], record["column"]) == ("scene.rl", 2, 3)
+    assert (record["end_line"], record["end_column"]) == (2, 8)
+    assert record["help"] == ["did you mean `width`?"]
+    assert record["fixes"][0]["replacement"] == "width"
+
+
+def test_diagnostics_are_said_once_and_in_order_of_place() -> None:
+    later = Diagnostic("RL001", "error", "later", SOURCE.span(20, 21))
+    assert in_order([later, MISSPELT, later]) == [MISSPELT, later]
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [("widht", "width"), ("Width", "width"), ("wave-length", "wave_length"), ("zzz", None)],
+)
+def test_did_you_mean_names_the_nearest_known_name(word: str, meant: str | None) -> None:
+    known = ["width", "wave_length", "lanes"]
+    assert nearest(word, known) == meant
+    assert did_you_mean(word, known) == ((f"did you mean `{meant}`?",) if meant else ())
