@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from ..diagnostics import Span
 from ..stl import Formula
-from .dimension import Dimension
+from .dimension import PURE, Dimension
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +19,7 @@ class Constant:
     """A number in SI units."""
 
     value: float
-    dimension: Dimension = Dimension()
+    dimension: Dimension = PURE
 
 
 @dataclass(frozen=True, slots=True)
