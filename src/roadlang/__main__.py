@@ -1,0 +1,5 @@
+"""`python -m roadlang` is `roadlang`."""
+
+from .cli.main import main
+
+main()

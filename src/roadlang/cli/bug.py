@@ -1,0 +1,25 @@
+"""An exception that nobody expected, as a short report."""
+
+from __future__ import annotations
+
+import platform
+import traceback
+
+from .. import __version__
+from ..diagnostics import Diagnostic, diagnose
+
+
+def describe_bug(error: BaseException) -> Diagnostic:
+    """What happened and where in roadlang, in the form of a diagnostic (RL900)."""
+    frames = traceback.extract_tb(error.__traceback__)
+    where = f"{frames[-1].filename}:{frames[-1].lineno}" if frames else "an unknown place"
+    what = f"{type(error).__name__}: {error}".strip().splitlines()[0][:300]
+    return diagnose(
+        "RL900",
+        help=(
+            f"this is a bug of roadlang {__version__} (Python {platform.python_version()}),"
+            f" at {where}",
+            "please report it with the scene file; ROADLANG_TRACEBACK=1 shows the traceback",
+        ),
+        what=what,
+    )

@@ -1,0 +1,61 @@
+"""Where a command's words go: results to stdout, diagnostics to stderr, colour on terminals."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable
+from typing import TextIO
+
+import click
+
+from ..diagnostics import Diagnostic
+from ..diagnostics.render import in_order, render_all
+
+
+def wants_colour(stream: TextIO) -> bool:
+    """`--color` decides; then NO_COLOR and FORCE_COLOR; then whether a person is watching."""
+    choice = _colour_option()
+    if choice != "auto":
+        return choice == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return stream.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def _colour_option() -> str:
+    context = click.get_current_context(silent=True)
+    return str(context.find_root().meta.get("roadlang.color", "auto")) if context else "auto"
+
+
+def report(diagnostics: Iterable[Diagnostic]) -> None:
+    """Print diagnostics to stderr, sorted by place, with a count of errors and warnings."""
+    ordered = in_order(diagnostics)
+    if not ordered:
+        return
+    click.echo(render_all(ordered, colour=wants_colour(sys.stderr)), err=True, color=True)
+    errors = sum(diagnostic.is_error for diagnostic in ordered)
+    warnings = sum(diagnostic.severity == "warning" for diagnostic in ordered)
+    counts = [_count(errors, "error"), _count(warnings, "warning")]
+    summary = " and ".join(count for count in counts if count)
+    if len(ordered) > 1 and summary:
+        click.echo(f"\n{summary}", err=True)
+    codes = sorted({diagnostic.code for diagnostic in ordered if diagnostic.is_error})
+    if codes and sys.stderr.isatty():
+        click.echo(f"`roadlang explain {codes[0]}` tells more", err=True)
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}" if number else ""
+
+
+def say(text: str) -> None:
+    """A result, to stdout."""
+    click.echo(text, color=wants_colour(sys.stdout))
+
+
+def paint(text: str, style: str) -> str:
+    """`text` in an ANSI style (`"1"` bold, `"32"` green) where stdout shows colours."""
+    return f"\x1b[{style}m{text}\x1b[0m" if wants_colour(sys.stdout) else text

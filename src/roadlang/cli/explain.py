@@ -1,0 +1,51 @@
+"""`roadlang explain CODE`: the catalogue page of a diagnostic."""
+
+from __future__ import annotations
+
+import click
+from click.shell_completion import CompletionItem
+
+from ..diagnostics import DiagnosticError, Page, UnknownCode, codes, diagnose, did_you_mean, page
+from .console import paint, say
+
+
+def _complete(
+    context: click.Context, parameter: click.Parameter, typed: str
+) -> list[CompletionItem]:
+    return [
+        CompletionItem(code, help=page(code).title)
+        for code in codes()
+        if code.startswith(typed.upper())
+    ]
+
+
+@click.command("explain")
+@click.argument("code", required=False, shell_complete=_complete)
+def command(code: str | None) -> None:
+    """Explain a diagnostic: what it means, an example that gives it, and the mended example.
+
+    Without CODE, list all codes.
+    """
+    if code is None:
+        for known in codes():
+            say(f"{paint(known, '1')}  {page(known).title}")
+        return
+    say(_shown(_find(code)))
+
+
+def _find(code: str) -> Page:
+    folded = code.upper()
+    if folded.isdigit():
+        folded = f"RL{folded.zfill(3)}"
+    try:
+        return page(folded)
+    except UnknownCode:
+        hints = did_you_mean(folded, codes())
+        raise DiagnosticError(
+            diagnose("RL925", code=code, help=(*hints, "`roadlang explain` lists all codes"))
+        ) from None
+
+
+def _shown(found: Page) -> str:
+    title = paint(f"{found.code}: {found.title}", "1")
+    return f"{title} ({found.severity})\n\n{found.body}"

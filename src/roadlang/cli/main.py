@@ -1,0 +1,83 @@
+"""The `roadlang` command: runs a command and turns whatever happens into words and an exit code."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from collections.abc import Sequence
+
+import click
+
+from .. import __version__
+from . import exit_codes
+from .commands import LazyGroup
+
+
+@click.group(
+    cls=LazyGroup,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog="Exit codes: 0 done, 1 the scenario has errors, 2 wrong use, 3 no scene satisfied the"
+    " requirements, 4 an expectation was broken, 5 an outside part (engine, network, plugin)"
+    " failed, 70 a bug of roadlang.",
+)
+@click.version_option(__version__, "-V", "--version", message="roadlang %(version)s")
+@click.option(
+    "--color",
+    type=click.Choice(["auto", "always", "never"]),
+    default="auto",
+    help="Colour in messages; `auto` asks the terminal and NO_COLOR.",
+)
+@click.pass_context
+def roadlang(context: click.Context, color: str) -> None:
+    """From a picture of a road to checked, simulator-ready scenes."""
+    context.meta["roadlang.color"] = color
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """The console script."""
+    code = run(arguments)
+    with contextlib.suppress(OSError, ValueError):
+        sys.stdout.flush()
+        sys.stderr.flush()
+    sys.exit(code)
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """Run a command line and return its exit code; bad input and bugs alike end in words."""
+    try:
+        result = roadlang.main(arguments, prog_name="roadlang", standalone_mode=False)
+        sys.stdout.flush()
+        return result if isinstance(result, int) else exit_codes.DONE
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("interrupted", err=True)
+        return exit_codes.INTERRUPTED
+    except BrokenPipeError:
+        _close_broken_pipe()
+        return exit_codes.PIPE_CLOSED
+    except SystemExit as request:
+        return request.code if isinstance(request.code, int) else int(request.code is not None)
+    except Exception as error:
+        return _explain(error)
+
+
+def _explain(error: Exception) -> int:
+    from ..diagnostics import DiagnosticError
+    from .console import report
+
+    if not isinstance(error, DiagnosticError):
+        from .bug import describe_bug
+
+        if os.environ.get("ROADLANG_TRACEBACK"):
+            raise error
+        error = DiagnosticError(describe_bug(error))
+    report(error.diagnostics)
+    return exit_codes.exit_code_of(error.diagnostics) or exit_codes.SCENARIO_HAS_ERRORS
+
+
+def _close_broken_pipe() -> None:
+    # Python flushes stdout once more at exit, which would complain about the closed pipe again.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
