@@ -258,9 +258,14 @@ class Pass(Node):
 
 @dataclass(frozen=True, slots=True)
 class Block(Node):
-    """Options and passes in the order written."""
+    """Options and passes in the order written.
+
+    `complete` is False when an item could not be read (and has been reported): an option that
+    seems to be missing may be that one.
+    """
 
     items: tuple[Option | Pass, ...]
+    complete: bool = field(default=True, compare=False, repr=False, kw_only=True)
 
     @property
     def options(self) -> tuple[Option, ...]:
@@ -362,7 +367,12 @@ Statement: TypeAlias = (
 
 @dataclass(frozen=True, slots=True)
 class File(Node):
-    """A whole file. Comments stand beside the tree, in order of place."""
+    """A whole file. Comments stand beside the tree, in order of place.
+
+    `spoiled` are the names that statements declare which could not be read (and have been
+    reported): nothing should be said about uses of these names.
+    """
 
     statements: tuple[Statement, ...]
     comments: tuple[Comment, ...] = ()
+    spoiled: tuple[Word, ...] = field(default=(), compare=False, repr=False)

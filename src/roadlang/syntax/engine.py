@@ -1,0 +1,112 @@
+"""Runs the LALR(1) tables over tokens. No recursion: nesting costs stack entries, not frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from .lexer import Token
+from .tables import LIST, Tables
+
+Build: TypeAlias = Callable[..., Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Stuck:
+    """No rule goes on with the token at `index`; `states` is the parser's stack there."""
+
+    index: int
+    states: tuple[int, ...]
+
+
+def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Build]) -> Any:
+    """The value that the builder makes of the tokens (the last one is `$END`), or `Stuck`.
+
+    `builds` holds one callable for each rule, called with the offsets where the rule's text starts
+    and ends, and with the children that the rule hands over.
+    """
+    actions, rules, soft = tables.actions, tables.rules, tables.soft
+    states = [tables.starts[start]]
+    values: list[Any] = []
+    starts: list[int] = []
+    ends: list[int] = []
+    for index, token in enumerate(tokens):
+        kind, _, first, last = token
+        while True:
+            row = actions[states[-1]]
+            to = row.get(kind)
+            if to is None:
+                # Statement words and letters are names where the grammar wants nothing but a name.
+                if kind not in soft or "NAME" not in row:
+                    return Stuck(index, tuple(states))
+                to = row["NAME"]
+            if to >= 0:
+                states.append(to)
+                values.append(token)
+                starts.append(first)
+                ends.append(last)
+                break
+            origin, size, build, take, whole = rules[~to]
+            if build:
+                children = values[len(values) - size :]
+                if not whole:
+                    children = _taken(children, take)
+                if size:
+                    place, end = starts[-size], ends[-1]
+                    del states[-size:], values[-size:], starts[-size:], ends[-size:]
+                else:
+                    place = end = ends[-1] if ends else 0
+                values.append(children if build == LIST else builds[~to](place, end, *children))
+                starts.append(place)
+                ends.append(end)
+            else:
+                states.pop()
+            states.append(actions[states[-1]][origin])
+    return values[0]
+
+
+def _taken(children: list[Any], take: Sequence[int | None]) -> list[Any]:
+    """The children that a rule hands over; a list from a repetition is spread out.
+
+    A list is grown in place where a rule only adds to it: long lists stay linear in cost.
+    """
+    if len(take) == 2 and take[0] == -1 and take[1] is not None:
+        grown: list[Any] = children[0]
+        rest = take[1:]
+    else:
+        grown, rest = [], take[:]
+    for index in rest:
+        if index is None:
+            grown.append(None)
+        elif index >= 0:
+            grown.append(children[index])
+        else:
+            grown.extend(children[~index])
+    return grown
+
+
+def accepts(tables: Tables, states: Sequence[int], kind: str) -> bool:
+    """Whether the parser with this stack would go on with a token of this kind."""
+    return after(tables, states, kind) is not None
+
+
+def after(tables: Tables, states: Sequence[int], kind: str) -> tuple[int, ...] | None:
+    """The stack behind a token of this kind, or None if the parser does not go on with it."""
+    stack = list(states)
+    while True:
+        row = tables.actions[stack[-1]]
+        to = row.get(kind, row.get("NAME") if kind in tables.soft else None)
+        if to is None:
+            return None
+        if to >= 0:
+            return (*stack, to)
+        rule = tables.rules[~to]
+        if rule.size:
+            del stack[-rule.size :]
+        stack.append(tables.actions[stack[-1]][rule.origin])
+
+
+def expected(tables: Tables, states: Sequence[int]) -> list[str]:
+    """The kinds of token that the parser with this stack would go on with, exactly."""
+    return [kind for kind in tables.terminals(states[-1]) if accepts(tables, states, kind)]
