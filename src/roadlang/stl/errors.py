@@ -1,0 +1,12 @@
+"""Refusals of the STL room as coded diagnostics."""
+
+from __future__ import annotations
+
+from ..diagnostics import DiagnosticError, Span, diagnose
+
+
+def stl_error(
+    code: str, span: Span | None = None, *, help: str | tuple[str, ...] = (), **values: object
+) -> DiagnosticError:
+    """An exception to raise, with one diagnostic of the catalogue page `code`."""
+    return DiagnosticError(diagnose(code, span, help=help, **values))
