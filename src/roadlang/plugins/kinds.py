@@ -33,6 +33,8 @@ class Kind:
 
     verb: ClassVar[str] = ""
     name: ClassVar[str] = ""
+    rest: ClassVar[str] = ""
+    """The list that takes all arguments without a name, of a kind that is written as a call."""
 
 
 @dataclass(frozen=True)

@@ -84,6 +84,20 @@ class CallType:
 
 
 @dataclass(frozen=True, slots=True)
+class KindNameType:
+    """The name of a kind of another verb, without options: `tree` in a legend."""
+
+    verb: str
+
+
+@dataclass(frozen=True, slots=True)
+class RecordType:
+    """`{ key: value }` with the keys that a dataclass has as options."""
+
+    record: type
+
+
+@dataclass(frozen=True, slots=True)
 class MapType:
     """`{ key: value }` with keys of any text."""
 
@@ -120,6 +134,8 @@ OptionType: TypeAlias = (
     | EntityType
     | NamesType
     | CallType
+    | KindNameType
+    | RecordType
     | MapType
     | ConditionType
     | AnyType
@@ -140,6 +156,7 @@ Mass = Annotated[float, QuantityType(dim.MASS)]
 Pixels = Annotated[float, QuantityType(dim.PIXELS)]
 Scale = Annotated[float, QuantityType(dim.SCALE)]
 Like = Annotated[Any, LikeType()]
+Between = Annotated[tuple[Any, Any], IntervalType(LikeType())]
 
 Flag = Annotated[bool, FlagType()]
 String = Annotated[str, TextType()]
@@ -175,6 +192,16 @@ def map_of(item: Any) -> Any:
 def call_of(verb: str) -> Any:
     """The annotation of a call such as `straight(80m)`, a kind of `verb`."""
     return Annotated[Any, CallType(verb)]
+
+
+def kind_of(verb: str) -> Any:
+    """The annotation of the name of a kind of `verb`."""
+    return Annotated[str, KindNameType(verb)]
+
+
+def record_of(record: type) -> Any:
+    """The annotation of a map whose keys are the options of the dataclass `record`."""
+    return Annotated[dict[str, Any], RecordType(record)]
 
 
 def one_of(*items: Any) -> Any:

@@ -6,7 +6,7 @@ import importlib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from .kinds import Kind
+from .kinds import VERBS, Kind
 from .options import OptionSchema, schema_of
 
 
@@ -108,7 +108,21 @@ class Registry:
         return tuple(sorted({entry.name for entry in self.entries if entry.verb == verb}))
 
     def is_announced(self, verb: str, name: str) -> bool:
-        return f"{verb} {name}" in self.announced
+        """Whether a kind is planned; `announced` holds `"emit gltf"`, `"read opendrive .xodr"`."""
+        return name in self.announced_names(verb)
+
+    def announced_names(self, verb: str) -> tuple[str, ...]:
+        """The planned kinds of a verb, in order."""
+        words = (text.split() for text in sorted(self.announced))
+        return tuple(word[1] for word in words if len(word) > 1 and word[0] == verb)
+
+    def announced_reader(self, suffix: str) -> str | None:
+        """The planned reader of files with this ending."""
+        for text in sorted(self.announced):
+            verb, *rest = text.split()
+            if verb == "read" and suffix in rest[1:]:
+                return rest[0]
+        return None
 
     def of(self, verb: str) -> Iterator[KindEntry]:
         return (entry for entry in self.entries if entry.verb == verb)
@@ -117,17 +131,25 @@ class Registry:
 def entries_of(kinds: Iterable[type] | Mapping[str, str], origin: Origin) -> list[KindEntry]:
     """The entries of what a `roadlang_kinds` hook returned. Raises `TypeError` with the reason."""
     if isinstance(kinds, Mapping):
-        entries = []
-        for key, target in kinds.items():
-            verb, _, name = key.partition(" ")
-            entries.append(KindEntry(verb, name, origin, target))
-        return entries
-    entries = []
-    for kind in kinds:
-        if not (isinstance(kind, type) and issubclass(kind, Kind)):
-            raise TypeError(f"{kind!r} does not derive from a kind of roadlang.api")
-        if not kind.name:
-            raise TypeError(f"{kind.__name__} has no `name`")
-        schema_of(kind)
-        entries.append(KindEntry(kind.verb, kind.name, origin, kind))
-    return entries
+        return [_entry_of_target(key, target, origin) for key, target in kinds.items()]
+    return [_entry_of_class(kind, origin) for kind in kinds]
+
+
+def _entry_of_target(key: str, target: str, origin: Origin) -> KindEntry:
+    verb, _, name = key.partition(" ")
+    if verb not in VERBS or not name.isidentifier():
+        raise TypeError(f"`{key}` is not a verb and a name, such as `perturb sine`")
+    if not isinstance(target, str) or target.count(":") != 1:
+        raise TypeError(f"the target of `{key}` is not `module:Class`: {target!r}")
+    return KindEntry(verb, name, origin, target)
+
+
+def _entry_of_class(kind: object, origin: Origin) -> KindEntry:
+    if not (isinstance(kind, type) and issubclass(kind, Kind)):
+        raise TypeError(f"{kind!r} does not derive from a kind of roadlang.api")
+    if not isinstance(kind.name, str) or not kind.name.isidentifier():
+        raise TypeError(f"{kind.__name__} has no `name` that is an identifier")
+    if kind.verb not in VERBS:
+        raise TypeError(f"{kind.__name__} has no verb: derive from `Perturber` or another base")
+    schema_of(kind)
+    return KindEntry(kind.verb, kind.name, origin, kind)
