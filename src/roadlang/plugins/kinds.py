@@ -151,9 +151,13 @@ class Signal(Kind):
 
 @dataclass(frozen=True)
 class RoadNumber(Signal):
-    """A number of a road, written as a call: `length(bent)`. `values` has shape (variants, 1)."""
+    """A number of a road, written as a call: `length(bent)`. `values` has shape (variants, 1).
+
+    `member`: written `van.start` instead.
+    """
 
     verb: ClassVar[str] = "number"
+    member: ClassVar[bool] = False
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,15 @@
+"""Kinds that are planned and not built yet: `check` says so instead of not knowing them."""
+
+ANNOUNCED = (
+    "read opendrive",
+    "emit opendrive",
+    "emit sumo",
+    "emit gltf",
+    "emit scenic",
+    "emit openscenario",
+    "emit godot",
+    "simulate builtin",
+    "simulate godot",
+    "falsify cma",
+    "falsify random",
+)

@@ -1,0 +1,20 @@
+"""`draw with segments`: a road put together from pieces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from roadlang.api import Angle, Drawer, Point, call_of, list_of, option
+
+
+@dataclass(frozen=True)
+class Segments(Drawer):
+    """Join straights, arcs and clothoids, each going on where the last one ends."""
+
+    name: ClassVar[str] = "segments"
+    pieces: list_of(call_of("piece"), at_least=1) = option(
+        help="straight(80m), arc(40m, 60deg), clothoid(30m, to: 1/m)"
+    )
+    start: Point = option((0.0, 0.0), help="where the first piece begins")
+    heading: Angle = option(0.0, help="where the first piece points, counter-clockwise from east")

@@ -1,0 +1,16 @@
+"""`draw with waypoints`: a road through points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from roadlang.api import Drawer, Point, list_of, option
+
+
+@dataclass(frozen=True)
+class Waypoints(Drawer):
+    """Lay a cubic spline through the points."""
+
+    name: ClassVar[str] = "waypoints"
+    points: list_of(Point, at_least=2) = option(help="the points, in the order driven")

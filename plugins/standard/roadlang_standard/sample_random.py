@@ -1,0 +1,19 @@
+"""`sample with random`: independent draws (the default)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from roadlang.api import Sampler, Whole, option
+
+
+@dataclass(frozen=True)
+class Random(Sampler):
+    """Draw at random; each scene tries until its draw satisfies every requirement."""
+
+    name: ClassVar[str] = "random"
+    sequential: ClassVar[bool] = False
+    attempts: Whole = option(
+        10_000, minimum=1, maximum=100_000_000, help="tries for one scene before it is given up"
+    )
