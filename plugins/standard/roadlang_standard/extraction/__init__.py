@@ -1,0 +1,1 @@
+"""From pictures to road networks: what the `extract` kinds share."""

@@ -1,0 +1,228 @@
+"""Buildings beside the roads: houses with drives, blocks, parking lots; planned first, painted later."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from roadlang_standard.rendering.frame import Floats, Image, Layer, PlannedRoad, ribbon
+from roadlang_standard.rendering.layouts.curves import spline
+from roadlang_standard.rendering.noise import blend
+from roadlang_standard.rendering.pavement import car, quad
+from roadlang_standard.rendering.setting import Setting
+
+
+@dataclass(frozen=True, slots=True)
+class Building:
+    """A footprint in metres: centre, half sides, heading; its height; where its drive meets the road."""
+
+    centre: Floats
+    half: Floats
+    heading: float
+    height: float
+    door: Floats
+    large: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Lot:
+    """A parking lot: centre, half sides, heading."""
+
+    centre: Floats
+    half: Floats
+    heading: float
+
+
+def settle(
+    rng: np.random.Generator, setting: Setting, plan: list[PlannedRoad], near: Layer, water: Layer
+) -> tuple[list[Building], list[Lot]]:
+    """Choose places for buildings and parking lots along the streets, clear of roads and of each other."""
+    taken = np.zeros(setting.frame.shape, np.uint8)
+    buildings: list[Building] = []
+    lots: list[Lot] = []
+    pitch, setback = rng.uniform(14, 28), rng.uniform(3, 12)
+    for road in plan:
+        if road.manner != "street":
+            continue
+        for side in (-1, 1):
+            station = rng.uniform(0, pitch)
+            while station < 2 * len(road.points) - 6:
+                large = rng.random() < setting.city * 0.5
+                half = _footprint(rng, large)
+                index = int(station / 2)
+                station += max(pitch, 2 * half[0] + 3) * rng.uniform(0.85, 1.3)
+                if rng.random() > setting.homes:
+                    continue
+                place = _place(rng, road, index, side, half, setback + rng.exponential(3))
+                if large and rng.random() < 0.4:
+                    lot = Lot(place.centre, place.half, place.heading)
+                    if _free(setting, lot, near, water, taken):
+                        lots.append(lot)
+                elif _free(setting, place, near, water, taken):
+                    buildings.append(place)
+    return buildings, lots
+
+
+def _footprint(rng: np.random.Generator, large: bool) -> Floats:
+    if large:
+        return rng.uniform([9, 8], [32, 22])
+    return rng.uniform([4.5, 3.5], [9, 6.5])
+
+
+def _place(
+    rng: np.random.Generator, road: PlannedRoad, index: int, side: int, half: Floats, setback: float
+) -> Building:
+    index = int(np.clip(index, 1, len(road.points) - 2))
+    ahead = road.points[index + 1] - road.points[index - 1]
+    ahead = ahead / max(1e-9, float(np.hypot(*ahead)))
+    across = side * np.array([-ahead[1], ahead[0]])
+    door = road.points[index] + across * road.width / 2
+    centre = door + across * (setback + half[1])
+    heading = float(np.arctan2(ahead[1], ahead[0])) + rng.normal(
+        0, 0.08 if rng.random() < 0.8 else 0.6
+    )
+    large = half[0] > 9
+    height = rng.uniform(5, 25) if large else rng.uniform(3.5, 8)
+    return Building(
+        centre, half, heading, height, door + ahead * half[0] * rng.uniform(-0.8, 0.8), large
+    )
+
+
+def _free(setting: Setting, it: Building | Lot, near: Layer, water: Layer, taken: Image) -> bool:
+    frame, reach = setting.frame, 1.15 * float(np.hypot(*it.half)) / 1.3
+    x, y = frame.pixels(it.centre)
+    if not (0 <= x < frame.size and 0 <= y < frame.size):
+        return False
+    at = (int(y), int(x))
+    if near[at] < reach + 1.0 or water[at] > 0 or taken[at]:
+        return False
+    cv2.circle(taken, (int(x), int(y)), int(frame.length(1.7 * float(it.half.max()))) + 1, 255, -1)
+    return True
+
+
+def lay_drives(
+    rng: np.random.Generator,
+    setting: Setting,
+    image: Layer,
+    buildings: list[Building],
+    lots: list[Lot],
+) -> None:
+    """Paint drives and the surfaces of parking lots, in place."""
+    frame = setting.frame
+    for lot in lots:
+        tone = np.clip(setting.asphalt * rng.uniform(0.7, 1.3), 0.15, 0.8)
+        cover = np.zeros(frame.shape, np.uint8)
+        quad3 = cv2.cvtColor(cover, cv2.COLOR_GRAY2BGR)
+        quad(setting, quad3, lot.centre, lot.half, lot.heading, np.ones(3))
+        blend(image, (tone,) * 3, quad3[..., 0].astype(np.float32) / 255)
+    for house in buildings:
+        if rng.random() < 0.7:
+            end = house.centre + rng.normal(0, 2, 2)
+            points = spline(
+                np.array([house.door, (house.door + end) / 2 + rng.normal(0, 1.2, 2), end])
+            )
+            tone = np.clip(setting.asphalt * rng.uniform(0.5, 1.3), 0.12, 0.85)
+            window, alpha = ribbon(
+                frame.pixels(points), frame.length(rng.uniform(2.2, 4.2)), frame.shape
+            )
+            blend(image[window], tuple(tone * rng.normal(1, 0.03, 3)), alpha * rng.uniform(0.5, 1))
+
+
+def build(
+    rng: np.random.Generator,
+    setting: Setting,
+    image: Image,
+    buildings: list[Building],
+    lots: list[Lot],
+) -> None:
+    """Paint roofs, pools and parked cars, in place."""
+    for lot in lots:
+        _fill(rng, setting, image, lot)
+    for house in buildings:
+        _roof(rng, setting, image, house)
+        if not house.large and rng.random() < 0.08:
+            behind = house.centre + (house.centre - house.door) * rng.uniform(0.5, 1)
+            quad(
+                setting,
+                image,
+                behind,
+                rng.uniform([2, 1.5], [5, 3]),
+                house.heading,
+                np.array([0.85, 0.75, 0.4]),
+            )
+        if rng.random() < 0.3:
+            beside = (house.centre + house.door) / 2 + rng.normal(0, 1.5, 2)
+            car(rng, setting, image, beside, house.heading + np.pi / 2)
+        if rng.random() < 0.2:
+            shed = house.centre + rng.normal(0, 10, 2)
+            quad(
+                setting,
+                image,
+                shed,
+                rng.uniform(1, 2.5, 2),
+                house.heading,
+                rng.uniform(0.15, 0.9, 3) * 0.6,
+            )
+
+
+def _fill(rng: np.random.Generator, setting: Setting, image: Image, lot: Lot) -> None:
+    u, v = (np.array([np.cos(lot.heading + a), np.sin(lot.heading + a)]) for a in (0, np.pi / 2))
+    full = rng.uniform(0, 0.9)
+    for row in np.arange(-lot.half[1] + 3, lot.half[1] - 2, 8.5):
+        for place in np.arange(-lot.half[0] + 2, lot.half[0] - 1.5, 2.7):
+            at = lot.centre + place * u + row * v
+            quad(
+                setting, image, at + 1.35 * u, np.array([0.08, 2.4]), lot.heading, np.full(3, 0.85)
+            )
+            if rng.random() < full:
+                car(rng, setting, image, at, lot.heading + np.pi / 2)
+
+
+def _roof(rng: np.random.Generator, setting: Setting, image: Image, house: Building) -> None:
+    kind = rng.random()
+    if kind < 0.5:
+        colour = np.full(3, rng.uniform(0.2, 0.5)) * rng.normal(1, 0.05, 3)
+    elif kind < 0.8:
+        colour = np.full(3, rng.uniform(0.6, 0.95)) * rng.normal(1, 0.03, 3)
+    else:
+        colour = np.array([0.34, 0.42, 0.5]) * rng.uniform(0.6, 1.6)
+    quad(setting, image, house.centre, house.half, house.heading, colour)
+    across = np.array([-np.sin(house.heading), np.cos(house.heading)])
+    if house.large:
+        for _ in range(int(rng.integers(0, 6))):
+            at = house.centre + rng.uniform(-0.7, 0.7, 2) * house.half.min()
+            quad(
+                setting,
+                image,
+                at,
+                rng.uniform(0.8, 2.5, 2),
+                house.heading,
+                colour * rng.uniform(0.5, 1.4),
+            )
+        return
+    lit = float(across @ [np.cos(setting.sun), np.sin(setting.sun)])
+    half = house.half * (1.0, 0.5)
+    for sign in (-1, 1):
+        tone = colour * (1 - 0.45 * sign * lit * rng.uniform(0.4, 1))
+        quad(setting, image, house.centre + sign * across * half[1], half, house.heading, tone)
+    if rng.random() < 0.5:
+        wing = house.centre + rng.choice([-1, 1]) * across * house.half[1] + rng.normal(0, 2, 2)
+        quad(
+            setting,
+            image,
+            wing,
+            house.half * (0.5, 0.6),
+            house.heading,
+            colour * rng.uniform(0.7, 1.3),
+        )
+
+
+def footprints(setting: Setting, buildings: list[Building], tall: bool) -> Image:
+    """Mask of the large or the small buildings, for their shadows."""
+    mask = np.zeros((*setting.frame.shape, 3), np.uint8)
+    for house in buildings:
+        if house.large == tall:
+            quad(setting, mask, house.centre, house.half, house.heading, np.ones(3))
+    return mask[..., 0]

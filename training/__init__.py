@@ -1,0 +1,1 @@
+"""Train the road net that ships with the extractor, from renderings alone."""

@@ -1,0 +1,79 @@
+"""The road net: a small residual encoder and decoder, two sigmoid maps at half the input size."""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor, nn
+from torch.nn import functional
+
+STEM, WIDE, EIGHTH, SIXTEENTH, HALF = 16, 32, 48, 88, 24
+
+
+def _conv(inputs: int, outputs: int, stride: int = 1, dilation: int = 1) -> nn.Sequential:
+    conv = nn.Conv2d(inputs, outputs, 3, stride, dilation, dilation, bias=False)
+    return nn.Sequential(conv, nn.BatchNorm2d(outputs), nn.ReLU(inplace=True))
+
+
+class Residual(nn.Module):
+    """Two 3x3 convolutions about a skip."""
+
+    def __init__(self, width: int, dilation: int = 1) -> None:
+        super().__init__()
+        self.first = _conv(width, width, 1, dilation)
+        self.second = nn.Conv2d(width, width, 3, 1, dilation, dilation, bias=False)
+        self.norm = nn.BatchNorm2d(width)
+
+    def forward(self, x: Tensor) -> Tensor:
+        return functional.relu(x + self.norm(self.second(self.first(x))))
+
+
+class RoadNet(nn.Module):
+    """RGB in 0..255 (n, 3, h, w), sides multiples of 32, to (n, 2, h/2, w/2): surface, centre line."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stem = nn.Sequential(_conv(3, STEM, 2), _conv(STEM, STEM))
+        self.quarter = nn.Sequential(_conv(STEM, WIDE, 2), Residual(WIDE))
+        self.eighth = nn.Sequential(_conv(WIDE, EIGHTH, 2), Residual(EIGHTH), Residual(EIGHTH, 2))
+        deep = [Residual(SIXTEENTH, dilation) for dilation in (1, 2, 4)]
+        self.sixteenth = nn.Sequential(_conv(EIGHTH, SIXTEENTH, 2), *deep)
+        self.to_eighth = nn.Conv2d(SIXTEENTH, EIGHTH, 1)
+        self.up_eighth = Residual(EIGHTH)
+        self.to_quarter = nn.Conv2d(EIGHTH, WIDE, 1)
+        self.up_quarter = Residual(WIDE)
+        self.to_half = nn.Conv2d(WIDE, HALF, 1)
+        self.skip_half = nn.Conv2d(STEM, HALF, 1)
+        self.up_half = _conv(HALF, HALF)
+        self.head = nn.Conv2d(HALF, 2, 1)
+        nn.init.constant_(self.head.bias, -2.5)
+
+    def logits(self, x: Tensor) -> Tensor:
+        """The two maps before the sigmoid."""
+        half = self.stem((x - 115.0) / 60.0)
+        quarter = self.quarter(half)
+        eighth = self.eighth(quarter)
+        deep = self.sixteenth(eighth)
+        y = self.up_eighth(_twice(self.to_eighth(deep)) + eighth)
+        y = self.up_quarter(_twice(self.to_quarter(y)) + quarter)
+        y = self.up_half(_twice(self.to_half(y)) + self.skip_half(half))
+        return self.head(y)
+
+    def forward(self, x: Tensor) -> Tensor:
+        return torch.sigmoid(self.logits(x))
+
+
+def _twice(x: Tensor) -> Tensor:
+    return functional.interpolate(x, scale_factor=2, mode="nearest")
+
+
+def loss(logits: Tensor, target: Tensor, weight: Tensor) -> Tensor:
+    """2 BCE + soft Dice for each map, the centre line at half weight; all (n, 2, h, w), weight (n, 1, h, w)."""
+    total = logits.new_zeros(())
+    for channel, share in ((0, 1.0), (1, 0.5)):
+        z, t, w = logits[:, channel], target[:, channel], weight[:, 0]
+        entropy = (functional.binary_cross_entropy_with_logits(z, t, reduction="none") * w).mean()
+        p = torch.sigmoid(z) * w
+        t = t * w
+        dice = 1 - (2 * (p * t).sum() + 1) / ((p * p).sum() + (t * t).sum() + 1)
+        total = total + share * (2 * entropy + dice)
+    return total

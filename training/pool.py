@@ -1,0 +1,78 @@
+"""A folder of rendered scenes to train on: scene i depends on the seed and i alone."""
+
+from __future__ import annotations
+
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from roadlang_standard.rendering.aerial import render_aerial
+
+_PLANS = {
+    "suburb": 0.30,
+    "grid": 0.18,
+    "village": 0.12,
+    "motorway": 0.12,
+    "rural": 0.10,
+    "curve": 0.08,
+    "roundabout": 0.06,
+    "bend": 0.04,
+}
+_RESOLUTIONS = ((0.8, 1.25, 0.55), (0.4, 0.7, 0.25), (0.25, 0.38, 0.20))
+SIZE = 640
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A rendered picture (h, w, 3) and its roads: points in pixels (n, 2) and widths in pixels."""
+
+    image: np.ndarray
+    lines: tuple[np.ndarray, ...]
+    widths: tuple[float, ...]
+
+
+def render(folder: Path, seed: int, count: int, jobs: int) -> None:
+    """Fill `folder` with scenes 0..count-1; those already there are kept."""
+    folder.mkdir(parents=True, exist_ok=True)
+    missing = [i for i in range(count) if not _path(folder, i).exists()]
+    with ProcessPoolExecutor(jobs) as workers:
+        for _ in workers.map(_render_one, [folder] * len(missing), [seed] * len(missing), missing):
+            pass
+
+
+def _path(folder: Path, index: int) -> Path:
+    return folder / f"scene-{index:05d}.npz"
+
+
+def _render_one(folder: Path, seed: int, index: int) -> None:
+    rng = np.random.default_rng([seed, index])
+    plan = str(rng.choice(list(_PLANS), p=list(_PLANS.values())))
+    low, high, _ = _RESOLUTIONS[rng.choice(3, p=[share for *_, share in _RESOLUTIONS])]
+    drawn = render_aerial(plan, int(rng.integers(2**31)), SIZE, float(rng.uniform(low, high)))
+    roads = drawn.truth.roads
+    ok, code = cv2.imencode(".png", drawn.image)
+    partial = _path(folder, index).with_suffix(".part.npz")
+    np.savez(
+        partial,
+        image=code,
+        points=np.vstack([road.points for road in roads]).astype(np.float32),
+        counts=np.array([len(road.points) for road in roads]),
+        widths=np.array([road.width for road in roads], np.float32),
+    )
+    partial.rename(_path(folder, index))
+
+
+def load(path: Path) -> Scene:
+    """One scene back from its file."""
+    stored = np.load(path)
+    image = cv2.imdecode(stored["image"], cv2.IMREAD_COLOR)
+    lines = np.split(stored["points"], np.cumsum(stored["counts"])[:-1])
+    return Scene(image, tuple(lines), tuple(map(float, stored["widths"])))
+
+
+def scenes(folder: Path) -> list[Path]:
+    """The scenes that are ready, in order."""
+    return sorted(path for path in folder.glob("scene-*.npz") if ".part" not in path.name)
