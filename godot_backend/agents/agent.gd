@@ -1,0 +1,184 @@
+extends "res://build/thing.gd"
+## Something that moves: a body, the path it should follow, and what drives it.
+
+const Protocol := preload("res://net/protocol.gd")
+const PathLine := preload("res://agents/path_line.gd")
+const Vehicle := preload("res://agents/vehicle.gd")
+const Walker := preload("res://agents/walker.gd")
+const Driver := preload("res://agents/driver.gd")
+
+const NO_PATH := -1
+const PAINTS: Array[Color] = [
+	Color(0.62, 0.07, 0.06), Color(0.1, 0.22, 0.42), Color(0.75, 0.76, 0.78),
+	Color(0.12, 0.13, 0.14), Color(0.62, 0.5, 0.16), Color(0.16, 0.34, 0.24)
+]
+
+var agent_name := ""
+var path_id := NO_PATH
+var path: PathLine
+## +1 along the path, -1 against it.
+var direction := 1.0
+## Of the line to follow, left of the path's centre line.
+var line_offset := 0.0
+var body: PhysicsBody3D
+var driver: Driver
+
+## Since the last step.
+var x := 0.0
+var y := 0.0
+var heading := 0.0
+var speed := 0.0
+var acceleration := 0.0
+var station := 0.0
+## Left of the line to follow, seen along the direction of travel.
+var cross_track := 0.0
+var travelled := 0.0
+
+var _segment := -1
+var _start := Vector2.ZERO
+var _start_heading := 0.0
+var _start_speed := 0.0
+var _start_station := 0.0
+var _spec := PackedByteArray()
+
+
+func build(reader: Reader) -> String:
+	_spec = reader.rest()
+	var spec := Reader.new(_spec).json()
+	if spec.is_empty() or not spec.get("drives", []) is Array:
+		return "bad agent"
+	agent_name = str(spec.get("name", "agent"))
+	path_id = int(number(spec, "path", NO_PATH))
+	direction = -1.0 if number(spec, "direction", 1.0) < 0.0 else 1.0
+	line_offset = number(spec, "offset", 0.0)
+	_start = Vector2(number(spec, "x", 0.0), number(spec, "y", 0.0))
+	_start_heading = number(spec, "heading", 0.0)
+	_start_speed = number(spec, "speed", 0.0)
+	_start_station = number(spec, "start", 0.0)
+	driver = Driver.new()
+	var wrong := driver.take(spec.get("drives", []))
+	if wrong.is_empty():
+		_add_body(spec)
+	return wrong
+
+
+## What the scene tree holds of this agent: nothing where its body is gone.
+func content() -> PackedByteArray:
+	return _spec if is_instance_valid(body) and body.get_parent() == self else PackedByteArray()
+
+
+## A finite number of a JSON object, or the usual one.
+static func number(spec: Dictionary, key: String, usual: float) -> float:
+	var value: Variant = spec.get(key)
+	if value is float and is_finite(value) and absf(value) < Protocol.MAX_COORDINATE * 10.0:
+		return value
+	return usual
+
+
+## Back to the start, at the start's speed.
+func reset(friction: float) -> void:
+	body.place(Vector3(_start.x, 0.0, -_start.y), _start_heading, _start_speed)
+	body.set_friction(friction)
+	if body is Vehicle:
+		(body as Vehicle).freeze = false
+	driver.reset()
+	travelled = 0.0
+	acceleration = 0.0
+	speed = _start_speed
+	_segment = -1
+	if path != null:
+		_segment = path.segment_at(_start_station)
+
+
+## Reads where the body has got to.
+func observe(dt: float) -> void:
+	var at := body.global_position
+	x = at.x
+	y = -at.z
+	heading = body.heading()
+	var now: float = body.speed()
+	acceleration = (now - speed) / dt
+	speed = now
+	if path == null:
+		return
+	_segment = path.nearest(x, y, _segment)
+	var before := station
+	station = path.station(_segment, x, y)
+	var moved := station - before
+	if path.closed:
+		moved = wrapf(moved, -0.5 * path.length, 0.5 * path.length)
+	travelled += moved * direction
+	cross_track = direction * (path.offset(_segment, x, y) - line_offset)
+
+
+## Takes the path as it now is, after it was sent or changed.
+func follow(line: PathLine) -> void:
+	if line == path:
+		return
+	path = line
+	_segment = -1
+	if path != null:
+		_segment = path.nearest(x, y)
+		station = path.station(_segment, x, y)
+
+
+func start_station() -> void:
+	station = _start_station
+
+
+## Share of the path that lies behind, of a closed one the share driven.
+func progress() -> float:
+	if path == null or path.length <= 0.0:
+		return 0.0
+	if path.closed:
+		return travelled / path.length
+	var s := station if direction > 0.0 else path.length - station
+	return s / path.length
+
+
+func at_end() -> bool:
+	if path == null:
+		return false
+	if path.closed:
+		return travelled >= path.length
+	return path.length - (station if direction > 0.0 else path.length - station) < 0.5
+
+
+## The point of the line to follow that is `ahead` metres on, and its direction of travel there.
+func ahead(metres: float) -> Vector2:
+	return path.point(station + direction * metres, line_offset)
+
+
+func line_heading(metres: float = 0.0) -> float:
+	var along := path.heading(station + direction * metres)
+	return along if direction > 0.0 else along + PI
+
+
+func line_curvature(metres: float = 0.0) -> float:
+	return direction * path.curvature(station + direction * metres)
+
+
+func _add_body(spec: Dictionary) -> void:
+	var size := Vector3(
+		clampf(number(spec, "length", 4.5), 0.2, 30.0),
+		clampf(number(spec, "height", 1.45), 0.2, 6.0),
+		clampf(number(spec, "width", 1.8), 0.2, 6.0)
+	)
+	var given: Variant = spec.get("colour")
+	var paint := PAINTS[id % PAINTS.size()]
+	if given is String and Color.html_is_valid(given):
+		paint = Color.html(given)
+	if spec.get("body", "vehicle") == "walker":
+		var walker := Walker.new()
+		walker.assemble(size.y, paint)
+		body = walker
+	else:
+		var vehicle := Vehicle.new()
+		var mass := clampf(number(spec, "mass", 1200.0), 20.0, 60000.0)
+		vehicle.assemble(size, mass, 1.0, paint)
+		vehicle.freeze = true
+		body = vehicle
+	add_child(body)
+	body.transform = Transform3D(
+		Basis(Vector3.UP, _start_heading + PI / 2), Vector3(_start.x, 0.0, -_start.y)
+	)

@@ -1,0 +1,174 @@
+extends RefCounted
+## A `when:` of the language, evaluated step by step: drive signals and past-time operators.
+##
+## Written as nested lists: ["and", f, g], ["once", low, high, f], ["<", t, u], ["speed", "ego"].
+
+const Condition := preload("res://agents/condition.gd")
+
+const MAX_DEPTH := 40
+const LOGIC: Array[String] = ["and", "or", "not", "implies", "iff", "xor"]
+const PAST: Array[String] = ["once", "historically", "since"]
+const COMPARISONS: Array[String] = ["<", "<=", ">", ">=", "==", "!="]
+const ARITHMETIC: Array[String] = ["+", "-", "*", "/", "abs", "min", "max", "negate"]
+
+var wrong := false
+
+var _head := ""
+var _value := 0.0
+var _names: Array[String] = []
+var _parts: Array[Condition] = []
+var _low := 0.0
+var _high := INF
+var _latched := false
+var _history: Array[Array] = []
+
+
+func _init(tree: Variant, depth: int = 0) -> void:
+	if tree is bool:
+		_head = "number"
+		_value = 1.0 if tree else 0.0
+	elif tree is float and is_finite(tree):
+		_head = "number"
+		_value = tree
+	elif tree is Array and not (tree as Array).is_empty() and tree[0] is String:
+		_read(tree, depth)
+	else:
+		wrong = true
+
+
+func reset() -> void:
+	_latched = false
+	_history.clear()
+	for part in _parts:
+		part.reset()
+
+
+## Whether this has come true by now.
+func step(signals: Callable, time: float) -> bool:
+	_latched = value(signals, time) > 0.5 or _latched
+	return _latched
+
+
+## The value now: a number, or 1 and 0 for true and false.
+func value(signals: Callable, time: float) -> float:
+	if _head == "number":
+		return _value
+	if LOGIC.has(_head):
+		return _logic(signals, time)
+	if PAST.has(_head):
+		return _past(signals, time)
+	if _head == "time":
+		return time
+	if _parts.is_empty():
+		return signals.call(_head, _names)
+	return _compute(signals, time)
+
+
+func _read(tree: Array, depth: int) -> void:
+	_head = tree[0]
+	wrong = depth > MAX_DEPTH
+	var rest := tree.slice(1)
+	if PAST.has(_head):
+		if rest.size() < 3 or not rest[0] is float:
+			wrong = true
+			return
+		_low = rest[0]
+		_high = rest[1] if rest[1] is float else INF
+		rest = rest.slice(2)
+	var is_operator := (
+		LOGIC.has(_head) or PAST.has(_head) or COMPARISONS.has(_head) or ARITHMETIC.has(_head)
+	)
+	for part: Variant in rest:
+		if wrong:
+			return
+		if is_operator:
+			var inner := Condition.new(part, depth + 1)
+			_parts.append(inner)
+			wrong = wrong or inner.wrong
+		else:
+			_names.append(str(part))
+	wrong = wrong or (is_operator and _parts.size() < _least_parts())
+
+
+func _least_parts() -> int:
+	if _head in ["not", "abs", "negate", "once", "historically", "and", "or"]:
+		return 1
+	return 2
+
+
+func _logic(signals: Callable, time: float) -> float:
+	# Every part is evaluated at every step: what lies in the past is remembered there.
+	var truths: Array[bool] = []
+	for part in _parts:
+		truths.append(part.value(signals, time) > 0.5)
+	match _head:
+		"and":
+			return float(not truths.has(false))
+		"or":
+			return float(truths.has(true))
+		"not":
+			return float(not truths[0])
+		"implies":
+			return float(not truths[0] or truths[1])
+		"iff":
+			return float(truths[0] == truths[1])
+		_:
+			return float(truths[0] != truths[1])
+
+
+func _past(signals: Callable, time: float) -> float:
+	var last := _parts[_parts.size() - 1].value(signals, time) > 0.5
+	var first := _parts[0].value(signals, time) > 0.5 if _parts.size() > 1 else true
+	_history.append([time, first, last])
+	while not _history.is_empty() and float(_history[0][0]) < time - _high - 1e-9:
+		_history.pop_front()
+	if _head == "since":
+		return float(_since(time))
+	for moment in _history:
+		if float(moment[0]) <= time - _low + 1e-9 and bool(moment[2]) == (_head == "once"):
+			return float(_head == "once")
+	return float(_head == "historically")
+
+
+func _since(time: float) -> bool:
+	for i in range(_history.size() - 1, -1, -1):
+		var moment := _history[i]
+		if bool(moment[2]) and float(moment[0]) <= time - _low + 1e-9:
+			return true
+		if not bool(moment[1]):
+			return false
+	return false
+
+
+func _compute(signals: Callable, time: float) -> float:
+	var a := _parts[0].value(signals, time)
+	var b := _parts[1].value(signals, time) if _parts.size() > 1 else 0.0
+	match _head:
+		"<":
+			return float(a < b)
+		"<=":
+			return float(a <= b)
+		">":
+			return float(a > b)
+		">=":
+			return float(a >= b)
+		"==":
+			return float(a == b)
+		"!=":
+			return float(a != b)
+		"+":
+			return a + b
+		"-":
+			return a - b
+		"*":
+			return a * b
+		"/":
+			return a / b if b != 0.0 else 0.0
+		"abs":
+			return absf(a)
+		"min":
+			return minf(a, b)
+		"max":
+			return maxf(a, b)
+		_:
+			return -a

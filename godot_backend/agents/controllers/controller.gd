@@ -1,0 +1,55 @@
+extends RefCounted
+## What drives an agent: from where it is to a steering angle and an acceleration, once a step.
+
+const Agent := preload("res://agents/agent.gd")
+
+## Gain from a difference in speed to an acceleration, 1/s.
+const SPEED_GAIN := 2.0
+
+var max_acceleration := 3.0
+var max_deceleration := 6.0
+
+var _options: Dictionary = {}
+
+
+func take(options: Dictionary) -> void:
+	_options = options
+	max_acceleration = number("max_acceleration", 3.0)
+	max_deceleration = number("max_deceleration", 6.0)
+	read()
+
+
+## Reads the options of the kind.
+func read() -> void:
+	pass
+
+
+func reset() -> void:
+	pass
+
+
+## Steering angle (left positive; NAN leaves it to another controller) and acceleration.
+func command(_agent: Agent, _signals: Callable, _dt: float) -> Vector2:
+	return Vector2(NAN, 0.0)
+
+
+func number(key: String, usual: float) -> float:
+	var value: Variant = _options.get(key)
+	return value if value is float and is_finite(value) else usual
+
+
+## Acceleration towards a speed, held within what the car may do.
+func towards(agent: Agent, target: float) -> float:
+	return clampf(SPEED_GAIN * (target - agent.speed), -max_deceleration, max_acceleration)
+
+
+## Steering angle of pure pursuit (Coulter 1992): the arc from the rear axle through the line
+## to follow, `reach` metres on.
+static func pursuit(agent: Agent, reach: float) -> float:
+	if agent.path == null:
+		return 0.0
+	var wheelbase: float = agent.body.wheelbase
+	var rear := Vector2(agent.x, agent.y) - 0.5 * wheelbase * Vector2.from_angle(agent.heading)
+	var to := agent.ahead(reach) - rear
+	var bearing := angle_difference(agent.heading, to.angle())
+	return atan2(2.0 * wheelbase * sin(bearing), maxf(to.length(), 0.5))

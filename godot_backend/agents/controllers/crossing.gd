@@ -1,0 +1,41 @@
+extends "res://agents/controllers/controller.gd"
+## Walks across the road, at right angles to it, and stands still on the other side.
+
+const Walker := preload("res://agents/walker.gd")
+
+var _speed := 1.4
+var _distance := 0.0
+var _walked := 0.0
+var _towards := NAN
+
+
+func read() -> void:
+	_speed = number("speed", 1.4)
+	_distance = number("distance", 0.0)
+
+
+func reset() -> void:
+	_walked = 0.0
+	_towards = NAN
+
+
+func command(agent: Agent, _signals: Callable, dt: float) -> Vector2:
+	if is_nan(_towards):
+		_begin(agent)
+	var pace := _speed if _walked < _distance else 0.0
+	_walked += pace * dt
+	if agent.body is Walker:
+		(agent.body as Walker).place(agent.body.global_position, _towards, pace)
+	return Vector2(NAN, 0.0)
+
+
+func _begin(agent: Agent) -> void:
+	if agent.path == null:
+		_towards = agent.heading
+		_distance = 10.0 if _distance <= 0.0 else _distance
+		return
+	var left := agent.direction * agent.cross_track + agent.line_offset
+	var along := agent.path.heading(agent.station)
+	_towards = along + (PI / 2 if left < 0.0 else -PI / 2)
+	if _distance <= 0.0:
+		_distance = absf(left) + maxf(absf(left), agent.path.half_width + 1.0)

@@ -1,0 +1,24 @@
+extends "res://agents/controllers/controller.gd"
+## Follows the middle of its lane: the bend's own steering angle, corrected for what is amiss.
+
+const PREVIEW_TIME := 0.25
+
+var _speed := 0.0
+var _gain := 0.0
+
+
+func read() -> void:
+	_speed = number("speed", 10.0)
+	_gain = number("gain", 1.0)
+
+
+func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
+	if agent.path == null:
+		return Vector2(0.0, towards(agent, _speed))
+	var preview := PREVIEW_TIME * maxf(agent.speed, 0.0)
+	var wheelbase: float = agent.body.wheelbase
+	var bend := atan(wheelbase * agent.line_curvature(preview))
+	var turn := angle_difference(agent.heading, agent.line_heading(preview))
+	var reach := maxf(agent.speed, 3.0)
+	var steer := bend + turn - _gain * atan(agent.cross_track / reach)
+	return Vector2(steer, towards(agent, _speed))

@@ -1,0 +1,88 @@
+extends RefCounted
+## Chooses who drives: the last controller whose condition has come true.
+
+const Condition := preload("res://agents/condition.gd")
+const Controller := preload("res://agents/controllers/controller.gd")
+
+const KINDS: Dictionary = {
+	"pure_pursuit": preload("res://agents/controllers/pure_pursuit.gd"),
+	"stanley": preload("res://agents/controllers/stanley.gd"),
+	"lane_follow": preload("res://agents/controllers/lane_follow.gd"),
+	"car_follow": preload("res://agents/controllers/car_follow.gd"),
+	"brake": preload("res://agents/controllers/brake.gd"),
+	"crossing": preload("res://agents/controllers/crossing.gd"),
+	"manual": preload("res://agents/controllers/manual.gd"),
+}
+const MAX_CONTROLLERS := 32
+
+## Index of the controller in charge, -1 for none.
+var in_charge := -1
+
+var _controllers: Array[Controller] = []
+var _conditions: Array[Condition] = []
+var _outside := Vector2.ZERO
+var _driven_outside := false
+var _steer := 0.0
+
+
+## Takes a list of {kind, when, ...options}; returns "" or what is wrong with it.
+func take(drives: Array) -> String:
+	if drives.size() > MAX_CONTROLLERS:
+		return "too many controllers"
+	for drive: Variant in drives:
+		if not drive is Dictionary or not KINDS.has((drive as Dictionary).get("kind")):
+			return "a controller that this engine does not have"
+		var options: Dictionary = drive
+		var controller: Controller = KINDS[options["kind"]].new()
+		controller.take(options)
+		_controllers.append(controller)
+		var condition: Condition = null
+		if options.get("when") != null:
+			condition = Condition.new(options["when"])
+			if condition.wrong:
+				return "a condition that this engine cannot read"
+		_conditions.append(condition)
+	return ""
+
+
+func reset() -> void:
+	in_charge = -1
+	_steer = 0.0
+	_driven_outside = false
+	for i in _controllers.size():
+		_controllers[i].reset()
+		if _conditions[i] != null:
+			_conditions[i].reset()
+
+
+## From now on a client gives the controls.
+func drive_from_outside(steer: float, acceleration: float) -> void:
+	_driven_outside = true
+	_outside = Vector2(steer, acceleration)
+
+
+## Steering angle and acceleration of this step; `signals` looks up what conditions speak of.
+func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vector2:
+	for i in _controllers.size():
+		var condition := _conditions[i]
+		if condition == null:
+			in_charge = maxi(in_charge, i)
+		elif condition.step(signals, time):
+			in_charge = maxi(in_charge, i)
+	if _driven_outside:
+		return _outside
+	if in_charge < 0:
+		return Vector2(0.0, -4.0)
+	var wanted := _controllers[in_charge].command(agent, signals, dt)
+	if is_nan(wanted.x):
+		wanted.x = _kept_steering(agent, signals, dt)
+	return wanted
+
+
+## A controller that does not steer leaves that to the last one before it that does.
+func _kept_steering(agent: Node3D, signals: Callable, dt: float) -> float:
+	for i in range(in_charge - 1, -1, -1):
+		var steer := _controllers[i].command(agent, signals, dt).x
+		if not is_nan(steer):
+			return steer
+	return 0.0

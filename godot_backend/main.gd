@@ -1,0 +1,77 @@
+extends Node3D
+## The whole program: listens, builds what it is sent, drives it, shows it.
+##
+## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still.
+
+const Protocol := preload("res://net/protocol.gd")
+const Server := preload("res://net/server.gd")
+const UdpLink := preload("res://net/udp_link.gd")
+const WebSocketLink := preload("res://net/websocket_link.gd")
+const Messages := preload("res://net/messages.gd")
+const Worlds := preload("res://build/worlds.gd")
+const Simulation := preload("res://agents/simulation.gd")
+const View := preload("res://view/view.gd")
+
+## An idle engine polls this often, so that it does not take a core for nothing.
+const IDLE_MSEC := 2
+
+var server: Server
+var worlds: Worlds
+var simulation: Simulation
+var view: View
+
+var _settings: Dictionary = {}
+
+
+func _ready() -> void:
+	_settings = read_arguments(OS.get_cmdline_user_args())
+	var link: RefCounted = (
+		WebSocketLink.new() if _settings["transport"] == "websocket" else UdpLink.new()
+	)
+	if link.listen(_settings["host"], int(_settings["port"])) != OK:
+		printerr("roadlang: cannot listen on %s:%s" % [_settings["host"], _settings["port"]])
+		get_tree().quit(5)
+		return
+	worlds = Worlds.new()
+	add_child(worlds)
+	server = Server.new(link)
+	simulation = Simulation.new(server, worlds.stages)
+	view = View.new()
+	view.setup(worlds, simulation, server, bool(_settings["still"]))
+	add_child(view)
+	var messages := Messages.new(worlds, simulation, view, server)
+	server.handler = messages.handle
+	server.greeter = messages.greet
+	print(
+		"roadlang: listening on %s:%d (%s)"
+		% [_settings["host"], link.port(), _settings["transport"]]
+	)
+
+
+func _process(_dt: float) -> void:
+	if server == null:
+		return
+	var busy := server.poll(true)
+	if not busy and not simulation.running() and DisplayServer.get_name() == "headless":
+		OS.delay_msec(IDLE_MSEC)
+
+
+func _physics_process(dt: float) -> void:
+	if simulation != null:
+		simulation.step(dt)
+
+
+static func read_arguments(given: PackedStringArray) -> Dictionary:
+	var settings := {
+		"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false
+	}
+	var i := 0
+	while i < given.size():
+		var key := given[i].trim_prefix("--")
+		if key == "still":
+			settings["still"] = true
+		elif settings.has(key) and i + 1 < given.size():
+			i += 1
+			settings[key] = given[i]
+		i += 1
+	return settings

@@ -1,0 +1,198 @@
+extends RefCounted
+## Takes datagrams from one client at a time, and hands whole messages on, each exactly once.
+
+const Protocol := preload("res://net/protocol.gd")
+const Frame := preload("res://net/frame.gd")
+const Channel := preload("res://net/channel.gd")
+const Reader := preload("res://net/reader.gd")
+
+## A pass over the socket takes at most this long, so that the simulation goes on under any load.
+const BUDGET_USEC := 8000
+## How long a pass waits for more once datagrams have come: bulk then does not wait for a frame.
+const LINGER_USEC := 1500
+const SESSION_TIMEOUT_USEC := 60000000
+## A client this long unheard gives way to another.
+const YIELD_USEC := 6000000
+const ACK_EVERY := 8
+const MAX_COMPLAINTS := 20
+
+## Called with (type, payload); returns "" or what is wrong with the message.
+var handler: Callable
+## Called with the client's HELLO when a session begins.
+var greeter: Callable
+var dropped := 0
+var refused := 0
+
+var _link: RefCounted
+var _channel := Channel.new()
+var _session := 0
+var _client := ""
+var _nonce := -1
+var _last_heard := 0
+var _complaints := 0
+var _welcome := PackedByteArray()
+
+
+func _init(link: RefCounted) -> void:
+	_link = link
+
+
+func connected() -> bool:
+	return _session != 0
+
+
+func backlog() -> int:
+	return _channel.backlog()
+
+
+## Sends a message that will arrive exactly once.
+func send(type: int, payload: PackedByteArray) -> void:
+	if _session != 0:
+		_channel.offer(type, payload)
+
+
+func send_json(type: int, value: Dictionary) -> void:
+	send(type, JSON.stringify(value).to_ascii_buffer())
+
+
+## Sends a message that may be lost.
+func send_once(type: int, payload: PackedByteArray) -> void:
+	if _session != 0:
+		_link.send(_client, Frame.pack(type, _session, 0, payload))
+
+
+## Takes what has come, and sends what is due. Returns whether anything came.
+## With `linger` it waits a moment for more of a burst.
+func poll(linger: bool) -> bool:
+	var now := Time.get_ticks_usec()
+	var deadline := now + BUDGET_USEC
+	var quiet_since := now
+	var taken := 0
+	_link.poll()
+	while now < deadline:
+		if _link.available():
+			_receive(_link.take(), _link.source(), now)
+			taken += 1
+			quiet_since = Time.get_ticks_usec()
+			if taken % ACK_EVERY == 0:
+				_send_ack()
+		elif taken == 0 or not linger or now - quiet_since > LINGER_USEC:
+			break
+		else:
+			_flush(now)
+			OS.delay_usec(100)
+			_link.poll()
+		now = Time.get_ticks_usec()
+	_flush(now)
+	if _session != 0 and now - _last_heard > SESSION_TIMEOUT_USEC:
+		end_session()
+	return taken > 0
+
+
+func end_session() -> void:
+	_session = 0
+	_client = ""
+	_nonce = -1
+	_channel = Channel.new()
+	_channel.window = _link.window
+
+
+func _flush(now: int) -> void:
+	if _session == 0:
+		return
+	_send_ack()
+	for message: Array in _channel.due(now):
+		_link.send(_client, Frame.pack(message[0], _session, message[1], message[2]))
+
+
+func _send_ack() -> void:
+	var ack := _channel.take_ack()
+	if not ack.is_empty() and _session != 0:
+		_link.send(_client, Frame.pack(Protocol.ACK, _session, 0, ack))
+
+
+func _receive(datagram: PackedByteArray, source: String, now: int) -> void:
+	var frame := Frame.open(datagram)
+	if frame == null:
+		dropped += 1
+		return
+	if frame.type == Protocol.HELLO:
+		_greet(frame, source, now)
+		return
+	if _session == 0 or frame.session != _session or source != _client:
+		refused += 1
+		return
+	_last_heard = now
+	match frame.type:
+		Protocol.ACK:
+			_channel.acknowledged(frame.payload)
+		Protocol.PING:
+			send_once(Protocol.PING, PackedByteArray())
+		Protocol.BYE:
+			_send_goodbye()
+		_:
+			if frame.seq == 0 or _channel.accept(frame.seq):
+				_hand_on(frame)
+
+
+func _hand_on(frame: Frame) -> void:
+	var wrong: String = handler.call(frame.type, frame.payload)
+	if wrong.is_empty():
+		return
+	refused += 1
+	_complaints += 1
+	if _complaints <= MAX_COMPLAINTS:
+		send_json(Protocol.ERROR, {"type": frame.type, "seq": frame.seq, "text": wrong})
+
+
+func _send_goodbye() -> void:
+	_link.send(_client, Frame.pack(Protocol.BYE, _session, 0, PackedByteArray()))
+	end_session()
+
+
+func _greet(frame: Frame, source: String, now: int) -> void:
+	var reader := Reader.new(frame.payload)
+	var hello := reader.json()
+	var range_given: Variant = hello.get("protocol")
+	var nonce: Variant = hello.get("nonce")
+	if reader.failed or not range_given is Array or not nonce is float:
+		dropped += 1
+		return
+	if _session != 0 and source == _client and int(nonce) == _nonce:
+		_link.send(source, _welcome)
+		return
+	if _session != 0 and now - _last_heard < YIELD_USEC and source != _client:
+		_refuse(source, "busy", "another client holds this engine")
+		return
+	if not _speaks(range_given):
+		_refuse(source, "protocol", "this engine speaks version %d" % Protocol.VERSION)
+		return
+	_open_session(hello, source, now)
+
+
+func _speaks(range_given: Array) -> bool:
+	if range_given.size() != 2 or not range_given[0] is float or not range_given[1] is float:
+		return false
+	return range_given[0] <= Protocol.VERSION and range_given[1] >= Protocol.VERSION
+
+
+func _open_session(hello: Dictionary, source: String, now: int) -> void:
+	end_session()
+	_session = (randi() & 0x7FFFFFFF) | 1
+	_client = source
+	_nonce = int(float(hello["nonce"]))
+	_last_heard = now
+	_complaints = 0
+	var reply: Dictionary = greeter.call(hello)
+	reply["protocol"] = Protocol.VERSION
+	reply["session"] = _session
+	reply["max_datagram"] = Protocol.MAX_DATAGRAM
+	reply["window"] = _link.window
+	var text := JSON.stringify(reply).to_ascii_buffer()
+	_welcome = Frame.pack(Protocol.WELCOME, _session, 0, text)
+	_link.send(source, _welcome)
+
+
+func _refuse(source: String, code: String, text: String) -> void:
+	var body := JSON.stringify({"code": code, "text": text}).to_ascii_buffer()
+	_link.send(source, Frame.pack(Protocol.ERROR, 0, 0, body))

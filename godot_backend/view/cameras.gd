@@ -1,0 +1,144 @@
+extends Node3D
+## Chase, top and free camera. Keys 1, 2, 3 choose; the wheel zooms; the right button looks around.
+
+const Simulation := preload("res://agents/simulation.gd")
+const Agent := preload("res://agents/agent.gd")
+
+enum Kind { CHASE, TOP, FREE }
+
+const CHASE_BACK := 7.5
+const CHASE_UP := 2.6
+const TOP_HEIGHT := 400.0
+const FLY_SPEED := 25.0
+
+var kind := Kind.CHASE
+var camera := Camera3D.new()
+
+var _simulation: Simulation
+var _agent := 0
+var _centre := Vector2.ZERO
+var _top_size := 200.0
+var _yaw := 0.6
+var _pitch := -0.35
+var _place := Vector3(0.0, 30.0, 60.0)
+var _field := 60.0
+
+
+func setup(simulation: Simulation) -> void:
+	_simulation = simulation
+	camera.far = 6000.0
+	camera.near = 0.1
+	add_child(camera)
+
+
+func make_current() -> void:
+	camera.make_current()
+
+
+## Takes a wish: {camera, agent, x, y, z, yaw, pitch, size, field}; angles in radians, x east,
+## y north, z up.
+func take(wish: Dictionary) -> void:
+	match wish.get("camera", ""):
+		"chase":
+			kind = Kind.CHASE
+		"top":
+			kind = Kind.TOP
+		"free":
+			kind = Kind.FREE
+	_agent = int(Agent.number(wish, "agent", _agent))
+	_centre.x = Agent.number(wish, "x", _centre.x)
+	_centre.y = Agent.number(wish, "y", _centre.y)
+	_top_size = clampf(Agent.number(wish, "size", _top_size), 5.0, 20000.0)
+	_yaw = Agent.number(wish, "yaw", _yaw)
+	_pitch = Agent.number(wish, "pitch", _pitch)
+	_field = clampf(Agent.number(wish, "field", _field), 10.0, 120.0)
+	if kind == Kind.FREE:
+		_place = Vector3(_centre.x, Agent.number(wish, "z", _place.y), -_centre.y)
+	aim(camera)
+
+
+## Puts a camera where the view is taken from.
+func aim(target: Camera3D) -> void:
+	target.far = 6000.0
+	target.fov = _field
+	match kind:
+		Kind.TOP:
+			target.projection = Camera3D.PROJECTION_ORTHOGONAL
+			target.size = _top_size
+			target.near = 1.0
+			target.transform = Transform3D(
+				Basis(Vector3.RIGHT, -PI / 2), Vector3(_centre.x, TOP_HEIGHT, -_centre.y)
+			)
+		Kind.FREE:
+			target.projection = Camera3D.PROJECTION_PERSPECTIVE
+			target.near = 0.1
+			var turned := Basis(Vector3.UP, _yaw - PI / 2) * Basis(Vector3.RIGHT, _pitch)
+			target.transform = Transform3D(turned, _place)
+		Kind.CHASE:
+			_chase(target)
+
+
+func top_size() -> float:
+	return _top_size
+
+
+func _chase(target: Camera3D) -> void:
+	target.projection = Camera3D.PROJECTION_PERSPECTIVE
+	target.near = 0.1
+	var agent := _simulation.agent(0, _agent)
+	if agent == null or not is_instance_valid(agent):
+		return
+	var at := agent.body.global_position
+	var heading: float = agent.body.heading()
+	var forward := Vector3(cos(heading), 0.0, -sin(heading))
+	var eye := at - forward * CHASE_BACK + Vector3.UP * CHASE_UP
+	target.look_at_from_position(eye, at + forward * 8.0 + Vector3.UP * 0.9, Vector3.UP)
+
+
+func _process(dt: float) -> void:
+	if kind == Kind.FREE:
+		_fly(dt)
+	aim(camera)
+	for follower: Node3D in get_tree().get_nodes_in_group("follows_camera"):
+		follower.global_position = camera.global_position + Vector3.UP * 7.0
+
+
+func _fly(dt: float) -> void:
+	var way := Vector3.ZERO
+	var keys := {
+		KEY_I: Vector3.FORWARD, KEY_K: Vector3.BACK, KEY_J: Vector3.LEFT, KEY_L: Vector3.RIGHT,
+		KEY_U: Vector3.DOWN, KEY_O: Vector3.UP
+	}
+	for key: Key in keys:
+		if Input.is_physical_key_pressed(key):
+			way += keys[key]
+	_place += camera.basis * way * FLY_SPEED * dt
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	if event is InputEventKey and event.is_pressed():
+		match (event as InputEventKey).keycode:
+			KEY_1:
+				kind = Kind.CHASE
+			KEY_2:
+				kind = Kind.TOP
+			KEY_3:
+				kind = Kind.FREE
+			KEY_TAB:
+				_agent += 1
+				if _simulation.agent(0, _agent) == null:
+					_agent = 0
+	if event is InputEventMouseButton and event.is_pressed():
+		match (event as InputEventMouseButton).button_index:
+			MOUSE_BUTTON_WHEEL_UP:
+				_top_size = maxf(_top_size * 0.9, 5.0)
+			MOUSE_BUTTON_WHEEL_DOWN:
+				_top_size = minf(_top_size * 1.1, 20000.0)
+	var motion := event as InputEventMouseMotion
+	if motion != null and Input.is_mouse_button_pressed(MOUSE_BUTTON_RIGHT):
+		if kind == Kind.TOP:
+			var metres := _top_size / get_viewport().get_visible_rect().size.y
+			_centre += Vector2(-motion.relative.x, motion.relative.y) * metres
+		else:
+			_yaw -= motion.relative.x * 0.005
+			_pitch = clampf(_pitch - motion.relative.y * 0.005, -1.5, 1.5)

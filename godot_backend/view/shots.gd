@@ -1,0 +1,69 @@
+extends Node
+## Takes pictures of the first world at any size, and sends them to the client.
+
+const Protocol := preload("res://net/protocol.gd")
+const Server := preload("res://net/server.gd")
+const Agent := preload("res://agents/agent.gd")
+const Cameras := preload("res://view/cameras.gd")
+
+const MOST_PIXELS := 8192
+const PART_BYTES := 7000
+
+var _cameras: Cameras
+var _server: Server
+var _viewport := SubViewport.new()
+var _camera := Camera3D.new()
+var _queue: Array[Dictionary] = []
+var _busy := false
+
+
+func _init(cameras: Cameras, server: Server) -> void:
+	_cameras = cameras
+	_server = server
+	_viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
+	_viewport.msaa_3d = Viewport.MSAA_2X
+	_viewport.add_child(_camera)
+	add_child(_viewport)
+
+
+## Takes a wish: {id, width, height, format: png or jpg}.
+func take(wish: Dictionary) -> void:
+	_queue.append(wish)
+
+
+func _process(_dt: float) -> void:
+	if not _busy and not _queue.is_empty():
+		_busy = true
+		_picture(_queue.pop_front())
+
+
+func _picture(wish: Dictionary) -> void:
+	var width := clampi(int(Agent.number(wish, "width", 1280.0)), 16, MOST_PIXELS)
+	var height := clampi(int(Agent.number(wish, "height", 720.0)), 16, MOST_PIXELS)
+	_viewport.size = Vector2i(width, height)
+	_viewport.world_3d = get_tree().root.find_world_3d()
+	_camera.make_current()
+	_cameras.aim(_camera)
+	for follower: Node3D in get_tree().get_nodes_in_group("follows_camera"):
+		follower.global_position = _camera.global_position + Vector3.UP * 7.0
+	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
+	await RenderingServer.frame_post_draw
+	var image := _viewport.get_texture().get_image()
+	image.convert(Image.FORMAT_RGB8)
+	var bytes := (
+		image.save_jpg_to_buffer(0.92) if wish.get("format") == "jpg" else image.save_png_to_buffer()
+	)
+	_send(int(Agent.number(wish, "id", 0.0)), bytes)
+	_busy = false
+
+
+func _send(id: int, bytes: PackedByteArray) -> void:
+	var parts := ceili(float(bytes.size()) / PART_BYTES)
+	for part in parts:
+		var out := PackedByteArray()
+		out.resize(8)
+		out.encode_u32(0, id)
+		out.encode_u16(4, part)
+		out.encode_u16(6, parts)
+		out.append_array(bytes.slice(part * PART_BYTES, (part + 1) * PART_BYTES))
+		_server.send(Protocol.PICTURE, out)

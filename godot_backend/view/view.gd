@@ -1,0 +1,82 @@
+extends Node3D
+## What a human sees and does: cameras, pictures, the overlay, dragging.
+
+const Protocol := preload("res://net/protocol.gd")
+const Server := preload("res://net/server.gd")
+const Worlds := preload("res://build/worlds.gd")
+const Simulation := preload("res://agents/simulation.gd")
+const Cameras := preload("res://view/cameras.gd")
+const Shots := preload("res://view/shots.gd")
+const Overlay := preload("res://view/overlay.gd")
+const Dragging := preload("res://view/dragging.gd")
+const Scenery := preload("res://view/scenery.gd")
+
+var cameras := Cameras.new()
+
+var _headless := true
+var _still := false
+var _server: Server
+var _shots: Shots
+var _overlay: Overlay
+var _scenery: Scenery
+var _stale := false
+
+
+func setup(worlds: Worlds, simulation: Simulation, server: Server, still: bool) -> void:
+	_headless = DisplayServer.get_name() == "headless"
+	_server = server
+	_still = still
+	if _headless:
+		return
+	cameras.setup(simulation)
+	add_child(cameras)
+	_scenery = Scenery.new(worlds)
+	add_child(_scenery)
+	_shots = Shots.new(cameras, server)
+	add_child(_shots)
+	if still:
+		return
+	cameras.make_current()
+	_overlay = Overlay.new()
+	add_child(_overlay)
+	var dragging := Dragging.new()
+	dragging.setup(worlds, cameras, server)
+	add_child(dragging)
+
+
+func _ready() -> void:
+	# A still engine draws pictures that are asked for, and nothing between them.
+	if _still and not _headless:
+		get_viewport().disable_3d = true
+
+
+## Notes that something was built or removed.
+func scene_changed() -> void:
+	_stale = true
+
+
+## Takes a wish of the client; returns "" or why it cannot be had.
+func take(type: int, wish: Dictionary) -> String:
+	if _headless:
+		return "" if type == Protocol.NOTE else "this engine runs headless: it has no pictures"
+	match type:
+		Protocol.VIEW:
+			cameras.take(wish)
+		Protocol.SHOT:
+			_refresh()
+			_shots.take(wish)
+		Protocol.NOTE:
+			if _overlay != null:
+				_overlay.take(wish)
+	return ""
+
+
+func _process(_dt: float) -> void:
+	if not _headless and not _still:
+		_refresh()
+
+
+func _refresh() -> void:
+	if _stale and _scenery != null:
+		_stale = false
+		_scenery.rebuild()

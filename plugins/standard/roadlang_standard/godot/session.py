@@ -1,0 +1,292 @@
+"""A session with an engine: handshake, reliable messages, and the proof of what was built."""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+import time
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from . import protocol, thing
+from .channel import Channel
+from .faults import fault
+from .protocol import Message
+from .thing import Key, Thing
+
+PATIENCE = 5.0
+"""Seconds without an answer after which an engine counts as gone."""
+_HELLO_EVERY = 0.1
+_PING_EVERY = 1.0
+_NAMED = 8
+
+_BEGIN = struct.Struct("<HH")
+_COMMIT = struct.Struct("<HHI")
+_BUILT = struct.Struct("<HHIII16s")
+_PROBE = struct.Struct("<IHHff")
+_PART = struct.Struct("<IHH")
+
+
+class Link(Protocol):
+    """A way to send and receive datagrams."""
+
+    def send(self, datagram: bytes) -> None: ...
+    def receive(self, timeout: float) -> list[bytes]: ...
+    def close(self) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """What the engine's scene tree holds after a commit; `builds` counts every build ever made."""
+
+    things: int
+    builds: int
+    digest: bytes
+
+
+class Session:
+    """A connection to one engine. Use as a context manager; every wait ends or raises."""
+
+    def __init__(self, link: Link, *, patience: float = PATIENCE, name: str = "") -> None:
+        self._link = link
+        self._channel = Channel(getattr(link, "window", protocol.WINDOW))
+        self._patience = patience
+        self._inbox: deque[tuple[int, bytes]] = deque()
+        self._built: dict[int, dict[Key, tuple[int, Thing]]] = {}
+        self._revision = 0
+        self._request = 0
+        self._last_heard = self._last_sent = self._last_pump = time.monotonic()
+        self._session = 0
+        self.on_state: Callable[[bytes], None] | None = None
+        self.welcome = self._greet(name)
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Say goodbye and leave."""
+        try:
+            self.send_once(Message.BYE, b"")
+        except OSError:
+            pass
+        finally:
+            self._link.close()
+
+    # -- scenes ---------------------------------------------------------------------------------
+
+    def begin(self, settings: Mapping[str, Any], world: int = 0, *, clear: bool = False) -> None:
+        """Start an empty world; with `clear` all others go. `settings`: name, extent, ticks."""
+        if clear:
+            self._built.clear()
+        self._built[world] = {}
+        payload = _BEGIN.pack(world, int(clear)) + _json(settings)
+        self.send(Message.BEGIN, payload, "the scene's beginning")
+        self.flush()
+
+    def update(self, things: Iterable[Thing], world: int = 0) -> int:
+        """Send what differs from what this world holds. Returns how many messages that took."""
+        built = self._built.setdefault(world, {})
+        wanted = {one.key: one for one in things}
+        self._revision += 1
+        count = 0
+        for key, one in wanted.items():
+            if key not in built or built[key][1].body != one.body:
+                built[key] = (self._revision, one)
+                self.send(one.kind, one.message(world, self._revision), one.label)
+                count += 1
+        for key in [key for key in built if key not in wanted]:
+            label = built.pop(key)[1].label
+            self.send(Message.REMOVE, thing.removal(world, key, self._revision), f"end of {label}")
+            count += 1
+        self.flush()
+        return count
+
+    def prove(self, world: int = 0) -> Proof:
+        """Compare what the engine's scene tree holds with what was sent.
+
+        Raises `EngineError` (RL504) that names what is missing or different.
+        """
+        request = self._next_request()
+        self.send(Message.COMMIT, _COMMIT.pack(world, 0, request), "the proof")
+        while True:
+            _, _, answered, count, builds, digest = _BUILT.unpack(self.expect(Message.BUILT))
+            if answered == request:
+                break
+        built = self._built.get(world, {})
+        wanted = {key: one.record(revision) for key, (revision, one) in built.items()}
+        if digest != thing.digest(wanted.values()):
+            self._name_missing(world, wanted)
+        return Proof(count, builds, digest)
+
+    def records(self, world: int = 0) -> dict[Key, bytes]:
+        """The proof of each thing that the engine holds."""
+        request = self._next_request()
+        self.send(Message.LIST, _COMMIT.pack(world, 0, request), "the list of things")
+        whole = self._parts(Message.REPORT, request)
+        step = thing.RECORD_BYTES
+        found = [whole[at : at + step] for at in range(0, len(whole), step)]
+        return {thing.record_key(record): record for record in found}
+
+    def probe(self, x: float, y: float, world: int = 0) -> float | None:
+        """The height of the ground at a place of the engine's own coordinates; None: nothing."""
+        request = self._next_request()
+        self.send(Message.PROBE, _PROBE.pack(request, world, 0, x, y), "a probe")
+        while True:
+            payload = self.expect(Message.PROBED)
+            answered, hit, height = struct.unpack("<IBxxxf", payload)
+            if answered == request:
+                return float(height) if hit else None
+
+    def picture(self, wish: Mapping[str, Any]) -> bytes:
+        """The bytes of a picture (PNG or JPEG) that the engine has drawn."""
+        if not self.welcome.get("pictures"):
+            raise fault("RL508")
+        request = self._next_request()
+        self.send(Message.SHOT, _json({**wish, "id": request}), "a picture")
+        return self._parts(Message.PICTURE, request)
+
+    # -- messages -------------------------------------------------------------------------------
+
+    def send(self, type: Message, payload: bytes, label: str = "") -> None:
+        """Queue a message that will arrive exactly once."""
+        self._channel.offer(type, payload, label)
+
+    def send_json(self, type: Message, value: Mapping[str, Any], label: str = "") -> None:
+        """Queue a message whose payload is a JSON object."""
+        self.send(type, _json(value), label)
+
+    def send_once(self, type: Message, payload: bytes) -> None:
+        """Send a message that may be lost."""
+        self._last_sent = time.monotonic()
+        self._link.send(protocol.pack(type, self._session, 0, payload))
+
+    def flush(self) -> None:
+        """Wait until all that was queued has arrived. Raises `EngineError` (RL504, RL505, RL507)."""
+        while not self._channel.idle:
+            self.pump(0.02)
+
+    def expect(self, type: Message) -> bytes:
+        """Wait for a message of this type, leaving others in the inbox."""
+        while (payload := self.take(type)) is None:
+            self.pump(0.02)
+        return payload
+
+    def take(self, type: Message) -> bytes | None:
+        """The oldest message of this type that has come, or None."""
+        for index, (kind, payload) in enumerate(self._inbox):
+            if kind == type:
+                del self._inbox[index]
+                return payload
+        return None
+
+    def pump(self, timeout: float) -> None:
+        """Send what is due and take what has come, waiting up to `timeout` seconds for it."""
+        now = time.monotonic()
+        if now - self._last_pump > _PING_EVERY:
+            # Nobody listened for a while: that the engine was not heard then is no sign.
+            self._last_heard = now
+        self._last_pump = now
+        for type, seq, payload in self._channel.due(now):
+            self._last_sent = now
+            self._link.send(protocol.pack(type, self._session, seq, payload))
+        if now - self._last_sent > _PING_EVERY:
+            self.send_once(Message.PING, b"")
+        wait = min(timeout, max(0.0, self._channel.next_due() - now))
+        for datagram in self._receive(wait):
+            self._take(datagram)
+        ack = self._channel.take_ack()
+        if ack:
+            self._link.send(protocol.pack(Message.ACK, self._session, 0, ack))
+        self._check_alive()
+
+    def _receive(self, wait: float) -> list[bytes]:
+        try:
+            return self._link.receive(wait)
+        except OSError as error:
+            raise fault("RL505", reason=str(error)) from error
+
+    def _take(self, datagram: bytes) -> None:
+        frame = protocol.unpack(datagram)
+        if frame is None or frame.session != self._session:
+            return
+        self._last_heard = time.monotonic()
+        if frame.type == Message.ACK:
+            self._channel.acknowledged(frame.payload)
+        elif frame.type == Message.STATE and self.on_state is not None:
+            self.on_state(frame.payload)
+        elif frame.type == Message.BYE:
+            raise fault("RL505", reason="it said goodbye")
+        elif frame.seq and self._channel.accept(frame.seq):
+            if frame.type == Message.ERROR:
+                raise fault("RL507", reason=_text(frame.payload))
+            self._inbox.append((frame.type, frame.payload))
+
+    def _check_alive(self) -> None:
+        now = time.monotonic()
+        late = self._channel.overdue(now, self._patience)
+        if late:
+            named = ", ".join(late[:_NAMED]) + (", ..." if len(late) > _NAMED else "")
+            raise fault("RL504", count=len(late), names=named)
+        if now - self._last_heard > self._patience + 2 * _PING_EVERY:
+            raise fault("RL505", reason=f"nothing heard for {now - self._last_heard:.0f} s")
+
+    def _greet(self, name: str) -> dict[str, Any]:
+        nonce = int.from_bytes(os.urandom(4), "little")
+        version = protocol.VERSION
+        hello = _json({"protocol": [version, version], "nonce": nonce, "scene": name})
+        deadline = time.monotonic() + self._patience
+        while time.monotonic() < deadline:
+            self._link.send(protocol.pack(Message.HELLO, 0, 0, hello))
+            for datagram in self._receive(_HELLO_EVERY):
+                frame = protocol.unpack(datagram)
+                if frame is None:
+                    continue
+                if frame.type == Message.ERROR and frame.session == 0:
+                    raise fault("RL503", reason=_text(frame.payload))
+                if frame.type == Message.WELCOME:
+                    self._session = frame.session
+                    self._last_heard = time.monotonic()
+                    welcome: dict[str, Any] = json.loads(frame.payload)
+                    return welcome
+        raise fault("RL502", seconds=f"{self._patience:.0f}")
+
+    def _name_missing(self, world: int, wanted: Mapping[Key, bytes]) -> None:
+        found = self.records(world)
+        labels = {key: one.label for key, (_, one) in self._built[world].items()}
+        wrong = [key for key in wanted if found.get(key) != wanted[key]]
+        extra = [f"something never sent ({key[0]:#x}, {key[1]})" for key in found.keys() - wanted]
+        names = [labels[key] for key in wrong] + sorted(extra)
+        shown = ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
+        raise fault("RL504", count=len(names), names=shown)
+
+    def _parts(self, type: Message, request: int) -> bytes:
+        parts: dict[int, bytes] = {}
+        total = None
+        while total is None or len(parts) < total:
+            payload = self.expect(type)
+            answered, part, count = _PART.unpack_from(payload)
+            if answered == request:
+                parts[part] = payload[_PART.size :]
+                total = count
+        return b"".join(parts[part] for part in sorted(parts))
+
+    def _next_request(self) -> int:
+        self._request += 1
+        return self._request
+
+
+def _json(value: Mapping[str, Any]) -> bytes:
+    return json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":")).encode()
+
+
+def _text(payload: bytes) -> str:
+    try:
+        return str(json.loads(payload).get("text", ""))
+    except ValueError:
+        return payload[:80].decode("ascii", "replace")
