@@ -52,9 +52,10 @@ class LazyGroup(click.Group):
             from ..diagnostics import did_you_mean
 
             hint = did_you_mean(args[0], self.list_commands(ctx))
-            if hint:
-                error.message = f"{error.message} {hint[0].capitalize()}"
-            raise
+            if not hint:
+                raise
+            message = f"{error.message} {hint[0].capitalize()}"
+            raise click.UsageError(message, ctx) from error
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         rows = [(name, COMMANDS[name][1]) for name in self.list_commands(ctx)]

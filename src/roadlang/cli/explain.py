@@ -42,7 +42,7 @@ def _find(code: str) -> Page:
     except UnknownCode:
         hints = did_you_mean(folded, codes())
         raise DiagnosticError(
-            diagnose("RL925", code=code, help=(*hints, "`roadlang explain` lists all codes"))
+            diagnose("RL925", wanted=code, help=(*hints, "`roadlang explain` lists all codes"))
         ) from None
 
 

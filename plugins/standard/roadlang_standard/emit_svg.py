@@ -1,0 +1,39 @@
+"""`emit svg`: each scene as a figure, and a contact sheet of all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Backend, Flag, Pixels, option
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+
+@dataclass(frozen=True)
+class Svg(Backend):
+    """A figure of each scene, and a contact sheet where there are several."""
+
+    name: ClassVar[str] = "svg"
+    size: Pixels = option(1024.0, minimum=120, maximum=8192, help="width of the figure")
+    ghost: Flag = option(True, help="show the original road under the perturbed one")
+    labels: Flag = option(True, help="name agents and objects")
+    legend: Flag = option(True, help="list requirements and expectations below the map")
+    stations: Flag = option(True, help="mark arc length along the road")
+    contact_sheet: Flag = option(True, help="write contact-sheet.svg where there are many scenes")
+
+    def files(self, scene: Scene) -> Mapping[str, str]:
+        """The figure."""
+        from .svg.drawing import Style, draw
+
+        style = Style(self.size, self.ghost, self.labels, self.legend, self.stations)
+        return {"svg": draw(scene, style)}
+
+    def collection(self, scenes: Iterable[Scene]) -> Mapping[str, str]:
+        """The contact sheet."""
+        from .svg.sheet import contact_sheet
+
+        sheet = contact_sheet(scenes, self.size) if self.contact_sheet else None
+        return {} if sheet is None else {"contact-sheet.svg": sheet}

@@ -1,0 +1,128 @@
+"""Agents and objects at their places, turned as they stand, large enough to be seen."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from . import palette, shapes
+from .markup import element, group, text, title
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene, SceneActor
+
+    from .viewport import Viewport
+
+_CARS = ("car", "van", "bus", "parked_car", "parked_van")
+_TRUCKS = ("truck", "parked_truck")
+_TWO_WHEELERS = ("bicycle", "motorcycle")
+_GREENERY = ("tree", "bush")
+_UNLABELLED = ("tree", "bush", "building")
+_SHORTEST_AGENT = 15.0
+_SMALLEST_OBJECT = 3.0
+_MOST_LABELLED_OBJECTS = 12
+_COLOUR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
+
+
+def objects(scene: Scene, viewport: Viewport) -> str:
+    """Everything that does not move; trees last, their crowns over the rest."""
+    ordered = sorted(scene.objects, key=lambda thing: _plain(thing.kind) in _GREENERY)
+    drawn = [
+        _drawn(thing, index, viewport, _SMALLEST_OBJECT) for index, thing in enumerate(ordered)
+    ]
+    return group(drawn, class_="objects")
+
+
+def agents(scene: Scene, viewport: Viewport) -> str:
+    """Everything that moves."""
+    drawn = [
+        _drawn(agent, index, viewport, _SHORTEST_AGENT) for index, agent in enumerate(scene.agents)
+    ]
+    return group(drawn, class_="agents")
+
+
+def labels(scene: Scene, viewport: Viewport, size: float) -> str:
+    """Names beside agents and the objects worth naming, with a halo, not on top of each other."""
+    things = list(scene.agents)
+    worthy = [thing for thing in scene.objects if _plain(thing.kind) not in _UNLABELLED]
+    if len(worthy) <= _MOST_LABELLED_OBJECTS:
+        things += worthy
+    return group(
+        _labels(things, viewport, size),
+        class_="labels",
+        font_size=size,
+        font_weight="600",
+        fill=palette.INK,
+        stroke="#ffffff",
+        stroke_width=3.2,
+        stroke_opacity=0.92,
+        paint_order="stroke",
+        stroke_linejoin="round",
+    )
+
+
+def _drawn(thing: SceneActor, index: int, viewport: Viewport, least: float) -> str:
+    x, y = viewport.place([thing.x, thing.y]).tolist()
+    scale = viewport.pixels_per_metre
+    longest = max(thing.length, thing.width, 0.01) * scale
+    enlarged = scale * max(1.0, least / longest)
+    turn = f"translate({x:.2f} {y:.2f}) rotate({-math.degrees(thing.heading):.2f})"
+    shape = _shape(thing, index, enlarged)
+    return element("g", title(_hint(thing)), *shape, transform=turn)
+
+
+def _shape(thing: SceneActor, index: int, scale: float) -> list[str]:
+    length, width = thing.length * scale, thing.width * scale
+    kind, colour = _plain(thing.kind), _colour(thing)
+    if kind in _CARS:
+        return shapes.car(length, width, colour)
+    if kind in _TRUCKS:
+        return shapes.truck(length, width, colour)
+    if kind in _TWO_WHEELERS:
+        return shapes.bicycle(length, width, colour)
+    if kind == "pedestrian":
+        return shapes.pedestrian(length, width, colour)
+    if kind in _GREENERY:
+        return shapes.tree(max(length, width), index)
+    if kind == "building":
+        return shapes.building(length, width)
+    return shapes.block(length, width, colour)
+
+
+def _plain(kind: str) -> str:
+    return kind.rpartition(".")[2]
+
+
+def _colour(thing: SceneActor) -> str:
+    given = thing.options.get("colour")
+    return given if isinstance(given, str) and _COLOUR.match(given) else palette.OBJECT
+
+
+def _hint(thing: SceneActor) -> str:
+    place = f" at {thing.start:.1f} m on {thing.road}" if thing.start is not None else ""
+    return f"{thing.name}: {_plain(thing.kind)}{place}"
+
+
+def _labels(things: Sequence[SceneActor], viewport: Viewport, size: float) -> Iterator[str]:
+    taken: list[tuple[float, float, float]] = []
+    for thing in things:
+        x, y = viewport.place([thing.x, thing.y]).tolist()
+        reach = max(thing.length, thing.width) * viewport.pixels_per_metre
+        drop = max(reach, _SHORTEST_AGENT) / 2 + 0.6 * size
+        wide = 0.56 * size * len(thing.name)
+        candidates = [(x, y - drop), (x, y + drop + 0.7 * size)]
+        candidates += [(x, y - drop - step * 1.15 * size) for step in (1, 2, 3)]
+        spot = next((c for c in candidates if _free(*c, wide, size, taken)), candidates[0])
+        taken.append((*spot, wide))
+        yield text(thing.name, *spot, text_anchor="middle")
+
+
+def _free(
+    x: float, y: float, wide: float, size: float, taken: Sequence[tuple[float, float, float]]
+) -> bool:
+    return all(
+        abs(x - other_x) > (wide + other_wide) / 2 or abs(y - other_y) > 1.1 * size
+        for other_x, other_y, other_wide in taken
+    )

@@ -1,0 +1,132 @@
+"""A whole scene as one figure: title, map, legend."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from . import actors, furniture, ghost, legend, palette
+from .markup import element, group, text
+from .ribbon import Ribbon, ribbon_of
+from .roads import roads
+from .selection import Selection, select
+from .viewport import Viewport, bounds, fitted
+from .violations import violations
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+
+@dataclass(frozen=True)
+class Style:
+    """What a drawing shows; `size` is its width in pixels."""
+
+    size: float = 1024.0
+    ghost: bool = True
+    labels: bool = True
+    legend: bool = True
+    stations: bool = True
+
+    @property
+    def font(self) -> float:
+        """Pixels of the labels: the same share of a small and a large figure."""
+        return max(self.size / 78, 7.0)
+
+
+def draw(scene: Scene, style: Style) -> str:
+    """The SVG document of a scene."""
+    size, pad = style.font, 1.2 * style.font
+    top = pad + 2.3 * size
+    viewport = fitted(bounds(scene), pad, top, style.size - 2 * pad)
+    rows = legend.rows_of(scene) if style.legend else []
+    below = top + viewport.height + 0.9 * size
+    foot = max(legend.height(rows, size), 2.6 * size)
+    furniture_left = style.size - pad - 0.22 * viewport.width
+    bar_width = viewport.width * 0.74 if rows else 0.0
+    parts = [
+        element("defs", furniture.clip(viewport, "map")),
+        _heading(scene, style, pad, pad + 1.2 * size),
+        map_of(scene, viewport, style),
+        furniture.frame(viewport),
+        furniture.north_arrow(
+            viewport.x + viewport.width - 1.9 * size, viewport.y + 3.4 * size, size
+        ),
+        furniture.scale_bar(viewport, size, style.size - pad - 2.2 * size, below + 0.3 * size),
+        legend.legend(rows, pad, below - 0.2 * size, min(bar_width, furniture_left), size),
+    ]
+    return document(parts, style.size, below + foot + pad, _described(scene))
+
+
+def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") -> str:
+    """The map alone, clipped to its rectangle."""
+    selection = select(scene)
+    ribbons = {road.name: ribbon_of(road, viewport) for road in scene.roads}
+    parts = [
+        furniture.ground(viewport),
+        ghost.context(ribbons[name] for name in selection.context),
+        ghost.ghosts(ribbons[name] for name in selection.ghosts) if style.ghost else "",
+        roads(scene, ribbons, selection.full, viewport),
+        ghost.ghost_lines(ribbons[name] for name in selection.ghosts) if style.ghost else "",
+        violations(scene, ribbons),
+        actors.objects(scene, viewport),
+        *_stations(scene, selection, ribbons, viewport, style),
+        actors.agents(scene, viewport),
+        actors.labels(scene, viewport, style.font) if style.labels else "",
+    ]
+    return group(parts, class_="map", clip_path=f"url(#{clip})")
+
+
+def _stations(
+    scene: Scene,
+    selection: Selection,
+    ribbons: Mapping[str, Ribbon],
+    viewport: Viewport,
+    style: Style,
+) -> list[str]:
+    if not style.stations:
+        return []
+    alone = [road.name for road in scene.roads if road.name in selection.full and not road.network]
+    return [furniture.station_marks(ribbons[name], viewport, style.font) for name in alone]
+
+
+def _heading(scene: Scene, style: Style, x: float, base: float) -> str:
+    name = scene.title or scene.name
+    made = scene.provenance
+    note = f"{scene.name} · scene {scene.index} · seed {made.seed}"
+    room = int((style.size - 3 * x) / (0.62 * style.font)) - len(note)
+    shown = name if len(name) <= room else name[: max(room - 1, 1)].rstrip() + "…"
+    size = style.font
+    return group(
+        [
+            text(shown, x, base, font_size=1.3 * size, font_weight="700", fill=palette.INK),
+            text(note, style.size - x, base, text_anchor="end", font_size=0.9 * size,
+                 fill=palette.QUIET_INK),
+        ],
+        class_="heading",
+    )  # fmt: skip
+
+
+def _described(scene: Scene) -> str:
+    return f"{scene.title or scene.name}: scene {scene.index}, seed {scene.provenance.seed}"
+
+
+def document(parts: list[str], width: float, height: float, description: str) -> str:
+    """An SVG document on white."""
+    body = [
+        element("title", description.replace("&", "and").replace("<", "")),
+        element("rect", width="100%", height="100%", fill="#ffffff"),
+        *(part for part in parts if part),
+    ]
+    svg = element(
+        "svg",
+        "\n",
+        "\n".join(body),
+        "\n",
+        xmlns="http://www.w3.org/2000/svg",
+        viewBox=f"0 0 {width:.0f} {height:.0f}",
+        width=f"{width:.0f}",
+        height=f"{height:.0f}",
+        font_family=palette.FONT,
+    )
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg}\n'

@@ -1,0 +1,133 @@
+"""What makes a drawing a map: frame, scale bar, north arrow, arc-length marks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from . import palette
+from .markup import element, group, text
+
+if TYPE_CHECKING:
+    from .ribbon import Ribbon
+    from .viewport import Viewport
+
+_BAR_SHARE = 0.18
+_MARK_SPACING = 95.0
+
+
+def ground(viewport: Viewport) -> str:
+    """The map's background."""
+    return element("rect", **_rectangle(viewport), rx=3.0, fill=palette.GROUND)
+
+
+def frame(viewport: Viewport) -> str:
+    return element(
+        "rect",
+        **_rectangle(viewport),
+        rx=3.0,
+        fill="none",
+        stroke=palette.GROUND_EDGE,
+        stroke_width=1.0,
+    )
+
+
+def clip(viewport: Viewport, name: str) -> str:
+    """A clip path of the map's rectangle."""
+    shape = element("rect", **_rectangle(viewport), rx=3.0)
+    return element("clipPath", shape, id=name)
+
+
+def scale_bar(viewport: Viewport, size: float, right: float, y: float) -> str:
+    """Two-tone, of a round length, its right end at `right` and its top at `y`."""
+    metres = round_length(_BAR_SHARE * viewport.box.width)
+    long = metres * viewport.pixels_per_metre
+    left, thick = right - long, 5.0
+    half = long / 2
+    bar = [
+        element("rect", x=left, y=y, width=half, height=thick, fill=palette.INK),
+        element("rect", x=left + half, y=y, width=half, height=thick, fill="#ffffff"),
+        element("rect", x=left, y=y, width=long, height=thick, fill="none",
+                stroke=palette.INK, stroke_width=0.8),
+    ]  # fmt: skip
+    below = y + thick + 1.15 * size
+    ticks = [(left, "0"), (left + half, _bare(metres / 2, metres)), (right, _length_text(metres))]
+    bar += [text(label, x, below, text_anchor="middle") for x, label in ticks]
+    return group(bar, class_="scale-bar", font_size=0.9 * size, fill=palette.INK)
+
+
+def north_arrow(x: float, y: float, size: float) -> str:
+    """A needle with its tip up and an N; (x, y) is its centre."""
+    tall, wide = 1.5 * size, 0.62 * size
+    lit = (
+        f"{x:.2f},{y - tall:.2f} {x:.2f},{y + 0.45 * tall:.2f} {x - wide:.2f},{y + 0.8 * tall:.2f}"
+    )
+    dark = (
+        f"{x:.2f},{y - tall:.2f} {x:.2f},{y + 0.45 * tall:.2f} {x + wide:.2f},{y + 0.8 * tall:.2f}"
+    )
+    line = {"stroke": palette.INK, "stroke_width": 0.9, "stroke_linejoin": "round"}
+    return group(
+        [
+            element("polygon", points=lit, fill="#ffffff", **line),
+            element("polygon", points=dark, fill=palette.INK, **line),
+            text("N", x, y - tall - 0.35 * size, text_anchor="middle", font_size=size,
+                 font_weight="700", fill=palette.INK),
+        ],
+        class_="north",
+    )  # fmt: skip
+
+
+def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:
+    """Ticks at round arc lengths of the root road, the positions of the requirements."""
+    spacing = round_length(_MARK_SPACING / viewport.pixels_per_metre)
+    return group(
+        _marks(ribbon, spacing, size),
+        class_="stations",
+        font_size=0.8 * size,
+        fill=palette.QUIET_INK,
+        stroke=palette.QUIET_INK,
+    )
+
+
+def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
+    import numpy as np
+
+    last = float(ribbon.reference[-1])
+    for step in range(int(last / spacing + 1e-9) + 1):
+        s = step * spacing
+        here = ribbon.part(s, min(s + 1e-3, last), by_reference=True)
+        edge, out = here.line(-1.0)[0], -here.left[0]
+        near, far = edge + 1.5 * out, edge + 6.0 * out
+        spot = edge + (6.0 + 0.9 * size) * out
+        yield element("line", x1=float(near[0]), y1=float(near[1]), x2=float(far[0]),
+                      y2=float(far[1]), stroke_width=0.9)  # fmt: skip
+        label = _length_text(s) if step == 0 or s + spacing > last else _bare(s, last)
+        if not np.isfinite(spot).all():
+            continue
+        yield text(label, float(spot[0]), float(spot[1]) + 0.28 * size, text_anchor="middle",
+                   stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
+
+
+def round_length(metres: float) -> float:
+    """The greatest of 1, 2 or 5 times a power of ten that is not longer."""
+    power = 10.0 ** math.floor(math.log10(metres))
+    return next(step * power for step in (5, 2, 1) if step * power <= metres * (1 + 1e-9))
+
+
+def _length_text(metres: float) -> str:
+    return f"{metres / 1000:g} km" if metres >= 1000 else f"{metres:g} m"
+
+
+def _bare(metres: float, largest: float) -> str:
+    """The number alone, in the unit that `largest` would be written in."""
+    return f"{metres / 1000:g}" if largest >= 1000 else f"{metres:g}"
+
+
+def _rectangle(viewport: Viewport) -> dict[str, object]:
+    return {
+        "x": viewport.x,
+        "y": viewport.y,
+        "width": viewport.width,
+        "height": viewport.height,
+    }

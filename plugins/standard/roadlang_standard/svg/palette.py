@@ -1,0 +1,36 @@
+"""Colours of a drawing: calm ground, grey road, strong colours only for what must be noticed."""
+
+from __future__ import annotations
+
+GROUND = "#f4f2ec"
+GROUND_EDGE = "#d9d5c9"
+CASING = "#3f454c"
+SURFACE = "#757b83"
+MARKING = "#fbfaf5"
+GHOST_FILL = "#9db4cf"
+GHOST_LINE = "#3f6ea5"
+CONTEXT = "#d3d0c6"
+INK = "#23272b"
+QUIET_INK = "#6c7177"
+SATISFIED = "#2b8a3e"
+UNKNOWN = "#8b8f94"
+VIOLATIONS = ("#d6336c", "#e8590c", "#9c36b5", "#c92a2a", "#a07000")
+AGENTS = ("#1c7ed6", "#e8590c", "#2f9e44", "#9c36b5", "#c2255c", "#0c8599")
+LEAVES = ("#7fb069", "#5d9550", "#497d40")
+TRUNK = "#38612f"
+ROOF_LIGHT = "#cda58b"
+ROOF_DARK = "#b98b6e"
+ROOF_LINE = "#7d5a45"
+OBJECT = "#c9a227"
+
+FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
+
+
+def violation_colour(index: int) -> str:
+    """The colour of the `index`-th violated constraint of a scene."""
+    return VIOLATIONS[index % len(VIOLATIONS)]
+
+
+def agent_colour(index: int) -> str:
+    """The colour of the `index`-th agent group of a scene."""
+    return AGENTS[index % len(AGENTS)]

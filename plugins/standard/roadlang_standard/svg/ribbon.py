@@ -1,0 +1,120 @@
+"""A road as shapes in the drawing: its surface, lines along it, stretches of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import SceneRoad
+
+    from .viewport import Viewport
+
+    Floats = NDArray[np.float64]
+
+_CLOSEST_POINTS = 1.2
+_NARROWEST = 3.5
+
+
+@dataclass(frozen=True)
+class Ribbon:
+    """A road in pixels: `centre` and `left` (unit vectors to the left) are (n, 2), `half` (n,).
+
+    `stations` is arc length of the road and `reference` that of its root, in metres.
+    """
+
+    name: str
+    centre: Floats
+    left: Floats
+    half: Floats
+    stations: Floats
+    reference: Floats
+    lanes: int
+    closed: bool
+    widened: bool
+
+    def outline(self, inset: float = 0.0) -> Floats:
+        """The surface's polygon, `inset` pixels narrower on each side."""
+        import numpy as np
+
+        reach = np.maximum(self.half - inset, 0.3)[:, None] * self.left
+        return np.concatenate([self.centre + reach, (self.centre - reach)[::-1]])
+
+    def line(self, share: float, shift: float = 0.0) -> Floats:
+        """A line along the road, at `share` (-1 right edge, 1 left edge) and `shift` pixels."""
+        return self.centre + (self.half * share + shift)[:, None] * self.left
+
+    def part(self, start: float, end: float, by_reference: bool = False) -> Ribbon:
+        """From arc length `start` to `end` (of the root road's if `by_reference`)."""
+        import numpy as np
+
+        axis = self.reference if by_reference else self.stations
+        inner = axis[(axis > start) & (axis < end)]
+        places = np.concatenate([[start], inner, [end]])
+        places = np.clip(places, axis[0], axis[-1])
+
+        def at(values: Floats) -> Floats:
+            return np.interp(places, axis, values)
+
+        def both(values: Floats) -> Floats:
+            return np.stack([at(values[:, 0]), at(values[:, 1])], axis=-1)
+
+        return Ribbon(
+            name=self.name,
+            centre=both(self.centre),
+            left=both(self.left),
+            half=at(self.half),
+            stations=at(self.stations),
+            reference=at(self.reference),
+            lanes=self.lanes,
+            closed=False,
+            widened=self.widened,
+        )
+
+
+def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
+    """A road in pixels, with no more points than the eye can tell apart.
+
+    A road too narrow to be seen at this scale is widened.
+    """
+    import numpy as np
+
+    centre = viewport.place(np.column_stack([road.x, road.y]))
+    heading = np.asarray(road.heading)
+    columns = np.column_stack([-np.sin(heading), -np.cos(heading)])
+    half = np.asarray(road.width) / 2 * viewport.pixels_per_metre
+    stations, reference = np.asarray(road.stations), np.asarray(road.reference_stations)
+    keep = _kept(centre)
+    centre, columns, half = centre[keep], columns[keep], half[keep]
+    stations, reference = stations[keep], reference[keep]
+    if road.closed:
+        centre, columns = np.vstack([centre, centre[:1]]), np.vstack([columns, columns[:1]])
+        half = np.append(half, half[0])
+        stations = np.append(stations, road.length)
+        rest = road.length - road.stations[-1]
+        reference = np.append(reference, road.reference_stations[-1] + rest)
+    return Ribbon(
+        name=road.name,
+        centre=centre,
+        left=columns,
+        half=np.maximum(half, _NARROWEST / 2),
+        stations=stations,
+        reference=reference,
+        lanes=road.lanes,
+        closed=road.closed,
+        widened=bool(half.max() < _NARROWEST / 2),
+    )
+
+
+def _kept(points: Floats) -> NDArray[np.intp]:
+    import numpy as np
+
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    travelled = np.concatenate([[0.0], np.cumsum(steps)]) / _CLOSEST_POINTS
+    cells = np.floor(travelled)
+    keep = np.concatenate([[True], cells[1:] > cells[:-1]])
+    keep[-1] = True
+    return np.flatnonzero(keep)

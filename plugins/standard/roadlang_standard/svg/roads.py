@@ -1,0 +1,138 @@
+"""Roads: surface, edges and lane markings, joined cleanly at the junctions of a network."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from . import palette
+from .markup import element, group, path_data
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+    from .ribbon import Ribbon
+    from .viewport import Viewport
+
+_CASING = 1.1
+_DASH, _GAP = 3.0, 4.5
+_NARROWEST_LANE = 4.0
+
+
+def roads(
+    scene: Scene, ribbons: Mapping[str, Ribbon], names: Sequence[str], viewport: Viewport
+) -> str:
+    """The roads called `names` in full, in layers so that junctions have no inner edges."""
+    shown = [ribbons[name] for name in names]
+    discs = list(_junction_discs(scene, ribbons, set(names), viewport))
+    casing = [_surface(ribbon, 0.0) for ribbon in shown]
+    surface = [_surface(ribbon, _edge(ribbon)) for ribbon in shown]
+    casing += [_disc(x, y, radius) for x, y, radius, _ in discs]
+    surface += [_disc(x, y, radius - edge) for x, y, radius, edge in discs]
+    return group(
+        [
+            group(casing, fill=palette.CASING, stroke=palette.CASING, stroke_linejoin="round"),
+            group(surface, fill=palette.SURFACE, stroke="none"),
+            group(_markings(scene, ribbons, shown, viewport), class_="markings"),
+        ],
+        class_="roads",
+    )
+
+
+def _edge(ribbon: Ribbon) -> float:
+    """Pixels of casing to each side: less on roads that are thin in the drawing."""
+    return min(_CASING, 0.22 * float(ribbon.half.mean()))
+
+
+def _surface(ribbon: Ribbon, inset: float) -> str:
+    # Nonzero filling keeps the inside of a bend filled that is tighter than half the width.
+    return element("path", d=path_data(ribbon.outline(inset), closed=True), stroke_width=0)
+
+
+def _disc(x: float, y: float, radius: float) -> str:
+    return element("circle", cx=x, cy=y, r=max(radius, 0.3), stroke_width=0)
+
+
+def _junction_discs(
+    scene: Scene, ribbons: Mapping[str, Ribbon], names: set[str], viewport: Viewport
+) -> Iterator[tuple[float, float, float, float]]:
+    """x, y, radius and casing in pixels of the disc that joins the roads at each node."""
+    for network in scene.networks:
+        for node in network.nodes:
+            meeting = [ribbons[name] for name in node.roads if name in names]
+            if len(meeting) > 1:
+                x, y = viewport.place([node.x, node.y]).tolist()
+                widest = max(meeting, key=lambda ribbon: _end_half(ribbon, x, y))
+                yield x, y, _end_half(widest, x, y), _edge(widest)
+
+
+def _end_half(ribbon: Ribbon, x: float, y: float) -> float:
+    """Half the width at the end that is at (x, y)."""
+    first, last = ribbon.centre[0], ribbon.centre[-1]
+    at_start = abs(first - (x, y)).sum() <= abs(last - (x, y)).sum()
+    return float(ribbon.half[0 if at_start else -1])
+
+
+def _markings(
+    scene: Scene, ribbons: Mapping[str, Ribbon], shown: Sequence[Ribbon], viewport: Viewport
+) -> Iterator[str]:
+    trimmed = _trims(scene, ribbons)
+    for ribbon in shown:
+        lane = 2 * float(ribbon.half.mean()) / max(ribbon.lanes, 1)
+        if ribbon.widened or lane < _NARROWEST_LANE:
+            continue
+        before, after = trimmed.get(ribbon.name, (0.0, 0.0))
+        end = float(ribbon.stations[-1])
+        if before + after >= end:
+            continue
+        part = ribbon.part(before, end - after) if before or after else ribbon
+        yield from _lines(part, lane, viewport)
+
+
+def _lines(ribbon: Ribbon, lane: float, viewport: Viewport) -> Iterator[str]:
+    thin = min(max(0.035 * lane, 0.5), 2.0)
+    for side in (1, -1):
+        edge = ribbon.line(side, shift=-side * (0.09 * lane + thin))
+        yield _stroke(edge, thin)
+    for boundary in range(1, ribbon.lanes):
+        share = 1 - 2 * boundary / ribbon.lanes
+        centre_of_many = ribbon.lanes >= 4 and 2 * boundary == ribbon.lanes
+        dash = None if centre_of_many else _dash(viewport.pixels_per_metre)
+        yield _stroke(ribbon.line(share), thin, dash)
+
+
+def _dash(pixels_per_metre: float) -> str:
+    scale = max(pixels_per_metre, 5.0 / _DASH)
+    return f"{_DASH * scale:.2f} {_GAP * scale:.2f}"
+
+
+def _stroke(points: object, width: float, dash: str | None = None) -> str:
+    return element(
+        "path",
+        d=path_data(points),  # type: ignore[arg-type]
+        fill="none",
+        stroke=palette.MARKING,
+        stroke_width=width,
+        stroke_dasharray=dash,
+        stroke_linecap="butt",
+        stroke_linejoin="round",
+    )
+
+
+def _trims(scene: Scene, ribbons: Mapping[str, Ribbon]) -> dict[str, tuple[float, float]]:
+    """Metres at the start and end of each road that lie in a junction of three or more."""
+    trims: dict[str, list[float]] = {}
+    roads = {road.name: road for road in scene.roads}
+    for network in scene.networks:
+        for node in network.nodes:
+            if len(node.roads) < 3:
+                continue
+            radius = 0.62 * max(max(roads[name].width) for name in node.roads if name in roads)
+            for name in node.roads:
+                road = roads[name]
+                ends = [(road.x[0], road.y[0]), (road.x[-1], road.y[-1])]
+                near = min(
+                    (0, 1), key=lambda i: abs(ends[i][0] - node.x) + abs(ends[i][1] - node.y)
+                )
+                trims.setdefault(name, [0.0, 0.0])[near] = radius
+    return {name: (before, after) for name, (before, after) in trims.items()}

@@ -1,0 +1,95 @@
+"""Many scenes on one sheet, all at one scale, to compare them at a glance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from . import furniture, palette
+from .drawing import Style, document, map_of
+from .markup import element, group, rho, text
+from .viewport import Box, Viewport, bounds, within
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from roadlang.api import Scene
+
+MOST_SCENES = 48
+_GAP = 14.0
+
+
+def contact_sheet(scenes: Iterable[Scene], size: float) -> str | None:
+    """The first `MOST_SCENES` scenes in a grid; None where there are fewer than two."""
+    stream = iter(scenes)
+    shown = list(islice(stream, MOST_SCENES))
+    rest = sum(1 for _ in stream)
+    if len(shown) < 2:
+        return None
+    whole = _around(shown)
+    columns = _columns(len(shown), whole)
+    cell = (size - _GAP * (columns + 1)) / columns
+    tall = cell * min(max(whole.height / max(whole.width, 1e-9), 0.35), 1.3)
+    font = max(size / 90, 8.0)
+    head, caption = 3.2 * font, 2.0 * font
+    parts = [_heading(shown[0], len(shown), rest, _GAP, 1.9 * font, font)]
+    for index, scene in enumerate(shown):
+        row, column = divmod(index, columns)
+        x = _GAP + column * (cell + _GAP)
+        y = head + row * (tall + caption + _GAP)
+        frame = Viewport(whole, x, y, cell, tall)
+        parts.append(_cell(scene, within(whole, frame), f"cell-{index}", font))
+    rows = math.ceil(len(shown) / columns)
+    height = head + rows * (tall + caption + _GAP)
+    return document(parts, size, height, f"{shown[0].title or shown[0].name}: contact sheet")
+
+
+def _around(scenes: Sequence[Scene]) -> Box:
+    whole = bounds(scenes[0])
+    for scene in scenes[1:]:
+        whole = whole.around(bounds(scene))
+    return whole
+
+
+def _columns(count: int, whole: Box) -> int:
+    """As many as make the sheet about as wide as tall, for cells of the shape of `whole`."""
+    shape = min(max(whole.height / max(whole.width, 1e-9), 0.35), 1.3)
+    return max(1, min(count, round(math.sqrt(count * (shape + 0.15) * 1.3))))
+
+
+def _heading(scene: Scene, shown: int, rest: int, x: float, base: float, font: float) -> str:
+    count = f"{shown} scenes" if not rest else f"the first {shown} of {shown + rest} scenes"
+    title = f"{scene.title or scene.name}: {count}, seed {scene.provenance.seed}"
+    return text(title, x, base, font_size=1.35 * font, font_weight="700", fill=palette.INK)
+
+
+def _cell(scene: Scene, viewport: Viewport, clip: str, font: float) -> str:
+    style = Style(size=viewport.width, labels=False, legend=False, stations=False)
+    base = viewport.y + viewport.height + 1.35 * font
+    colour, outcome = _outcome(scene)
+    return group(
+        [
+            element("defs", furniture.clip(viewport, clip)),
+            map_of(scene, viewport, style, clip),
+            furniture.frame(viewport),
+            text(f"scene {scene.index}", viewport.x, base, font_size=font, font_weight="600",
+                 fill=palette.INK),
+            text(outcome, viewport.x + viewport.width, base, font_size=font, text_anchor="end",
+                 fill=colour),
+        ],
+        class_="cell",
+    )  # fmt: skip
+
+
+def _outcome(scene: Scene) -> tuple[str, str]:
+    """The constraint that came nearest to failing, or that failed worst."""
+    verdicts = (*scene.requirements, *scene.expectations)
+    judged = [(v.robustness, v.name) for v in verdicts if v.robustness is not None]
+    if not judged:
+        return palette.QUIET_INK, ""
+    worst, name = min(judged)
+    failed = any(verdict.satisfied is False for verdict in verdicts)
+    colour = palette.VIOLATIONS[0] if failed else palette.QUIET_INK
+    return colour, f"{name}: {rho(worst)}"

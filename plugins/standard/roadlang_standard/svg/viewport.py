@@ -1,0 +1,122 @@
+"""From metres to the pixels of the drawing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import Scene
+
+    Floats = NDArray[np.float64]
+
+_WIDEST = 3.2
+_TALLEST = 1.05
+_MARGIN = 0.06
+_SMALLEST_SPAN = 20.0
+
+
+@dataclass(frozen=True)
+class Box:
+    """A rectangle in metres."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        return self.top - self.bottom
+
+    def around(self, other: Box) -> Box:
+        """The smallest box around both."""
+        return Box(
+            min(self.left, other.left),
+            min(self.bottom, other.bottom),
+            max(self.right, other.right),
+            max(self.top, other.top),
+        )
+
+
+@dataclass(frozen=True)
+class Viewport:
+    """The map's rectangle in the drawing: `x`, `y`, `width`, `height` in pixels, showing `box`."""
+
+    box: Box
+    x: float
+    y: float
+    width: float
+    height: float
+
+    @property
+    def pixels_per_metre(self) -> float:
+        return self.width / self.box.width
+
+    def place(self, points: Floats) -> Floats:
+        """(..., 2) metres to pixels."""
+        import numpy as np
+
+        points = np.asarray(points, dtype=float)
+        scale = self.pixels_per_metre
+        east = self.x + (points[..., 0] - self.box.left) * scale
+        south = self.y + (self.box.top - points[..., 1]) * scale
+        return np.stack([east, south], axis=-1)
+
+
+def fitted(box: Box, x: float, y: float, width: float) -> Viewport:
+    """A viewport `width` pixels wide on `box` with a margin, widened to a pleasant shape."""
+    margin = _MARGIN * max(box.width, box.height, _SMALLEST_SPAN)
+    wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
+    tall = max(box.height, _SMALLEST_SPAN / 2) + 2 * margin
+    wide, tall = max(wide, tall / _TALLEST), max(tall, wide / _WIDEST)
+    return _centred(box, wide, tall, Viewport(box, x, y, width, width * tall / wide))
+
+
+def within(box: Box, frame: Viewport) -> Viewport:
+    """A viewport of the size and place of `frame` (its box is ignored) that shows all of `box`."""
+    margin = _MARGIN * max(box.width, box.height, _SMALLEST_SPAN)
+    wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
+    tall = max(box.height, _SMALLEST_SPAN) + 2 * margin
+    shape = frame.height / frame.width
+    wide, tall = max(wide, tall / shape), max(tall, wide * shape)
+    return _centred(box, wide, tall, frame)
+
+
+def _centred(box: Box, wide: float, tall: float, frame: Viewport) -> Viewport:
+    east, north = (box.left + box.right) / 2, (box.bottom + box.top) / 2
+    shown = Box(east - wide / 2, north - tall / 2, east + wide / 2, north + tall / 2)
+    return Viewport(shown, frame.x, frame.y, frame.width, frame.height)
+
+
+def bounds(scene: Scene) -> Box:
+    """All of a scene in metres: roads with their width, agents and objects."""
+    boxes = list(_road_boxes(scene)) + list(_actor_boxes(scene))
+    if not boxes:
+        return Box(-50.0, -50.0, 50.0, 50.0)
+    whole = boxes[0]
+    for box in boxes[1:]:
+        whole = whole.around(box)
+    return whole
+
+
+def _road_boxes(scene: Scene) -> Iterable[Box]:
+    for road in scene.roads:
+        half = max(road.width) / 2
+        yield Box(min(road.x) - half, min(road.y) - half, max(road.x) + half, max(road.y) + half)
+
+
+def _actor_boxes(scene: Scene) -> Iterable[Box]:
+    for actor in (*scene.agents, *scene.objects):
+        reach = math.hypot(actor.length, actor.width) / 2
+        yield Box(actor.x - reach, actor.y - reach, actor.x + reach, actor.y + reach)
