@@ -18,6 +18,8 @@ from .ir.dimension import (
     TIME,
     Dimension,
 )
+from .ir.encoding import to_json
+from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
 from .plugins.hookspecs import hookimpl
 from .plugins.kinds import (
     Adjuster,
@@ -104,6 +106,7 @@ __all__ = [
     "Anything",
     "Backend",
     "Between",
+    "Call",
     "Condition",
     "ConstraintNames",
     "Controller",
@@ -137,6 +140,11 @@ __all__ = [
     "RoadOrNetwork",
     "Sampler",
     "Scale",
+    "Scene",
+    "SceneActor",
+    "SceneNetwork",
+    "SceneNode",
+    "SceneRoad",
     "Searcher",
     "Selector",
     "Signal",
@@ -144,6 +152,7 @@ __all__ = [
     "Speed",
     "Stretch",
     "String",
+    "Verdict",
     "Whole",
     "Word",
     "call_of",
@@ -156,4 +165,5 @@ __all__ = [
     "option",
     "quantity",
     "record_of",
+    "to_json",
 ]

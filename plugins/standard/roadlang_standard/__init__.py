@@ -47,6 +47,8 @@ _KINDS = {
     "sample halton": "sample_halton:Halton",
     "sample guided": "sample_guided:Guided",
     "read csv": "read_csv:Csv",
+    "emit json": "emit_json:Json",
+    "emit svg": "emit_svg:Svg",
     "piece straight": "pieces:Straight",
     "piece arc": "pieces:Arc",
     "piece clothoid": "pieces:Clothoid",

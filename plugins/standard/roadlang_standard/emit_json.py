@@ -1,0 +1,25 @@
+"""`emit json`: each scene whole, as the versioned schema of scenes has it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Backend
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+
+@dataclass(frozen=True)
+class Json(Backend):
+    """Everything in a scene, in SI units and radians (`roadlang schema scene`)."""
+
+    name: ClassVar[str] = "json"
+
+    def files(self, scene: Scene) -> Mapping[str, str]:
+        """The scene's members as they are."""
+        from roadlang.api import to_json
+
+        return {"json": to_json(scene)}

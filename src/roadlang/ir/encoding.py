@@ -1,0 +1,93 @@
+"""Scenes as JSON and back, and the JSON Schemas of what roadlang writes."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+_DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
+
+class NotFinite(ValueError):
+    """A number that JSON cannot hold; `place` is the way to it (`roads[0].x[3]`)."""
+
+    def __init__(self, place: str) -> None:
+        super().__init__(f"`{place}` is not a finite number")
+        self.place = place
+
+
+def to_json(value: Any) -> str:
+    """A dataclass of the IR as JSON: one member a line, lists of numbers on one line.
+
+    The same value gives the same text: members in the order of the fields, maps sorted, numbers
+    in the shortest form that reads back exactly. Raises `NotFinite`.
+    """
+    import msgspec
+
+    plain = msgspec.to_builtins(value, enc_hook=_plain_number, order="deterministic")
+    _refuse_non_finite(plain, "")
+    return _written(_ordered(value, plain), 0) + "\n"
+
+
+def scene_from_json(text: str | bytes) -> Scene:
+    """Read a scene file. Raises `msgspec.ValidationError` where it does not fit the schema."""
+    import msgspec
+
+    from .scene import Scene
+
+    return msgspec.json.decode(text, type=Scene)
+
+
+def json_schema(kind: type) -> dict[str, Any]:
+    """The JSON Schema of a dataclass with a `schema` field, `Scene` or `Manifest`."""
+    import msgspec
+
+    version = kind.__dataclass_fields__["schema"].default  # type: ignore[attr-defined]
+    schema = msgspec.json.schema(kind)
+    whole = schema["$defs"][kind.__name__]
+    whole["properties"]["schema"] = {"const": version}
+    whole["required"] = ["schema", *whole.get("required", [])]
+    return {"$schema": _DRAFT, "$id": version, "title": version, **schema}
+
+
+def _plain_number(value: Any) -> Any:
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{type(value).__name__} cannot be written as JSON")
+
+
+def _refuse_non_finite(value: Any, place: str) -> None:
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise NotFinite(place)
+    elif isinstance(value, dict):
+        for key, member in value.items():
+            _refuse_non_finite(member, f"{place}.{key}" if place else str(key))
+    elif isinstance(value, list | tuple):
+        for index, item in enumerate(value):
+            _refuse_non_finite(item, f"{place}[{index}]")
+
+
+def _ordered(value: Any, plain: dict[str, Any]) -> dict[str, Any]:
+    """`schema` first, so that a reader sees at once what it has."""
+    return {"schema": plain["schema"], **plain} if "schema" in plain else plain
+
+
+def _written(value: Any, depth: int) -> str:
+    if isinstance(value, Mapping) and value:
+        inner = "  " * (depth + 1)
+        members = (
+            f"{inner}{json.dumps(key, ensure_ascii=False)}: {_written(member, depth + 1)}"
+            for key, member in value.items()
+        )
+        return "{\n" + ",\n".join(members) + "\n" + "  " * depth + "}"
+    if isinstance(value, list | tuple) and any(isinstance(item, dict | list) for item in value):
+        inner = "  " * (depth + 1)
+        items = (inner + _written(item, depth + 1) for item in value)
+        return "[\n" + ",\n".join(items) + "\n" + "  " * depth + "]"
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
