@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from .formulas import Formula
     from .trace import FloatArray, Positions, Signals
 
 
@@ -14,15 +18,35 @@ class Evaluable:
     `positions` has shape (S,), strictly increasing. A signal is a number, (S,), (V, S), or
     (V, 1) for one number per variant. With a two-dimensional signal results have a leading
     variant axis of length V; otherwise they have none. `wrap` is the length of a closed road,
-    over whose start windows then reach. Bad input raises DiagnosticError (RL30x).
+    over whose start windows then reach. Bad input raises DiagnosticError (RL300 to RL307).
     """
 
     __slots__ = ()
 
+    @property
+    def _formula(self) -> Formula:
+        return cast("Formula", self)
+
     def rho(
         self, positions: Positions, signals: Signals, *, wrap: float | None = None
     ) -> FloatArray:
-        """Robustness at the first sample, shape (V,) or (): only what it depends on is computed."""
+        """Robustness at the first sample, (V,) or a scalar; computes no more than that needs."""
         from .evaluation import rho
 
-        return rho(self, positions, signals, wrap=wrap)
+        return rho(self._formula, positions, signals, wrap=wrap)
+
+    def robustness(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> FloatArray:
+        """Robustness at every sample, (V, S) or (S,)."""
+        from .evaluation import robustness
+
+        return robustness(self._formula, positions, signals, wrap=wrap)
+
+    def satisfied(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> NDArray[np.bool_]:
+        """Boolean satisfaction at the first sample, (V,) or a scalar: `<` and `<=` differ here."""
+        from .evaluation import satisfied
+
+        return satisfied(self._formula, positions, signals, wrap=wrap)

@@ -7,6 +7,7 @@ from . import terms as t
 
 _TERM_LEVEL = {"^": 4, "*": 2, "/": 2, "+": 1, "-": 1}
 _ATOM = 9
+_PREFIXED = (f.Not, f.Always, f.Eventually, f.Once, f.Historically)
 _COMPARISON, _PREFIX, _BINDING, _AND, _OR, _IMPLIES, _XOR, _IFF = 8, 7, 6, 5, 4, 3, 2, 1
 
 
@@ -67,21 +68,21 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
         case f.Not(operand):
             return f"not {_governed(operand)}", _PREFIX
         case f.Always() | f.Eventually() | f.Once() | f.Historically():
-            word = type(formula).__name__.lower()
-            return f"{word}{interval_text(formula.interval)} {_governed(formula.operand)}", _PREFIX
+            word = f"{type(formula).__name__.lower()}{interval_text(formula.interval)}"
+            return f"{word} {_governed(formula.operand)}", _PREFIX
         case f.Until(interval, left, right) | f.Since(interval, left, right):
             word = f"{type(formula).__name__.lower()}{interval_text(interval)}"
-            return f"{_side(left, _COMPARISON)} {word} {_side(right, _COMPARISON)}", _BINDING
+            return f"{_side(left, _PREFIX)} {word} {_side(right, _PREFIX)}", _BINDING
         case f.And(operands):
             return _joined(operands, "and", "true", _AND)
         case f.Or(operands):
             return _joined(operands, "or", "false", _OR)
         case f.Implies(left, right):
-            return f"{_side(left, _OR)} implies {_side(right, _OR)}", _IMPLIES
+            return f"{_side(left, _OR)} implies {_formula(right, _OR)}", _IMPLIES
         case f.Xor(left, right):
-            return f"{_side(left, _COMPARISON)} xor {_side(right, _COMPARISON)}", _XOR
+            return f"{_side(left, _PREFIX)} xor {_formula(right, _PREFIX)}", _XOR
         case f.Iff(left, right):
-            return f"{_side(left, _OR)} iff {_side(right, _OR)}", _IFF
+            return f"{_side(left, _OR)} iff {_formula(right, _OR)}", _IFF
     raise TypeError(f"not a formula: {formula!r}")
 
 
@@ -91,8 +92,8 @@ def _governed(operand: f.Formula) -> str:
 
 
 def _side(operand: f.Formula, level: int) -> str:
-    """An operand of a binary operator; prefixed ones get parentheses on either side."""
-    if _starts_temporal(operand):
+    """An operand with an operator to its right: there `always eventually (p)` is parenthesised."""
+    if isinstance(operand, _PREFIXED) and isinstance(operand.operand, _PREFIXED):
         return f"({_formula(operand, 0)})"
     return _formula(operand, level)
 
@@ -105,7 +106,3 @@ def _joined(
     if len(operands) == 1:
         return _text_and_level(operands[0])
     return f" {word} ".join(_side(operand, level + 1) for operand in operands), level
-
-
-def _starts_temporal(formula: f.Formula) -> bool:
-    return isinstance(formula, (f.Not, *f.TEMPORAL))

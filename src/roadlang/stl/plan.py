@@ -1,0 +1,134 @@
+"""A graph scheduled for one axis: which samples of each node are needed, and in what windows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .axis import Axis, Windows
+from .graph import Graph, Node
+from .kernels import slide, until
+from .operations import Number, Pointwise, Reaching, Read, Sliding
+from .trace import FloatArray, Trace
+
+Span = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One node over the samples `span`; `needs` is, per input, the samples that it reads of it."""
+
+    node: Node
+    span: Span
+    needs: tuple[Span | None, ...]
+    windows: Windows | None = None
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Steps in order; None where a node is not needed. The last one is the result."""
+
+    steps: tuple[Step | None, ...]
+    time_major: bool
+
+    @classmethod
+    def of(cls, graph: Graph, axis: Axis, asked: Span) -> Plan:
+        """Schedule the last node of `graph` over the samples `asked` (first, last)."""
+        needed: dict[int, Span] = {len(graph.nodes) - 1: asked}
+        steps: list[Step | None] = [None] * len(graph.nodes)
+        for index in range(len(graph.nodes) - 1, -1, -1):
+            if index not in needed:
+                continue
+            step = _step(graph.nodes[index], axis, needed[index])
+            steps[index] = step
+            for source, need in zip(step.node.inputs, step.needs, strict=True):
+                if need is not None:
+                    known = needed.get(source, need)
+                    needed[source] = (min(known[0], need[0]), max(known[1], need[1]))
+        windowed = (step.windows for step in steps if step is not None)
+        time_major = any(windows is not None and windows.count > 1 for windows in windowed)
+        reaching = any(step and isinstance(step.node.operation, Reaching) for step in steps)
+        return cls(tuple(steps), time_major or reaching)
+
+    def run(self, trace: Trace, first: int, last: int) -> FloatArray:
+        """The result for variants first..last-1, shape (samples asked, rows)."""
+        values: list[FloatArray | None] = []
+        for step in self.steps:
+            values.append(None if step is None else self._compute(step, values, trace, first, last))
+        result = values[-1]
+        assert result is not None
+        return result
+
+    def _compute(
+        self,
+        step: Step,
+        values: list[FloatArray | None],
+        trace: Trace,
+        first: int,
+        last: int,
+    ) -> FloatArray:
+        match step.node.operation:
+            case Number(value):
+                return np.full((1, 1), value)
+            case Read(name):
+                low, high = step.span
+                rows = trace.rows(name, first, last)
+                part = rows.T if rows.shape[1] == 1 else rows[:, low : high + 1].T
+                return np.ascontiguousarray(part) if self.time_major else part
+        inputs = [
+            self._slice(values, source, need)
+            for source, need in zip(step.node.inputs, step.needs, strict=True)
+        ]
+        match step.node.operation:
+            case Pointwise(function):
+                return function(*inputs)
+            case Sliding(extreme):
+                if step.windows is None:
+                    return np.full((1, 1), extreme.identity)
+                return _turned(slide(_unrolled(inputs[0], step.windows), step.windows, extreme), step)
+            case Reaching():
+                if step.windows is None:
+                    return np.full((1, 1), -np.inf)
+                left, right = np.broadcast_arrays(
+                    *(_unrolled(values, step.windows) for values in inputs)
+                )
+                return _turned(until(left, right, step.windows), step)
+        raise TypeError(f"not an operation: {step.node.operation!r}")
+
+    def _slice(
+        self, values: list[FloatArray | None], source: int, need: Span | None
+    ) -> FloatArray:
+        step, value = self.steps[source], values[source]
+        if need is None or step is None or value is None:
+            return np.empty((0, 1))
+        if len(value) == 1 or need == step.span:
+            return value
+        return value[need[0] - step.span[0] : need[1] - step.span[0] + 1]
+
+
+def _step(node: Node, axis: Axis, asked: Span) -> Step:
+    operation = node.operation
+    if not isinstance(operation, (Sliding, Reaching)):
+        return Step(node, asked, (asked,) * len(node.inputs))
+    windows = axis.windows(
+        operation.interval,
+        asked,
+        past=operation.past,
+        whole=isinstance(operation, Reaching),
+    )
+    span = None if windows is None else windows.span
+    return Step(node, asked, (span,) * len(node.inputs), windows)
+
+
+def _unrolled(values: FloatArray, windows: Windows) -> FloatArray:
+    """The operand as the windows count it: every sample present, turned, repeated."""
+    samples = windows.span[1] - windows.span[0] + 1
+    values = np.broadcast_to(values, (samples, values.shape[1]))
+    if windows.flipped:
+        values = values[::-1]
+    return np.concatenate([values] * windows.laps) if windows.laps > 1 else values
+
+
+def _turned(values: FloatArray, step: Step) -> FloatArray:
+    return values[::-1] if step.windows is not None and step.windows.flipped else values
