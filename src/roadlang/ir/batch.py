@@ -3,62 +3,96 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from ..geometry import CurveBatch
+
     Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RoadBatch:
     """A road in V variants, sampled at S stations of its root road (arc length, metres).
 
     All roads that derive from one root share its stations, so that they can be compared point
-    by point. Arrays have V rows, or one row where all variants are alike.
+    by point. Arrays have V rows, or one row where all variants are alike. What is not asked for
+    is not computed.
     """
 
     name: str
     root: str
-    stations: Floats
-    points: Floats
-    """(V, S, 2) metres"""
-    heading: Floats
-    """(V, S) radians, unwrapped along the road"""
-    curvature: Floats
-    """(V, S) 1/m, left positive"""
+    curves: CurveBatch
     width: Floats
-    """(V, S) metres"""
-    closed: bool = False
-    folded: NDArray[np.bool_] | None = None
-    """(V,) True where a displacement exceeded the radius of a bend"""
+    """(V, S) or (V, 1) metres"""
+    displacement: Floats
+    """(V, S) metres: the sum of all displacements from the root, left positive"""
     others: tuple[RoadBatch, ...] = ()
     """the other roads of the same network, for clearance"""
 
     @property
-    def variants(self) -> int:
-        return int(self.points.shape[0])
+    def stations(self) -> Floats:
+        """(S,) arc length of the root road."""
+        return self.curves.stations
 
-    @cached_property
+    @property
+    def points(self) -> Floats:
+        """(V, S, 2) metres."""
+        return self.curves.points
+
+    @property
+    def heading(self) -> Floats:
+        """(V, S) radians, continuous along the road."""
+        return self.curves.heading
+
+    @property
+    def curvature(self) -> Floats:
+        """(V, S) 1/m, left positive."""
+        return self.curves.curvature
+
+    @property
     def normal(self) -> Floats:
         """(V, S, 2) unit vectors to the left."""
-        import numpy as np
+        return self.curves.normal
 
-        return np.stack([-np.sin(self.heading), np.cos(self.heading)], axis=-1)
+    @property
+    def closed(self) -> bool:
+        return self.curves.closed
 
-    @cached_property
+    @property
+    def period(self) -> float | None:
+        """Metres once round the root road, of a closed one."""
+        return self.curves.period
+
+    @property
+    def folded(self) -> NDArray[np.bool_]:
+        """(V,) True where a displacement exceeded the radius of a bend."""
+        return self.curves.folded
+
+    @property
+    def variants(self) -> int:
+        return self.curves.variants
+
+    @property
     def length(self) -> Floats:
         """(V, 1) metres along the road itself."""
-        import numpy as np
+        return self.curves.length[:, None]
 
-        points = self.points
-        if self.closed:
-            points = np.concatenate([points, points[:, :1]], axis=1)
-        steps = np.linalg.norm(np.diff(points, axis=1), axis=-1)
-        return np.asarray(steps.sum(axis=1, keepdims=True))
+    def take(self, rows: NDArray[np.intp]) -> RoadBatch:
+        """The variants at `rows`; a road that is alike in all stays as it is."""
+        alike = self.variants == 1 and self.width.shape[0] == 1
+        if alike:
+            return self
+        return RoadBatch(
+            self.name,
+            self.root,
+            self.curves if self.variants == 1 else self.curves.take(rows),
+            self.width if self.width.shape[0] == 1 else self.width[rows],
+            self.displacement if self.displacement.shape[0] == 1 else self.displacement[rows],
+        )
 
 
 class BatchRandom:
@@ -72,12 +106,7 @@ class BatchRandom:
 
     def uniform(self, count: int, stream: int = 0) -> Floats:
         """(V, count) numbers in [0, 1); another `stream`, other numbers."""
-        import numpy as np
-
-        steps = np.arange(1, count + 1, dtype=np.uint64) + np.uint64(stream << 32)
-        with np.errstate(over="ignore"):
-            words = mix(self.keys[:, None] + steps[None, :] * np.uint64(0x9E3779B97F4A7C15))
-        return (words >> np.uint64(11)).astype(np.float64) * 2.0**-53
+        return unit_interval(self.keys[:, None], count, stream)
 
     def normal(self, count: int, stream: int = 0) -> Floats:
         """(V, count) standard normal numbers."""
@@ -92,6 +121,16 @@ class BatchRandom:
         import numpy as np
 
         return np.random.Generator(np.random.Philox(key=int(self.keys[variant])))
+
+
+def unit_interval(keys: NDArray[np.uint64], count: int, stream: int = 0) -> Floats:
+    """Keys (V, 1) to numbers in [0, 1), (V, count): SplitMix64 from each key on."""
+    import numpy as np
+
+    steps = np.arange(1, count + 1, dtype=np.uint64) + np.uint64(stream << 32)
+    with np.errstate(over="ignore"):
+        words = mix(keys + steps[None, :] * np.uint64(0x9E3779B97F4A7C15))
+    return (words >> np.uint64(11)).astype(np.float64) * 2.0**-53
 
 
 def mix(words: NDArray[np.uint64]) -> NDArray[np.uint64]:
