@@ -1,0 +1,180 @@
+"""`roadlang plugins`: what is installed, what it brings, and what is broken."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import click
+from click.shell_completion import CompletionItem
+
+from .console import paint, say
+
+if TYPE_CHECKING:
+    from ..plugins.registry import KindEntry, Registry
+
+
+@click.group("plugins", invoke_without_command=True)
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.option("--verb", help="Only the kinds of one verb: `perturb`, `emit`, ...")
+@click.pass_context
+def command(context: click.Context, as_json: bool, verb: str | None) -> None:
+    """List plugins, their kinds, and broken plugins with the reason.
+
+    `roadlang plugins show NAME` lists the options of a kind.
+    """
+    if context.invoked_subcommand is not None:
+        return
+    from ..plugins.discovery import load_registry
+
+    registry = load_registry()
+    if verb is not None:
+        _check_verb(verb)
+    if as_json:
+        click.echo(json.dumps(_record(registry, verb), indent=2))
+        return
+    for line in _listing(registry, verb):
+        say(line)
+
+
+def _complete(
+    context: click.Context, parameter: click.Parameter, typed: str
+) -> list[CompletionItem]:
+    from ..plugins.discovery import load_registry
+
+    names = sorted({entry.name for entry in load_registry().entries})
+    return [CompletionItem(name) for name in names if name.startswith(typed)]
+
+
+@command.command("show")
+@click.argument("words", nargs=-1, required=True, metavar="[VERB] NAME", shell_complete=_complete)
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def show(words: tuple[str, ...], as_json: bool) -> None:
+    """Show the options of a kind: `roadlang plugins show sine`, `... show emit svg`."""
+    from ..plugins.discovery import load_registry
+
+    entries = _find(load_registry(), words)
+    if as_json:
+        click.echo(json.dumps([_kind_record(entry) for entry in entries], indent=2))
+        return
+    say("\n\n".join("\n".join(_shown(entry)) for entry in entries))
+
+
+def _check_verb(verb: str) -> None:
+    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+    from ..plugins.kinds import VERBS
+
+    if verb not in VERBS:
+        hints = did_you_mean(verb, VERBS) or (f"verbs: {', '.join(VERBS)}",)
+        raise DiagnosticError(diagnose("RL930", what="verb", name=verb, help=hints))
+
+
+def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
+    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+
+    verb, name = (words[0], words[1]) if len(words) > 1 else (None, words[0])
+    entries = [
+        entry
+        for entry in registry.entries
+        if name in (entry.name, entry.qualified) and verb in (None, entry.verb)
+    ]
+    if not entries:
+        hints = did_you_mean(name, {entry.name for entry in registry.entries})
+        reasons = [
+            f"plugin `{broken.origin.plugin}` ({broken.origin}) is broken: {broken.reason}"
+            for broken in registry.broken
+        ]
+        raise DiagnosticError(diagnose("RL926", name=" ".join(words), help=(*hints, *reasons)))
+    return entries
+
+
+def _listing(registry: Registry, verb: str | None) -> list[str]:
+    lines = []
+    plugins = sorted({entry.origin for entry in registry.entries}, key=_standard_first)
+    for origin in plugins:
+        entries = [entry for entry in registry.entries if entry.origin == origin]
+        shown = [entry for entry in entries if verb in (None, entry.verb)]
+        if shown:
+            lines += ["", f"{paint(origin.plugin, '1')}  ({origin}, {len(entries)} kinds)"]
+            lines += [f"  {name:<30} {text}" for name, text in map(_line, shown)]
+    for broken in registry.broken:
+        head = paint(f"{broken.origin.plugin}  ({broken.origin}) is broken", "31")
+        lines += ["", f"{head}: {broken.reason}"]
+    return lines[1:] or ["no plugins are installed"]
+
+
+def _standard_first(origin: Any) -> tuple[bool, str]:
+    return (origin.plugin != "standard", origin.plugin)
+
+
+def _line(entry: KindEntry) -> tuple[str, str]:
+    return f"{entry.verb} {entry.name}", _help(entry)
+
+
+def _help(entry: KindEntry) -> str:
+    try:
+        return entry.help
+    except Exception as error:  # a kind that cannot be imported is listed with the reason
+        return f"cannot be imported: {type(error).__name__}: {error}"
+
+
+def _shown(entry: KindEntry) -> list[str]:
+    from ..plugins.describing import bounds_text, default_text, type_text
+
+    lines = [f"{paint(f'{entry.verb} {entry.name}', '1')}: {_help(entry)}"]
+    lines.append(f"  from {entry.origin} (plugin `{entry.origin.plugin}`)")
+    for option in entry.options:
+        default = "required" if option.required else f"default {default_text(option)}"
+        facts = "; ".join(filter(None, [type_text(option), default, bounds_text(option)]))
+        lines.append(f"\n  {paint(option.name, '1')}: {facts}")
+        if option.help:
+            lines.append(f"      {option.help}")
+    if not entry.options:
+        lines.append("  no options")
+    return lines
+
+
+def _record(registry: Registry, verb: str | None) -> dict[str, Any]:
+    return {
+        "kinds": [_kind_record(entry) for entry in registry.entries if verb in (None, entry.verb)],
+        "broken": [
+            {
+                "plugin": broken.origin.plugin,
+                "distribution": broken.origin.distribution,
+                "version": broken.origin.version,
+                "reason": broken.reason,
+            }
+            for broken in registry.broken
+        ],
+    }
+
+
+def _kind_record(entry: KindEntry) -> dict[str, Any]:
+    record: dict[str, Any] = {
+        "verb": entry.verb,
+        "name": entry.name,
+        "qualified": entry.qualified,
+        "plugin": entry.origin.plugin,
+        "distribution": entry.origin.distribution,
+        "version": entry.origin.version,
+        "help": _help(entry),
+    }
+    try:
+        record["options"] = [_option_record(option) for option in entry.options]
+    except Exception as error:  # the kind's module failed; the listing goes on
+        record["broken"] = f"{type(error).__name__}: {error}"
+    return record
+
+
+def _option_record(option: Any) -> dict[str, Any]:
+    from ..plugins.describing import bounds_text, default_text, type_text
+
+    return {
+        "name": option.name,
+        "type": type_text(option),
+        "required": option.required,
+        "default": default_text(option) or None,
+        "bounds": bounds_text(option) or None,
+        "words": list(option.words),
+        "help": option.help,
+    }

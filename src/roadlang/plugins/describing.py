@@ -1,0 +1,121 @@
+"""Options in words: for listings, the reference pages and the JSON Schema of a kind."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from . import option_types as types
+from .option_types import OptionType
+from .options import OptionSchema
+
+
+def type_text(option: OptionSchema) -> str:
+    """What may be written for an option: `a length`, `a whole number or auto`."""
+    if isinstance(option.type, types.WordType):
+        return " | ".join(option.words)
+    return " | ".join([_WORDS[type(option.type)](option.type), *option.words])
+
+
+def default_text(option: OptionSchema) -> str:
+    """The default as a scene file would write it; empty where the option must be given."""
+    if option.required:
+        return ""
+    return value_text(option.default, option.type)
+
+
+def bounds_text(option: OptionSchema) -> str:
+    """`>= 0m, < 1m`; empty without bounds."""
+    limits = option.constraints
+    pairs = (
+        (">=", limits.minimum),
+        (">", limits.above),
+        ("<=", limits.maximum),
+        ("<", limits.below),
+    )
+    return ", ".join(
+        f"{sign} {value_text(float(value), option.type)}"
+        for sign, value in pairs
+        if value is not None
+    )
+
+
+def value_text(value: Any, type_: OptionType) -> str:
+    """A value in SI units as a scene file would write it."""
+    if value is None:
+        return "not set"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return value if isinstance(type_, types.WordType) or value.isidentifier() else f'"{value}"'
+    if isinstance(value, int | float):
+        return _quantity_text(float(value), type_)
+    if isinstance(value, tuple | list):
+        inner = ", ".join(value_text(item, _item_type(type_)) for item in value)
+        return f"({inner})" if isinstance(type_, types.PointType) else f"[{inner}]"
+    return str(value)
+
+
+def _quantity_text(value: float, type_: OptionType) -> str:
+    if math.isinf(value):
+        return "inf" if value > 0 else "-inf"
+    unit = _unit(type_)
+    if unit == "rad":
+        degrees = math.degrees(value)
+        if abs(degrees - round(degrees, 1)) < 0.01:
+            return f"{round(degrees, 1):g}deg"
+    return f"{value:g}{unit[1:] if unit.startswith('1/') else unit}"
+
+
+def _unit(type_: OptionType) -> str:
+    if isinstance(type_, types.QuantityType | types.PointType):
+        return type_.dimension.unit
+    if isinstance(type_, types.IntervalType | types.ListType | types.MapType):
+        return _unit(type_.item)
+    if isinstance(type_, types.UnionType):
+        return next(filter(None, map(_unit, type_.alternatives)), "")
+    return ""
+
+
+def _item_type(type_: OptionType) -> OptionType:
+    if isinstance(type_, types.ListType | types.IntervalType):
+        return type_.item
+    if isinstance(type_, types.PointType):
+        return types.QuantityType(type_.dimension)
+    return type_
+
+
+def _of(type_: OptionType) -> str:
+    return _WORDS[type(type_)](type_)
+
+
+_WORDS: dict[type, Callable[[Any], str]] = {
+    types.QuantityType: lambda t: (
+        "a whole number"
+        if t.whole
+        else str(t.dimension)
+        + (
+            f" ({t.dimension.unit})"
+            if t.dimension.unit and "quantity" not in str(t.dimension)
+            else ""
+        )
+    ),
+    types.LikeType: lambda t: "a number of the same unit as the others",
+    types.FlagType: lambda t: "true | false",
+    types.TextType: lambda t: "a string",
+    types.FileType: lambda t: "a file name",
+    types.WordType: lambda t: "a word",
+    types.ListType: lambda t: f"a list of {_of(t.item)}",
+    types.IntervalType: lambda t: f"[a, b], each {_of(t.item)}",
+    types.PointType: lambda t: f"a point ({t.dimension.unit})",
+    types.EntityType: lambda t: "the name of " + " or ".join(f"a {role}" for role in t.roles),
+    types.NamesType: lambda t: "a constraint's name, or a list of such",
+    types.CallType: lambda t: f"a call of a {t.verb}",
+    types.KindNameType: lambda t: f"the name of a kind of {t.verb}",
+    types.RecordType: lambda t: "{ ... }",
+    types.MapType: lambda t: f"a map to {_of(t.item)}",
+    types.ConditionType: lambda t: "a drive formula",
+    types.AnyType: lambda t: "anything",
+    types.UnionType: lambda t: " | ".join(_of(item) for item in t.alternatives),
+}
