@@ -27,9 +27,14 @@ class Step:
 
 @dataclass(frozen=True)
 class Plan:
-    """Steps in order; None where a node is not needed. The last one is the result."""
+    """Steps in order; None where a node is not needed. The last one is the result.
+
+    `spent[k]` are the nodes that nothing reads after step k. `time_major`: chunks are copied so
+    that the rows of one sample lie side by side in memory, as sliding windows want them.
+    """
 
     steps: tuple[Step | None, ...]
+    spent: tuple[tuple[int, ...], ...]
     time_major: bool
 
     @classmethod
@@ -49,13 +54,15 @@ class Plan:
         windowed = (step.windows for step in steps if step is not None)
         time_major = any(windows is not None and windows.count > 1 for windows in windowed)
         reaching = any(step and isinstance(step.node.operation, Reaching) for step in steps)
-        return cls(tuple(steps), time_major or reaching)
+        return cls(tuple(steps), _spent(graph), time_major or reaching)
 
     def run(self, trace: Trace, first: int, last: int) -> FloatArray:
         """The result for variants first..last-1, shape (samples asked, rows)."""
         values: list[FloatArray | None] = []
-        for step in self.steps:
+        for step, spent in zip(self.steps, self.spent, strict=True):
             values.append(None if step is None else self._compute(step, values, trace, first, last))
+            for index in spent:
+                values[index] = None
         result = values[-1]
         assert result is not None
         return result
@@ -119,6 +126,14 @@ def _step(node: Node, axis: Axis, asked: Span) -> Step:
     )
     span = None if windows is None else windows.span
     return Step(node, asked, (span,) * len(node.inputs), windows)
+
+
+def _spent(graph: Graph) -> tuple[tuple[int, ...], ...]:
+    last_use = {source: k for k, node in enumerate(graph.nodes) for source in node.inputs}
+    spent: list[list[int]] = [[] for _ in graph.nodes]
+    for source, index in last_use.items():
+        spent[index].append(source)
+    return tuple(tuple(sources) for sources in spent)
 
 
 def _unrolled(values: FloatArray, windows: Windows) -> FloatArray:
