@@ -7,7 +7,7 @@ from typing import Any
 
 from ..diagnostics import Source, Span
 from . import ast
-from .lexer import Token
+from .tokens import Token
 from .strings import dedented, unescaped
 
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?")
@@ -204,7 +204,9 @@ class Builder:
     def negate(self, start: int, end: int, sign: Token, operand: ast.Expression) -> ast.Negate:
         return ast.Negate(operand, span=Span(self.source, start, end))
 
-    def draw(self, start: int, end: int, low: ast.Expression, high: ast.Expression) -> ast.Draw:
+    def draw(
+        self, start: int, end: int, low: ast.Expression, dots: Token, high: ast.Expression
+    ) -> ast.Draw:
         return ast.Draw(low, high, span=Span(self.source, start, end))
 
     def arithmetic(

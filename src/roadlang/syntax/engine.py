@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from .lexer import Token
+from .tokens import Token
 from .tables import LIST, Tables
 
 Build: TypeAlias = Callable[..., Any]
@@ -86,27 +86,28 @@ def _taken(children: list[Any], take: Sequence[int | None]) -> list[Any]:
     return grown
 
 
-def accepts(tables: Tables, states: Sequence[int], kind: str) -> bool:
-    """Whether the parser with this stack would go on with a token of this kind."""
-    return after(tables, states, kind) is not None
-
-
-def after(tables: Tables, states: Sequence[int], kind: str) -> tuple[int, ...] | None:
-    """The stack behind a token of this kind, or None if the parser does not go on with it."""
-    stack = list(states)
+def advance(tables: Tables, stack: list[int], kind: str) -> bool:
+    """Move the stack over a token of this kind; False, and a spoilt stack, if it does not fit."""
     while True:
         row = tables.actions[stack[-1]]
         to = row.get(kind, row.get("NAME") if kind in tables.soft else None)
         if to is None:
-            return None
+            return False
         if to >= 0:
-            return (*stack, to)
+            stack.append(to)
+            return True
         rule = tables.rules[~to]
         if rule.size:
             del stack[-rule.size :]
         stack.append(tables.actions[stack[-1]][rule.origin])
 
 
-def expected(tables: Tables, states: Sequence[int]) -> list[str]:
+def accepts(tables: Tables, states: Sequence[int], *kinds: str) -> bool:
+    """Whether the parser with this stack would go on over tokens of these kinds."""
+    stack = list(states)
+    return all(advance(tables, stack, kind) for kind in kinds)
+
+
+def expected(tables: Tables, states: Sequence[int]) -> set[str]:
     """The kinds of token that the parser with this stack would go on with, exactly."""
-    return [kind for kind in tables.terminals(states[-1]) if accepts(tables, states, kind)]
+    return {kind for kind in tables.terminals(states[-1]) if accepts(tables, states, kind)}

@@ -2,39 +2,38 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import TypeAlias
-
-from ..diagnostics import Diagnostic, Source
+from ..diagnostics import Source
 from .ast import Comment
+from .misread import SUSPECTS, Misread, misread
+from .unprintable import binary, surrogates
 from .tables import END, Tables
+from .tokens import Lexed
 
-Token: TypeAlias = tuple[str, str, int, int]
-"""kind, text, start, end"""
-
-
-@dataclass(slots=True)
-class Lexed:
-    """The tokens of a source, the last one `$END`; comments stand beside them."""
-
-    tokens: list[Token] = field(default_factory=list)
-    comments: list[Comment] = field(default_factory=list)
-    diagnostics: list[Diagnostic] = field(default_factory=list)
+_MOST_REPORTED = 50
 
 
 def lex(source: Source, tables: Tables) -> Lexed:
     """All tokens of a source. Never fails: a bad character is reported and left out."""
     lexed = Lexed()
+    found = binary(source)
+    if found is not None:
+        lexed.diagnostics.append(found)
+        lexed.tokens.append((END, "", 0, 0))
+        return lexed
     position, length = 0, len(source.text)
     while position < length:
         position = _scan(source, tables, lexed, position)
+        if position < length:
+            position = _misread(Misread(source, tables, lexed, position))
+    lexed.diagnostics.extend(surrogates(source, lexed.diagnostics))
+    del lexed.diagnostics[_MOST_REPORTED:]
     end = source.end.start
     lexed.tokens.append((END, "", end, end))
     return lexed
 
 
 def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
-    """Read on from `position` up to the first thing that is no token; returns where to go on."""
+    """Read on from `position`; returns where there is something that is no token."""
     text, keywords, letters = source.text, tables.keywords, tables.letters
     tokens = lexed.tokens
     for match in tables.scanner.finditer(text, position):
@@ -47,13 +46,20 @@ def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
             kind = keywords.get(word, kind)
             if word in letters and letters[word].match(text, start):
                 kind = word
+        elif kind in SUSPECTS and SUSPECTS[kind](lexed, text, start, end):
+            return start
         elif kind == "COMMENT":
             _comment(source, lexed, start, end)
             continue
-        elif kind == "BAD":
-            return end
         tokens.append((kind, word, start, end))
     return len(text)
+
+
+def _misread(place: Misread) -> int:
+    found, position = misread(place)
+    if found is not None and len(place.lexed.diagnostics) <= _MOST_REPORTED:
+        place.lexed.diagnostics.append(found)
+    return position
 
 
 def _comment(source: Source, lexed: Lexed, start: int, end: int) -> None:

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
-from ..diagnostics import Diagnostic, Source, diagnose
+from ..diagnostics import Diagnostic, Source
 from . import ast
 from .builder import Builder
-from .engine import Stuck, run
+from .checks import check, check_nodes
+from .engine import Build, Stuck, run
 from .lexer import lex
-from .tables import tables
+from .spelling import misspelt_temporal
+from .tables import Tables, tables
+from .tokens import Lexed
+
+_MOST_REPORTED = 100
 
 
 def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
@@ -17,24 +23,65 @@ def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
     grammar = tables()
     lexed = lex(source, grammar)
     builder = Builder(source)
-    builds = [getattr(builder, rule.build, None) for rule in grammar.rules]
-    value = run(grammar, "file", lexed.tokens, builds)
+    builds = _builds(grammar, builder)
+    value = _whole(grammar, "file", lexed, builds)
+    found = list(lexed.diagnostics)
+    spoiled: list[ast.Word] = []
     if isinstance(value, Stuck):
-        token = lexed.tokens[value.index]
-        found = diagnose("RL001", source.span(token[2], token[3]), found=token[1], expected="?")
-        return builder.file(0, 0), [found]
-    return replace(value, comments=tuple(lexed.comments)), lexed.diagnostics
+        from .recovery import Recovery
+
+        recovery = Recovery(source, grammar, builds, _lines(found))
+        value = builder.file(0, 0, *recovery.file(lexed))
+        found.extend(recovery.diagnostics)
+        spoiled = recovery.spoiled
+    checked = check(value)
+    found.extend(checked.diagnostics)
+    tree = replace(
+        value,
+        statements=tuple(checked.kept),
+        comments=tuple(lexed.comments),
+        spoiled=(*spoiled, *checked.spoiled),
+    )
+    return tree, _reported(found)
 
 
 def parse_formula(source: Source) -> tuple[ast.Expression | None, list[Diagnostic]]:
     """One formula, as the library reads it: the expression, or None and why not."""
     grammar = tables()
     lexed = lex(source, grammar)
-    builder = Builder(source)
-    builds = [getattr(builder, rule.build, None) for rule in grammar.rules]
-    value = run(grammar, "formula", lexed.tokens, builds)
+    builds = _builds(grammar, Builder(source))
+    value = _whole(grammar, "formula", lexed, builds)
+    found = list(lexed.diagnostics)
     if isinstance(value, Stuck):
-        token = lexed.tokens[value.index]
-        found = diagnose("RL001", source.span(token[2], token[3]), found=token[1], expected="?")
-        return None, [found]
-    return value, lexed.diagnostics
+        from .recovery import Recovery
+
+        recovery = Recovery(source, grammar, builds, _lines(found))
+        value = recovery.piece("formula", lexed.tokens)
+        found.extend(recovery.diagnostics)
+    if value is None:
+        return None, _reported(found)
+    refused, fit = check_nodes(value)
+    found.extend(refused)
+    return (value if fit else None), _reported(found)
+
+
+def _builds(grammar: Tables, builder: Builder) -> list[Build]:
+    return [getattr(builder, rule.build, tuple) for rule in grammar.rules]
+
+
+def _whole(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> Any:
+    """The value of all tokens, or where they do not fit."""
+    slip = misspelt_temporal(lexed.tokens)
+    if slip is not None:
+        return Stuck(slip, ())
+    return run(grammar, start, lexed.tokens, builds)
+
+
+def _lines(diagnostics: list[Diagnostic]) -> frozenset[int]:
+    return frozenset(found.span.line for found in diagnostics if found.span is not None)
+
+
+def _reported(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+    """In order of place; a hopeless file is not told all."""
+    ordered = sorted(diagnostics, key=lambda found: found.span.start if found.span else -1)
+    return ordered[:_MOST_REPORTED]

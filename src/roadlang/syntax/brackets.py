@@ -1,0 +1,115 @@
+"""Brackets of a piece that are never closed: reported where they are opened, and closed."""
+
+from __future__ import annotations
+
+from ..diagnostics import Diagnostic, Fix, Source, diagnose
+from .items import spoil
+from .place import indentation, looks_like_item, starts_line
+from .tables import END
+from .tokens import Token
+from .words import CLOSERS, DEEPEST, OPENERS, SIGNS
+
+
+def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:
+    """The tokens with every bracket closed, and what was not. A closer too many is left alone."""
+    found: list[Diagnostic] = []
+    for _ in range(20):
+        fault = _first_fault(source, tokens)
+        if fault is None:
+            break
+        opener, place = fault
+        kind, text, start, end = tokens[opener]
+        closer = SIGNS[OPENERS[kind]]
+        span = source.span(start, end)
+        wrong = tokens[place]
+        if wrong[0] in CLOSERS and not _opened(tokens, opener, wrong[0]):
+            there = source.span(wrong[2], wrong[3])
+            found.append(
+                diagnose("RL004", there, what=wrong[1], help=_not_that(text, closer, span.line),
+                         fixes=[Fix(there, closer)])
+            )  # fmt: skip
+            tokens = tokens[:place] + [(OPENERS[kind], closer, *wrong[2:])] + tokens[place + 1 :]
+            continue
+        found.append(diagnose("RL003", span, what=text, help=f"close it with `{closer}`"))
+        behind = tokens[place - 1][3]
+        tokens = [*tokens[:place], (OPENERS[kind], closer, behind, behind), *tokens[place:]]
+        if kind != "LBRACE" and wrong[0] != END:
+            # What the bracket holds is a guess: say nothing more about the item around it.
+            tokens = spoil(source, tokens, opener) or tokens
+    return tokens, found
+
+
+def _not_that(opener: str, closer: str, line: int) -> str:
+    return f"`{opener}` of line {line} is closed by `{closer}`"
+
+
+def too_deep(tokens: list[Token]) -> int | None:
+    """The index of the first bracket that is nested too deep to be read."""
+    depth = 0
+    for index, token in enumerate(tokens):
+        if token[0] in OPENERS:
+            depth += 1
+            if depth > DEEPEST:
+                return index
+        elif token[0] in CLOSERS:
+            depth = max(0, depth - 1)
+    return None
+
+
+def _opened(tokens: list[Token], before: int, closer: str) -> bool:
+    """Whether a bracket that this one closes is open before the token `before`."""
+    depth = 0
+    for token in tokens[:before]:
+        depth += (token[0] == CLOSERS[closer]) - (token[0] == closer)
+    return depth > 0
+
+
+def _first_fault(source: Source, tokens: list[Token]) -> tuple[int, int] | None:
+    """An opener without its closer, and the index of the token before which it should be closed."""
+    stack: list[int] = []
+    for index, token in enumerate(tokens):
+        kind = token[0]
+        if kind in OPENERS:
+            stack.append(index)
+        elif kind in CLOSERS and stack:
+            top = stack[-1]
+            if CLOSERS[kind] != tokens[top][0] or _belongs_further_out(source, tokens, stack, token):
+                return top, _where(source, tokens, top, index)
+            stack.pop()
+        elif kind not in CLOSERS and stack and tokens[stack[-1]][0] != "LBRACE":
+            if starts_line(source, token) and looks_like_item(tokens, index):
+                if not _in_call(tokens, stack[-1]):
+                    return stack[-1], index
+    if stack:
+        return stack[-1], _where(source, tokens, stack[-1], len(tokens) - 1)
+    return None
+
+
+def _in_call(tokens: list[Token], opener: int) -> bool:
+    """`f(` at the end of a line may be followed by lines that begin `key:`."""
+    return opener > 0 and tokens[opener][0] == "LPAR" and tokens[opener - 1][0] == "NAME" and (
+        tokens[opener - 1][3] == tokens[opener][2]
+    )
+
+
+def _belongs_further_out(
+    source: Source, tokens: list[Token], stack: list[int], closer: Token
+) -> bool:
+    """`}` on a line of its own stands under the line of another `{` than the innermost."""
+    if closer[0] != "RBRACE" or len(stack) < 2 or not starts_line(source, closer):
+        return False
+    column = indentation(source, closer[2])
+    innermost = indentation(source, tokens[stack[-1]][2])
+    outer = [indentation(source, tokens[opener][2]) for opener in stack[:-1]]
+    return innermost > column and column in outer
+
+
+def _where(source: Source, tokens: list[Token], opener: int, latest: int) -> int:
+    """Before which token a bracket should be closed: a `{` before the next line not further in."""
+    if tokens[opener][0] == "LBRACE":
+        column = indentation(source, tokens[opener][2])
+        for index in range(opener + 1, latest):
+            token = tokens[index]
+            if starts_line(source, token) and indentation(source, token[2]) <= column:
+                return index
+    return latest

@@ -1,0 +1,102 @@
+"""Signs of other languages and typewriters, and what they are in roadlang."""
+
+from __future__ import annotations
+
+import re
+
+SYMBOLS = {
+    "≤": "<=",
+    "⩽": "<=",
+    "≥": ">=",
+    "⩾": ">=",
+    "≠": "!=",
+    "≡": "==",
+    "¬": "not",
+    "∧": "and",
+    "∨": "or",
+    "⊕": "xor",
+    "→": "implies",
+    "⇒": "implies",
+    "⟹": "implies",
+    "⟶": "implies",
+    "↔": "iff",
+    "⇔": "iff",
+    "⟺": "iff",
+    "□": "always",
+    "◻": "always",
+    "◇": "eventually",
+    "◊": "eventually",
+    "⋄": "eventually",
+    "∞": "inf",
+    "−": "-",
+    "–": "-",
+    "—": "-",
+    "×": "*",
+    "·": "*",
+    "⋅": "*",
+    "÷": "/",
+    "∕": "/",
+    "…": "..",
+    "：": ":",
+    "，": ",",
+    "（": "(",
+    "）": ")",
+    "；": "",
+    ";": "",
+}
+
+_LATEX = {
+    "Box": "always",
+    "square": "always",
+    "Diamond": "eventually",
+    "lozenge": "eventually",
+    "land": "and",
+    "wedge": "and",
+    "lor": "or",
+    "vee": "or",
+    "neg": "not",
+    "lnot": "not",
+    "to": "implies",
+    "rightarrow": "implies",
+    "Rightarrow": "implies",
+    "implies": "implies",
+    "leftrightarrow": "iff",
+    "Leftrightarrow": "iff",
+    "iff": "iff",
+    "leq": "<=",
+    "le": "<=",
+    "geq": ">=",
+    "ge": ">=",
+    "neq": "!=",
+    "cdot": "*",
+    "times": "*",
+    "infty": "inf",
+    "top": "true",
+    "bot": "false",
+}
+_LETTERS = {
+    "G": "always",
+    "F": "eventually",
+    "H": "historically",
+    "O": "once",
+    "U": "until",
+    "S": "since",
+}
+_FONT = re.compile(r"\\(?:mathbf|mathcal|mathrm|mathsf|text|textbf|operatorname|bm)\s*\{(\w+)\}")
+_COMMAND = re.compile(r"\\([A-Za-z]+)")
+_SUBSCRIPT = re.compile(r"\b([A-Za-z]+)_\s*\{?\s*\[([^\]\n]*)\]\s*\}?")
+_SIZE = re.compile(r"\\(?:left|right|big|Big|bigl|bigr|,|;|!|quad)\b ?|\\[,;! ]|\$")
+
+
+def from_latex(text: str) -> str:
+    """A formula in LaTeX, written in roadlang as far as that can be told."""
+    text = _SIZE.sub("", text)
+    text = _FONT.sub(lambda match: _LETTERS.get(match[1], match[1]), text)
+    text = _COMMAND.sub(lambda match: _LATEX.get(match[1], match[1]), text)
+    text = _SUBSCRIPT.sub(_interval, text)
+    return re.sub(r"\s+", " ", text).strip()
+
+
+def _interval(match: re.Match[str]) -> str:
+    word = _LETTERS.get(match[1], match[1])
+    return f"{word}[{match[2]}] "

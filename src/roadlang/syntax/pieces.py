@@ -1,0 +1,44 @@
+"""Cuts a file that does not parse as a whole into pieces that are parsed each by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..diagnostics import Source
+from .place import at_margin, looks_like_item, starts_line
+from .tables import END
+from .tokens import Token
+from .words import CLOSERS, OPENERS, STATEMENT_KINDS
+
+
+def pieces(source: Source, tokens: Sequence[Token]) -> list[list[Token]]:
+    """One list of tokens for each statement, with an `$END` of its own.
+
+    A piece begins at every word at the left margin. Where brackets are open, such a word must not
+    look like an item of a block; where none are, an indented statement word will do as well.
+    """
+    cut: list[list[Token]] = []
+    depth = 0
+    for index, token in enumerate(tokens[:-1]):
+        if not cut or _begins(source, tokens, index, depth):
+            cut.append([])
+            depth = 0
+        cut[-1].append(token)
+        if token[0] in OPENERS:
+            depth += 1
+        elif token[0] in CLOSERS:
+            depth = max(0, depth - 1)
+    for piece in cut:
+        end = piece[-1][3]
+        piece.append((END, "", end, end))
+    return cut
+
+
+def _begins(source: Source, tokens: Sequence[Token], index: int, depth: int) -> bool:
+    token = tokens[index]
+    kind, text = token[0], token[1]
+    if not (text[:1].isalpha() or text.startswith("_")):
+        return False
+    if depth == 0 and kind in STATEMENT_KINDS and starts_line(source, token):
+        return not looks_like_item(tokens, index)
+    return at_margin(source, token) and not (depth > 0 and looks_like_item(tokens, index))

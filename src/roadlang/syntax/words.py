@@ -1,0 +1,80 @@
+"""The words of the language, by their use, and what people call the kinds of token."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+STATEMENTS = (
+    "scenario include param let image network road require expect agent object world sample "
+    "simulate falsify emit"
+).split()
+CONNECTIVES = "from is on at".split()
+TEMPORAL = "always eventually once historically".split()
+RESERVED = "and or not xor implies iff until since true false with".split() + TEMPORAL
+UNITS = "m mm cm km ft mi px s ms min h deg rad kg t N Hz mph".split()
+
+DEEPEST = 150
+"""Levels of a statement. Later passes go through trees by recursion, within Python's limit."""
+
+STATEMENT_KINDS = frozenset(word.upper() for word in STATEMENTS)
+RESERVED_KINDS = frozenset(word.upper() for word in RESERVED)
+TEMPORAL_KINDS = frozenset(word.upper() for word in TEMPORAL) | set("GFHO")
+LOGIC_KINDS = frozenset("AND OR XOR IMPLIES IFF NOT UNTIL SINCE U S".split()) | TEMPORAL_KINDS
+OPERATOR_KINDS = frozenset("PLUS MINUS TIMES DIVIDE POWER COMPARISON RANGE".split())
+OPENERS = {"LPAR": "RPAR", "LSQB": "RSQB", "LBRACE": "RBRACE"}
+CLOSERS = {closer: opener for opener, closer in OPENERS.items()}
+SIGNS = {
+    "LPAR": "(",
+    "RPAR": ")",
+    "LSQB": "[",
+    "RSQB": "]",
+    "LBRACE": "{",
+    "RBRACE": "}",
+    "COLON": ":",
+    "COMMA": ",",
+    "EQUAL": "=",
+    "DOT": ".",
+    "RANGE": "..",
+    "PLUS": "+",
+    "MINUS": "-",
+    "TIMES": "*",
+    "DIVIDE": "/",
+    "POWER": "^",
+}
+
+
+@lru_cache(maxsize=4096)
+def slip(word: str, known: str) -> bool:
+    """Whether `word` is `known` with one slip: a letter more, less, another, or two swapped.
+
+    In a longer word there may be two slips, if they leave its first letter alone.
+    """
+    if word == known or word.lower() == known:
+        return word != known
+    limit = 1 if len(known) < 6 or word[:1] != known[:1] else 2
+    if len(known) <= 2:
+        return sorted(word) == sorted(known)
+    return distance(word.lower(), known) <= limit
+
+
+def misspelt(word: str, known: Iterable[str]) -> str | None:
+    """The one of the known words that `word` is a slip of."""
+    slips = [candidate for candidate in known if slip(word, candidate)]
+    return min(slips, key=lambda candidate: (distance(word, candidate), candidate), default=None)
+
+
+def distance(a: str, b: str) -> int:
+    """Edit distance with swaps of neighbours (optimal string alignment)."""
+    if abs(len(a) - len(b)) > 3:
+        return abs(len(a) - len(b))
+    rows = [list(range(len(b) + 1))]
+    for i, x in enumerate(a, 1):
+        row = [i]
+        for j, y in enumerate(b, 1):
+            best = min(rows[-1][j] + 1, row[j - 1] + 1, rows[-1][j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and y == a[i - 2]:
+                best = min(best, rows[-2][j - 2] + 1)
+            row.append(best)
+        rows.append(row)
+    return rows[-1][-1]
