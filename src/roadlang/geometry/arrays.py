@@ -1,0 +1,60 @@
+"""Array types of the geometry, and the gate through which numbers enter it."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import GeometryError
+
+Floats: TypeAlias = NDArray[np.float64]
+Integers: TypeAlias = NDArray[np.int64]
+Booleans: TypeAlias = NDArray[np.bool_]
+
+FARTHEST = 1e12
+"""Metres. Beyond it a double no longer resolves a tenth of a millimetre."""
+
+
+def finite(values: ArrayLike, what: str) -> Floats:
+    """`values` as a float64 array; raises GeometryError if one of them is not finite."""
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise GeometryError(f"{what} must be numbers") from error
+    if not np.isfinite(array).all():
+        raise GeometryError(f"{what} must be finite numbers, but some are infinite or NaN")
+    return array
+
+
+def finite_points(points: ArrayLike, what: str = "the points of a curve") -> Floats:
+    """`points` as a finite (n, 2) array within `FARTHEST` metres of the origin."""
+    array = finite(points, what)
+    if array.size == 0:
+        return array.reshape(0, 2)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise GeometryError(f"{what} must be pairs (x, y), but their shape is {array.shape}")
+    if np.abs(array).max() > FARTHEST:
+        raise GeometryError(f"{what} must lie within {FARTHEST:g} m of the origin")
+    return array
+
+
+def cross(a: Floats, b: Floats) -> Floats:
+    """z of the cross product of (..., 2) vectors: positive when `b` points left of `a`."""
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
+
+
+def norm(vectors: Floats) -> Floats:
+    """Lengths of (..., 2) vectors."""
+    return np.hypot(vectors[..., 0], vectors[..., 1])
+
+
+def left_of(vectors: Floats) -> Floats:
+    """(..., 2) vectors turned a quarter turn counter-clockwise."""
+    return np.stack([-vectors[..., 1], vectors[..., 0]], axis=-1)
+
+
+def wrapped(angles: Floats) -> Floats:
+    """Angles in [-pi, pi)."""
+    return np.asarray((angles + np.pi) % (2.0 * np.pi) - np.pi)

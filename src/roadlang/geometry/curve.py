@@ -1,0 +1,248 @@
+"""A smooth plane curve, parametrised by its arc length."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .arclength import ArcLength, path_lengths, subdivided
+from .arrays import Floats, cross, finite, finite_points, norm, wrapped
+from .errors import GeometryError
+from .spline import PiecewiseCubic, frame_of, hermite, interpolate
+
+_REFITS = 12
+_LONGEST_STEP = 1.2
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A piecewise cubic, with every quantity a function of arc length `s` in metres.
+
+    Make one with `Curve.through` or `Curve.hermite`. Arc lengths beyond the ends of an open
+    curve go straight on along its tangent; those of a closed curve go round.
+    """
+
+    spline: PiecewiseCubic
+    closed: bool
+    points: Floats
+    """(n, 2) what the curve was made through; a closed curve does not repeat the first"""
+
+    @classmethod
+    def through(cls, points: ArrayLike, closed: bool = False) -> Curve:
+        """The interpolating C2 cubic spline through `points` (n, 2), metres.
+
+        Two points make a straight line; neighbours that coincide count once. The knots are
+        refined until they are the arc lengths of the points. Raises GeometryError for points that
+        are not finite, for fewer than two distinct ones, and for fewer than three if closed.
+        """
+        distinct = distinct_points(points, closed)
+        return cls(_fitted(distinct, closed), closed, distinct)
+
+    @classmethod
+    def hermite(cls, points: ArrayLike, headings: ArrayLike, closed: bool = False) -> Curve:
+        """The cubic through `points` (n, 2) with exactly the `headings` (n,), radians.
+
+        For points of known heading (arcs, clothoids): no ringing where the curvature jumps.
+        """
+        given = finite_points(points)
+        angles = finite(headings, "the headings of a curve")
+        if angles.shape != (len(given),):
+            raise GeometryError("a curve needs one heading for each of its points")
+        if len(distinct_points(given, closed)) != len(given):
+            raise GeometryError("neighbouring points of a curve with headings must differ")
+        return cls(hermite(given, angles, closed), closed, given)
+
+    @cached_property
+    def arc(self) -> ArcLength:
+        return ArcLength.of(self.spline)
+
+    @property
+    def length(self) -> float:
+        """Metres along the curve; once round if closed."""
+        return self.arc.total
+
+    def at(self, s: ArrayLike) -> Floats:
+        """(..., 2) points at arc lengths `s`; exactly the end point at `length`."""
+        u, beyond, _ = self._parameters(s)
+        points = self.spline.position(u)
+        if not self.closed:
+            last = np.asarray(s, dtype=np.float64) == self.length
+            points = np.where(last[..., None], self.points[-1], points)
+        if beyond.any():
+            tangent, _ = frame_of(self.spline.derivatives(u)[0])
+            points = points + beyond[..., None] * tangent
+        return points
+
+    def tangent(self, s: ArrayLike) -> Floats:
+        """(..., 2) unit vectors along the curve."""
+        return frame_of(self.spline.derivatives(self._parameters(s)[0])[0])[0]
+
+    def normal(self, s: ArrayLike) -> Floats:
+        """(..., 2) unit vectors to the left of the curve."""
+        return frame_of(self.spline.derivatives(self._parameters(s)[0])[0])[1]
+
+    def heading(self, s: ArrayLike) -> Floats:
+        """Radians counter-clockwise from east, continuous along the curve, in (-pi, pi] at 0."""
+        u, _, laps = self._parameters(s)
+        first = self.spline.derivatives(u)[0]
+        near = self._headings[np.searchsorted(self.arc.parameters, u, side="right") - 1]
+        turned = near + wrapped(np.arctan2(first[..., 1], first[..., 0]) - near)
+        return np.asarray(turned + laps * (self._headings[-1] - self._headings[0]))
+
+    def curvature(self, s: ArrayLike) -> Floats:
+        """1/m, positive where the curve bends left; zero beyond the ends."""
+        return self.bending(s)[0]
+
+    def bending(self, s: ArrayLike) -> tuple[Floats, Floats]:
+        """The curvature (1/m) and its derivative by arc length (1/m^2)."""
+        u, beyond, _ = self._parameters(s)
+        first, second, third = self.spline.derivatives(u)
+        speed = np.maximum(np.hypot(first[..., 0], first[..., 1]), 1e-9)
+        curvature = cross(first, second) / speed**3
+        along = (first * second).sum(axis=-1) / speed**2
+        change = (cross(first, third) / speed**3 - 3.0 * curvature * along) / speed
+        inside = np.abs(beyond) <= 1e-9 * self.length
+        return np.where(inside, curvature, 0.0), np.where(inside, change, 0.0)
+
+    def stations(self, spacing: float | None = None, count: int | None = None) -> Floats:
+        """Even arc lengths: `count` of them, or as many as keep them at most `spacing` apart.
+
+        An open curve's include both ends; a closed curve's leave out the repeated start.
+        """
+        if (spacing is None) == (count is None):
+            raise GeometryError("stations need either a spacing or a count")
+        if spacing is not None:
+            if not spacing > 0.0:
+                raise GeometryError("the spacing of stations must be positive")
+            gaps = max(1, int(np.ceil(self.length / spacing - 1e-9)))
+            count = max(gaps, 3) if self.closed else gaps + 1
+        assert count is not None
+        if count < 2:
+            raise GeometryError("a curve needs at least two stations")
+        return np.linspace(0.0, self.length, count, endpoint=not self.closed)
+
+    def project(self, points: ArrayLike) -> tuple[Floats, Floats]:
+        """Arc length of the nearest point of the curve, and the lateral offset (left positive).
+
+        Both (...,) for points (..., 2). Beside an end of an open curve the offset is measured
+        across the tangent there, so it leaves out how far beyond the end the point lies.
+        """
+        from .projection import project
+
+        return project(self, points)
+
+    def between(self, start: float, stop: float) -> Curve:
+        """The part from arc length `start` to `stop`, exactly; round the seam if closed."""
+        length = self.length
+        if self.closed and start != stop:
+            start %= length
+            stop = stop % length
+            stop += length if stop <= start else 0.0
+        elif not self.closed:
+            start, stop = max(start, 0.0), min(stop, length)
+        if not stop - start > 1e-9 * length:
+            raise GeometryError("the stretch of a curve must have a positive length")
+        ends = self.arc.parameter(np.array([start, min(stop, length)]))
+        if stop > length:
+            lap = float(self.spline.knots[-1])
+            ends[1] = lap + float(self.arc.parameter(np.array([stop - length]))[0])
+        source = self.spline.repeated() if self.closed else self.spline
+        spline = source.between(float(ends[0]), float(ends[1]))
+        points = np.concatenate([spline.coefficients[:, 0], self.at(np.array([stop]))])
+        return Curve(spline, False, points)
+
+    def reversed(self) -> Curve:
+        """The same curve from end to start."""
+        points = self.points[::-1]
+        return Curve(
+            self.spline.reversed(),
+            self.closed,
+            np.roll(points, 1, axis=0) if self.closed else points,
+        )
+
+    def resampled(self, spacing: float | None = None, count: int | None = None) -> Curve:
+        """A new spline through even stations of this curve."""
+        return Curve.through(self.at(self.stations(spacing, count)), self.closed)
+
+    def transformed(self, matrix: ArrayLike, shift: ArrayLike = (0.0, 0.0)) -> Curve:
+        """Each point p becomes `matrix @ p + shift`; a mirror swaps left and right."""
+        linear = finite(matrix, "the matrix").reshape(2, 2)
+        offset = finite(shift, "the shift").reshape(2)
+        if abs(np.linalg.det(linear)) <= 0.0:
+            raise GeometryError("the matrix must not flatten the plane")
+        spline = self.spline.transformed(linear, offset)
+        return Curve(spline, self.closed, self.points @ linear.T + offset)
+
+    def scaled(self, factor: float) -> Curve:
+        """All lengths times `factor`: pixels to metres, for one."""
+        return self.transformed(np.eye(2) * factor)
+
+    @cached_property
+    def _headings(self) -> Floats:
+        """Continuous heading at the parameters of the arc table."""
+        first = self.spline.derivatives(self.arc.parameters)[0]
+        return np.unwrap(np.arctan2(first[:, 1], first[:, 0]))
+
+    def _parameters(self, s: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Spline parameter, metres beyond an end (signed), and whole laps, of arc lengths."""
+        stations = finite(s, "arc lengths")
+        if self.closed:
+            laps = np.floor(stations / self.length)
+            inside = np.clip(stations - laps * self.length, 0.0, self.length)
+            return self.arc.parameter(inside), np.zeros_like(stations), laps
+        inside = np.clip(stations, 0.0, self.length)
+        return self.arc.parameter(inside), stations - inside, np.zeros_like(stations)
+
+
+def distinct_points(points: ArrayLike, closed: bool) -> Floats:
+    """`points` without repeats of a neighbour; raises GeometryError when too few are left."""
+    array = finite_points(points)
+    if len(array):
+        extent = float(norm(np.ptp(array, axis=0)))
+        reach = max(1e-9 * extent, 8.0 * np.finfo(float).eps * float(np.abs(array).max()), 1e-12)
+        array = _without_repeats(array, reach)
+        if closed and len(array) > 1 and norm(array[0] - array[-1]) <= reach:
+            array = array[:-1]
+    needed = 3 if closed else 2
+    if len(array) < needed:
+        kind = "a closed curve" if closed else "a curve"
+        raise GeometryError(f"{kind} needs at least {needed} distinct points, not {len(array)}")
+    return array
+
+
+def _without_repeats(array: Floats, reach: float) -> Floats:
+    keep = np.concatenate([[True], norm(np.diff(array, axis=0)) > reach])
+    return array[keep]
+
+
+def _fitted(points: Floats, closed: bool) -> PiecewiseCubic:
+    """The spline whose knots are, as nearly as the points allow, its own arc lengths.
+
+    From rough points the fixed point may repel: a long step makes a loose piece, which makes a
+    longer step. So steps are capped at the arc of 120 degrees over the chord, and the refits stop
+    when they no longer come closer.
+    """
+    ring = np.concatenate([points, points[:1]]) if closed else points
+    chords = norm(np.diff(ring, axis=0))
+    steps, error = chords, np.inf
+    spline = interpolate(_summed(steps), points, closed)
+    for _ in range(_REFITS):
+        lengths = np.minimum(_piece_lengths(spline), _LONGEST_STEP * chords)
+        change = np.abs(lengths - steps).max() / chords.sum()
+        if change >= error or change <= 1e-13:
+            break
+        steps, error = lengths, change
+        spline = interpolate(_summed(steps), points, closed)
+    return spline
+
+
+def _summed(steps: Floats) -> Floats:
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _piece_lengths(spline: PiecewiseCubic) -> Floats:
+    cuts = subdivided(spline.knots, 4)
+    return np.asarray(path_lengths(spline, cuts[:-1], cuts[1:]).reshape(-1, 4).sum(axis=1))

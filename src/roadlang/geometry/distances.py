@@ -1,0 +1,87 @@
+"""Distances between batches of curves that share their stations. Rows are variants."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .arrays import Floats, finite, norm
+from .batch import CurveBatch, DisplacedBatch
+from .errors import GeometryError
+
+
+def pointwise(a: CurveBatch, b: CurveBatch) -> Floats:
+    """(V, S) metres between the points of `a` and `b` at the same station; V may be 1 in one."""
+    shared = _shared_displacements(a, b)
+    if shared is not None:
+        return np.abs(np.subtract(*shared))
+    _check_stations(a, b)
+    return norm(a.points - b.points)
+
+
+def deviation(a: CurveBatch, b: CurveBatch) -> Floats:
+    """(V, S) size of the displacement of `a` from `b` across `b`, metres.
+
+    The same as `pointwise` where `a` is `b` displaced; else the part of the way from `b` to `a`
+    along the normal of `b`.
+    """
+    shared = _shared_displacements(a, b)
+    if shared is not None:
+        return np.abs(np.subtract(*shared))
+    _check_stations(a, b)
+    return np.abs(((a.points - b.points) * b.normal).sum(axis=-1))
+
+
+def lp_distance(a: CurveBatch, b: CurveBatch, p: float) -> Floats:
+    """(V,) the paper's d_p: (integral of |a(s) - b(s)|^p ds)^(1/p), by the trapezoidal rule.
+
+    Its unit is m^(1 + 1/p); an infinite `p` gives `sup_distance`.
+    """
+    if not p >= 1.0:
+        raise GeometryError("the p of an Lp distance must be at least 1")
+    if np.isinf(p):
+        return sup_distance(a, b)
+    gaps = pointwise(a, b)
+    largest = np.maximum(gaps.max(axis=1, keepdims=True), np.finfo(float).tiny)
+    integral = (gaps / largest) ** p @ quadrature(a)
+    return np.asarray(largest[:, 0] * integral ** (1.0 / p))
+
+
+def sup_distance(a: CurveBatch, b: CurveBatch) -> Floats:
+    """(V,) the largest pointwise distance, metres."""
+    return np.asarray(pointwise(a, b).max(axis=1))
+
+
+def margin(batch: CurveBatch, p: ArrayLike, q: ArrayLike) -> Floats:
+    """(V, S) metres to the nearest edge of the box with corners `p` and `q`, negative outside."""
+    corners = np.stack([finite(corner, "the corners of a box").reshape(-1) for corner in (p, q)])
+    if corners.shape != (2, 2):
+        raise GeometryError("a box needs two corners (x, y)")
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    inside = np.minimum(batch.points - low, high - batch.points)
+    return np.asarray(inside.min(axis=-1))
+
+
+def quadrature(batch: CurveBatch) -> Floats:
+    """(S,) weights of the trapezoidal rule over the stations, metres."""
+    gaps = np.diff(batch.stations)
+    weights = np.zeros(len(batch.stations))
+    weights[:-1] += gaps / 2.0
+    weights[1:] += gaps / 2.0
+    if batch.period is not None:
+        seam = (batch.stations[0] + batch.period - batch.stations[-1]) / 2.0
+        weights[[0, -1]] += seam
+    return weights
+
+
+def _shared_displacements(a: CurveBatch, b: CurveBatch) -> tuple[Floats, Floats] | None:
+    if isinstance(a, DisplacedBatch) and isinstance(b, DisplacedBatch) and a.frame.same_as(b.frame):
+        return a.displacement, b.displacement
+    return None
+
+
+def _check_stations(a: CurveBatch, b: CurveBatch) -> None:
+    if len(a.stations) != len(b.stations):
+        raise GeometryError("curves can be compared only at the same stations")
+    if a.variants != b.variants and 1 not in (a.variants, b.variants):
+        raise GeometryError(f"{a.variants} variants cannot be compared with {b.variants}")

@@ -1,0 +1,56 @@
+"""A curve's Frenet frame at fixed stations: what displacing it needs, computed once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .arrays import Floats, finite
+from .curve import Curve
+from .errors import GeometryError
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """`stations` (S,) of a curve and what it is there; make one with `Frame.of`."""
+
+    curve: Curve
+    stations: Floats
+    points: Floats
+    """(S, 2) metres"""
+    heading: Floats
+    """(S,) radians, continuous"""
+    curvature: Floats
+    """(S,) 1/m, left positive"""
+    curvature_slope: Floats
+    """(S,) 1/m^2, its derivative by arc length"""
+
+    @classmethod
+    def of(cls, curve: Curve, stations: ArrayLike) -> Frame:
+        """The frame at increasing arc lengths."""
+        s = finite(stations, "stations")
+        if s.ndim != 1 or len(s) < 2 or not (np.diff(s) > 0.0).all():
+            raise GeometryError("stations must be at least two increasing arc lengths")
+        return cls(curve, s, curve.at(s), curve.heading(s), *curve.bending(s))
+
+    @property
+    def closed(self) -> bool:
+        return self.curve.closed
+
+    @property
+    def period(self) -> float | None:
+        """Metres round, of a closed curve."""
+        return self.curve.length if self.curve.closed else None
+
+    @property
+    def normal(self) -> Floats:
+        """(S, 2) unit vectors to the left."""
+        return np.stack([-np.sin(self.heading), np.cos(self.heading)], axis=-1)
+
+    def same_as(self, other: Frame) -> bool:
+        """Whether displacements along both can be compared number by number."""
+        return self is other or (
+            self.curve is other.curve and np.array_equal(self.stations, other.stations)
+        )

@@ -1,0 +1,191 @@
+"""Road networks: nodes where roads end or meet, joined by curves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .arrays import Floats, finite, norm
+from .curve import Curve
+from .errors import GeometryError
+from .road import Road
+from .width import WidthProfile
+
+if TYPE_CHECKING:
+    from .paths import Path
+
+_JOINED = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A place where roads end or meet; `position` in metres."""
+
+    id: int
+    position: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Edge:
+    """A road between two nodes (one and the same for a loop); `curve` runs from start to end.
+
+    `widths` (n,) are at even stations of the curve. `confidence` in [0, 1] is the extractor's.
+    """
+
+    id: int
+    start: int
+    end: int
+    curve: Curve
+    widths: Floats
+    confidence: float = 1.0
+
+    @property
+    def length(self) -> float:
+        return self.curve.length
+
+    @cached_property
+    def width(self) -> WidthProfile:
+        return WidthProfile.even(self.widths, self.curve.length, self.curve.closed)
+
+    def other(self, node: int) -> int:
+        """The node at the other end."""
+        return self.end if node == self.start else self.start
+
+    def road(self, lanes: int = 2) -> Road:
+        return Road(self.curve, self.width, lanes)
+
+
+@dataclass(frozen=True, eq=False)
+class RoadNetwork:
+    """`edges` that are joined at `nodes`; ids are unique, edges' are counted from 1."""
+
+    nodes: tuple[Node, ...]
+    edges: tuple[Edge, ...]
+
+    def __post_init__(self) -> None:
+        if len(self._nodes) != len(self.nodes) or len(self._edges) != len(self.edges):
+            raise GeometryError("the ids of nodes, and those of edges, must differ")
+        for edge in self.edges:
+            self._check(edge)
+
+    def _check(self, edge: Edge) -> None:
+        ends = np.array([0.0, 0.0 if edge.curve.closed else edge.length])
+        for node, point in zip((edge.start, edge.end), edge.curve.at(ends), strict=True):
+            if node not in self._nodes:
+                raise GeometryError(f"road {edge.id} ends at node {node}, which does not exist")
+            gap = float(norm(point - self._nodes[node].position))
+            if gap > _JOINED * max(1.0, float(np.abs(point).max())):
+                raise GeometryError(f"road {edge.id} ends {gap:.3g} m away from node {node}")
+        WidthProfile.even(edge.widths, edge.length)
+
+    def node(self, id: int) -> Node:
+        if id not in self._nodes:
+            raise GeometryError(f"the network has no node {id}")
+        return self._nodes[id]
+
+    def edge(self, id: int) -> Edge:
+        if id not in self._edges:
+            known = ", ".join(str(edge.id) for edge in self.edges[:12])
+            more = ", ..." if len(self.edges) > 12 else ""
+            raise GeometryError(f"the network has no road {id}; its roads are {known}{more}")
+        return self._edges[id]
+
+    def edges_at(self, node: int) -> tuple[Edge, ...]:
+        """The edges that end at a node, a loop twice, in the order of the network."""
+        return self._incident[self.node(node).id]
+
+    def degree(self, node: int) -> int:
+        """How many ends of roads meet at a node: 1 a dead end, 3 and more a junction."""
+        return len(self.edges_at(node))
+
+    @property
+    def length(self) -> float:
+        """Metres of all roads together."""
+        return sum(edge.length for edge in self.edges)
+
+    @property
+    def components(self) -> tuple[frozenset[int], ...]:
+        """The node ids of each connected part, in the order of the nodes."""
+        seen: set[int] = set()
+        parts = []
+        for node in self.nodes:
+            if node.id in seen:
+                continue
+            part, waiting = {node.id}, [node.id]
+            while waiting:
+                here = waiting.pop()
+                beyond = {edge.other(here) for edge in self.edges_at(here)} - part
+                part |= beyond
+                waiting.extend(beyond)
+            seen |= part
+            parts.append(frozenset(part))
+        return tuple(parts)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """West, south, east and north of all nodes and roads, metres."""
+        lines = [edge.curve.at(edge.curve.stations(count=64)) for edge in self.edges]
+        lines += [edge.curve.points for edge in self.edges]
+        lines += [np.array([node.position]) for node in self.nodes]
+        if not lines:
+            raise GeometryError("an empty network has no bounds")
+        every = np.concatenate(lines)
+        (west, south), (east, north) = every.min(axis=0), every.max(axis=0)
+        return float(west), float(south), float(east), float(north)
+
+    def scaled(self, factor: float) -> RoadNetwork:
+        """All lengths times `factor`."""
+        if not 0.0 < factor < np.inf:
+            raise GeometryError("a scale must be positive")
+        return self.transformed(np.eye(2) * factor, width_factor=factor)
+
+    def transformed(
+        self, matrix: ArrayLike, shift: ArrayLike = (0.0, 0.0), width_factor: float = 1.0
+    ) -> RoadNetwork:
+        """Each point p becomes `matrix @ p + shift`; widths are multiplied by `width_factor`."""
+        linear, offset = finite(matrix, "the matrix"), finite(shift, "the shift")
+        nodes = []
+        for node in self.nodes:
+            x, y = linear @ np.array(node.position) + offset
+            nodes.append(Node(node.id, (float(x), float(y))))
+        edges = [
+            replace(
+                edge,
+                curve=edge.curve.transformed(linear, offset),
+                widths=np.asarray(edge.widths) * width_factor,
+            )
+            for edge in self.edges
+        ]
+        return RoadNetwork(tuple(nodes), tuple(edges))
+
+    def longest(self) -> Path:
+        """The longest simple road through the network (see `paths.longest_path`)."""
+        from .paths import longest_path
+
+        return longest_path(self)
+
+    def route(self, p: ArrayLike, q: ArrayLike) -> Path:
+        """The shortest way along the roads from the point nearest `p` to that nearest `q`."""
+        from .paths import shortest_path
+
+        return shortest_path(self, p, q)
+
+    @cached_property
+    def _nodes(self) -> dict[int, Node]:
+        return {node.id: node for node in self.nodes}
+
+    @cached_property
+    def _edges(self) -> dict[int, Edge]:
+        return {edge.id: edge for edge in self.edges}
+
+    @cached_property
+    def _incident(self) -> dict[int, tuple[Edge, ...]]:
+        ends: dict[int, list[Edge]] = {node.id: [] for node in self.nodes}
+        for edge in self.edges:
+            ends[edge.start].append(edge)
+            ends[edge.end].append(edge)
+        return {node: tuple(edges) for node, edges in ends.items()}
