@@ -21,7 +21,8 @@ Signals: TypeAlias = Mapping[str, ArrayLike]
 class Trace:
     """`positions` (S,), strictly increasing; each signal (r, n), r in {1, V}, n in {1, S}.
 
-    `batched` is False when no signal had two dimensions; results then lose the variant axis.
+    `batched` is False when no signal had two dimensions, whether the formula reads it or not;
+    results then lose the variant axis.
     `wrap` is the length of a closed road, or None.
     """
 
@@ -42,17 +43,13 @@ class Trace:
         """Check and keep the signals called `names`. Raises DiagnosticError RL300 to RL304, RL306."""
         stations = checked_positions(positions)
         checked = {name: _checked_signal(name, signals, stations) for name in sorted(names)}
-        batched = [(name, array) for name, array in checked.items() if array.ndim == 2]
-        counts = {array.shape[0] for _, array in batched} - {1}
-        if len(counts) > 1:
-            shapes = ", ".join(f"`{name}` has {array.shape[0]}" for name, array in batched)
-            raise stl_error("RL303", what="the signals", expected="agree in variants", found=shapes)
+        variants = _variants(signals)
         _check_wrap(wrap, stations)
         return cls(
             positions=stations,
             signals={name: np.atleast_2d(array) for name, array in checked.items()},
-            variants=max(counts, default=1 if not batched else batched[0][1].shape[0]),
-            batched=bool(batched),
+            variants=variants or 1,
+            batched=variants is not None,
             wrap=wrap,
         )
 
@@ -77,6 +74,16 @@ class Trace:
             for name, array in self.signals.items()
         }
         return Trace(self.positions, chosen, 1, False, self.wrap)
+
+
+def _variants(signals: Signals) -> int | None:
+    """How many variants the two-dimensional signals have; None where there is no such signal."""
+    shapes = {name: np.shape(values) for name, values in signals.items()}
+    counts = {name: shape[0] for name, shape in shapes.items() if len(shape) == 2}
+    if len(set(counts.values()) - {1}) > 1:
+        found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
+        raise stl_error("RL303", what="the signals", expected="agree in variants", found=found)
+    return max(counts.values(), default=None)
 
 
 def checked_positions(positions: Positions) -> FloatArray:

@@ -1,0 +1,96 @@
+"""Random formulas and traces for the property tests, as functions of a seed."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang import stl
+
+NAMES = ("x", "y", "z")
+
+
+class FormulaDraw:
+    """Draws formulas. `past`, `logic` and `corners` switch parts of the language on and off."""
+
+    def __init__(
+        self, seed: int, *, past: bool = True, corners: bool = True, step: float = 0.5,
+        future: bool = True,
+    ) -> None:  # fmt: skip
+        self.random = random.Random(seed)
+        self.past, self.corners, self.step, self.future = past, corners, step, future
+
+    def formula(self, depth: int) -> stl.Formula:
+        if depth == 0:
+            return self._leaf()
+        return self.random.choice([self._logic, self._temporal, self._temporal])(depth - 1)
+
+    def term(self, depth: int = 1) -> stl.Term:
+        draw = self.random
+        if depth == 0 or draw.random() < 0.5:
+            if draw.random() < 0.8:
+                return stl.Variable(draw.choice(NAMES))
+            return stl.Constant(float(draw.randint(-3, 3)))
+        kind = draw.randrange(4)
+        if kind == 0:
+            return stl.Negate(self.term(depth - 1))
+        if kind == 1:
+            return stl.Apply("abs", (self.term(depth - 1),))
+        if kind == 2:
+            return stl.Apply(draw.choice(["min", "max"]), (self.term(depth - 1), self.term(0)))
+        return stl.Arithmetic(draw.choice("+-*"), self.term(depth - 1), self.term(0))
+
+    def interval(self) -> stl.Interval | None:
+        draw = self.random
+        if draw.random() < 0.25:
+            return None
+        lo = self.step * draw.choice([0, 0, 1, 2, 3, 7])
+        if self.corners and draw.random() < 0.1:
+            return stl.Interval(lo, math.inf)
+        if self.corners and draw.random() < 0.15:
+            lo += 0.3 * self.step
+        return stl.Interval(lo, lo + self.step * draw.choice([0, 1, 2, 4, 9, 30]))
+
+    def _leaf(self) -> stl.Formula:
+        draw = self.random
+        if self.corners and draw.random() < 0.05:
+            return stl.Truth(draw.random() < 0.5)
+        ops = ["<", "<=", ">", ">="] + (["==", "!="] if self.corners else [])
+        right = stl.Constant(float(draw.randint(-2, 2)))
+        return stl.Comparison(draw.choice(ops), self.term(), right)
+
+    def _logic(self, depth: int) -> stl.Formula:
+        draw = self.random
+        kind = draw.choice([stl.Not, stl.And, stl.Or, stl.Implies, stl.Iff, stl.Xor])
+        if kind is stl.Not:
+            return stl.Not(self.formula(depth))
+        if kind in (stl.And, stl.Or):
+            parts = tuple(self.formula(draw.randint(0, depth)) for _ in range(draw.randint(2, 3)))
+            return kind(parts)
+        return kind(self.formula(depth), self.formula(draw.randint(0, depth)))
+
+    def _temporal(self, depth: int) -> stl.Formula:
+        draw = self.random
+        ahead = [stl.Always, stl.Eventually, stl.Until] if self.future else []
+        behind = [stl.Historically, stl.Once, stl.Since] if self.past else []
+        kind = draw.choice(ahead + behind)
+        if kind in (stl.Until, stl.Since):
+            return kind(self.interval(), self.formula(draw.randint(0, depth)), self.formula(depth))
+        return kind(self.interval(), self.formula(depth))
+
+
+def draw_trace(
+    seed: int, samples: int, variants: int, *, even: bool, step: float = 0.5
+) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
+    """Positions (S,) and signals x, y, z (V, S); some values are whole numbers, so ties occur."""
+    rng = np.random.default_rng(seed)
+    if even:
+        positions = 3.0 + step * np.arange(samples)
+    else:
+        positions = np.cumsum(rng.choice([0.1, 0.25, 0.5, 0.5, 0.7, 2.0], size=samples))
+    signals = {name: rng.normal(0, 2, size=(variants, samples)) for name in NAMES}
+    signals["y"] = np.round(signals["y"])
+    return positions, signals

@@ -1,0 +1,140 @@
+"""Robustness and Boolean satisfaction written from their definitions, one sample at a time.
+
+Slow on purpose, and nothing of it is shared with the engine but the formula type.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from roadlang import stl
+
+Row = Mapping[str, Sequence[float]]
+
+
+class Reference:
+    """Evaluates formulas over one trace. `wrap` repeats it for ever, in both directions."""
+
+    def __init__(self, positions: Sequence[float], signals: Row, wrap: float | None = None) -> None:
+        self.positions = [float(position) for position in positions]
+        self.signals = signals
+        self.wrap = wrap
+        self._known: dict[tuple[stl.Formula, int, object], float] = {}
+
+    def rho(self, formula: stl.Formula) -> list[float]:
+        return [self._value(formula, k, _margin) for k in range(len(self.positions))]
+
+    def satisfied(self, formula: stl.Formula) -> list[bool]:
+        return [self._value(formula, k, _truth) > 0 for k in range(len(self.positions))]
+
+    def _value(self, formula: stl.Formula, k: int, leaf: Callable[..., float]) -> float:
+        def at(part: stl.Formula, sample: int) -> float:
+            sample = sample if self.wrap is None else sample % len(self.positions)
+            key = (part, sample, leaf)
+            if key not in self._known:
+                self._known[key] = self._value(part, sample, leaf)
+            return self._known[key]
+
+        match formula:
+            case stl.Truth(value):
+                return math.inf if value else -math.inf
+            case stl.Comparison(op, left, right):
+                return leaf(op, self._term(left, k), self._term(right, k))
+            case stl.Not(p):
+                return -at(p, k)
+            case stl.And(parts):
+                return min((at(p, k) for p in parts), default=math.inf)
+            case stl.Or(parts):
+                return max((at(p, k) for p in parts), default=-math.inf)
+            case stl.Implies(p, q):
+                return max(-at(p, k), at(q, k))
+            case stl.Iff(p, q):
+                return min(max(-at(p, k), at(q, k)), max(-at(q, k), at(p, k)))
+            case stl.Xor(p, q):
+                return max(min(at(p, k), -at(q, k)), min(-at(p, k), at(q, k)))
+            case stl.Always(interval, p):
+                return min((at(p, i) for i in self._ahead(k, interval)), default=math.inf)
+            case stl.Eventually(interval, p):
+                return max((at(p, i) for i in self._ahead(k, interval)), default=-math.inf)
+            case stl.Historically(interval, p):
+                return min((at(p, i) for i in self._behind(k, interval)), default=math.inf)
+            case stl.Once(interval, p):
+                return max((at(p, i) for i in self._behind(k, interval)), default=-math.inf)
+            case stl.Until(interval, p, q):
+                witnesses = self._ahead(k, interval)
+                return max(
+                    (min(at(q, i), *(at(p, j) for j in range(k, i)), math.inf) for i in witnesses),
+                    default=-math.inf,
+                )
+            case stl.Since(interval, p, q):
+                witnesses = self._behind(k, interval)
+                return max(
+                    (
+                        min(at(q, i), *(at(p, j) for j in range(i + 1, k + 1)), math.inf)
+                        for i in witnesses
+                    ),
+                    default=-math.inf,
+                )
+        raise TypeError(formula)
+
+    def _position(self, k: int) -> float:
+        laps, sample = divmod(k, len(self.positions))
+        return self.positions[sample] + (laps * self.wrap if self.wrap is not None else 0.0)
+
+    def _ahead(self, k: int, interval: stl.Interval | None) -> list[int]:
+        lo, hi = (interval.lo, interval.hi) if interval else (0.0, math.inf)
+        return [i for i in self._reachable(k, lo, hi, +1) if i >= k and self._in(k, i, lo, hi, +1)]
+
+    def _behind(self, k: int, interval: stl.Interval | None) -> list[int]:
+        lo, hi = (interval.lo, interval.hi) if interval else (0.0, math.inf)
+        return [i for i in self._reachable(k, lo, hi, -1) if i <= k and self._in(k, i, lo, hi, -1)]
+
+    def _reachable(self, k: int, lo: float, hi: float, way: int) -> range:
+        if self.wrap is None:
+            return range(len(self.positions))
+        far = hi if math.isfinite(hi) else lo + self.wrap
+        steps = len(self.positions) * (math.ceil(far / self.wrap) + 1)
+        return range(k, k + steps) if way > 0 else range(k - steps, k + 1)
+
+    def _in(self, k: int, i: int, lo: float, hi: float, way: int) -> bool:
+        own, other = self._position(k), self._position(i)
+        near, far = own + way * lo, own + way * hi
+        if way > 0:
+            return other >= near - _slack(near) and (math.isinf(hi) or other <= far + _slack(far))
+        return other <= near + _slack(near) and (math.isinf(hi) or other >= far - _slack(far))
+
+    def _term(self, term: stl.Term, k: int) -> float:
+        match term:
+            case stl.Constant(value):
+                return value
+            case stl.Variable(name):
+                return float(self.signals[name][k % len(self.positions)])
+            case stl.Negate(operand):
+                return -self._term(operand, k)
+            case stl.Apply(function, arguments):
+                values = [self._term(argument, k) for argument in arguments]
+                return {"abs": lambda: abs(values[0]), "min": lambda: min(values),
+                        "max": lambda: max(values)}[function]()  # fmt: skip
+            case stl.Arithmetic(op, left, right):
+                x, y = self._term(left, k), self._term(right, k)
+                return {"+": lambda: x + y, "-": lambda: x - y, "*": lambda: x * y,
+                        "/": lambda: x / y, "^": lambda: x**y}[op]()  # fmt: skip
+        raise TypeError(term)
+
+
+def _margin(op: str, x: float, y: float) -> float:
+    if op in ("<", "<="):
+        return y - x
+    if op in (">", ">="):
+        return x - y
+    return -abs(x - y) if op == "==" else abs(x - y)
+
+
+def _truth(op: str, x: float, y: float) -> float:
+    holds = {"<": x < y, "<=": x <= y, ">": x > y, ">=": x >= y, "==": x == y, "!=": x != y}[op]
+    return 1.0 if holds else -1.0
+
+
+def _slack(bound: float) -> float:
+    return 1e-9 * max(1.0, abs(bound))

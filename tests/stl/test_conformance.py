@@ -1,0 +1,38 @@
+"""The engine gives what the definitions give, on every kind of formula and trace."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from stl_draws import FormulaDraw, draw_trace
+from stl_reference import Reference
+
+
+@pytest.mark.parametrize("seed", range(400))
+def test_traces_equal_the_definitions(seed):
+    formula = FormulaDraw(seed).formula(1 + seed % 3)
+    samples = (1, 2, 7, 12, 17)[seed % 5]
+    positions, signals = draw_trace(seed, samples, 2, even=seed % 2 == 0)
+
+    trace = formula.robustness(positions, signals)
+    start = formula.rho(positions, signals)
+    satisfied = formula.satisfied(positions, signals)
+
+    for variant in range(2):
+        row = {name: values[variant] for name, values in signals.items()}
+        reference = Reference(positions, row)
+        np.testing.assert_allclose(trace[variant], reference.rho(formula), atol=1e-9)
+        assert satisfied[variant] == reference.satisfied(formula)[0]
+    np.testing.assert_array_equal(start, trace[:, 0])
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_windows_wrap_on_closed_roads(seed):
+    formula = FormulaDraw(seed).formula(1 + seed % 2)
+    positions, signals = draw_trace(seed, (1, 2, 7, 9)[seed % 4], 1, even=seed % 2 == 0)
+    row = {name: values[0] for name, values in signals.items()}
+    wrap = float(positions[-1] - positions[0]) + 0.5
+
+    trace = formula.robustness(positions, row, wrap=wrap)
+
+    np.testing.assert_allclose(trace, Reference(positions, row, wrap).rho(formula), atol=1e-9)
