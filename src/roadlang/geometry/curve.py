@@ -214,8 +214,13 @@ def distinct_points(points: ArrayLike, closed: bool) -> Floats:
 
 
 def _without_repeats(array: Floats, reach: float) -> Floats:
-    keep = np.concatenate([[True], norm(np.diff(array, axis=0)) > reach])
-    return array[keep]
+    """Keeps the first of points that coincide, but of those at the end the last."""
+    keep = np.ones(len(array), dtype=bool)
+    keep[1:] = norm(np.diff(array, axis=0)) > reach
+    kept = np.array(array[keep])
+    if len(kept) > 1:
+        kept[-1] = array[-1]
+    return kept
 
 
 def _fitted(points: Floats, closed: bool) -> PiecewiseCubic:

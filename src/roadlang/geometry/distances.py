@@ -29,7 +29,8 @@ def deviation(a: CurveBatch, b: CurveBatch) -> Floats:
     if shared is not None:
         return np.abs(np.subtract(*shared))
     _check_stations(a, b)
-    return np.abs(((a.points - b.points) * b.normal).sum(axis=-1))
+    sideways: Floats = ((a.points - b.points) * b.normal).sum(axis=-1)
+    return np.abs(sideways)
 
 
 def lp_distance(a: CurveBatch, b: CurveBatch, p: float) -> Floats:
@@ -58,8 +59,12 @@ def margin(batch: CurveBatch, p: ArrayLike, q: ArrayLike) -> Floats:
     if corners.shape != (2, 2):
         raise GeometryError("a box needs two corners (x, y)")
     low, high = corners.min(axis=0), corners.max(axis=0)
-    inside = np.minimum(batch.points - low, high - batch.points)
-    return np.asarray(inside.min(axis=-1))
+    result = np.full(batch.points.shape[:2], np.inf)
+    for axis in (0, 1):
+        places = batch.points[..., axis]
+        np.minimum(result, places - low[axis], out=result)
+        np.minimum(result, high[axis] - places, out=result)
+    return result
 
 
 def quadrature(batch: CurveBatch) -> Floats:

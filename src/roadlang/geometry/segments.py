@@ -107,10 +107,7 @@ def chain(
         at, direction, s = at + points[-1], float(headings[-1]), s + float(local[-1])
         end = (np.array([s]), at[None], headings[-1:], curvatures[-1:])
     parts.append(end)
-    stations, points, headings, curvatures = (
-        np.concatenate(column) for column in zip(*parts, strict=True)
-    )
-    return Chain(stations, points, headings, curvatures)
+    return Chain(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
 def _sampled(
