@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import numpy as np
@@ -30,6 +30,8 @@ class RoadBatch:
     """(V, S) or (V, 1) metres"""
     displacement: Floats
     """(V, S) metres: the sum of all displacements from the root, left positive"""
+    stretch: tuple[Any, Any] | None = None
+    """`over: [a, b]` of the pass that perturbs it: arc lengths, or (V, 1) columns of such"""
     others: tuple[RoadBatch, ...] = ()
     """the other roads of the same network, for clearance"""
 

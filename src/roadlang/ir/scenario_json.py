@@ -1,0 +1,159 @@
+"""A `Scenario` as JSON and back, and its JSON Schema.
+
+A dataclass becomes an object with its class's name under `is`; a dimension its unit; a formula
+its JSON form; a place in a source its file and offsets (the text is not repeated).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import types
+import typing
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from ..diagnostics import Source, Span
+from ..stl.formulas import Formula
+from . import scenario as scenario_nodes
+from . import values as value_nodes
+from .dimension import Dimension
+from .scenario import SCENARIO_SCHEMA, Scenario
+from .units import parse_unit
+
+_DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def scenario_to_json(scenario: Scenario) -> dict[str, Any]:
+    """The scenario as plain dicts, lists, strings and numbers."""
+    plain: dict[str, Any] = _plain(scenario)
+    return {"schema": plain.pop("schema"), **plain}
+
+
+def scenario_from_json(record: Mapping[str, Any]) -> Scenario:
+    """The scenario that `scenario_to_json` wrote; spans know their file but not its text.
+
+    Raises `ValueError` where the record is no scenario of this version.
+    """
+    if record.get("schema") != SCENARIO_SCHEMA:
+        raise ValueError(f"not a {SCENARIO_SCHEMA}: {record.get('schema')!r}")
+    value = _revived(record)
+    if not isinstance(value, Scenario):
+        raise ValueError("the record holds no scenario")
+    return value
+
+
+def scenario_schema() -> dict[str, Any]:
+    """The JSON Schema of a scenario, derived from the dataclasses."""
+    definitions = {name: _schema_of_node(node) for name, node in sorted(_nodes().items())}
+    definitions["Scenario"]["properties"]["schema"] = {"const": SCENARIO_SCHEMA}
+    definitions["Scenario"]["required"].append("schema")
+    definitions["Span"] = {
+        "type": "object",
+        "properties": {
+            "file": {"type": "string"},
+            "start": {"type": "integer"},
+            "end": {"type": "integer"},
+        },
+        "required": ["file", "start", "end"],
+    }
+    return {
+        "$schema": _DRAFT,
+        "$id": SCENARIO_SCHEMA,
+        "title": SCENARIO_SCHEMA,
+        "$ref": "#/$defs/Scenario",
+        "$defs": definitions,
+    }
+
+
+@cache
+def _nodes() -> dict[str, type]:
+    """Every dataclass of the scenario and its values, by name."""
+    found = {}
+    for module in (value_nodes, scenario_nodes):
+        for name, member in vars(module).items():
+            if dataclasses.is_dataclass(member) and member.__module__ == module.__name__:
+                found[name] = typing.cast(type, member)
+    return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Formula):
+        from ..stl.json_form import to_json
+
+        return to_json(value)
+    if isinstance(value, Dimension):
+        return {"is": "Dimension", "unit": value.unit}
+    if isinstance(value, Span):
+        return {"file": value.source.path, "start": value.start, "end": value.end}
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        members = {
+            field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)
+        }
+        return {"is": type(value).__name__, **members}
+    if isinstance(value, tuple | list):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    return value
+
+
+def _revived(value: Any) -> Any:
+    if isinstance(value, list):
+        return tuple(_revived(item) for item in value)
+    if not isinstance(value, Mapping):
+        return value
+    if "is" not in value:
+        return Span(Source(value["file"], ""), value["start"], value["end"])
+    if value["is"] == "Dimension":
+        return parse_unit(value["unit"]).dimension
+    kind: Any = _nodes().get(value["is"])
+    if kind is None:
+        raise ValueError(f"there is no node `{value['is']}`")
+    members = {name: member for name, member in value.items() if name != "is"}
+    if kind is value_nodes.Condition:
+        from ..stl.json_form import from_json
+
+        members["formula"] = from_json(members["formula"])
+    if kind is value_nodes.Constant:
+        members["value"] = float(members["value"])
+    return kind(
+        **{
+            name: member if isinstance(member, Formula) else _revived(member)
+            for name, member in members.items()
+        }
+    )
+
+
+def _schema_of_node(node: type) -> dict[str, Any]:
+    hints = typing.get_type_hints(node)
+    properties: dict[str, Any] = {"is": {"const": node.__name__}}
+    for field in dataclasses.fields(node):
+        properties[field.name] = _schema_of_type(hints[field.name])
+    documented = (node.__doc__ or "").strip()
+    shown = {} if documented.startswith(f"{node.__name__}(") else {"description": documented}
+    return {"type": "object", **shown, "properties": properties, "required": list(properties)}
+
+
+def _schema_of_type(hint: Any) -> dict[str, Any]:
+    plain = {
+        str: "string", int: "integer", bool: "boolean", type(None): "null"
+    }  # fmt: skip
+    if hint in plain:
+        return {"type": plain[hint]}
+    if hint is float:
+        return {"anyOf": [{"type": "number"}, {"enum": ["inf", "-inf", "nan"]}]}
+    if hint is Formula:
+        return {"description": "a formula (JSON form of roadlang.stl)"}
+    if hint is Dimension:
+        return {"type": "object", "properties": {"unit": {"type": "string"}}, "required": ["unit"]}
+    if isinstance(hint, type) and dataclasses.is_dataclass(hint):
+        return {"$ref": f"#/$defs/{hint.__name__}"}
+    arguments = typing.get_args(hint)
+    if typing.get_origin(hint) in (typing.Union, types.UnionType):
+        return {"anyOf": [_schema_of_type(argument) for argument in arguments]}
+    if len(arguments) == 2 and arguments[1] is Ellipsis:
+        return {"type": "array", "items": _schema_of_type(arguments[0])}
+    items = [_schema_of_type(argument) for argument in arguments]
+    return {"type": "array", "prefixItems": items, "minItems": len(items), "maxItems": len(items)}
