@@ -1,0 +1,101 @@
+"""Roads that run straight on through junctions: the order in which lines are smoothed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .graph import Floats, Graph, Line
+
+_TURN = np.deg2rad(38)
+
+
+@dataclass
+class Chain:
+    """Lines one after another, each with the way it is run through."""
+
+    parts: list[tuple[Line, bool]]
+
+    @property
+    def nodes(self) -> list[int]:
+        """Node ids from end to end."""
+        first, forward = self.parts[0]
+        ids = [first.start if forward else first.end]
+        return ids + [line.end if ahead else line.start for line, ahead in self.parts]
+
+    @property
+    def length(self) -> float:
+        """Pixels."""
+        return sum(line.length for line, _ in self.parts)
+
+
+def chains(graph: Graph, look: float) -> list[Chain]:
+    """All lines in chains that go straight on at nodes, longest chain first.
+
+    `look` is how far from the node the direction of a line is taken, in pixels.
+    """
+    follow = _partners(graph, look)
+    left = {id(line) for line in graph.lines}
+    found = []
+    for line in sorted(graph.lines, key=lambda item: -item.length):
+        if id(line) in left:
+            left.discard(id(line))
+            parts = [(line, True)]
+            if not line.closed:
+                parts = parts + _onward(line, 1, follow, left)
+                back = _onward(line, 0, follow, left)
+                parts = [(part, not ahead) for part, ahead in reversed(back)] + parts
+            found.append(Chain(parts))
+    return sorted(found, key=lambda chain: -chain.length)
+
+
+def _onward(
+    line: Line, side: int, follow: dict[tuple[int, int], tuple[Line, int]], left: set[int]
+) -> list[tuple[Line, bool]]:
+    parts = []
+    while (id(line), side) in follow:
+        line, entered = follow[id(line), side]
+        if id(line) not in left:
+            break
+        left.discard(id(line))
+        parts.append((line, entered == 0))
+        side = 1 - entered
+    return parts
+
+
+def _partners(graph: Graph, look: float) -> dict[tuple[int, int], tuple[Line, int]]:
+    ends: dict[int, list[tuple[Line, int, Floats]]] = {}
+    for line in graph.lines:
+        for side, node in ((0, line.start), (1, line.end)):
+            ends.setdefault(node, []).append((line, side, direction(line, side, look)))
+    follow: dict[tuple[int, int], tuple[Line, int]] = {}
+    for meeting in ends.values():
+        pairs = [
+            (_turn(a[2], b[2]), i, j)
+            for i, a in enumerate(meeting)
+            for j, b in enumerate(meeting[:i])
+            if a[0] is not b[0]
+        ]
+        used: set[int] = set()
+        for turn, i, j in sorted(pairs):
+            if turn < _TURN and i not in used and j not in used:
+                used |= {i, j}
+                (a, side_a, _), (b, side_b, _) = meeting[i], meeting[j]
+                follow[id(a), side_a] = (b, side_b)
+                follow[id(b), side_b] = (a, side_a)
+    return follow
+
+
+def direction(line: Line, side: int, look: float) -> Floats:
+    """Unit vector in which a line leaves its end (0 start, 1 end), seen over `look` pixels."""
+    points = line.points if side == 0 else line.points[::-1]
+    away = np.cumsum(np.hypot(*np.diff(points, axis=0).T))
+    last = min(int(np.searchsorted(away, look)) + 1, len(points) - 1)
+    first = min(int(np.searchsorted(away, 0.35 * look)) + 1, last - 1) if last > 1 else 0
+    step = points[last] - points[first]
+    return np.asarray(step / max(1e-9, float(np.hypot(*step))))
+
+
+def _turn(a: Floats, b: Floats) -> float:
+    return float(np.arccos(np.clip(-(a @ b), -1, 1)))

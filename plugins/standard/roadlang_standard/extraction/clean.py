@@ -1,0 +1,115 @@
+"""Tidy a traced graph: contract twin junctions, cut spurs, join what goes on, drop crumbs."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .graph import Floats, Graph, Line
+
+
+def contract(graph: Graph, reach: float) -> None:
+    """Make one node of junctions joined by a line shorter than `reach` pixels, in place."""
+    merged = True
+    while merged:
+        merged = False
+        degree = graph.degree()
+        for line in sorted(graph.lines, key=lambda item: item.length):
+            if line.length >= reach:
+                break
+            if not line.closed and degree[line.start] > 2 and degree[line.end] > 2:
+                _merge(graph, line)
+                merged = True
+                break
+
+
+def _merge(graph: Graph, bridge: Line) -> None:
+    graph.lines = [line for line in graph.lines if line is not bridge]
+    kept, lost = bridge.start, bridge.end
+    graph.nodes[kept] = (graph.nodes[kept] + graph.nodes[lost]) / 2
+    del graph.nodes[lost]
+    for line in graph.lines:
+        line.start = kept if line.start == lost else line.start
+        line.end = kept if line.end == lost else line.end
+        for end, node in ((0, line.start), (-1, line.end)):
+            if node == kept:
+                line.points[end] = graph.nodes[kept]
+    graph.lines = [line for line in graph.lines if not (line.closed and line.length < 3 * bridge.length + 6)]
+
+
+def prune(graph: Graph, least: float, shape: tuple[int, int] | None = None, margin: float = 4.0) -> None:
+    """Cut dead ends shorter than `least` pixels, shortest first; those at the border stay. In place."""
+    while True:
+        degree = graph.degree()
+        spurs = [
+            line
+            for line in graph.lines
+            if not line.closed
+            and line.length < least
+            and (degree[line.start] == 1) != (degree[line.end] == 1)
+            and not at_border(graph.nodes[line.start if degree[line.start] == 1 else line.end], shape, margin)
+        ]
+        if not spurs:
+            break
+        shortest = min(spurs, key=lambda line: line.length)
+        graph.lines = [line for line in graph.lines if line is not shortest]
+        join(graph)
+    graph.drop_lonely()
+
+
+def at_border(point: Floats, shape: tuple[int, int] | None, margin: float) -> bool:
+    """Whether a point lies within `margin` pixels of the picture's edge."""
+    if shape is None:
+        return False
+    x, y = point
+    return bool(x < margin or y < margin or x > shape[1] - 1 - margin or y > shape[0] - 1 - margin)
+
+
+def join(graph: Graph) -> None:
+    """Make one line of two that meet at a node where nothing else does, in place."""
+    degree = graph.degree()
+    at: dict[int, list[Line]] = {}
+    for line in graph.lines:
+        at.setdefault(line.start, []).append(line)
+        if not line.closed:
+            at.setdefault(line.end, []).append(line)
+    for node, count in degree.items():
+        pair = at.get(node, [])
+        if count != 2 or len(pair) != 2 or pair[0] is pair[1]:
+            continue
+        first, second = pair
+        a = first.points if first.end == node else first.points[::-1]
+        b = second.points if second.start == node else second.points[::-1]
+        start = first.start if first.end == node else first.end
+        end = second.end if second.start == node else second.start
+        share = (first.linked * first.length + second.linked * second.length) / max(1e-9, first.length + second.length)
+        whole = Line(start, end, np.vstack([a, b[1:]]), share)
+        graph.lines = [line for line in graph.lines if line is not first and line is not second]
+        graph.lines.append(whole)
+        for other in {start, end}:
+            at[other] = [line for line in at.get(other, []) if line is not first and line is not second] + [whole]
+    graph.drop_lonely()
+
+
+def components(graph: Graph) -> list[list[Line]]:
+    """The lines of each connected part."""
+    root: dict[int, int] = {key: key for key in graph.nodes}
+
+    def find(key: int) -> int:
+        while root[key] != key:
+            root[key] = root[root[key]]
+            key = root[key]
+        return key
+
+    for line in graph.lines:
+        root[find(line.start)] = find(line.end)
+    parts: dict[int, list[Line]] = {}
+    for line in graph.lines:
+        parts.setdefault(find(line.start), []).append(line)
+    return list(parts.values())
+
+
+def drop_crumbs(graph: Graph, least: float) -> None:
+    """Forget connected parts shorter than `least` pixels in all, in place."""
+    kept = {id(line) for part in components(graph) if sum(x.length for x in part) >= least for line in part}
+    graph.lines = [line for line in graph.lines if id(line) in kept]
+    graph.drop_lonely()

@@ -1,0 +1,139 @@
+"""Roads of drawings: a filled road, or the paper between two edge lines as in circuit plans."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .found import FoundNetwork
+from .masks import roads_of_surface, without_specks
+from .tones import Image, Layer, layer, tones
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Ribbon:
+    """A road-like region: its mask, its usual width in pixels, and length over width."""
+
+    mask: Mask
+    width: float
+    elongation: float
+
+
+def roads_of_drawing(image: Image, spline: bool = True) -> FoundNetwork:
+    """The roads of a clean drawing; says in `method` which manner of drawing it took it for."""
+    plan = tones(image)
+    paper = plan.colours[plan.paper]
+    others = np.delete(plan.colours, plan.paper, axis=0)
+    ink = _ink(image, paper)
+    if not ink.any():
+        empty = np.zeros(image.shape[:2], bool)
+        return FoundNetwork(np.zeros((0, 2)), (), empty, "drawing", ("the picture has one colour",))
+    between = between_lines(ink >= 0.5)
+    if between is not None:
+        found = roads_of_surface(between, "edge lines", spline)
+        return replace(found, mask=between >= 0.5)
+    layers = [layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)]
+    best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
+    return roads_of_surface(best, "filled road", spline)
+
+
+def _ink(image: Image, paper: NDArray[np.float64]) -> Layer:
+    """How far each pixel is from the paper, 0 (paper) to 1 (full ink)."""
+    away = np.abs(image.astype(np.float32) - paper.astype(np.float32)).max(axis=2)
+    marked = away[away > 30]
+    if not len(marked):
+        return np.zeros(image.shape[:2], np.float32)
+    return np.asarray(np.clip(away / np.quantile(marked, 0.9), 0, 1))
+
+
+def _rest(others: NDArray[np.float64], index: int) -> list[NDArray[np.float64]]:
+    return [tone for i, tone in enumerate(others) if i != index]
+
+
+def likeness(surface: Layer) -> float:
+    """How much a surface (h, w) looks like roads: long for its width, of even width, not too little."""
+    mask = without_specks(surface >= 0.5, 12)
+    if not mask.any():
+        return 0.0
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & mask]
+    width = 2 * float(np.quantile(ridge, 0.9))
+    length = float(mask.sum()) / max(width, 1.0)
+    return min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape))
+
+
+def between_lines(ink: Mask) -> Layer | None:
+    """The surface (h, w) between two thin edge lines, up to their middles; None if there is none.
+
+    Lines with gaps are closed by the least that makes the road a region of its own.
+    """
+    pen = _pen_width(ink)
+    if pen > 0.02 * min(ink.shape) + 3:
+        return None
+    for gap in (0, 2, 4, 8):
+        closed = ink
+        if gap:
+            kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * gap + 1, 2 * gap + 1))
+            closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0
+        ribbons = _ribbons(closed)
+        if ribbons and _edged(ribbons, ink, pen):
+            return _surface(ribbons, ink, pen)
+    return None
+
+
+def _edged(ribbons: list[Ribbon], ink: Mask, pen: float) -> bool:
+    """Whether the ink is mostly the edge of the ribbons: not so between two filled roads."""
+    if pen > 0.6 * max(ribbon.width for ribbon in ribbons):
+        return False
+    union = np.any([ribbon.mask for ribbon in ribbons], axis=0)
+    near = cv2.distanceTransform(1 - union.astype(np.uint8), cv2.DIST_L2, 5) <= pen + 2
+    return bool(near[ink].mean() > 0.5)
+
+
+def _pen_width(ink: Mask) -> float:
+    """Usual thickness of the ink."""
+    inner = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
+    ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & ink]
+    return 2 * float(np.quantile(ridge, 0.7)) - 1 if len(ridge) else np.inf
+
+
+def _ribbons(ink: Mask) -> list[Ribbon]:
+    """The road-like regions of the paper: the longest, and pieces as wide as it."""
+    count, labels, stats, _ = cv2.connectedComponentsWithStats((~ink).astype(np.uint8), connectivity=4)
+    found = []
+    for key in range(1, count):
+        x, y, w, h, area = stats[key]
+        if area < 40:
+            continue
+        part = np.pad(labels[y : y + h, x : x + w] == key, 1)
+        inner = cv2.distanceTransform(part.astype(np.uint8), cv2.DIST_L2, 5)[1:-1, 1:-1]
+        ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & part[1:-1, 1:-1]]
+        width = 2 * float(np.quantile(ridge, 0.9))
+        mask = np.zeros(ink.shape, bool)
+        mask[y : y + h, x : x + w] = part[1:-1, 1:-1]
+        found.append(Ribbon(mask, width, float(area) / max(width, 1.0) ** 2))
+    long = [ribbon for ribbon in found if ribbon.elongation > 12]
+    if not long:
+        return []
+    main = max(long, key=lambda ribbon: ribbon.elongation * ribbon.width)
+    return [r for r in found if r.elongation > 1.2 and 0.6 < r.width / main.width < 1.6]
+
+
+def _surface(ribbons: list[Ribbon], ink: Mask, pen: float) -> Layer:
+    """The ribbons grown to the middle of the lines around them; thin lines across them vanish."""
+    union = np.zeros(ink.shape, np.uint8)
+    for ribbon in ribbons:
+        union |= ribbon.mask.astype(np.uint8)
+    if len(ribbons) > 1:
+        reach = 2 * int(np.ceil(pen + 1)) + 1
+        closed = cv2.morphologyEx(union, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
+        union |= closed & ink.astype(np.uint8)
+    outside = cv2.distanceTransform(1 - union, cv2.DIST_L2, 5)
+    inside = cv2.distanceTransform(union, cv2.DIST_L2, 5)
+    signed = np.where(union > 0, inside - 0.5, 0.5 - outside) + pen / 2
+    return np.clip(0.5 + signed, 0, 1).astype(np.float32)

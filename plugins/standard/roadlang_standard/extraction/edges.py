@@ -1,0 +1,94 @@
+"""Where the edges of a road lie to the left and right of its centre line: widths and recentring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .smoothing import Floats, smooth_values
+
+_STEP = 0.25
+
+
+@dataclass(frozen=True)
+class Sides:
+    """Distances (n,) in pixels from the centre line to the edges, NaN where none is seen."""
+
+    left: Floats
+    right: Floats
+
+    @property
+    def seen(self) -> NDArray[np.bool_]:
+        """Where both edges are seen."""
+        return np.isfinite(self.left) & np.isfinite(self.right)
+
+
+def sides(points: Floats, surface: NDArray[np.float32], reach: float, level: float = 0.5) -> Sides:
+    """Look along the normals for where the surface (h, w), 0..1, falls through `level`."""
+    normal = normals(points)
+    away = np.arange(0, reach + _STEP, _STEP)
+    found = []
+    for sign in (1, -1):
+        at = (points[:, None] + sign * away[None, :, None] * normal[:, None]).astype(np.float32)
+        profile = _sampled(surface, at)
+        below = profile < level
+        below[:, 0] = False
+        first = np.argmax(below, axis=1)
+        row = np.arange(len(points))
+        high, low = profile[row, np.maximum(first - 1, 0)], profile[row, first]
+        part = np.clip((high - level) / np.maximum(high - low, 1e-6), 0, 1)
+        distance = (first - 1 + part) * _STEP
+        found.append(np.where(below.any(axis=1) & (profile[:, 0] >= level), distance, np.nan))
+    return Sides(found[0], found[1])
+
+
+def normals(points: Floats) -> Floats:
+    """Unit normals (n, 2) of a polyline."""
+    tangent = np.gradient(points, axis=0)
+    tangent /= np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
+    return np.c_[-tangent[:, 1], tangent[:, 0]]
+
+
+def _sampled(surface: NDArray[np.float32], at: NDArray[np.float32], rows: int = 4096) -> NDArray[np.float32]:
+    pieces = [
+        cv2.remap(surface, at[i : i + rows, :, 0], at[i : i + rows, :, 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        for i in range(0, len(at), rows)
+    ]
+    return np.vstack(pieces)
+
+
+def usual_width(found: Sides) -> float:
+    """The median of the widths that are seen, NaN if none is."""
+    widths = (found.left + found.right)[found.seen]
+    return float(np.median(widths)) if len(widths) else float("nan")
+
+
+def recentred(points: Floats, found: Sides, wavelength: float, closed: bool, keep_ends: bool = True) -> Floats:
+    """The line moved half-way between its edges, by offsets that vary slowly."""
+    width = usual_width(found)
+    good = found.seen & (np.abs(found.left + found.right - width) < 0.35 * width)
+    if good.sum() < max(5, 0.1 * len(points)):
+        return points
+    offset = np.where(good, (found.left - found.right) / 2, 0.0)
+    offset = smooth_values(offset, wavelength, closed, np.where(good, 1.0, 1e-3))
+    offset = np.clip(offset, -0.35 * width, 0.35 * width)
+    if keep_ends and not closed:
+        ramp = np.minimum(np.arange(len(points)), np.arange(len(points))[::-1])
+        offset = offset * np.clip(ramp / max(1.0, 0.75 * width), 0, 1)
+    return points + offset[:, None] * normals(points)
+
+
+def widths(found: Sides, fallback: float, wavelength: float, closed: bool) -> tuple[Floats, float]:
+    """Smoothed widths (n,) and the standard deviation of what was seen about them."""
+    usual = usual_width(found)
+    if not np.isfinite(usual):
+        return np.full(len(found.left), fallback), float("nan")
+    raw = found.left + found.right
+    good = found.seen & (np.abs(raw - usual) < 0.5 * usual)
+    filled = np.where(good, raw, usual)
+    even = smooth_values(filled, wavelength, closed, np.where(good, 1.0, 0.02))
+    spread = float(np.median(np.abs((raw - even)[good]))) * 1.4826 if good.any() else usual
+    return np.maximum(even, 0.2 * usual), spread

@@ -1,0 +1,77 @@
+"""What an extractor finds, in pixels: roads between nodes, widths, confidence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class FoundRoad:
+    """One road: centre line (n, 2) in pixels, x right and y down, (0, 0) the centre of the top-left pixel.
+
+    A closed road repeats its first point at the end. `width_error` is the standard error of the
+    widths (n,), also in pixels. `linked` is the share of the length bridged without evidence.
+    """
+
+    start: int
+    end: int
+    points: Floats
+    widths: Floats
+    width_error: float = 0.0
+    confidence: float = 1.0
+    linked: float = 0.0
+
+    @property
+    def closed(self) -> bool:
+        """Whether it ends where it begins."""
+        return self.start == self.end
+
+    @property
+    def length(self) -> float:
+        """Pixels."""
+        return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
+
+
+@dataclass(frozen=True)
+class FoundNetwork:
+    """Nodes (x, y) by index, the roads between them, and how they were found.
+
+    `mask` is (h, w) bool, the pixels taken for road.
+    """
+
+    nodes: Floats
+    roads: tuple[FoundRoad, ...]
+    mask: NDArray[np.bool_]
+    method: str = ""
+    remarks: tuple[str, ...] = ()
+    scores: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def confidence(self) -> float:
+        """Mean over the length of the roads, 0 where there is none."""
+        lengths = np.array([road.length for road in self.roads])
+        if not len(lengths):
+            return 0.0
+        return float((lengths * [road.confidence for road in self.roads]).sum() / lengths.sum())
+
+    def scaled(self, factor: float, shape: tuple[int, int]) -> FoundNetwork:
+        """The same roads in a picture `factor` times as large, of `shape`."""
+        import cv2
+
+        def moved(points: Floats) -> Floats:
+            return (points + 0.5) * factor - 0.5
+
+        roads = tuple(
+            FoundRoad(
+                r.start, r.end, moved(r.points), r.widths * factor, r.width_error * factor, r.confidence, r.linked
+            )
+            for r in self.roads
+        )
+        mask = cv2.resize(self.mask.astype(np.uint8), shape[::-1], interpolation=cv2.INTER_NEAREST) > 0
+        nodes = moved(self.nodes) if len(self.nodes) else self.nodes
+        return FoundNetwork(nodes, roads, mask, self.method, self.remarks, self.scores)

@@ -1,0 +1,91 @@
+"""Pictures with a legend: a character of a text grid, or a colour of a drawing, is a thing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .colours import bgr
+from .found import FoundNetwork
+from .grid import roads_of_cells
+from .masks import roads_of_surface
+from .tones import Image
+
+ROAD = "road"
+
+
+@dataclass(frozen=True)
+class Thing:
+    """An object in pixels: centre, sides, and heading (radians, clockwise as y runs down)."""
+
+    kind: str
+    x: float
+    y: float
+    length: float
+    width: float
+    heading: float = 0.0
+
+
+def read_text(
+    rows: Sequence[str], legend: Mapping[str, str], thickness: float = 1.0
+) -> tuple[FoundNetwork, tuple[Thing, ...]]:
+    """Roads between the centres of road characters, and one thing per other character of the legend."""
+    width = max((len(row) for row in rows), default=0)
+    cells = np.array([list(row.ljust(width)) for row in rows], dtype="<U1").reshape(len(rows), width)
+    kinds = {character: kind for character, kind in legend.items()}
+    road = np.isin(cells, [c for c, kind in kinds.items() if kind == ROAD])
+    things = tuple(
+        Thing(kinds[str(cells[y, x])], float(x), float(y), 1.0, 1.0)
+        for y, x in np.argwhere(~road)
+        if str(cells[y, x]) in kinds
+    )
+    return roads_of_cells(road, thickness), things
+
+
+def read_colours(
+    image: Image, legend: Mapping[str, str], thickness: float | None = None
+) -> tuple[FoundNetwork, tuple[Thing, ...]]:
+    """Roads and things of a drawing (h, w, 3): each pixel belongs to the legend's nearest colour.
+
+    A colour that is far from all of the legend's is nothing. One-pixel roads are read cell by cell.
+    """
+    names = list(legend)
+    palette = np.array([bgr(name) for name in names], float)
+    label = _nearest(image, palette)
+    roads = [i for i, name in enumerate(names) if legend[name] == ROAD]
+    road = np.isin(label, roads)
+    things = tuple(
+        thing for i, name in enumerate(names) if i not in roads for thing in _things(label == i, legend[name])
+    )
+    inner = cv2.distanceTransform(np.pad(road.astype(np.uint8), 1), cv2.DIST_L2, 5)
+    if inner.max() <= 1.5:
+        return roads_of_cells(road, thickness or 1.0), things
+    return roads_of_surface(road.astype(np.float32), "legend", width=thickness, specks=2), things
+
+
+def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> NDArray[np.intp]:
+    """Index of the nearest colour (h, w), -1 where all are far."""
+    best = np.full(image.shape[:2], far, np.float32)
+    label = np.full(image.shape[:2], -1, np.intp)
+    pixels = image.astype(np.float32)
+    for index, colour in enumerate(palette.astype(np.float32)):
+        away = np.abs(pixels - colour).max(axis=2)
+        closer = away < best
+        best[closer], label[closer] = away[closer], index
+    return label
+
+
+def _things(mask: NDArray[np.bool_], kind: str) -> list[Thing]:
+    found, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    things = []
+    for outline in found:
+        corners = outline.reshape(-1, 2).astype(np.float32)
+        (x, y), (a, b), angle = cv2.minAreaRect(corners)
+        length, width, turn = (a + 1, b + 1, angle) if a >= b else (b + 1, a + 1, angle + 90)
+        heading = float(np.deg2rad((turn + 90) % 180 - 90))
+        things.append(Thing(kind, float(x), float(y), float(length), float(width), heading))
+    return sorted(things, key=lambda thing: (thing.y, thing.x))

@@ -1,0 +1,105 @@
+"""Smoothing splines of even points: penalised second differences (Whittaker 1923, Eilers 2003)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solveh_banded
+from scipy.sparse import diags, eye
+from scipy.sparse.linalg import splu
+
+Floats = NDArray[np.float64]
+_PIN = 1e6
+
+
+def resample(points: Floats, step: float = 1.0) -> Floats:
+    """The polyline (n, 2) with points about every `step`, ends kept."""
+    station = stations(points)
+    count = max(2, int(round(station[-1] / step)) + 1)
+    at = np.linspace(0, station[-1], count)
+    return np.c_[np.interp(at, station, points[:, 0]), np.interp(at, station, points[:, 1])]
+
+
+def stations(points: Floats) -> Floats:
+    """Length along the polyline at each point."""
+    return np.r_[0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))]
+
+
+def smooth(
+    points: Floats,
+    wavelength: float,
+    tolerance: float,
+    tightest: float = 0.0,
+    weights: Floats | None = None,
+    closed: bool = False,
+) -> Floats:
+    """Points (n, 2), a pixel apart, rid of waves shorter than `wavelength`; open ends stay put.
+
+    The curve stays within `tolerance` of points of full weight: the wavelength shrinks until it
+    does. Then, where the radius is below `tightest`, the points' pull is eased until it is not.
+    A closed line does not repeat its first point.
+    """
+    pull = np.ones(len(points)) if weights is None else np.asarray(weights, float).copy()
+    stiffness = (wavelength / (2 * np.pi)) ** 4
+    if len(points) < 5:
+        return points
+    for _ in range(6):
+        curve = _solve(points, pull, stiffness, closed)
+        away = np.hypot(*(curve - points).T)[pull >= 1]
+        if not len(away) or away.max() <= tolerance:
+            break
+        stiffness /= 4
+    for _ in range(8 if tightest > 0 else 0):
+        sharp = curvature(curve, closed) > 1 / tightest
+        if not sharp.any():
+            break
+        near = np.convolve(sharp, np.ones(2 * int(tightest) + 3), "same") > 0
+        pull = np.where(near & (pull <= 1), pull / 4, pull)
+        curve = _solve(points, pull, max(stiffness, 1.0), closed)
+    return curve
+
+
+def curvature(points: Floats, closed: bool = False) -> Floats:
+    """Unsigned curvature (n,) of points about evenly spaced, in one over their unit."""
+    padded = np.vstack([points[-2:], points, points[:2]]) if closed else points
+    first = np.gradient(padded, axis=0)
+    second = np.gradient(first, axis=0)
+    cross = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+    bend = cross / np.maximum(np.hypot(*first.T), 1e-9) ** 3
+    return bend[2:-2] if closed else bend
+
+
+def smooth_values(values: Floats, wavelength: float, closed: bool = False, weights: Floats | None = None) -> Floats:
+    """Values (n,) at even points rid of waves shorter than `wavelength`; ends are free."""
+    if len(values) < 5:
+        return values
+    pull = np.ones(len(values)) if weights is None else weights
+    return _system(values[:, None], pull, (wavelength / (2 * np.pi)) ** 4, closed)[:, 0]
+
+
+def _solve(points: Floats, pull: Floats, stiffness: float, closed: bool) -> Floats:
+    if closed:
+        return _system(points, pull, stiffness, True)
+    pinned = pull.copy()
+    pinned[[0, -1]] = _PIN
+    curve = _system(points, pinned, stiffness, False)
+    curve[[0, -1]] = points[[0, -1]]
+    return curve
+
+
+def _system(values: Floats, pull: Floats, stiffness: float, closed: bool) -> Floats:
+    """Minimise sum pull (x - values)^2 + stiffness sum (second difference of x)^2."""
+    count = len(values)
+    if closed:
+        ones = np.ones(count)
+        ring = diags([ones, -2 * ones, ones], [-1, 0, 1], shape=(count, count)).tolil()
+        ring[0, -1] = ring[-1, 0] = 1
+        second = ring.tocsc()
+        system = diags(pull) + stiffness * (second.T @ second) + 1e-12 * eye(count)
+        return np.asarray(splu(system.tocsc()).solve(pull[:, None] * values))
+    banded = np.zeros((3, count))
+    banded[0] = pull
+    for offset, row in ((0, (1.0, 4.0, 1.0)), (1, (-2.0, -2.0)), (2, (1.0,))):
+        for k, value in enumerate(row):
+            banded[offset, k : k + count - 2] += stiffness * value
+    return np.asarray(solveh_banded(banded, pull[:, None] * values, lower=True))

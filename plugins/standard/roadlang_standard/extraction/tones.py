@@ -1,0 +1,90 @@
+"""The few flat tones of a drawing: which they are, which is the paper, how flat the picture is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Image = NDArray[np.uint8]
+Layer = NDArray[np.float32]
+
+_BINS = 5
+
+
+@dataclass(frozen=True)
+class Tones:
+    """Dominant colours (k, 3) BGR, most frequent first, and the share of pixels near each (k,)."""
+
+    colours: NDArray[np.float64]
+    shares: NDArray[np.float64]
+    paper: int
+    """Index of the background: the tone that holds most of the picture's rim."""
+
+    @property
+    def covered(self) -> float:
+        """Share of all pixels that lie near one of the tones."""
+        return float(self.shares.sum())
+
+
+def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0) -> Tones:
+    """The dominant colours of a picture (h, w, 3), found in a coarse colour histogram."""
+    sample = thinned(image, 400_000).reshape(-1, 3)
+    coarse = (sample >> _BINS).astype(np.int64)
+    cell = (coarse[:, 0] << 6) | (coarse[:, 1] << 3) | coarse[:, 2]
+    counts = np.bincount(cell, minlength=512)
+    left = np.ones(len(sample), bool)
+    colours: list[NDArray[np.float64]] = []
+    shares: list[float] = []
+    for peak in np.argsort(counts)[::-1][: 3 * most]:
+        members = left & (cell == peak)
+        if members.mean() < least or len(colours) == most:
+            continue
+        colour = np.median(sample[members], axis=0).astype(float)
+        close = left & (np.abs(sample - colour).max(axis=1) < near)
+        colours.append(colour)
+        shares.append(float(close.mean()))
+        left &= ~close
+    if not colours:
+        colours, shares = [np.median(sample, axis=0).astype(float)], [1.0]
+    stacked = np.array(colours)
+    rim = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]]).astype(float)
+    nearest = np.abs(rim[:, None] - stacked[None]).max(axis=2).argmin(axis=1)
+    votes = np.bincount(nearest, minlength=len(stacked)) / len(rim) + 0.5 * np.array(shares)
+    return Tones(stacked, np.array(shares), int(np.argmax(votes)))
+
+
+def thinned(image: Image, most: int) -> Image:
+    """Every k-th pixel, so that at most about `most` are left."""
+    step = max(1, int(np.ceil(np.sqrt(image.shape[0] * image.shape[1] / most))))
+    return image[::step, ::step]
+
+
+def flatness(image: Image, spread: int = 10) -> float:
+    """Share of pixels whose 3x3 neighbourhood varies by at most `spread` in every channel."""
+    rows = max(1, image.shape[0] // 700)
+    columns = max(1, image.shape[1] // 700)
+    height, width = image.shape[0] // rows, image.shape[1] // columns
+    patches = image[: min(image.shape[0], 700), : min(image.shape[1], 700)]
+    if rows > 1 or columns > 1:
+        corner = ((image.shape[0] - min(700, height * rows)) // 2, (image.shape[1] - min(700, width * columns)) // 2)
+        patches = image[corner[0] : corner[0] + 700, corner[1] : corner[1] + 700]
+    kernel = np.ones((3, 3), np.uint8)
+    spreads = cv2.subtract(cv2.dilate(patches, kernel), cv2.erode(patches, kernel)).max(axis=2)
+    return float((spreads <= spread).mean())
+
+
+def layer(image: Image, colour: NDArray[np.float64], others: NDArray[np.float64]) -> Layer:
+    """How much of each pixel (h, w) is of `colour` rather than of the nearest of `others`, 0..1.
+
+    On an anti-aliased edge between two tones this is the covered share of the pixel.
+    """
+    pixels = image.astype(np.float32)
+    result = np.ones(image.shape[:2], np.float32)
+    for other in others:
+        axis = (colour - other).astype(np.float32)
+        along = ((pixels - other.astype(np.float32)) @ axis) / max(float(axis @ axis), 1e-6)
+        result = np.minimum(result, np.clip(along, 0, 1))
+    return result
