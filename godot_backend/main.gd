@@ -20,6 +20,7 @@ var worlds: Worlds
 var simulation: Simulation
 var view: View
 
+var _messages: Messages
 var _settings: Dictionary = {}
 
 
@@ -37,14 +38,16 @@ func _ready() -> void:
 	server = Server.new(link)
 	simulation = Simulation.new(server, worlds.stages)
 	view = View.new()
-	view.setup(worlds, simulation, server, bool(_settings["still"]))
+	view.setup(worlds, server, bool(_settings["still"]))
 	add_child(view)
-	var messages := Messages.new(worlds, simulation, view, server)
-	server.handler = messages.handle
-	server.greeter = messages.greet
+	_messages = Messages.new(worlds, simulation, view, server)
+	server.handler = _messages.handle
+	server.greeter = _messages.greet
 	print(
-		"roadlang: listening on %s:%d (%s)"
-		% [_settings["host"], link.port(), _settings["transport"]]
+		(
+			"roadlang: listening on %s:%d (%s)"
+			% [_settings["host"], link.port(), _settings["transport"]]
+		)
 	)
 
 
@@ -62,9 +65,7 @@ func _physics_process(dt: float) -> void:
 
 
 static func read_arguments(given: PackedStringArray) -> Dictionary:
-	var settings := {
-		"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false
-	}
+	var settings := {"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false}
 	var i := 0
 	while i < given.size():
 		var key := given[i].trim_prefix("--")

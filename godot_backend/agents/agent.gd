@@ -9,8 +9,12 @@ const Driver := preload("res://agents/driver.gd")
 
 const NO_PATH := -1
 const PAINTS: Array[Color] = [
-	Color(0.62, 0.07, 0.06), Color(0.1, 0.22, 0.42), Color(0.75, 0.76, 0.78),
-	Color(0.12, 0.13, 0.14), Color(0.62, 0.5, 0.16), Color(0.16, 0.34, 0.24)
+	Color(0.62, 0.07, 0.06),
+	Color(0.1, 0.22, 0.42),
+	Color(0.75, 0.76, 0.78),
+	Color(0.12, 0.13, 0.14),
+	Color(0.62, 0.5, 0.16),
+	Color(0.16, 0.34, 0.24)
 ]
 
 var agent_name := ""
@@ -29,6 +33,8 @@ var y := 0.0
 var heading := 0.0
 var speed := 0.0
 var acceleration := 0.0
+var jerk := 0.0
+var yaw_rate := 0.0
 var station := 0.0
 ## Left of the line to follow, seen along the direction of travel.
 var cross_track := 0.0
@@ -84,6 +90,7 @@ func reset(friction: float) -> void:
 	driver.reset()
 	travelled = 0.0
 	acceleration = 0.0
+	heading = _start_heading
 	speed = _start_speed
 	_segment = -1
 	if path != null:
@@ -95,8 +102,11 @@ func observe(dt: float) -> void:
 	var at := body.global_position
 	x = at.x
 	y = -at.z
-	heading = body.heading()
+	var turned: float = body.heading()
+	yaw_rate = angle_difference(heading, turned) / dt
+	heading = turned
 	var now: float = body.speed()
+	jerk = ((now - speed) / dt - acceleration) / dt
 	acceleration = (now - speed) / dt
 	speed = now
 	if path == null:
@@ -124,6 +134,11 @@ func follow(line: PathLine) -> void:
 
 func start_station() -> void:
 	station = _start_station
+
+
+## Length, height and width.
+func size() -> Vector3:
+	return body.size
 
 
 ## Share of the path that lies behind, of a closed one the share driven.
@@ -166,8 +181,8 @@ func _add_body(spec: Dictionary) -> void:
 	)
 	var given: Variant = spec.get("colour")
 	var paint := PAINTS[id % PAINTS.size()]
-	if given is String and Color.html_is_valid(given):
-		paint = Color.html(given)
+	if given is String:
+		paint = Color.from_string(given, paint)
 	if spec.get("body", "vehicle") == "walker":
 		var walker := Walker.new()
 		walker.assemble(size.y, paint)
@@ -175,6 +190,8 @@ func _add_body(spec: Dictionary) -> void:
 	else:
 		var vehicle := Vehicle.new()
 		var mass := clampf(number(spec, "mass", 1200.0), 20.0, 60000.0)
+		vehicle.wheelbase = clampf(number(spec, "wheelbase", 0.6 * size.x), 0.3, size.x)
+		vehicle.max_steering = clampf(number(spec, "max_steering", 0.61), 0.05, 1.4)
 		vehicle.assemble(size, mass, 1.0, paint)
 		vehicle.freeze = true
 		body = vehicle

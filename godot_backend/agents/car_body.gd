@@ -5,11 +5,20 @@ const Looks := preload("res://build/looks.gd")
 
 ## Side view of the hull and the cabin: share of the length from the rear, share of the height.
 const HULL: Array[Vector2] = [
-	Vector2(0.0, 0.2), Vector2(0.0, 0.52), Vector2(0.04, 0.62), Vector2(0.2, 0.66),
-	Vector2(0.7, 0.64), Vector2(0.95, 0.5), Vector2(1.0, 0.4), Vector2(1.0, 0.2)
+	Vector2(0.0, 0.2),
+	Vector2(0.0, 0.52),
+	Vector2(0.04, 0.62),
+	Vector2(0.2, 0.66),
+	Vector2(0.7, 0.64),
+	Vector2(0.95, 0.5),
+	Vector2(1.0, 0.4),
+	Vector2(1.0, 0.2)
 ]
 const CABIN: Array[Vector2] = [
-	Vector2(0.08, 0.64), Vector2(0.2, 0.96), Vector2(0.32, 1.0), Vector2(0.5, 0.99),
+	Vector2(0.08, 0.64),
+	Vector2(0.2, 0.96),
+	Vector2(0.32, 1.0),
+	Vector2(0.5, 0.99),
 	Vector2(0.72, 0.64)
 ]
 
@@ -85,5 +94,5 @@ static func _quad(tool: SurfaceTool, a: Vector3, b: Vector3, c: Vector3, d: Vect
 
 static func _triangle(tool: SurfaceTool, a: Vector3, b: Vector3, c: Vector3) -> void:
 	tool.add_vertex(a)
-	tool.add_vertex(b)
 	tool.add_vertex(c)
+	tool.add_vertex(b)

@@ -2,6 +2,7 @@ extends RefCounted
 ## The drive signals of one world, by name: what conditions and car following speak of.
 
 const Agent := preload("res://agents/agent.gd")
+const Outline := preload("res://agents/outline.gd")
 
 ## Beside each other rather than behind one another, from here on.
 const SAME_LANE := 2.0
@@ -15,26 +16,27 @@ func _init(agents: Array[Agent]) -> void:
 
 ## The value of a signal; of a group, that of its first or nearest member. Unknown: infinity.
 func value(signal_name: String, names: Array[String]) -> float:
-	if names.is_empty():
+	var some := _named(names[0]) if not names.is_empty() else [] as Array[Agent]
+	if some.is_empty():
 		return INF
-	var first := _named(names[0])
-	if first.is_empty():
-		return INF
+	var first := some[0]
 	match signal_name:
-		"distance":
-			return _distance(first, _named(names[1])) if names.size() > 1 else INF
-		"distance_to":
-			return _distance_to(first, names)
-		"gap":
-			return _gap(first[0], names[1] if names.size() > 1 else "")
+		"distance", "gap":
+			return _between(signal_name, some, names)
+		"gap_ahead":
+			return _ahead(first)[0]
+		"speed_ahead":
+			return _ahead(first)[1]
 		"progress":
-			return first[0].progress()
+			return first.progress()
 		"steering":
-			return first[0].body.steer_angle()
+			return first.body.steer_angle()
 		"contacts":
-			return first[0].body.touching
-		"speed", "acceleration", "cross_track", "station", "heading", "x", "y":
-			return first[0].get(signal_name)
+			return first.body.touching
+		"lateral_acceleration":
+			return first.speed * first.yaw_rate
+		"speed", "acceleration", "cross_track", "station", "heading", "yaw_rate", "jerk":
+			return first.get(signal_name)
 	return INF
 
 
@@ -46,31 +48,37 @@ func _named(agent_name: String) -> Array[Agent]:
 	return out
 
 
-func _distance(some: Array[Agent], others: Array[Agent]) -> float:
+## Least distance of middles or outlines to another group, or to an object that stands still:
+## its x, y, heading, length and width.
+func _between(what: String, some: Array[Agent], names: Array[String]) -> float:
+	var others: Array[Outline] = []
+	if names.size() == 6:
+		others.append(
+			Outline.new(
+				Vector2(names[1].to_float(), names[2].to_float()),
+				names[3].to_float(),
+				names[4].to_float(),
+				names[5].to_float()
+			)
+		)
+	elif names.size() == 2:
+		for agent in _named(names[1]):
+			others.append(_outline(agent))
 	var least := INF
-	for a in some:
-		for b in others:
-			if a != b:
-				least = minf(least, Vector2(a.x, a.y).distance_to(Vector2(b.x, b.y)))
+	for agent in some:
+		var outline := _outline(agent)
+		for other in others:
+			var away := outline.gap(other) if what == "gap" else outline.distance(other)
+			least = minf(least, away)
 	return least
 
 
-func _distance_to(some: Array[Agent], names: Array[String]) -> float:
-	if names.size() < 3:
-		return INF
-	var place := Vector2(names[1].to_float(), names[2].to_float())
-	var least := INF
-	for a in some:
-		least = minf(least, Vector2(a.x, a.y).distance_to(place))
-	return least
-
-
-## Free road to the leader, or without a name to whoever is next in the same lane.
-func _gap(agent: Agent, leader: String) -> float:
+## Free road to whoever is next in the same lane, and how fast they go.
+func _ahead(agent: Agent) -> Array[float]:
+	var out: Array[float] = [INF, 0.0]
 	if agent.path == null:
-		return INF
-	var least := INF
-	for other in _agents if leader.is_empty() else _named(leader):
+		return out
+	for other in _agents:
 		if other == agent:
 			continue
 		var segment := agent.path.nearest(other.x, other.y)
@@ -79,11 +87,12 @@ func _gap(agent: Agent, leader: String) -> float:
 		if agent.path.closed:
 			between = fposmod(between, agent.path.length)
 		var beside := agent.path.offset(segment, other.x, other.y) - agent.line_offset
-		if between > 0.0 and absf(beside) < SAME_LANE:
-			least = minf(least, between - 0.5 * (_length(agent) + _length(other)))
-	return least
+		var gap := between - 0.5 * (agent.size().x + other.size().x)
+		if between > 0.0 and absf(beside) < SAME_LANE and gap < out[0]:
+			out = [gap, other.speed * cos(other.heading - agent.heading)]
+	return out
 
 
-func _length(agent: Agent) -> float:
-	var size: Variant = agent.body.get("size")
-	return (size as Vector3).x if size is Vector3 else 0.5
+func _outline(agent: Agent) -> Outline:
+	var size := agent.size()
+	return Outline.new(Vector2(agent.x, agent.y), agent.heading, size.x, size.z)

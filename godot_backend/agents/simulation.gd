@@ -1,6 +1,8 @@
 extends RefCounted
 ## Drives all agents of all worlds, tick by tick: freely, or one step at a client's word.
 
+enum Mode { IDLE, FREE, LOCKSTEP }
+
 const Protocol := preload("res://net/protocol.gd")
 const Reader := preload("res://net/reader.gd")
 const Server := preload("res://net/server.gd")
@@ -10,8 +12,6 @@ const Vehicle := preload("res://agents/vehicle.gd")
 const Signals := preload("res://agents/signals.gd")
 const Telemetry := preload("res://agents/telemetry.gd")
 const Weather := preload("res://build/weather.gd")
-
-enum Mode { IDLE, FREE, LOCKSTEP }
 
 const DEFAULT_FRICTION := 0.9
 const FLUSH_BYTES := 7000

@@ -18,11 +18,23 @@ static func record(agent: Agent, tick: int, world: int, outside_force: Vector2) 
 		spin = (body as RigidBody3D).angular_velocity.y
 	else:
 		velocity = Vector3(cos(agent.heading), 0.0, -sin(agent.heading)) * agent.speed
-	var numbers := PackedFloat32Array([
-		agent.x, agent.y, body.global_position.y, agent.heading, agent.speed, velocity.x,
-		-velocity.z, spin, body.steer_angle(), outside_force.y, agent.station, agent.cross_track,
-		agent.progress()
-	])
+	var numbers := PackedFloat32Array(
+		[
+			agent.x,
+			agent.y,
+			body.global_position.y,
+			agent.heading,
+			agent.speed,
+			velocity.x,
+			-velocity.z,
+			spin,
+			body.steer_angle(),
+			outside_force.y,
+			agent.station,
+			agent.cross_track,
+			agent.progress()
+		]
+	)
 	var out := PackedByteArray()
 	out.resize(RECORD_BYTES - FIELDS * 4)
 	out.encode_u32(0, tick)

@@ -10,11 +10,11 @@ const DAMPING_IN := 5.5
 const DAMPING_OUT := 7.0
 const REST_LENGTH := 0.16
 const TRAVEL := 0.14
-const MAX_STEER := 0.61
 const STEER_RATE := 1.2
 
 var size := Vector3(4.5, 1.45, 1.8)
 var wheelbase := 2.7
+var max_steering := 0.61
 var wheel_radius := 0.32
 var touching := 0
 
@@ -26,7 +26,6 @@ var _steer_now := 0.0
 func assemble(dimensions: Vector3, kilograms: float, friction: float, paint: Color) -> void:
 	size = dimensions
 	mass = kilograms
-	wheelbase = 0.6 * size.x
 	wheel_radius = clampf(0.22 * size.y, 0.2, 0.5)
 	linear_damp_mode = RigidBody3D.DAMP_MODE_REPLACE
 	linear_damp = 0.0
@@ -49,7 +48,7 @@ func set_friction(friction: float) -> void:
 
 ## Steering angle wanted, left positive, and acceleration wanted along the car.
 func command(steer: float, acceleration: float, dt: float) -> void:
-	var wanted := clampf(steer, -MAX_STEER, MAX_STEER)
+	var wanted := clampf(steer, -max_steering, max_steering)
 	_steer_now = move_toward(_steer_now, wanted, STEER_RATE * dt)
 	steering = _steer_now
 	if acceleration >= 0.0:
@@ -103,14 +102,15 @@ func _add_shape() -> void:
 
 func _add_wheel(along: float, side: float, friction: float) -> void:
 	var wheel := VehicleWheel3D.new()
-	var sag := GRAVITY / (4.0 * STIFFNESS)
+	var sag := 1.7 * GRAVITY / (4.0 * STIFFNESS)
 	wheel.position = Vector3(side, wheel_radius + REST_LENGTH - sag, along)
 	wheel.use_as_steering = along > 0.0
 	wheel.use_as_traction = along < 0.0
 	wheel.wheel_radius = wheel_radius
 	wheel.wheel_rest_length = REST_LENGTH
 	wheel.wheel_friction_slip = friction
-	wheel.wheel_roll_influence = 0.15
+	# What is too narrow to stand on four wheels does not lean at all.
+	wheel.wheel_roll_influence = 0.15 if size.z > 1.2 else 0.0
 	wheel.suspension_travel = TRAVEL
 	wheel.suspension_stiffness = STIFFNESS
 	wheel.suspension_max_force = 4.0 * mass * GRAVITY
@@ -151,5 +151,9 @@ func _add_look(paint: Color) -> void:
 func _physics_process(_dt: float) -> void:
 	touching = 0
 	for other in get_colliding_bodies():
-		if other is RigidBody3D or other is AnimatableBody3D or other.get_parent().has_method("places"):
+		if (
+			other is RigidBody3D
+			or other is AnimatableBody3D
+			or other.get_parent().has_method("places")
+		):
 			touching += 1

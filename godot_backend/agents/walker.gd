@@ -7,7 +7,8 @@ const HEIGHT := 1.75
 const RADIUS := 0.25
 
 var touching := 0
-var wheelbase := 0.0
+var size := Vector3(0.5, HEIGHT, 0.5)
+var wheelbase := 0.5
 
 var _speed := 0.0
 var _heading := 0.0
@@ -16,6 +17,7 @@ var _height := HEIGHT
 
 func assemble(height: float, clothes: Color) -> void:
 	_height = height
+	size.y = height
 	sync_to_physics = false
 	var capsule := CapsuleShape3D.new()
 	capsule.radius = RADIUS
@@ -40,8 +42,9 @@ func walk(towards: float, metres_per_second: float, dt: float) -> void:
 	place(at, towards, metres_per_second)
 
 
-func command(_steer: float, _acceleration: float, dt: float) -> void:
-	walk(_heading, _speed, dt)
+func command(steer: float, acceleration: float, dt: float) -> void:
+	_speed = maxf(0.0, _speed + acceleration * dt)
+	walk(_heading + _speed * tan(clampf(steer, -1.2, 1.2)) / wheelbase * dt, _speed, dt)
 
 
 func steer_angle() -> float:

@@ -1,10 +1,11 @@
 extends Node3D
 ## Chase, top and free camera. Keys 1, 2, 3 choose; the wheel zooms; the right button looks around.
 
-const Simulation := preload("res://agents/simulation.gd")
-const Agent := preload("res://agents/agent.gd")
-
 enum Kind { CHASE, TOP, FREE }
+
+const Worlds := preload("res://build/worlds.gd")
+const Protocol := preload("res://net/protocol.gd")
+const Agent := preload("res://agents/agent.gd")
 
 const CHASE_BACK := 7.5
 const CHASE_UP := 2.6
@@ -14,7 +15,7 @@ const FLY_SPEED := 25.0
 var kind := Kind.CHASE
 var camera := Camera3D.new()
 
-var _simulation: Simulation
+var _worlds: Worlds
 var _agent := 0
 var _centre := Vector2.ZERO
 var _top_size := 200.0
@@ -24,8 +25,8 @@ var _place := Vector3(0.0, 30.0, 60.0)
 var _field := 60.0
 
 
-func setup(simulation: Simulation) -> void:
-	_simulation = simulation
+func setup(worlds: Worlds) -> void:
+	_worlds = worlds
 	camera.far = 6000.0
 	camera.near = 0.1
 	add_child(camera)
@@ -61,8 +62,10 @@ func take(wish: Dictionary) -> void:
 func aim(target: Camera3D) -> void:
 	target.far = 6000.0
 	target.fov = _field
+	target.environment = null
 	match kind:
 		Kind.TOP:
+			target.environment = _without_fog()
 			target.projection = Camera3D.PROJECTION_ORTHOGONAL
 			target.size = _top_size
 			target.near = 1.0
@@ -82,11 +85,33 @@ func top_size() -> float:
 	return _top_size
 
 
+## The agent with the number that was asked for, else the first.
+func _followed() -> Agent:
+	var stage := _worlds.stage(0)
+	var agents: Array[Agent] = []
+	if stage != null:
+		agents = stage.agents()
+	for agent in agents:
+		if agent.id == _agent:
+			return agent
+	return null if agents.is_empty() else agents[0]
+
+
+## From far above, the whole depth of the air would lie between.
+func _without_fog() -> Environment:
+	var stage := _worlds.stage(0)
+	if stage == null or stage.all(Protocol.WORLD).is_empty():
+		return null
+	var clear: Environment = stage.all(Protocol.WORLD)[0].air().duplicate()
+	clear.fog_enabled = false
+	return clear
+
+
 func _chase(target: Camera3D) -> void:
 	target.projection = Camera3D.PROJECTION_PERSPECTIVE
 	target.near = 0.1
-	var agent := _simulation.agent(0, _agent)
-	if agent == null or not is_instance_valid(agent):
+	var agent := _followed()
+	if agent == null:
 		return
 	var at := agent.body.global_position
 	var heading: float = agent.body.heading()
@@ -106,8 +131,12 @@ func _process(dt: float) -> void:
 func _fly(dt: float) -> void:
 	var way := Vector3.ZERO
 	var keys := {
-		KEY_I: Vector3.FORWARD, KEY_K: Vector3.BACK, KEY_J: Vector3.LEFT, KEY_L: Vector3.RIGHT,
-		KEY_U: Vector3.DOWN, KEY_O: Vector3.UP
+		KEY_I: Vector3.FORWARD,
+		KEY_K: Vector3.BACK,
+		KEY_J: Vector3.LEFT,
+		KEY_L: Vector3.RIGHT,
+		KEY_U: Vector3.DOWN,
+		KEY_O: Vector3.UP
 	}
 	for key: Key in keys:
 		if Input.is_physical_key_pressed(key):
@@ -126,7 +155,7 @@ func _unhandled_input(event: InputEvent) -> void:
 				kind = Kind.FREE
 			KEY_TAB:
 				_agent += 1
-				if _simulation.agent(0, _agent) == null:
+				if _followed().id != _agent:
 					_agent = 0
 	if event is InputEventMouseButton and event.is_pressed():
 		match (event as InputEventMouseButton).button_index:

@@ -80,7 +80,5 @@ func _unhandled_input(event: InputEvent) -> void:
 func _tell(place: Vector2, done: bool) -> void:
 	_told = Time.get_ticks_usec()
 	var edit := _held.duplicate()
-	edit.merge({
-		"from": [_from.x, _from.y], "to": [place.x, place.y], "done": done
-	})
+	edit.merge({"from": [_from.x, _from.y], "to": [place.x, place.y], "done": done})
 	_server.send_json(Protocol.EDIT, edit)

@@ -51,7 +51,9 @@ func _picture(wish: Dictionary) -> void:
 	var image := _viewport.get_texture().get_image()
 	image.convert(Image.FORMAT_RGB8)
 	var bytes := (
-		image.save_jpg_to_buffer(0.92) if wish.get("format") == "jpg" else image.save_png_to_buffer()
+		image.save_jpg_to_buffer(0.92)
+		if wish.get("format") == "jpg"
+		else image.save_png_to_buffer()
 	)
 	_send(int(Agent.number(wish, "id", 0.0)), bytes)
 	_busy = false

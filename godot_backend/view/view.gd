@@ -4,7 +4,6 @@ extends Node3D
 const Protocol := preload("res://net/protocol.gd")
 const Server := preload("res://net/server.gd")
 const Worlds := preload("res://build/worlds.gd")
-const Simulation := preload("res://agents/simulation.gd")
 const Cameras := preload("res://view/cameras.gd")
 const Shots := preload("res://view/shots.gd")
 const Overlay := preload("res://view/overlay.gd")
@@ -22,13 +21,13 @@ var _scenery: Scenery
 var _stale := false
 
 
-func setup(worlds: Worlds, simulation: Simulation, server: Server, still: bool) -> void:
+func setup(worlds: Worlds, server: Server, still: bool) -> void:
 	_headless = DisplayServer.get_name() == "headless"
 	_server = server
 	_still = still
 	if _headless:
 		return
-	cameras.setup(simulation)
+	cameras.setup(worlds)
 	add_child(cameras)
 	_scenery = Scenery.new(worlds)
 	add_child(_scenery)

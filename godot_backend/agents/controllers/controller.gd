@@ -14,8 +14,8 @@ var _options: Dictionary = {}
 
 func take(options: Dictionary) -> void:
 	_options = options
-	max_acceleration = number("max_acceleration", 3.0)
-	max_deceleration = number("max_deceleration", 6.0)
+	max_acceleration = number("acceleration", 3.0)
+	max_deceleration = number("deceleration", 6.0)
 	read()
 
 

@@ -4,6 +4,7 @@ extends "res://agents/controllers/controller.gd"
 const Walker := preload("res://agents/walker.gd")
 
 var _speed := 1.4
+var _beyond := 0.0
 var _distance := 0.0
 var _walked := 0.0
 var _towards := NAN
@@ -11,11 +12,12 @@ var _towards := NAN
 
 func read() -> void:
 	_speed = number("speed", 1.4)
-	_distance = number("distance", 0.0)
+	_beyond = number("beyond", 1.0)
 
 
 func reset() -> void:
 	_walked = 0.0
+	_distance = 0.0
 	_towards = NAN
 
 
@@ -32,10 +34,9 @@ func command(agent: Agent, _signals: Callable, dt: float) -> Vector2:
 func _begin(agent: Agent) -> void:
 	if agent.path == null:
 		_towards = agent.heading
-		_distance = 10.0 if _distance <= 0.0 else _distance
+		_distance = 10.0
 		return
 	var left := agent.direction * agent.cross_track + agent.line_offset
 	var along := agent.path.heading(agent.station)
 	_towards = along + (PI / 2 if left < 0.0 else -PI / 2)
-	if _distance <= 0.0:
-		_distance = absf(left) + maxf(absf(left), agent.path.half_width + 1.0)
+	_distance = absf(left) + agent.path.half_width + _beyond

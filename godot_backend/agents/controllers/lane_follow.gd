@@ -1,15 +1,13 @@
 extends "res://agents/controllers/controller.gd"
 ## Follows the middle of its lane: the bend's own steering angle, corrected for what is amiss.
 
-const PREVIEW_TIME := 0.25
+const PREVIEW_TIME := 0.12
 
 var _speed := 0.0
-var _gain := 0.0
 
 
 func read() -> void:
 	_speed = number("speed", 10.0)
-	_gain = number("gain", 1.0)
 
 
 func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
@@ -18,7 +16,8 @@ func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	var preview := PREVIEW_TIME * maxf(agent.speed, 0.0)
 	var wheelbase: float = agent.body.wheelbase
 	var bend := atan(wheelbase * agent.line_curvature(preview))
-	var turn := angle_difference(agent.heading, agent.line_heading(preview))
+	# A car on a circle points along the circle at its rear axle.
+	var turn := angle_difference(agent.heading, agent.line_heading(-0.5 * wheelbase))
 	var reach := maxf(agent.speed, 3.0)
-	var steer := bend + turn - _gain * atan(agent.cross_track / reach)
+	var steer := bend + turn - atan(2.0 * agent.cross_track / reach)
 	return Vector2(steer, towards(agent, _speed))
