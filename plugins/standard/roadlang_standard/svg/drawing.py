@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from . import actors, furniture, ghost, legend, palette
-from .markup import element, group, text
+from .markup import element, group, text, title
 from .ribbon import Ribbon, ribbon_of
 from .roads import roads
 from .selection import Selection, select
@@ -91,11 +91,11 @@ def _stations(
 
 
 def _heading(scene: Scene, style: Style, x: float, base: float) -> str:
-    name = scene.title or scene.name
+    caption = scene.title or scene.name
     made = scene.provenance
     note = f"{scene.name} · scene {scene.index} · seed {made.seed}"
     room = int((style.size - 3 * x) / (0.62 * style.font)) - len(note)
-    shown = name if len(name) <= room else name[: max(room - 1, 1)].rstrip() + "…"
+    shown = caption if len(caption) <= room else caption[: max(room - 1, 1)].rstrip() + "…"
     size = style.font
     return group(
         [
@@ -114,7 +114,7 @@ def _described(scene: Scene) -> str:
 def document(parts: list[str], width: float, height: float, description: str) -> str:
     """An SVG document on white."""
     body = [
-        element("title", description.replace("&", "and").replace("<", "")),
+        title(description),
         element("rect", width="100%", height="100%", fill="#ffffff"),
         *(part for part in parts if part),
     ]

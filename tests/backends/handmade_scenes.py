@@ -57,7 +57,15 @@ def through(name: str, points: list[tuple[float, float]], **changes: object) -> 
 def actor(name: str, kind: str, x: float, y: float, **changes: object) -> SceneActor:
     """Something at (x, y) of the size of a car."""
     plain = SceneActor(
-        name=name, group=name, kind=kind, x=x, y=y, heading=0.0, length=4.5, width=1.8, height=1.5
+        name=name,
+        group=name,
+        kind=kind,
+        x=float(x),
+        y=float(y),
+        heading=0.0,
+        length=4.5,
+        width=1.8,
+        height=1.5,
     )
     return replace(plain, **changes)  # type: ignore[arg-type]
 

@@ -1,0 +1,91 @@
+"""The scene files named on a command line, as text."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from ..diagnostics import Diagnostic, DiagnosticError, diagnose, did_you_mean
+
+LARGEST = 4_000_000
+"""Bytes. A scene file is written by people; what is larger was not meant."""
+STANDARD_INPUT = "-"
+
+
+def read_scene_file(name: str) -> str:
+    """The text of a scene file; `-` is standard input.
+
+    Raises `DiagnosticError` (RL920 to RL923) for what is no readable text.
+    """
+    data = _bytes(name)
+    if b"\0" in data:
+        raise DiagnosticError(
+            diagnose("RL922", path=name, help=_encoding_hint(data), reason="it holds zero bytes")
+        )
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        reason = f"line {line} has the byte 0x{data[error.start]:02x}"
+        raise DiagnosticError(
+            diagnose("RL922", path=name, help=_encoding_hint(data), reason=reason)
+        ) from None
+
+
+def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
+    """`--set name=value` as a map. Raises `DiagnosticError` RL924."""
+    overrides: dict[str, str] = {}
+    faults: list[Diagnostic] = []
+    for setting in settings:
+        name, sign, value = (part.strip() for part in setting.partition("="))
+        if not sign or not name.isidentifier() or not value:
+            faults.append(diagnose("RL924", text=setting, help="write `--set reach=12m`"))
+        overrides[name] = value
+    if faults:
+        raise DiagnosticError(*faults)
+    return overrides
+
+
+def _bytes(name: str) -> bytes:
+    if name == STANDARD_INPUT:
+        return sys.stdin.buffer.read()
+    path = Path(name)
+    try:
+        if path.is_dir():
+            raise DiagnosticError(diagnose("RL921", path=name, help=_scenes_in(path)))
+        with path.open("rb") as file:
+            data = file.read(LARGEST + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise DiagnosticError(
+            diagnose("RL920", path=name, help=_near_files(path), reason=reason.lower())
+        ) from None
+    if len(data) > LARGEST:
+        size = path.stat().st_size / 1e6
+        raise DiagnosticError(diagnose("RL923", path=name, size=size, limit=LARGEST / 1e6))
+    return data
+
+
+def _scenes_in(folder: Path) -> tuple[str, ...]:
+    try:
+        found = sorted(path.name for path in folder.glob("*.rl"))[:5]
+    except OSError:
+        return ()
+    return tuple(f"there is `{folder / name}`" for name in found)
+
+
+def _near_files(path: Path) -> tuple[str, ...]:
+    try:
+        present = [entry.name for entry in path.parent.iterdir()]
+    except (OSError, ValueError):
+        return ()
+    return did_you_mean(path.name, present)
+
+
+def _encoding_hint(data: bytes) -> str:
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "it looks like UTF-16: save it as UTF-8"
+    if data.startswith((b"\x89PNG", b"\xff\xd8\xff", b"II*\0", b"MM\0*", b"BM", b"RIFF")):
+        return 'it is a picture: name it in a scene file, `image photo from "..."`'
+    return "save it as UTF-8"

@@ -1,0 +1,61 @@
+"""`roadlang schema NAME`: the JSON Schemas of what roadlang reads and writes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import click
+
+
+@click.command("schema")
+@click.argument("words", nargs=-1, required=True, metavar="scene|manifest|scenario|[VERB] KIND")
+def command(words: tuple[str, ...]) -> None:
+    """Print a JSON Schema.
+
+    `scene` is what `emit json` writes, `manifest` what stands beside it, `scenario` the checked
+    scene file as `check --scenario` prints it; the name of a kind gives its options in SI units.
+    """
+    schemas = {"scene": _scene, "manifest": _manifest, "scenario": _scenario}
+    named = schemas.get(words[0]) if len(words) == 1 else None
+    found = named() if named is not None else _kind(words, schemas)
+    click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+
+
+def _scene() -> dict[str, Any]:
+    from ..ir.encoding import json_schema
+    from ..ir.scene import Scene
+
+    return json_schema(Scene)
+
+
+def _manifest() -> dict[str, Any]:
+    from ..ir.encoding import json_schema
+    from ..ir.manifest import Manifest
+
+    return json_schema(Manifest)
+
+
+def _scenario() -> dict[str, Any]:
+    from ..ir.scenario_json import scenario_schema
+
+    return scenario_schema()
+
+
+def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
+    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+    from ..plugins.discovery import load_registry
+    from ..plugins.json_schema import schema_of_kind
+
+    verb, name = (words[0], words[1]) if len(words) > 1 else (None, words[0])
+    entries = load_registry().entries
+    found = [
+        schema_of_kind(entry)
+        for entry in entries
+        if name in (entry.name, entry.qualified) and verb in (None, entry.verb)
+    ]
+    if not found:
+        hints = did_you_mean(name, [*schemas, *(entry.name for entry in entries)])
+        raise DiagnosticError(diagnose("RL930", what="schema", name=" ".join(words), help=hints))
+    return found[0] if len(found) == 1 else found

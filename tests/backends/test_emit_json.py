@@ -1,0 +1,59 @@
+"""`emit json`: a scene whole, in a versioned schema, read back exactly."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import jsonschema
+import numpy as np
+import pytest
+from handmade_scenes import bend, town
+
+from roadlang.ir.encoding import NotFinite, json_schema, scene_from_json, to_json
+from roadlang.ir.scene import Scene
+from roadlang_standard.emit_json import Json
+
+
+@pytest.mark.parametrize("scene", [bend(), town()], ids=["bend", "town"])
+def test_a_scene_fits_the_published_schema(scene):
+    text = Json().files(scene)["json"]
+    jsonschema.Draft202012Validator(json_schema(Scene)).validate(json.loads(text))
+
+
+def test_a_scene_reads_back_exactly():
+    scene = bend()
+    assert to_json(scene_from_json(to_json(scene))) == to_json(scene)
+    assert scene_from_json(to_json(scene)).roads == scene.roads
+
+
+def test_the_schema_refuses_another_version():
+    record = json.loads(to_json(bend()))
+    record["schema"] = "roadlang.scene/0"
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(record, json_schema(Scene))
+
+
+def test_the_first_member_says_what_the_file_is():
+    assert to_json(bend()).splitlines()[1] == '  "schema": "roadlang.scene/1",'
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf")])
+def test_a_number_that_is_not_finite_is_refused_with_its_place(value):
+    scene = bend()
+    road = scene.roads[0]
+    broken = replace(scene, roads=(replace(road, x=(*road.x[:3], value, *road.x[4:])),))
+    with pytest.raises(NotFinite) as refused:
+        to_json(broken)
+    assert refused.value.place == "roads[0].x[3]"
+
+
+def test_numpy_numbers_are_numbers():
+    scene = replace(bend(), values={"reach": np.float64(8.5), "count": np.int64(3)})
+    assert json.loads(to_json(scene))["values"] == {"count": 3, "reach": 8.5}
+
+
+def test_maps_are_sorted_so_that_equal_scenes_are_equal_bytes():
+    one = replace(bend(), values={"a": 1, "b": 2})
+    other = replace(bend(), values={"b": 2, "a": 1})
+    assert to_json(one) == to_json(other)

@@ -1,0 +1,180 @@
+"""`emit svg`: a figure that shows what the scene holds, at every size."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import pytest
+from handmade_scenes import actor, bend, road, town
+
+from roadlang_standard.emit_svg import Svg
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(scene, **options) -> ElementTree.Element:
+    return ElementTree.fromstring(Svg(**options).files(scene)["svg"])
+
+
+def group(root: ElementTree.Element, name: str) -> ElementTree.Element | None:
+    return next((g for g in root.iter(f"{SVG}g") if g.get("class") == name), None)
+
+
+def texts(root: ElementTree.Element) -> list[str]:
+    return ["".join(node.itertext()) for node in root.iter(f"{SVG}text")]
+
+
+def test_a_figure_has_road_markings_ghost_agents_objects_scale_and_north():
+    root = drawn(bend())
+    for name in ("roads", "markings", "ghosts", "agents", "objects", "scale-bar", "north"):
+        assert group(root, name) is not None, name
+
+
+def test_the_size_option_is_the_width_in_pixels():
+    assert drawn(bend(), size=640.0).get("width") == "640"
+
+
+@pytest.mark.parametrize("scale", [0.2, 1.0, 20.0])
+def test_letters_have_one_size_whatever_the_scene_measures(scale):
+    legend = group(drawn(bend(scale)), "legend")
+    assert legend is not None
+    assert float(legend.get("font-size")) == pytest.approx(1024 / 78, abs=0.01)
+
+
+@pytest.mark.parametrize("scale", [0.2, 1.0, 20.0])
+def test_every_point_of_the_roads_lies_in_the_map(scale):
+    root = drawn(bend(scale))
+    _, _, width, height = map(float, root.get("viewBox").split())
+    roads = group(root, "roads")
+    for path in roads.iter(f"{SVG}path"):
+        for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d")):
+            assert 0 <= float(x) <= width
+            assert 0 <= float(y) <= height
+
+
+@pytest.mark.parametrize(("scale", "label"), [(0.2, "10 m"), (1.0, "20 m"), (20.0, "500 m")])
+def test_the_scale_bar_has_a_round_length(scale, label):
+    root = drawn(bend(scale))
+    bar = group(root, "scale-bar")
+    value, unit = texts(bar)[-1].split()
+    metres = float(value) * (1000 if unit == "km" else 1)
+    assert texts(bar)[-1] == label
+    original = re.findall(r"(-?[\d.]+) -?[\d.]+", group(root, "ghost-lines")[0].get("d"))
+    pixels_per_metre = (float(original[-1]) - float(original[0])) / (240.0 * scale)
+    length = float(bar.findall(f"{SVG}rect")[2].get("width"))
+    assert length == pytest.approx(metres * pixels_per_metre, rel=0.01)
+
+
+def test_violated_stretches_are_marked_where_they_are():
+    scene = bend()
+    marks = group(drawn(scene), "violations")
+    titles = [node.text for node in marks.iter(f"{SVG}title")]
+    assert titles == ["calm violated: 30.0 m to 62.0 m", "calm violated: 150.0 m to 171.0 m"]
+    assert group(drawn(replace(scene, expectations=())), "violations") is None
+
+
+def test_the_legend_says_how_each_requirement_came_out():
+    words = texts(group(drawn(bend()), "legend"))
+    assert "phi1" in words
+    assert "\N{GREEK SMALL LETTER RHO} = 4" in words
+    assert "when driven" in words
+
+
+def test_a_ghost_is_drawn_only_where_the_road_was_changed():
+    scene = bend()
+    assert group(drawn(scene, ghost=False), "ghosts") is None
+    unchanged = replace(scene.roads[0], name="bent", root="main", derived=True)
+    same = replace(scene, roads=(scene.roads[0], unchanged))
+    assert group(drawn(same), "ghosts") is None
+
+
+def test_junctions_are_covered_so_that_no_edge_line_crosses_them():
+    roads = group(drawn(town()), "roads")
+    surface = roads.findall(f"{SVG}g")[1]
+    assert len(surface.findall(f"{SVG}circle")) == 2
+
+
+def test_agents_stay_visible_in_a_scene_of_five_kilometres():
+    body = group(drawn(bend(20.0)), "agents").find(f".//{SVG}rect")
+    assert float(body.get("width")) >= 15.0
+
+
+def test_names_that_look_like_markup_are_text():
+    scene = replace(bend(), title='<script>alert("1")</script> & more\x07')
+    assert '<script>alert("1")</script> & more' in texts(drawn(scene))
+
+
+def test_a_kind_without_a_drawing_of_its_own_is_drawn_as_its_outline():
+    scene = replace(bend(), objects=(actor("hole", "acme.pothole", 20, 0),))
+    assert group(drawn(scene), "objects").find(f".//{SVG}rect") is not None
+
+
+def test_a_colour_is_a_colour_and_nothing_else():
+    scene = replace(bend(), agents=(actor("ego", "car", 0, 0, options={"colour": "url(#x)"}),))
+    assert "url(#x)" not in Svg().files(scene)["svg"]
+
+
+def test_an_empty_scene_is_a_figure_too():
+    scene = replace(bend(), roads=(), agents=(), objects=(), requirements=(), expectations=())
+    assert group(drawn(scene), "scale-bar") is not None
+
+
+def test_a_closed_road_is_closed():
+    import math
+
+    points = [
+        (50 * math.cos(2 * math.pi * i / 90), 50 * math.sin(2 * math.pi * i / 90))
+        for i in range(90)
+    ]
+    from handmade_scenes import through
+
+    ring = through("ring", points, closed=True, length=2 * math.pi * 50, derived=True)
+    scene = replace(bend(), roads=(ring,), agents=(), expectations=())
+    marking = group(drawn(scene), "markings").find(f"{SVG}path").get("d")
+    numbers = re.findall(r"-?[\d.]+ -?[\d.]+", marking)
+    assert numbers[0] == numbers[-1]
+
+
+def test_the_same_scene_gives_the_same_bytes():
+    assert Svg().files(bend())["svg"] == Svg().files(bend())["svg"]
+
+
+def test_a_contact_sheet_shows_every_scene_at_one_scale():
+    scenes = [bend(index=i, amplitude=float(i)) for i in range(7)]
+    sheet = Svg().collection(scenes)["contact-sheet.svg"]
+    root = ElementTree.fromstring(sheet)
+    words = texts(root)
+    assert [f"scene {i}" for i in range(7)] == [
+        word for word in words if re.match(r"scene \d", word)
+    ]
+
+
+def test_a_contact_sheet_says_how_many_scenes_it_leaves_out():
+    sheet = Svg().collection(bend(index=i) for i in range(60))["contact-sheet.svg"]
+    assert "the first 48 of 60 scenes" in sheet
+
+
+def test_one_scene_needs_no_contact_sheet():
+    assert Svg().collection([bend()]) == {}
+
+
+def test_a_road_of_two_points_is_drawn():
+    line = road("line", lambda x: 0.0, derived=True)
+    short = replace(
+        line,
+        **{
+            name: (getattr(line, name)[0], getattr(line, name)[-1])
+            for name in (
+                "stations",
+                "reference_stations",
+                "x",
+                "y",
+                "heading",
+                "curvature",
+                "width",
+            )
+        },
+    )
+    assert group(drawn(replace(bend(), roads=(short,), expectations=())), "roads") is not None
