@@ -36,7 +36,7 @@ class FormulaDraw:
             return stl.Constant(float(draw.randint(-3, 3)))
         kind = draw.randrange(4)
         if kind == 0:
-            return stl.Negate(self.term(depth - 1))
+            return stl.Negate(stl.Variable(draw.choice(NAMES)))
         if kind == 1:
             return stl.Apply("abs", (self.term(depth - 1),))
         if kind == 2:

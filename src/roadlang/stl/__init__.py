@@ -27,7 +27,9 @@ if TYPE_CHECKING:
         Xor,
     )
     from .interval import UNBOUNDED, Interval
+    from .json_form import from_json, to_json
     from .terms import Apply, Arithmetic, Constant, Negate, Term, Variable
+    from .text import parse
 
 _HOMES = {
     "formulas": (
@@ -35,7 +37,9 @@ _HOMES = {
         "Since Truth Until Xor"
     ),
     "interval": "Interval UNBOUNDED",
+    "json_form": "from_json to_json",
     "terms": "Apply Arithmetic Constant Negate Term Variable",
+    "text": "parse",
 }
 _HOME = {name: module for module, names in _HOMES.items() for name in names.split()}
 
@@ -63,6 +67,9 @@ __all__ = [
     "Until",
     "Variable",
     "Xor",
+    "from_json",
+    "parse",
+    "to_json",
 ]
 
 

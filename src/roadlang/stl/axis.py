@@ -20,7 +20,7 @@ TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Windows:
-    """Samples `starts[k]..ends[k]` of the operand for each sample asked about; empty if end < start.
+    """Samples `starts[k]..ends[k]` of the operand for each sample asked about; end < start: none.
 
     Past operators look at time backwards (`flipped`), closed roads repeat the operand (`laps`);
     `starts`, `ends` and `first` count from the beginning of the operand's `span` seen that way.
@@ -40,7 +40,7 @@ class Windows:
 
     @cached_property
     def even(self) -> tuple[int, int] | None:
-        """(offset, width) if window k is [k + offset, k + offset + width) clipped to the operand."""
+        """(offset, width) if window k is [k + offset, k + offset + width), clipped at the end."""
         last = (self.span[1] - self.span[0] + 1) * self.laps - 1
         steps = np.arange(self.count)
         offset = int(self.starts[0])

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ..diagnostics import DiagnosticError, Span, diagnose
 
 
 def stl_error(
-    code: str, span: Span | None = None, *, help: str | tuple[str, ...] = (), **values: object
+    code: str, span: Span | None = None, *, help: str | tuple[str, ...] = (), **values: Any
 ) -> DiagnosticError:
     """An exception to raise, with one diagnostic of the catalogue page `code`."""
     return DiagnosticError(diagnose(code, span, help=help, **values))

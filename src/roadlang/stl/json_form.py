@@ -33,11 +33,11 @@ def to_json(formula: f.Formula) -> Json:
     word = type(formula).__name__.lower()
     parts = [to_json(part) for part in formula.parts]
     single = isinstance(formula, (f.Not, *_UNARY.values()))
-    value: dict[str, Json] = {word: parts[0] if single else parts}
+    result: dict[str, Json] = {word: parts[0] if single else parts}
     interval = getattr(formula, "interval", None)
     if interval is not None:
-        value["interval"] = [interval.lo, None if math.isinf(interval.hi) else interval.hi]
-    return value
+        result["interval"] = [interval.lo, None if math.isinf(interval.hi) else interval.hi]
+    return result
 
 
 def _term_to_json(term: t.Term) -> Json:

@@ -139,7 +139,8 @@ def unbounded_until(left: FloatArray, right: FloatArray) -> FloatArray:
         lower, upper = bounds[0, block], bounds[1, block]
         np.maximum(lower, np.minimum(upper, carry, out=upper), out=lower)
         carry = lower[0]
-    return bounds[0].reshape(blocks * length, rows)[:samples]
+    result: FloatArray = bounds[0].reshape(blocks * length, rows)[:samples]
+    return result
 
 
 def _in_blocks(values: FloatArray, blocks: int, length: int, padding: float) -> FloatArray:

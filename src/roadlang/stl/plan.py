@@ -93,7 +93,9 @@ class Plan:
             case Sliding(extreme):
                 if step.windows is None:
                     return np.full((1, 1), extreme.identity)
-                return _turned(slide(_unrolled(inputs[0], step.windows), step.windows, extreme), step)
+                return _turned(
+                    slide(_unrolled(inputs[0], step.windows), step.windows, extreme), step
+                )
             case Reaching():
                 if step.windows is None:
                     return np.full((1, 1), -np.inf)
@@ -103,9 +105,7 @@ class Plan:
                 return _turned(until(left, right, step.windows), step)
         raise TypeError(f"not an operation: {step.node.operation!r}")
 
-    def _slice(
-        self, values: list[FloatArray | None], source: int, need: Span | None
-    ) -> FloatArray:
+    def _slice(self, values: list[FloatArray | None], source: int, need: Span | None) -> FloatArray:
         step, value = self.steps[source], values[source]
         if need is None or step is None or value is None:
             return np.empty((0, 1))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from . import formulas as f
 from . import terms as t
+from .interval import Interval
 
 _TERM_LEVEL = {"^": 4, "*": 2, "/": 2, "+": 1, "-": 1}
 _ATOM = 9
@@ -42,7 +43,7 @@ def _term(term: t.Term, outer: int) -> str:
     return text if level >= outer else f"({text})"
 
 
-def interval_text(interval: f.Interval | None) -> str:
+def interval_text(interval: Interval | None) -> str:
     """`[lo, hi]`, or nothing where the operator has no interval."""
     if interval is None:
         return ""
@@ -87,8 +88,8 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
 
 
 def _governed(operand: f.Formula) -> str:
-    text, level = _text_and_level(operand)
-    return text if level in (_PREFIX, _ATOM) else f"({text})"
+    text = _formula(operand, 0)
+    return text if isinstance(operand, _PREFIXED) else f"({text})"
 
 
 def _side(operand: f.Formula, level: int) -> str:
@@ -98,9 +99,7 @@ def _side(operand: f.Formula, level: int) -> str:
     return _formula(operand, level)
 
 
-def _joined(
-    operands: tuple[f.Formula, ...], word: str, empty: str, level: int
-) -> tuple[str, int]:
+def _joined(operands: tuple[f.Formula, ...], word: str, empty: str, level: int) -> tuple[str, int]:
     if not operands:
         return empty, _ATOM
     if len(operands) == 1:

@@ -40,7 +40,7 @@ class Trace:
         names: Iterable[str],
         wrap: float | None = None,
     ) -> Trace:
-        """Check and keep the signals called `names`. Raises DiagnosticError RL300 to RL304, RL306."""
+        """Check the signals called `names`. Raises DiagnosticError RL300 to RL306."""
         stations = checked_positions(positions)
         checked = {name: _checked_signal(name, signals, stations) for name in sorted(names)}
         variants = _variants(signals)
@@ -107,9 +107,7 @@ def checked_positions(positions: Positions) -> FloatArray:
     return stations
 
 
-def _checked_signal(
-    name: str, signals: Signals, stations: FloatArray
-) -> NDArray[np.generic]:
+def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArray[np.generic]:
     if name not in signals:
         known = ", ".join(f"`{other}`" for other in sorted(signals)) or "none"
         hints = (*did_you_mean(name, signals), f"the signals given are: {known}")

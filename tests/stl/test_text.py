@@ -1,0 +1,98 @@
+"""Formulas are written in the language of scene files, with or without units."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from stl_draws import FormulaDraw
+
+from roadlang import stl
+from roadlang.diagnostics import DiagnosticError
+from roadlang.ir.units import UNITS
+from roadlang.stl.units import factor, known_units
+
+
+@pytest.mark.parametrize(
+    ("written", "canonical"),
+    [
+        ("G (e < 10)", "always (e < 10)"),
+        ("F[5:20] G[0:30] (d < 1)", "eventually[5, 20] always[0, 30] (d < 1)"),
+        ("!(a < 1) && b < 2 || c > 1", "not (a < 1) and b < 2 or c > 1"),
+        ("a < 1 -> b < 2", "a < 1 implies b < 2"),
+        ("(a < 1) U[2, inf] (b < 2)", "a < 1 until[2, inf] b < 2"),
+        ("always (p > 0) and q > 0", "always (p > 0) and q > 0"),
+        ("0 < x < 3", "0 < x and x < 3"),
+        ("always[0m, 1km] (v < 36km/h)", "always[0, 1000] (v < 10)"),
+        ("once[5, 20m] (ego.speed > 1)", "once[5, 20] (ego.speed > 1)"),
+        ("always[1, 2ms] (e > 1)", "always[0.001, 0.002] (e > 1)"),
+        ("abs(k) < 0.1/m", "abs(k) < 0.1"),
+        ("a - (b - 1) > -2", "a - (b - 1) > -2"),
+    ],
+)
+def test_text_is_read_and_printed_canonically(written, canonical):
+    assert str(stl.parse(written)) == canonical
+
+
+@pytest.mark.parametrize("seed", range(300))
+def test_printed_formulas_read_back(seed):
+    formula = FormulaDraw(seed).formula(1 + seed % 3)
+    once = stl.parse(str(formula))
+    assert stl.parse(str(once)) == once
+    assert str(once) == str(formula)
+    assert stl.from_json(stl.to_json(formula)) == formula
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "column", "fix"),
+    [
+        ("always clearance", "RL320", 8, "(clearance > 0)"),
+        ("x", "RL320", 1, "(x > 0)"),
+        ("(a < b) + 1 > 0", "RL321", 2, None),
+        ("abbs(x) < 1", "RL322", 1, None),
+        ("x < 1..2", "RL323", 5, None),
+        ("x < 5mtr", "RL324", 5, None),
+        ("always[0m, 5m] F[0s, 2s] (e < 1)", "RL325", 18, None),
+        ("always[0, x] (e < 1)", "RL326", 11, None),
+        ("abs(x, y) < 1", "RL327", 1, None),
+        ("always[50, 0] (e < 1)", "RL305", 7, "[0, 50]"),
+        ("always[-1, 0] (e < 1)", "RL305", 7, None),
+    ],
+)
+def test_nonsense_is_refused_at_its_place(text, code, column, fix):
+    with pytest.raises(DiagnosticError) as refusal:
+        stl.parse(text)
+    (found,) = refusal.value.diagnostics
+    assert (found.code, found.span.column) == (code, column)
+    assert [edit.replacement for edit in found.fixes] == ([fix] if fix else [])
+
+
+def test_all_faults_are_told_at_once():
+    with pytest.raises(DiagnosticError) as refusal:
+        stl.parse("always[2, 1] (x) and abbs(y) < 3mtr")
+    assert [found.code for found in refusal.value.diagnostics] == [
+        "RL305", "RL320", "RL322", "RL324",
+    ]  # fmt: skip
+
+
+def test_units_agree_with_the_compiler():
+    assert {name: factor(name) for name in known_units()} == {
+        name: unit.factor for name, unit in UNITS.items()
+    }
+    assert factor("km/h") == pytest.approx(1 / 3.6)
+    assert factor("/m^2") == 1.0
+
+
+@pytest.mark.parametrize("bounds", [(2, 1), (-1, 1), (math.inf, math.inf), (math.nan, 1)])
+def test_intervals_are_closed_and_ahead(bounds):
+    with pytest.raises(DiagnosticError, match="RL305"):
+        stl.Interval(*bounds)
+
+
+@pytest.mark.parametrize(
+    "value", [None, 3, "x", {}, {"alway": True}, {"<": ["x"]}, {"not": 1, "and": []},
+              {"always": True, "interval": [3, 1]}, {"and": 3}, {"<": ["x", {"sin": ["x"]}]}],
+)  # fmt: skip
+def test_json_that_is_no_formula_is_refused(value):
+    with pytest.raises(DiagnosticError, match="RL3"):
+        stl.from_json(value)
