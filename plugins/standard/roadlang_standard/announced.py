@@ -1,7 +1,7 @@
 """Kinds that are planned and not built yet: `check` says so instead of not knowing them."""
 
 ANNOUNCED = (
-    "read opendrive",
+    "read opendrive .xodr",
     "emit opendrive",
     "emit sumo",
     "emit gltf",

@@ -55,7 +55,7 @@ class TwoSlashes(ValueError):
 
 
 def parse_unit(text: str) -> Unit:
-    """The unit a number carries: `m`, `m/s^2`, `/m` (as in `0.1/m`), `m^1.5`.
+    """The unit a number carries: `m`, `m/s^2`, `/m` (as in `0.1/m`) or `1/m`, `m^1.5`.
 
     Raises `UnknownUnit`, `TwoSlashes`.
     """
@@ -64,7 +64,7 @@ def parse_unit(text: str) -> Unit:
     above, *below = text.split("/")
     if len(below) > 1:
         raise TwoSlashes(text)
-    unit = _product(above) if above else Unit(1.0, PURE)
+    unit = _product(above) if above not in ("", "1") else Unit(1.0, PURE)
     if below:
         divisor = _product(below[0])
         unit = Unit(unit.factor / divisor.factor, unit.dimension / divisor.dimension)

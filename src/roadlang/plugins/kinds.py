@@ -7,10 +7,10 @@ so that numpy broadcasting over (variants, stations) just works.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from ..ir.dimension import Dimension
 
@@ -39,9 +39,11 @@ class Kind:
 
 @dataclass(frozen=True)
 class Adjuster(Kind):
-    """`adjust with`: image to image."""
+    """`adjust with`: image to image. `is_random`: it draws from `random`, so that each scene has
+    an image of its own."""
 
     verb: ClassVar[str] = "adjust"
+    is_random: ClassVar[bool] = False
 
     def adjust(self, pixels: NDArray[np.uint8], random: np.random.Generator) -> NDArray[np.uint8]:
         """(height, width, 3) BGR to the same shape."""
@@ -136,6 +138,8 @@ class Signal(Kind):
 
     verb: ClassVar[str] = "signal"
     unit: ClassVar[str] = ""
+    cost: ClassVar[float] = 20.0
+    """work for a station beside that of a displacement: cheap requirements are tried first"""
 
     def values(self) -> Floats:
         """(variants, stations), SI units. Fields that name roads hold `RoadBatch`es."""
@@ -201,9 +205,20 @@ class Distribution(Kind):
         """Least and greatest value, for bounds; None when not known."""
         return None
 
-    def choices(self, steps: int) -> Any:
-        """The values that `sample with grid` visits; `steps` of them where it is continuous."""
-        raise NotImplementedError
+    def levels(self, steps: int) -> Iterable[float]:
+        """Numbers in [0, 1] at which `quantile` gives the values that `sample with grid` visits:
+        `steps` of them where it is continuous, the middle of each step by default."""
+        return [(step + 0.5) / steps for step in range(steps)]
+
+
+class DrawnValue(Protocol):
+    """A random value of the scenario, as samplers see it."""
+
+    place: str
+
+    def levels(self, steps: int) -> Sequence[float]:
+        """Numbers in [0, 1] that a grid visits."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -217,11 +232,11 @@ class Sampler(Kind):
     verb: ClassVar[str] = "sample"
     sequential: ClassVar[bool] = True
 
-    def points(self, indices: NDArray[np.int64], dimensions: int, seed: int) -> Floats:
-        """(candidates, dimensions) in [0, 1); a function of each index alone."""
+    def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:
+        """(candidates, draws) in [0, 1]; a function of each index alone."""
         raise NotImplementedError
 
-    def size(self, dimensions: int) -> int | None:
+    def size(self, draws: Sequence[DrawnValue]) -> int | None:
         """How many candidates there are; None: without end."""
         return None
 

@@ -1,0 +1,59 @@
+"""Checks a scene file and lowers it to the scenario: all errors in one run, each said once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from ..diagnostics import Diagnostic, diagnose
+from ..diagnostics.render import in_order
+from ..ir.scenario import Scenario
+from ..plugins.registry import Registry
+from .checker import Checker
+from .definitions import define
+from .loading import load
+from .lowering import lower
+from .rules import RULES
+from .warnings import warn
+
+
+def check_file(
+    path: Path | str, overrides: Mapping[str, str] | None = None, registry: Registry | None = None
+) -> tuple[Scenario | None, list[Diagnostic]]:
+    """The scenario of a scene file, or None where there are errors, and all diagnostics in order.
+
+    `overrides` are values of params by name, as written behind `--set name=`. Without a
+    `registry` all installed plugins are loaded.
+    """
+    path = Path(path)
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return None, [_unreadable(path, "it is not UTF-8 text")]
+    except (OSError, ValueError) as error:
+        return None, [_unreadable(path, getattr(error, "strerror", None) or str(error))]
+    return check_text(text, path, overrides, registry)
+
+
+def check_text(
+    text: str,
+    path: Path | str = "scene.rl",
+    overrides: Mapping[str, str] | None = None,
+    registry: Registry | None = None,
+) -> tuple[Scenario | None, list[Diagnostic]]:
+    """As `check_file`, of a text that need not be saved; files it names are beside `path`."""
+    if registry is None:
+        from ..plugins.discovery import load_registry
+
+        registry = load_registry()
+    program = load(Path(path), text, overrides or {})
+    checker = Checker(program, registry, RULES, define)
+    scenario = lower(checker)
+    if not checker.has_errors:
+        warn(checker)
+    found = in_order(checker.diagnostics)
+    return (None if checker.has_errors else scenario), found
+
+
+def _unreadable(path: Path, reason: str) -> Diagnostic:
+    return diagnose("RL107", path=str(path), file=path, reason=reason)

@@ -1,0 +1,46 @@
+"""An order in which declarations can be evaluated: what a thing depends on comes before it."""
+
+from __future__ import annotations
+
+from .checker import Checker
+
+
+def evaluation_order(checker: Checker) -> list[str]:
+    """All names, each behind those that it depends on; cycles are reported."""
+    order: list[str] = []
+    done: set[str] = set()
+    names = [name for name, found in checker.program.declarations.items()]
+    for name in names:
+        _visit(checker, name, done, order)
+    return order
+
+
+def _visit(checker: Checker, start: str, done: set[str], order: list[str]) -> None:
+    """Depth first, with a stack of its own: chains may be longer than Python's."""
+    stack = [(start, iter(checker.uses.get(start, ())))]
+    path = [start]
+    if start in done:
+        return
+    while stack:
+        name, rest = stack[-1]
+        for other in rest:
+            if other in path:
+                _report(checker, path[path.index(other) :])
+            elif other not in done and other in checker.program.declarations:
+                stack.append((other, iter(checker.uses.get(other, ()))))
+                path.append(other)
+                break
+        else:
+            stack.pop()
+            path.pop()
+            done.add(name)
+            order.append(name)
+
+
+def _report(checker: Checker, cycle: list[str]) -> None:
+    if not any(checker.definition(name).is_unknown for name in cycle if _is_value(checker, name)):
+        checker.report_cycle(cycle)
+
+
+def _is_value(checker: Checker, name: str) -> bool:
+    return checker.program.declarations[name].role in ("param", "let")

@@ -1,0 +1,16 @@
+"""What is allowed and probably not meant."""
+
+from __future__ import annotations
+
+from .checker import Checker
+
+
+def warn(checker: Checker) -> None:
+    """Names that nobody uses, and names that a unit hides."""
+    for declaration in checker.program.in_role("let"):
+        name = declaration.name
+        if name.text not in checker.used:
+            checker.report("RL190", name.span, name=name.text)
+    for word, span in checker.divisors:
+        if word in checker.program.declarations:
+            checker.report("RL191", span, name=word, text=span.text)
