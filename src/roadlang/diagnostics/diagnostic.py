@@ -75,7 +75,7 @@ def diagnose(
     return Diagnostic(
         code=code,
         severity=severity or entry.severity,
-        message=entry.message.format(**values),
+        message=entry.message.format(path=path, **values),
         span=span,
         help=(help,) if isinstance(help, str) else tuple(help),
         labels=tuple(labels),

@@ -1,0 +1,61 @@
+"""`roadlang check FILE...`: every fault of scene files, at its place."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from ..diagnostics import Diagnostic, DiagnosticError
+from ..ir.scenario import Scenario
+from . import exit_codes
+from .console import report
+from .scene_files import parse_overrides, read_scene_file
+
+
+@click.command("check")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
+@click.option("--json", "as_json", is_flag=True, help="Print the diagnostics as a JSON list.")
+@click.option(
+    "--scenario", is_flag=True, help="Print the scenario as JSON when there are no errors."
+)
+def command(
+    files: tuple[str, ...], settings: tuple[str, ...], as_json: bool, scenario: bool
+) -> None:
+    """Report every fault of the scene FILEs; write nothing. `-` reads standard input.
+
+    A JSON diagnostic has code, severity, message, file, line, column, end_line, end_column
+    (counted from 1, the end behind the last character), help and fixes.
+    """
+    overrides = parse_overrides(settings)
+    found: list[Diagnostic] = []
+    for name in files:
+        checked, diagnostics = _check(name, overrides)
+        found += diagnostics
+        if scenario and checked is not None:
+            _print_scenario(checked)
+    if as_json:
+        from ..diagnostics.render import render_json
+
+        click.echo(render_json(found))
+    else:
+        report(found)
+    click.get_current_context().exit(exit_codes.exit_code_of(found))
+
+
+def _check(name: str, overrides: dict[str, str]) -> tuple[Scenario | None, list[Diagnostic]]:
+    from ..semantics import check_text
+
+    try:
+        text = read_scene_file(name)
+    except DiagnosticError as error:
+        return None, list(error.diagnostics)
+    return check_text(text, Path(name), overrides)
+
+
+def _print_scenario(scenario: Scenario) -> None:
+    from ..ir.scenario_json import scenario_to_json
+
+    click.echo(json.dumps(scenario_to_json(scenario), indent=2, ensure_ascii=False))

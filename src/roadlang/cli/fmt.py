@@ -1,0 +1,84 @@
+"""`roadlang fmt FILE...`: scene files in the one layout, comments kept."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import click
+
+from ..diagnostics import Diagnostic, DiagnosticError, Source, diagnose
+from . import exit_codes
+from .console import report, say
+from .scene_files import STANDARD_INPUT, read_scene_file
+
+
+@click.command("fmt")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
+@click.option("--check", "only_check", is_flag=True, help="Change nothing; exit 1 if it would.")
+@click.option("--diff", is_flag=True, help="Change nothing; print what would change.")
+def command(files: tuple[str, ...], only_check: bool, diff: bool) -> None:
+    """Put the scene FILEs into the one layout. `-` formats standard input to standard output.
+
+    A file with syntax errors is left as it is and its errors are reported.
+    """
+    found: list[Diagnostic] = []
+    changed = 0
+    for name in files:
+        try:
+            text = read_scene_file(name)
+            formatted = _formatted(name, text)
+        except DiagnosticError as error:
+            found += error.diagnostics
+            continue
+        changed += formatted != text
+        if diff:
+            _print_diff(name, text, formatted)
+        elif name == STANDARD_INPUT and not only_check:
+            sys.stdout.write(formatted)
+        elif formatted != text and only_check:
+            say(f"{name} would change")
+        elif formatted != text:
+            _replace(Path(name), formatted)
+    report(found)
+    would_change = bool(changed and (only_check or diff))
+    code = exit_codes.exit_code_of(found) or int(would_change)
+    click.get_current_context().exit(code)
+
+
+def _formatted(name: str, text: str) -> str:
+    from ..syntax import format_source
+
+    formatted, found = format_source(Source(name, text))
+    if formatted is None:
+        raise DiagnosticError(*found)
+    return formatted
+
+
+def _print_diff(name: str, before: str, after: str) -> None:
+    lines = difflib.unified_diff(
+        before.splitlines(keepends=True), after.splitlines(keepends=True), name, name
+    )
+    sys.stdout.writelines(lines)
+
+
+def _replace(path: Path, text: str) -> None:
+    """Write whole or not at all; links keep pointing at the file, permissions stay."""
+    target = Path(os.path.realpath(path))
+    try:
+        mode = target.stat().st_mode
+        handle, temporary = tempfile.mkstemp(prefix=".roadlang-", dir=target.parent)
+        try:
+            with open(handle, "w", encoding="utf-8", newline="") as file:
+                file.write(text)
+            os.chmod(temporary, mode)
+            os.replace(temporary, target)
+        except OSError:
+            os.unlink(temporary)
+            raise
+    except OSError as error:
+        reason = (error.strerror or type(error).__name__).lower()
+        raise DiagnosticError(diagnose("RL927", path=str(path), reason=reason)) from None

@@ -1,0 +1,45 @@
+"""`roadlang init FILE`: a starter scene that compiles."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from pathlib import Path
+
+import click
+
+from ..diagnostics import DiagnosticError, diagnose
+from .console import say
+
+TEMPLATES = {
+    "bend": "a drawn road, bent within limits, with a car",
+    "picture": "a road taken from a picture of yours (not included)",
+    "sweep": "every combination of some values",
+    "town": "a town typed as text, with trees and buildings",
+}
+
+
+@click.command("init")
+@click.argument("file", default="scene.rl", metavar="[FILE]")
+@click.option(
+    "--template",
+    type=click.Choice(sorted(TEMPLATES)),
+    default="bend",
+    show_default=True,
+    help="; ".join(f"{name}: {text}" for name, text in TEMPLATES.items()) + ".",
+)
+def command(file: str, template: str) -> None:
+    """Write a starter scene to FILE (scene.rl)."""
+    path = Path(file)
+    text = (files(__package__) / "templates" / f"{template}.rl").read_text(encoding="utf-8")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="utf-8") as target:
+            target.write(text.replace("THIS_FILE", file))
+    except FileExistsError:
+        raise DiagnosticError(
+            diagnose("RL929", path=file, help="give another name: `roadlang init other.rl`")
+        ) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise DiagnosticError(diagnose("RL927", path=file, reason=reason.lower())) from None
+    say(f"wrote {file}; now: roadlang compile {file} -o out -n 4")
