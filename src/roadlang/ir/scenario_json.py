@@ -20,7 +20,6 @@ from . import scenario as scenario_nodes
 from . import values as value_nodes
 from .dimension import Dimension
 from .scenario import SCENARIO_SCHEMA, Scenario
-from .units import parse_unit
 
 _DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -49,6 +48,16 @@ def scenario_schema() -> dict[str, Any]:
     definitions = {name: _schema_of_node(node) for name, node in sorted(_nodes().items())}
     definitions["Scenario"]["properties"]["schema"] = {"const": SCENARIO_SCHEMA}
     definitions["Scenario"]["required"].append("schema")
+    definitions["Dimension"] = {
+        "description": "exponents of length, pixel, time, angle and mass",
+        "type": "object",
+        "properties": {
+            "is": {"const": "Dimension"},
+            "unit": {"type": "string"},
+            "exponents": {"type": "array", "items": {"type": "number"}, "minItems": 5},
+        },
+        "required": ["is", "unit", "exponents"],
+    }
     definitions["Span"] = {
         "type": "object",
         "properties": {
@@ -84,7 +93,7 @@ def _plain(value: Any) -> Any:
 
         return to_json(value)
     if isinstance(value, Dimension):
-        return {"is": "Dimension", "unit": value.unit}
+        return {"is": "Dimension", "unit": value.unit, "exponents": list(value.exponents)}
     if isinstance(value, Span):
         return {"file": value.source.path, "start": value.start, "end": value.end}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
@@ -107,7 +116,7 @@ def _revived(value: Any) -> Any:
     if "is" not in value:
         return Span(Source(value["file"], ""), value["start"], value["end"])
     if value["is"] == "Dimension":
-        return parse_unit(value["unit"]).dimension
+        return Dimension(*value["exponents"])
     kind: Any = _nodes().get(value["is"])
     if kind is None:
         raise ValueError(f"there is no node `{value['is']}`")
@@ -147,7 +156,7 @@ def _schema_of_type(hint: Any) -> dict[str, Any]:
     if hint is Formula:
         return {"description": "a formula (JSON form of roadlang.stl)"}
     if hint is Dimension:
-        return {"type": "object", "properties": {"unit": {"type": "string"}}, "required": ["unit"]}
+        return {"$ref": "#/$defs/Dimension"}
     if isinstance(hint, type) and dataclasses.is_dataclass(hint):
         return {"$ref": f"#/$defs/{hint.__name__}"}
     arguments = typing.get_args(hint)
