@@ -1,6 +1,7 @@
 """All that a plugin author imports."""
 
 from .diagnostics import Diagnostic, DiagnosticError, diagnose
+from .drive.contract import Control, Observation
 from .ir.dimension import (
     ACCELERATION,
     ANGLE,
@@ -20,6 +21,7 @@ from .ir.dimension import (
 )
 from .ir.encoding import to_json
 from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
+from .ir.trace import AgentTrace, Trace
 from .plugins.hookspecs import hookimpl
 from .plugins.kinds import (
     Adjuster,
@@ -102,6 +104,7 @@ __all__ = [
     "AgentKind",
     "AgentName",
     "AgentOrObject",
+    "AgentTrace",
     "Angle",
     "Anything",
     "Backend",
@@ -109,6 +112,7 @@ __all__ = [
     "Call",
     "Condition",
     "ConstraintNames",
+    "Control",
     "Controller",
     "Curvature",
     "Diagnostic",
@@ -129,6 +133,7 @@ __all__ = [
     "Monitor",
     "Number",
     "ObjectKind",
+    "Observation",
     "Perturber",
     "Piece",
     "PixelPoint",
@@ -152,6 +157,7 @@ __all__ = [
     "Speed",
     "Stretch",
     "String",
+    "Trace",
     "Verdict",
     "Whole",
     "Word",

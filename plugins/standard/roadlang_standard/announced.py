@@ -7,9 +7,7 @@ ANNOUNCED = (
     "emit gltf",
     "emit scenic",
     "emit openscenario",
-    "emit godot",
     "simulate builtin",
-    "simulate godot",
     "falsify cma",
     "falsify random",
 )

@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import AgentName, AgentOrObject, DriveSignal, option
+
+from .separation import middles, nearest, outlines, rate
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -16,6 +24,10 @@ class Speed(DriveSignal):
     unit: ClassVar[str] = "m/s"
     agent: AgentName = option(help="who")
 
+    def values(self) -> Floats:
+        values: Floats = self.agent.speed
+        return values
+
 
 @dataclass(frozen=True)
 class AccelerationSignal(DriveSignal):
@@ -24,6 +36,10 @@ class AccelerationSignal(DriveSignal):
     name: ClassVar[str] = "acceleration"
     unit: ClassVar[str] = "m/s^2"
     agent: AgentName = option(help="who")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.acceleration
+        return values
 
 
 @dataclass(frozen=True)
@@ -34,6 +50,10 @@ class CrossTrack(DriveSignal):
     unit: ClassVar[str] = "m"
     agent: AgentName = option(help="who")
 
+    def values(self) -> Floats:
+        values: Floats = self.agent.cross_track
+        return values
+
 
 @dataclass(frozen=True)
 class Progress(DriveSignal):
@@ -42,6 +62,10 @@ class Progress(DriveSignal):
     name: ClassVar[str] = "progress"
     unit: ClassVar[str] = ""
     agent: AgentName = option(help="who")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.progress
+        return values
 
 
 @dataclass(frozen=True)
@@ -52,6 +76,10 @@ class Station(DriveSignal):
     unit: ClassVar[str] = "m"
     agent: AgentName = option(help="who")
 
+    def values(self) -> Floats:
+        values: Floats = self.agent.station
+        return values
+
 
 @dataclass(frozen=True)
 class Steering(DriveSignal):
@@ -60,6 +88,10 @@ class Steering(DriveSignal):
     name: ClassVar[str] = "steering"
     unit: ClassVar[str] = "rad"
     agent: AgentName = option(help="who")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.steering
+        return values
 
 
 @dataclass(frozen=True)
@@ -70,6 +102,10 @@ class HeadingSignal(DriveSignal):
     unit: ClassVar[str] = "rad"
     agent: AgentName = option(help="who")
 
+    def values(self) -> Floats:
+        values: Floats = self.agent.heading
+        return values
+
 
 @dataclass(frozen=True)
 class LateralAcceleration(DriveSignal):
@@ -78,6 +114,9 @@ class LateralAcceleration(DriveSignal):
     name: ClassVar[str] = "lateral_acceleration"
     unit: ClassVar[str] = "m/s^2"
     agent: AgentName = option(help="who")
+
+    def values(self) -> Floats:
+        return rate(self.agent.heading, self.agent.time) * self.agent.speed
 
 
 @dataclass(frozen=True)
@@ -88,6 +127,9 @@ class JerkSignal(DriveSignal):
     unit: ClassVar[str] = "m/s^3"
     agent: AgentName = option(help="who")
 
+    def values(self) -> Floats:
+        return rate(self.agent.acceleration, self.agent.time)
+
 
 @dataclass(frozen=True)
 class YawRate(DriveSignal):
@@ -97,6 +139,9 @@ class YawRate(DriveSignal):
     unit: ClassVar[str] = "rad/s"
     agent: AgentName = option(help="who")
 
+    def values(self) -> Floats:
+        return rate(self.agent.heading, self.agent.time)
+
 
 @dataclass(frozen=True)
 class Contacts(DriveSignal):
@@ -105,6 +150,10 @@ class Contacts(DriveSignal):
     name: ClassVar[str] = "contacts"
     unit: ClassVar[str] = ""
     agent: AgentName = option(help="who")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.contacts
+        return values
 
 
 @dataclass(frozen=True)
@@ -117,6 +166,9 @@ class DistanceSignal(DriveSignal):
     one: AgentOrObject = option(help="one")
     other: AgentOrObject = option(help="the other")
 
+    def values(self) -> Floats:
+        return nearest(self.one, self.other, middles)
+
 
 @dataclass(frozen=True)
 class GapSignal(DriveSignal):
@@ -127,6 +179,9 @@ class GapSignal(DriveSignal):
     member: ClassVar[bool] = False
     one: AgentOrObject = option(help="one")
     other: AgentOrObject = option(help="the other")
+
+    def values(self) -> Floats:
+        return nearest(self.one, self.other, outlines)
 
 
 @dataclass(frozen=True)

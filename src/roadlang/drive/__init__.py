@@ -1,0 +1,1 @@
+"""Drives: the contract of controllers, traces as files, and judging by them."""

@@ -53,9 +53,7 @@ class Line:
             + t * t * (3 - 2 * t) * b
             + t * t * (t - 1) * n
         )
-        slope = (
-            6 * t * (t - 1) * (a - b) + (1 - t) * (1 - 3 * t) * m + t * (3 * t - 2) * n
-        )
+        slope = 6 * t * (t - 1) * (a - b) + (1 - t) * (1 - 3 * t) * m + t * (3 * t - 2) * n
         heading = np.arctan2(slope[:, 1], slope[:, 0])
         return points, heading, np.interp(s, self.s, self.width)
 

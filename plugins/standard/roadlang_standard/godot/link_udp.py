@@ -11,9 +11,9 @@ class UdpLink:
     """A socket that talks to one address. Raises `OSError` where that cannot be reached at all."""
 
     def __init__(self, host: str, port: int) -> None:
-        family, kind, protocol, _, address = socket.getaddrinfo(
-            host, port, type=socket.SOCK_DGRAM
-        )[0]
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[
+            0
+        ]
         self._socket = socket.socket(family, kind, protocol)
         self._socket.connect(address)
         self._socket.setblocking(False)

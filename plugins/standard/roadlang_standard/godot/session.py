@@ -167,7 +167,10 @@ class Session:
         self._link.send(protocol.pack(type, self._session, 0, payload))
 
     def flush(self) -> None:
-        """Wait until all that was queued has arrived. Raises `EngineError` (RL504, RL505, RL507)."""
+        """Wait until all that was queued has arrived.
+
+        Raises `EngineError` (RL504, RL505, RL507).
+        """
         while not self._channel.idle:
             self.pump(0.02)
 
