@@ -62,7 +62,8 @@ class ArcLength:
             following = np.clip(u + missing / speed, low, high)
             moved = np.abs(following - u).max(initial=0.0)
             u = following
-            if moved <= 1e-14 * max(1.0, float(self.parameters[-1])):
+            # Newton's method squares the error: what is left is far below rounding.
+            if moved <= 1e-9 * float(self.parameters[-1]):
                 break
         return np.asarray(u)
 

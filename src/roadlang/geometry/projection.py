@@ -60,6 +60,6 @@ def _refined(curve: Curve, flat: Floats, nearest: Integers) -> Floats:
         following = np.clip(u - slope / np.where(bend > 0.05 * speed, bend, speed), low, high)
         moved = np.abs(following - u).max()
         u = following
-        if moved <= 1e-14 * max(1.0, float(table[-1])):
+        if moved <= 1e-13 * float(table[-1]):
             break
     return np.concatenate([u, start], axis=1)

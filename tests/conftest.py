@@ -1,0 +1,6 @@
+"""What all tests share: property tests without a stopwatch, the same examples on every run."""
+
+from hypothesis import settings
+
+settings.register_profile("roadlang", deadline=None, max_examples=50, derandomize=True)
+settings.load_profile("roadlang")
