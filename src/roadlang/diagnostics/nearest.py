@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
+from difflib import SequenceMatcher
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
@@ -13,11 +13,38 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     exact = folded.get(word.casefold().replace("-", "_"))
     if exact is not None:
         return exact
-    found = get_close_matches(word, candidates, n=1, cutoff=0.6)
-    if not found and len(word) >= 3:
-        starts = [name for name in candidates if name.startswith(word) or word.startswith(name)]
-        return min(starts, key=len) if len(starts) == 1 else None
-    return found[0] if found else None
+    if len(word) < 2:
+        return None
+    slips = max(1, (len(word) + 1) // 3)
+    near = [(edits(word, name, slips), -_likeness(word, name), name) for name in candidates]
+    within = [found for found in near if found[0] <= slips]
+    if within:
+        return min(within)[2]
+    alike = [found for found in near if -found[1] >= 0.7]
+    if alike:
+        return min(alike, key=lambda found: found[1:])[2]
+    starts = [name for name in candidates if name.startswith(word) or word.startswith(name)]
+    return starts[0] if len(word) >= 3 and len(starts) == 1 and len(starts[0]) >= 3 else None
+
+
+def _likeness(word: str, name: str) -> float:
+    return SequenceMatcher(None, word, name).ratio()
+
+
+def edits(a: str, b: str, most: int) -> int:
+    """How many letters to change, add, drop or swap with a neighbour; above `most`, `most + 1`."""
+    if abs(len(a) - len(b)) > most:
+        return most + 1
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, x in enumerate(a, start=1):
+        before, above, row = row, row if i == 1 else before, [i]
+        for j, y in enumerate(b, start=1):
+            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
+                cost = min(cost, above[j - 2] + 1)
+            row.append(cost)
+    return min(row[-1], most + 1)
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> tuple[str, ...]:

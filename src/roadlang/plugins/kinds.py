@@ -108,6 +108,8 @@ class Perturber(Kind):
     """
 
     verb: ClassVar[str] = "perturb"
+    is_random: ClassVar[bool] = True
+    """it draws from `random`: set to False where the options alone tell the displacement"""
 
     def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
         """(stations,) metres, left positive, of one variant (`road` has one)."""
@@ -116,6 +118,11 @@ class Perturber(Kind):
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         """(variants, stations) metres. The runner loops over `displacement` without it."""
         raise NotImplementedError
+
+    def reach(self) -> Floats | float:
+        """A bound of the displacement, told by the options alone: requirements that it settles
+        need no geometry. It must be monotone in every option."""
+        return float("inf")
 
 
 @dataclass(frozen=True)

@@ -78,13 +78,17 @@ class OptionSchema:
         return self.constraints.words
 
 
-@cache
 def schema_of(kind: type) -> tuple[OptionSchema, ...]:
     """The options of a kind, in the order of its fields.
 
     Raises `TypeError` with the field's name where a field is no option.
     """
-    if not dataclasses.is_dataclass(kind):
+    return _schema_of(kind)
+
+
+@cache
+def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
+    if not (isinstance(kind, type) and dataclasses.is_dataclass(kind)):
         raise TypeError(f"{kind.__name__} is not a dataclass")
     hints = typing.get_type_hints(kind, include_extras=True)
     options = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ..diagnostics import Label, Span, did_you_mean
+from ..diagnostics import Label, Span, did_you_mean, nearest
 from ..ir.values import Items, Value
 from ..plugins import option_types as opt
 from ..plugins.options import OptionSchema
@@ -52,11 +52,13 @@ def bind_options(
     known = {option.name: option for option in schema}
     first: dict[str, Span] = {}
     given: dict[str, Typed] = {}
+    misspelt: list[str] = []
     complete = True
     for option in options:
         name = option.key.text
         if name not in known:
             _report_unknown(checker, option.key, known, owner)
+            misspelt.append(name)
             complete = False
         elif name in first:
             labels = [Label(first[name], "given here first")]
@@ -68,7 +70,10 @@ def bind_options(
             complete = typed is not None and complete
             if typed is not None:
                 given[name] = typed
-    missing = [option.name for option in schema if option.required and option.name not in first]
+    # An option that was misspelt is not missing as well.
+    meant = {nearest(name, known) for name in misspelt}
+    given_or_meant = {*first, *meant}
+    missing = [o.name for o in schema if o.required and o.name not in given_or_meant]
     if missing and whole:
         complete = _report_missing(checker, owner, missing, known, span)
     return _bound(checker, given, schema, complete)
@@ -82,6 +87,7 @@ def bind_arguments(
     owner = f"`{call.function.span.text}`"
     given: dict[str, Typed] = {}
     gathered: list[Typed] = []
+    misspelt: list[str] = []
     complete = True
     slots = [option.name for option in schema if option.name != rest] if rest else list(known)
     for index, argument in enumerate(call.arguments):
@@ -92,6 +98,7 @@ def bind_arguments(
         if name not in known:
             assert argument.key is not None
             _report_unknown(checker, argument.key, known, owner)
+            misspelt.append(name)
             complete = False
             continue
         if name in given:
@@ -111,7 +118,8 @@ def bind_arguments(
     if gathered or (rest and positional):
         given[rest] = _gathered(call.span, gathered)
     named = {argument.key.text for argument in call.arguments if argument.key is not None}
-    filled = {*given, *named, *([] if rest else slots[: len(positional)])}
+    meant = {nearest(name, known) for name in misspelt}
+    filled = {*given, *named, *meant, *([] if rest else slots[: len(positional)])}
     missing = [option.name for option in schema if option.required and option.name not in filled]
     if missing:
         complete = _report_missing(checker, owner, missing, known, call.span, "argument")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator as ops
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -16,6 +17,8 @@ from .checker import Checker
 from .terms import term_of
 from .types import Evidence, Quantity, SignalType, Typed, unknown
 from .units import common_dimension, dimension_of
+
+_OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": ops.pow}
 
 
 def signal_negation(operand: Typed, span: Span) -> Typed:
@@ -95,13 +98,7 @@ def _folded(
 
 def _computed(operator: str, a: float, b: float) -> float | None:
     try:
-        number: Any = {
-            "+": lambda: a + b,
-            "-": lambda: a - b,
-            "*": lambda: a * b,
-            "/": lambda: a / b,
-            "^": lambda: a**b,
-        }[operator]()
+        number: Any = _OPERATIONS[operator](a, b)
     except (OverflowError, ZeroDivisionError):
         return None
     if isinstance(number, complex) or math.isnan(number):
@@ -135,7 +132,8 @@ def _of_signals(
 
 def terms_of(sides: Sequence[Typed]) -> tuple[list[Any], tuple[NumberBinding, ...]]:
     """The terms of numbers and signals, and the bindings of the numbers among them."""
-    terms, numbers = [], []
+    terms: list[Any] = []
+    numbers: list[NumberBinding] = []
     for side in sides:
         if side.term is not None:
             terms.append(side.term)

@@ -87,9 +87,9 @@ def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> 
     least, most = _COUNTS[name]
     count = len(call.arguments)
     if count < least or (most is not None and count > most):
-        numbers = "two or more arguments" if most is None else "one argument"
+        due = "two or more arguments" if most is None else "one argument"
         span = call.arguments[most].span if most and count > most else call.span
-        return checker.report("RL224", span, name=name, help=f"`{name}` takes {numbers}")
+        return checker.report("RL224", span, name=name, help=f"`{name}` takes {due}")
     for argument in call.arguments:
         if argument.key is not None:
             return checker.report(
@@ -100,10 +100,10 @@ def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> 
     arguments = [checker.infer(argument.value, context) for argument in call.arguments]
     if any(argument.is_unknown for argument in arguments):
         return unknown(call.span)
-    for argument in arguments:
-        if not isinstance(argument.type, Quantity | SignalType):
-            what, found = f"`{name}`", argument.type
-            return checker.report("RL206", argument.span, what=what, due="a number", found=found)
+    for given in arguments:
+        if not isinstance(given.type, Quantity | SignalType):
+            what, found = f"`{name}`", given.type
+            return checker.report("RL206", given.span, what=what, due="a number", found=found)
     dimension = common_dimension(checker, arguments, "compared")
     if dimension is None:
         return unknown(call.span)
@@ -159,9 +159,8 @@ def _of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Co
         return unknown(call.span)
     if verb == "drive_signal" and getattr(found.kind, "member", True):
         first = found.schema[0].name if found.schema else "agent"
-        return checker.report(
-            "RL225", call.function.span, name=name, help=f"write `{first}.{name}`, as in `ego.{name}`"
-        )  # fmt: skip
+        help_ = f"write `{first}.{name}`, as in `ego.{name}`"
+        return checker.report("RL225", call.function.span, name=name, help=help_)
     inner = context if verb == "distribution" else replace(context, words=(), verbs=())
     rest = found.kind.rest
     bound = bind_arguments(checker, call, found.schema, rest, inner)
@@ -209,7 +208,7 @@ def _role(checker: Checker, value: ast.Expression) -> str | None:
     if not isinstance(value, ast.Name):
         return None
     declared = checker.program.declarations.get(value.text)
-    if declared is None:
+    if declared is None or value.text in checker.program.spoiled:
         return "unknown"
     return declared.role if declared.role not in ("param", "let") else None
 
@@ -238,6 +237,8 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
         return checker.report("RL227", member.name.span, name=member.name.text, given="a call")
     base, _, name = parts.partition(".")
     declared = checker.program.declarations.get(base)
+    if base in checker.program.spoiled:
+        return unknown(member.span)
     if declared is None:
         return _no_such_base(checker, member, parts, base, context)
     root: ast.Expression = member
@@ -256,7 +257,7 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
 def _no_such_base(
     checker: Checker, member: ast.Member, parts: str, base: str, context: Context
 ) -> Typed:
-    if base in checker.program.spoiled:
+    if checker.program.incomplete:
         return unknown(member.span)
     verbs = (*context.verbs, "agent", "object")
     for verb in verbs:

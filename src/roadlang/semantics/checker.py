@@ -19,7 +19,7 @@ Rule = Callable[["Checker", Any, Context], Typed]
 
 
 class Checker:
-    """Passed to every rule. `uses` holds, for each declaration, what must be evaluated before it."""
+    """Passed to every rule. `uses`: what must be evaluated before each declaration."""
 
     def __init__(
         self, program: Program, registry: Registry, rules: Mapping[type, Rule], define: Rule
@@ -31,7 +31,7 @@ class Checker:
         self.used: set[str] = set()
         self.kinds: dict[tuple[str, str], Found | None] = {}
         self.divisors: list[tuple[str, Span]] = []
-        """Names of units behind a `/` or `*` of a number, as in `1/s`, and where."""
+        """The `s` of numbers such as `1/s`, and where."""
         self.bounds: dict[int, tuple[float, float] | None] = {}
         """Least and greatest number that an operand of a comparison can be, by the node's id."""
         self._rules = rules
@@ -48,7 +48,7 @@ class Checker:
         help: str | Iterable[str] = (),
         labels: Iterable[Label] = (),
         fixes: Iterable[Fix] = (),
-        **values: object,
+        **values: Any,
     ) -> Typed:
         """Report and go on with a value that fits everywhere."""
         found = diagnose(code, span, help=help, labels=labels, fixes=fixes, **values)

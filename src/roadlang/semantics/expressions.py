@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from ..diagnostics import did_you_mean
+from ..diagnostics import Span, did_you_mean
 from ..ir.values import (
     Constant,
     Draw,
@@ -38,6 +38,8 @@ from .types import (
     unknown,
 )
 from .units import common_dimension
+
+_FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
 
 
 def infer_string(checker: Checker, string: ast.String | ast.Text, context: Context) -> Typed:
@@ -134,7 +136,8 @@ def infer_list(checker: Checker, items: ast.ListValue, context: Context) -> Type
 
 def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> Typed:
     """`{ key: value }`; a key that is there twice is an error."""
-    keys, items = [], []
+    keys: list[tuple[str, Span]] = []
+    items: list[Typed] = []
     for entry in node.entries:
         key = entry.key.value if isinstance(entry.key, ast.String) else entry.key.text
         if key in (known for known, _ in keys):
@@ -165,13 +168,13 @@ def infer_name(checker: Checker, name: ast.Name, context: Context) -> Typed:
     if text in context.words:
         return Typed(name.span, TextType(frozenset({text}), word=True), Text(text))
     declaration = checker.program.declarations.get(text)
+    if text in checker.program.spoiled and text != "time":
+        return unknown(name.span)
     if declaration is not None:
         return _declared(checker, name, declaration.role, context)
     if text == "inf":
         kind = Quantity(fits_any=True)
         return Typed(name.span, kind, Constant(math.inf), bounds=(math.inf, math.inf))
-    if text in checker.program.spoiled and text != "time":
-        return unknown(name.span)
     if text == "time":
         return checker.infer(ast.Call(name, (), span=name.span), context)
     verb = _verb_of(checker, text, context)
@@ -214,6 +217,8 @@ def _verb_of(checker: Checker, text: str, context: Context) -> str | None:
 def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
     declared = checker.program.declarations
     nearest_declared = did_you_mean(name.text, declared)
+    if checker.program.incomplete and not (context.words or context.verbs):
+        return unknown(name.span)
     if context.words and not (nearest_declared and not did_you_mean(name.text, context.words)):
         words = ", ".join(f"`{word}`" for word in context.words)
         help_ = [*did_you_mean(name.text, context.words), f"the words are {words}"]
@@ -229,4 +234,6 @@ def _is_kind(checker: Checker, text: str) -> tuple[str, ...]:
     known = {entry.name for verb in ("signal", "number") for entry in checker.registry.of(verb)}
     if text in known:
         return (f"`{text}` is a function: write what it is of, as in `{text}(road)`",)
+    if text.lower() in _FLAGS:
+        return (f"write `{_FLAGS[text.lower()]}`",)
     return ()

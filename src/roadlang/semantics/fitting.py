@@ -57,7 +57,7 @@ def _fit(
 
 def _mismatch(
     checker: Checker, typed: Typed, due: opt.OptionType, limits: Constraints, what: str
-) -> None:
+) -> Typed | None:
     wanted = describe(due, limits.words)
     if isinstance(typed.type, ty.SignalType | ty.FormulaType):
         checker.report("RL231", typed.span, what=what, due=wanted, found=typed.type)
@@ -66,6 +66,7 @@ def _mismatch(
         checker.report("RL228", typed.span, name=name, found=typed.type, due=wanted, what=what)
     else:
         checker.report("RL206", typed.span, what=what, due=wanted, found=typed.type)
+    return None
 
 
 def _matches(typed: Typed, due: opt.OptionType) -> bool:
@@ -111,7 +112,7 @@ def _quantity(
             wanted, found = due.dimension, kind.dimension
             checker.report(
                 "RL201", typed.span, what=what, due=wanted, found=found,
-                help=f"its unit is that of {wanted}: `{wanted.unit}`" if wanted.unit else (),
+                help=f"{wanted} has a unit such as `{wanted.unit}`" if wanted.unit else (),
             )  # fmt: skip
         return None
     if due.whole and not _is_whole(checker, typed, kind, what):
@@ -161,8 +162,9 @@ def _sequence(
     return _with_items(typed, fitted)
 
 
-def _count(checker: Checker, typed: Typed, what: str, due: str, found: int) -> None:
+def _count(checker: Checker, typed: Typed, what: str, due: str, found: int) -> Typed | None:
     checker.report("RL208", typed.span, what=what, due=f"have {due} items", found=f"has {found}")
+    return None
 
 
 def _in_order(checker: Checker, ends: list[Typed], whole: Typed) -> bool:

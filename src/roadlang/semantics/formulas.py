@@ -255,5 +255,5 @@ def _wrong_unit(checker: Checker, wrong: Sequence[Typed], evidence: Evidence) ->
         signal=evidence.text,
         domain="arc length along the road" if road else "time",
         unit="metres" if road else "seconds",
-        help=f"give the interval in {'metres, as in `[0m, 50m]`' if road else 'seconds, as in `[0s, 5s]`'}",
+        help="write metres, as in `[0m, 50m]`" if road else "write seconds, as in `[0s, 5s]`",
     )  # fmt: skip

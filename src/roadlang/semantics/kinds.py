@@ -80,8 +80,8 @@ def spoken(verb: str, name: str) -> str:
 def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     registry = checker.registry
     if registry.is_announced(verb, name):
-        known = _listing(verb, registry.names(verb))
-        checker.report("RL212", span, kind=spoken(verb, name), help=known)
+        built = _listing(verb, registry.names(verb))
+        checker.report("RL212", span, kind=spoken(verb, name), help=built)
         return
     for broken in registry.broken:
         if name.split(".")[0] == broken.origin.plugin and "." in name:

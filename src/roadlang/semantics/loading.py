@@ -55,6 +55,8 @@ class _Loader:
         """A value from the command line."""
         source = Source(f"--set {name}", text)
         declared = self._program.declarations.get(name)
+        if (declared is None and self._program.incomplete) or name in self._program.spoiled:
+            return
         if declared is None or declared.role != "param":
             params = [found.name.text for found in self._program.in_role("param")]
             self._report(
@@ -93,6 +95,7 @@ class _Loader:
         elif known is not None:
             labels = [Label(known.name.span, "first declared here")]
             self._report("RL100", name.span, labels=labels, name=name.text)
+            self._program.spoiled.add(name.text)
         else:
             role = getattr(statement, "word", type(statement).__name__.lower())
             found = Declaration(name, role, statement, folder)
@@ -105,6 +108,7 @@ class _Loader:
         if real in chain:
             names = [os.path.basename(file) for file in (*chain[chain.index(real) :], real)]
             self._report("RL105", span, cycle=" includes ".join(names))
+            self._program.incomplete = True
             return set()
         if real in self._included:
             labels = [Label(self._included[real], "included here first")]
@@ -114,10 +118,12 @@ class _Loader:
         text = self._text(target, statement.path)
         settings = self._settings(statement)
         if text is None:
+            self._program.incomplete = True
             return set()
         params = self.read(Source(str(target), text), target, chain)
         for key in settings:
-            if key.text not in params and key.text not in self._program.spoiled:
+            unsure = self._program.incomplete or key.text in self._program.spoiled
+            if key.text not in params and not unsure:
                 self._report(
                     "RL108",
                     key.span,

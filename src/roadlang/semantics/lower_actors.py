@@ -23,7 +23,7 @@ def lower_actor(checker: Checker, declaration: Declaration) -> ir.Actor | None:
     """The statement, or None, reported."""
     statement = declaration.statement
     assert isinstance(statement, ast.Actor)
-    name, word = statement.name.text, statement.word
+    name = statement.name.text
     copies = _has_count(statement)
     context = Context(user=name, place=name, per="copy" if copies else "scene")
     kind = _kind(checker, statement, context)

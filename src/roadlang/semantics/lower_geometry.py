@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ..ir import scenario as ir
 from ..ir.values import Entity, PassCall
@@ -20,7 +21,7 @@ from .statements import STATEMENTS
 from .types import EntityType
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
-_MAKERS = {"image": ir.Image, "network": ir.Network, "road": ir.Road}
+_MAKERS: dict[str, Any] = {"image": ir.Image, "network": ir.Network, "road": ir.Road}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +57,10 @@ def lower_geometry(
         return None
     if isinstance(source.source, ir.FileSource):
         checker.program.inputs.append(source.source.resolved)
-    maker = _MAKERS[word]
-    return maker(name, source.source, bound.values, made, statement.span)  # type: ignore[arg-type]
+    lowered: ir.Image | ir.Network | ir.Road = _MAKERS[word](
+        name, source.source, bound.values, made, statement.span
+    )
+    return lowered
 
 
 def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Context) -> _Source:

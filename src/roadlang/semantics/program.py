@@ -40,7 +40,8 @@ class Placed:
 
 @dataclass
 class Program:
-    """Everything that was read. `spoiled`: names declared by statements that could not be read."""
+    """Everything that was read. `spoiled`: names of which it is not known what they are, since
+    their statement could not be read or there are two of them."""
 
     path: Path
     source: Source
@@ -51,6 +52,8 @@ class Program:
     spoiled: set[str] = field(default_factory=set)
     inputs: list[str] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    incomplete: bool = False
+    """An included file could not be read: nobody knows what it declares."""
 
     def in_role(self, *roles: str) -> list[Declaration]:
         """The declarations with one of these statement words, in order."""

@@ -6,30 +6,33 @@ Declared as kinds declare theirs, so that one reader checks them and one generat
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
+from ..ir.dimension import PURE
 from ..plugins.option_types import (
     Angle,
+    CallType,
     Condition,
     Duration,
     Flag,
+    KindNameType,
     Length,
+    ListType,
     MapType,
     Number,
+    QuantityType,
+    RecordType,
     Scale,
     Speed,
     Stretch,
     Whole,
     Word,
-    call_of,
-    kind_of,
-    list_of,
-    record_of,
-    type_of,
 )
 from ..plugins.options import OptionSchema, option, schema_of
 
-Legend = Annotated[dict[str, str], MapType(type_of(kind_of("object")))]
+Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
+Selection = Annotated[Any, CallType("select")]
+RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 
 
 @dataclass(frozen=True)
@@ -55,7 +58,7 @@ class NetworkOptions:
 class RoadOptions:
     """One curve."""
 
-    select: call_of("select") = option(
+    select: Selection = option(
         "longest",
         words=("longest", "any"),
         help="which road of a network; `any` draws one for each scene",
@@ -85,9 +88,7 @@ class PlacementOptions:
     facing: Word = option(
         None, words=("forward", "back"), help="along the road or against it; the lane's way"
     )
-    heading: Angle = option(
-        None, help="counter-clockwise from the road's, or from east without one"
-    )
+    heading: Angle = option(None, help="counter-clockwise from the road's, or from east")
     count: Whole = option(1, minimum=0, maximum=100_000, help="how many such")
 
 
@@ -97,6 +98,9 @@ class SunOptions:
 
     azimuth: Angle = option(None, minimum=-7, maximum=7, help="clockwise from north")
     elevation: Angle = option(None, minimum=-1.5708, maximum=1.5708, help="above the horizon")
+
+
+Sun = Annotated[dict[str, float], RecordType(SunOptions)]
 
 
 @dataclass(frozen=True)
@@ -112,7 +116,7 @@ class WorldOptions:
     rain: Speed = option(None, minimum=0, help="how much, as in `5mm/h`")
     visibility: Length = option(None, above=0, help="how far one sees")
     friction: Number = option(None, above=0, maximum=2, help="of the road: 1 is dry, 0.1 is ice")
-    sun: record_of(SunOptions) = option(None, help="`{ azimuth: 90deg, elevation: 30deg }`")
+    sun: Sun = option(None, help="`{ azimuth: 90deg, elevation: 30deg }`")
 
 
 @dataclass(frozen=True)
@@ -127,7 +131,7 @@ class PerturbOptions:
 class NetworkPerturbOptions(PerturbOptions):
     """In a network, these roads only."""
 
-    roads: list_of(Whole) = option(None, minimum=0, help="numbers of the roads; all of them")
+    roads: RoadNumbers = option(None, minimum=0, help="numbers of the roads; all of them")
 
 
 @dataclass(frozen=True)

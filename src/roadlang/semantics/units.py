@@ -37,18 +37,13 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
     unit = _unit(checker, number)
     if unit is None:
         return unknown(number.span)
-    if "/" in number.unit or "*" in number.unit:
-        _note_names(checker, number)
+    if number.unit.startswith("/") and number.unit[1:].isalpha():
+        checker.divisors.append((number.unit[1:], number.span))
     value *= unit.factor
     if value in (float("inf"), float("-inf")):
         return checker.report("RL209", number.span, what=f"`{number.digits}{number.unit}`")
     kind = Quantity(unit.dimension, whole=unit.dimension.is_pure and value.is_integer())
     return Typed(number.span, kind, Constant(value, unit.dimension), bounds=(value, value))
-
-
-def _note_names(checker: Checker, number: ast.Number) -> None:
-    for word in re.findall(r"[/*]([A-Za-z]+)", number.unit):
-        checker.divisors.append((word, number.span))
 
 
 def _unit(checker: Checker, number: ast.Number) -> Unit | None:
