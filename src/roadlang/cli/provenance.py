@@ -1,0 +1,67 @@
+"""The manifest of a compilation."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from .. import __version__
+from ..ir.manifest import Manifest, OutputFile, RequirementRecord
+from ..ir.scenario import Scenario
+from ..pipeline.building import Built
+from ..pipeline.emitting import Output
+from ..pipeline.sampling import SamplingResult
+
+
+def manifest_of(
+    scenario: Scenario,
+    result: SamplingResult,
+    written: Sequence[Output],
+    source: str,
+    seed: int,
+    overrides: Mapping[str, str],
+    backends: Sequence[Built],
+) -> Manifest:
+    """What was written, from what, and how the requirements fared."""
+    made = result.scenes[0].provenance
+    emitting = {b.entry.origin.distribution: b.entry.origin.version for b in backends}
+    return Manifest(
+        name=scenario.header.name,
+        title=scenario.header.title,
+        roadlang=__version__,
+        source=source,
+        seed=seed,
+        scenes=result.accepted,
+        asked=result.wanted,
+        candidates=result.candidates,
+        inputs=dict(sorted({**_scene_file_digests(scenario), **made.inputs}.items())),
+        plugins=dict(sorted({**made.plugins, **emitting}.items())),
+        overrides=dict(sorted(overrides.items())),
+        requirements=tuple(
+            RequirementRecord(row.name, row.text, row.tried, row.rejected, row.best)
+            for row in sorted(result.table, key=lambda row: (row.line or 0, row.name))
+        ),
+        files=tuple(
+            OutputFile(
+                output.path,
+                hashlib.sha256(output.content).hexdigest(),
+                len(output.content),
+                output.backend,
+                output.scene,
+            )
+            for output in sorted(written, key=lambda output: output.path)
+        ),
+    )
+
+
+def _scene_file_digests(scenario: Scenario) -> dict[str, str]:
+    """sha256 of the scene file and its includes; of what cannot be read again, nothing."""
+    digests = {}
+    for source in scenario.inputs:
+        path = Path(source.path)
+        if source.sha256:
+            digests[source.path] = source.sha256
+        elif path.is_file():
+            digests[source.path] = hashlib.sha256(path.read_bytes()).hexdigest()
+    return digests
