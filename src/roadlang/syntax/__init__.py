@@ -5,14 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .format import format_file, format_source
     from .parser import parse, parse_formula
 
-__all__ = ["parse", "parse_formula"]
+__all__ = ["format_file", "format_source", "parse", "parse_formula"]
 
 
 def __getattr__(name: str) -> Any:
-    if name in __all__:
+    if name in ("parse", "parse_formula"):
         from . import parser
 
         return getattr(parser, name)
+    if name in ("format_file", "format_source"):
+        from . import format
+
+        return getattr(format, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

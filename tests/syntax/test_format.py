@@ -1,0 +1,128 @@
+"""`roadlang fmt`: one canonical form, nothing lost, and formatting twice changes nothing."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from strategies import files
+
+from roadlang.diagnostics import Source
+from roadlang.syntax import ast, format_file, format_source, parse
+from roadlang.syntax.lexer import lex
+from roadlang.syntax.tables import tables
+
+SAMPLES = sorted((Path(__file__).parent / "samples").glob("*.rl"))
+slow_to_draw = settings(
+    max_examples=40,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
+
+
+def formatted(text: str) -> str:
+    result, found = format_source(Source("test.rl", text))
+    assert result is not None, found
+    return result
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.stem)
+def test_a_sample_keeps_its_tree_and_comments(path: Path) -> None:
+    text = path.read_text()
+    tree, _ = parse(Source("before.rl", text))
+    again, found = parse(Source("after.rl", format_file(tree)))
+    assert not found
+    assert again == tree
+    assert format_file(again) == format_file(tree)
+
+
+@given(files())
+@slow_to_draw
+def test_any_tree_is_read_back_as_it_was_printed(tree: ast.File) -> None:
+    text = format_file(tree)
+    again, found = parse(Source("printed.rl", text))
+    assert not found, text
+    assert again == tree, text
+    assert format_file(again) == text
+
+
+@given(files().map(format_file))
+@slow_to_draw
+def test_comments_anywhere_are_kept_in_place(text: str) -> None:
+    commented = _sprinkle(text, random.Random(text))
+    tree, _ = parse(Source("commented.rl", commented))
+    once = formatted(commented)
+    again, found = parse(Source("once.rl", once))
+    assert not found
+    assert again == tree, commented
+    assert formatted(once) == once
+
+
+def _sprinkle(text: str, rng: random.Random) -> str:
+    """Comments behind some of the tokens, which may be in the middle of an expression."""
+    out, last = [], 0
+    for number, (_, _, _, end) in enumerate(lex(Source("plain.rl", text), tables()).tokens):
+        out.append(text[last:end])
+        last = end
+        starts_glued = text[end : end + 1] not in ("", " ", "\n")
+        if not starts_glued and rng.random() < 0.2:
+            out.append(rng.choice(["  # note {}\n", "\n# line {}\n", "\n\n  # apart {}\n"]).format(number))
+    return "".join(out) + text[last:]
+
+
+def test_habits_of_the_literature_become_words() -> None:
+    assert formatted("require a: G(p < 1m) -> F[0m:5m] !(q > 2m) && r < 1m") == (
+        "require a: always (p < 1m) implies eventually[0m, 5m] not (q > 2m) and r < 1m\n"
+    )
+
+
+def test_a_block_stays_on_its_line_if_it_fits() -> None:
+    assert formatted("world   {weather:rain,friction : 0.4}") == (
+        "world { weather: rain, friction: 0.4 }\n"
+    )
+
+
+def test_a_block_over_several_lines_has_one_item_on_each() -> None:
+    assert formatted("world { weather: rain, friction: 0.4\n}") == (
+        "world {\n  weather: rain\n  friction: 0.4\n}\n"
+    )
+
+
+def test_passes_need_no_comma_behind_their_brace() -> None:
+    text = "image b from a { adjust with blur { size: 5px } adjust with noise, scale: 1m/px }\n"
+    assert formatted(text) == text
+
+
+def test_one_blank_line_between_groups_is_kept() -> None:
+    assert formatted("\n\nparam a = 1\n\n\n\nparam b = 2\nparam c = 3\n\n") == (
+        "param a = 1\n\nparam b = 2\nparam c = 3\n"
+    )
+
+
+def test_comments_keep_their_column() -> None:
+    text = "param a = 1      # one\nparam long = 2   # two\n"
+    assert formatted(text) == text
+
+
+def test_statements_move_to_the_left_margin() -> None:
+    assert formatted("  param a = 1\n    # note\n    param b = 2") == (
+        "param a = 1\n# note\nparam b = 2\n"
+    )
+
+
+def test_a_long_formula_breaks_before_an_operator() -> None:
+    long = " and ".join(f"distance(ego, walker_{number}) > 10m" for number in range(5))
+    assert formatted(f"require apart: {long}").splitlines()[1].startswith("  and ")
+
+
+def test_squared_lengths_are_not_confused_with_powers() -> None:
+    text = "param a = (2m)^2\nparam b = 2m ^ 2\nparam c = 2m^2\nparam d = a^2 / 3m\n"
+    assert formatted(text) == text
+
+
+def test_a_file_with_errors_is_not_touched() -> None:
+    result, found = format_source(Source("broken.rl", "param a = "))
+    assert result is None
+    assert [diagnostic.code for diagnostic in found] == ["RL001"]
