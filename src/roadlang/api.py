@@ -1,7 +1,9 @@
 """All that a plugin author imports."""
 
-from .diagnostics import Diagnostic, DiagnosticError, diagnose
+from . import geometry
+from .diagnostics import Diagnostic, DiagnosticError, diagnose, did_you_mean
 from .drive.contract import Control, Observation
+from .ir.batch import BatchRandom, RoadBatch
 from .ir.dimension import (
     ACCELERATION,
     ANGLE,
@@ -30,6 +32,7 @@ from .plugins.kinds import (
     Controller,
     Distribution,
     Drawer,
+    DrawnValue,
     DriveSignal,
     Extractor,
     Kind,
@@ -108,6 +111,7 @@ __all__ = [
     "Angle",
     "Anything",
     "Backend",
+    "BatchRandom",
     "Between",
     "Call",
     "Condition",
@@ -120,6 +124,7 @@ __all__ = [
     "Dimension",
     "Distribution",
     "Drawer",
+    "DrawnValue",
     "DriveSignal",
     "Duration",
     "Extractor",
@@ -140,6 +145,7 @@ __all__ = [
     "Pixels",
     "Point",
     "Reader",
+    "RoadBatch",
     "RoadName",
     "RoadNumber",
     "RoadOrNetwork",
@@ -163,6 +169,8 @@ __all__ = [
     "Word",
     "call_of",
     "diagnose",
+    "did_you_mean",
+    "geometry",
     "hookimpl",
     "kind_of",
     "list_of",

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Adjuster, Number, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Picture = NDArray[np.uint8]
 
 
 @dataclass(frozen=True)
@@ -14,3 +20,9 @@ class Contrast(Adjuster):
 
     name: ClassVar[str] = "contrast"
     factor: Number = option(minimum=0, help="1 leaves the picture as it is, 0 is grey")
+
+    def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:
+        import numpy as np
+
+        mean = float(pixels.mean())
+        return np.rint(np.clip((pixels - mean) * self.factor + mean, 0, 255)).astype(np.uint8)

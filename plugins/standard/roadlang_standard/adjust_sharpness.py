@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Adjuster, Number, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Picture = NDArray[np.uint8]
 
 
 @dataclass(frozen=True)
@@ -16,3 +22,11 @@ class Sharpness(Adjuster):
     factor: Number = option(
         minimum=0, maximum=20, help="1 leaves the picture as it is, 0 is smooth"
     )
+
+    def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:
+        import cv2
+        import numpy as np
+
+        smooth = cv2.blur(pixels, (3, 3)).astype(np.float32)
+        mixed = smooth + (pixels - smooth) * self.factor
+        return np.rint(np.clip(mixed, 0, 255)).astype(np.uint8)

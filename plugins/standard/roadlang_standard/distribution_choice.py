@@ -3,9 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Anything, Distribution, Number, list_of, option
+from roadlang.api import (
+    Anything,
+    DiagnosticError,
+    Distribution,
+    Number,
+    diagnose,
+    list_of,
+    option,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -16,3 +30,47 @@ class Choice(Distribution):
     rest: ClassVar[str] = "items"
     items: list_of(Anything, at_least=1) = option(help="the values to choose from")
     weights: list_of(Number) = option(None, help="how likely each is, relative to the others")
+
+    def quantile(self, uniform: Floats) -> Any:
+        """The item whose share of the unit interval holds the number."""
+        import numpy as np
+
+        ends = np.cumsum(self._shares())[:-1]
+        index = np.searchsorted(ends, uniform, side="right")
+        items = self.items
+        if all(isinstance(item, bool | int | float | np.ndarray) for item in items):
+            columns = [np.broadcast_to(np.asarray(item), uniform.shape) for item in items]
+            return np.choose(index, columns) if len(columns) < 32 else _pick(columns, index)
+        chosen = np.empty(uniform.shape, dtype=object)
+        for place, number in np.ndenumerate(index):
+            item = items[number]
+            chosen[place] = item[place[0], 0] if isinstance(item, np.ndarray) else item
+        return chosen
+
+    def support(self) -> tuple[float, float] | None:
+        numbers = [item for item in self.items if isinstance(item, int | float)]
+        return (min(numbers), max(numbers)) if len(numbers) == len(self.items) else None
+
+    def levels(self, steps: int) -> list[float]:
+        """Each item once, whatever `steps` says."""
+        ends, levels = 0.0, []
+        for share in self._shares():
+            if share > 0:
+                levels.append(ends + share / 2)
+            ends += share
+        return levels
+
+    def _shares(self) -> list[float]:
+        weights = self.weights
+        if weights is None:
+            return [1.0 / len(self.items)] * len(self.items)
+        total = float(sum(weights))
+        if len(weights) != len(self.items) or min(weights) < 0 or not total > 0:
+            raise DiagnosticError(diagnose("RL476", items=len(self.items), weights=len(weights)))
+        return [float(weight) / total for weight in weights]
+
+
+def _pick(columns: list[Floats], index: Any) -> Floats:
+    import numpy as np
+
+    return np.take_along_axis(np.stack(columns), index[None], axis=0)[0]

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Distribution, Whole, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -15,3 +21,17 @@ class Integer(Distribution):
     name: ClassVar[str] = "integer"
     low: Whole = option(help="the least")
     high: Whole = option(help="the greatest")
+
+    def quantile(self, uniform: Floats) -> Floats:
+        import numpy as np
+
+        count = np.asarray(self.high) - self.low + 1
+        return self.low + np.minimum(np.floor(uniform * count), count - 1)
+
+    def support(self) -> tuple[float, float] | None:
+        return self.low, self.high
+
+    def levels(self, steps: int) -> list[float]:
+        """Each number once, whatever `steps` says."""
+        count = self.high - self.low + 1
+        return [(number + 0.5) / count for number in range(count)]

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Distribution, Like, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -15,3 +21,13 @@ class Uniform(Distribution):
     name: ClassVar[str] = "uniform"
     low: Like = option(help="the least")
     high: Like = option(help="the greatest")
+
+    def quantile(self, uniform: Floats) -> Floats:
+        return self.low + (self.high - self.low) * uniform
+
+    def support(self) -> tuple[float, float] | None:
+        return self.low, self.high
+
+    def levels(self, steps: int) -> list[float]:
+        """Both ends and even steps between them."""
+        return [0.5] if steps == 1 else [step / (steps - 1) for step in range(steps)]

@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from roadlang.api import Angle, Drawer, Point, call_of, list_of, option
+from roadlang.api import (
+    Angle,
+    Drawer,
+    Point,
+    call_of,
+    geometry,
+    list_of,
+    option,
+)
 
 
 @dataclass(frozen=True)
@@ -18,3 +26,16 @@ class Segments(Drawer):
     )
     start: Point = option((0.0, 0.0), help="where the first piece begins")
     heading: Angle = option(0.0, help="where the first piece points, counter-clockwise from east")
+
+    def draw(self, closed: bool) -> geometry.Curve:
+        """Exact arcs and clothoids, sampled half a metre apart."""
+        return geometry.chain(self._laid(), self.start, self.heading, spacing=0.5).curve(closed)
+
+    def _laid(self) -> list[Any]:
+        """The pieces as geometry has them; a clothoid begins with the curvature before it."""
+        laid: list[Any] = []
+        curvature = 0.0
+        for piece in self.pieces:
+            laid.append(piece.laid(curvature))
+            curvature = laid[-1].curvatures[1]
+        return laid

@@ -5,7 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Drawer, Point, list_of, option
+from roadlang.api import (
+    Drawer,
+    Point,
+    geometry,
+    list_of,
+    option,
+)
 
 
 @dataclass(frozen=True)
@@ -14,3 +20,7 @@ class Waypoints(Drawer):
 
     name: ClassVar[str] = "waypoints"
     points: list_of(Point, at_least=2) = option(help="the points, in the order driven")
+
+    def draw(self, closed: bool) -> geometry.Curve:
+        """A cubic spline by arc length; a closed road goes back to the first point."""
+        return geometry.Curve.through(self.points, closed)

@@ -3,9 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import RoadName, RoadNumber, option
+from roadlang.api import (
+    RoadName,
+    RoadNumber,
+    geometry,
+    option,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,5 +25,9 @@ class Frechet(RoadNumber):
 
     name: ClassVar[str] = "frechet"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 500.0
     road: RoadName = option(help="one road")
     other: RoadName = option(help="the other")
+
+    def values(self) -> Floats:
+        return geometry.frechet(self.road.curves, self.other.curves)[:, None]

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import RoadName, RoadNumber, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,4 +20,8 @@ class Length(RoadNumber):
 
     name: ClassVar[str] = "length"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 5.0
     road: RoadName = option(help="the road")
+
+    def values(self) -> Floats:
+        return self.road.length

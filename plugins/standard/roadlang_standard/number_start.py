@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import AgentOrObject, RoadNumber, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,5 +20,9 @@ class Start(RoadNumber):
 
     name: ClassVar[str] = "start"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 1.0
     member: ClassVar[bool] = True
     actor: AgentOrObject = option(help="who, or what")
+
+    def values(self) -> Floats:
+        return self.actor

@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import RoadName, RoadNumber, option
+from roadlang.api import (
+    RoadName,
+    RoadNumber,
+    geometry,
+    option,
+)
+from roadlang_standard.nearest import nearest_distance
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,5 +26,11 @@ class SupDistance(RoadNumber):
 
     name: ClassVar[str] = "sup_distance"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 4.0
     road: RoadName = option(help="one road")
     other: RoadName = option(help="the other")
+
+    def values(self) -> Floats:
+        if self.road.root == self.other.root:
+            return geometry.sup_distance(self.road.curves, self.other.curves)[:, None]
+        return nearest_distance(self.road, self.other).max(axis=1, keepdims=True)

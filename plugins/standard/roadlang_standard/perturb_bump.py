@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Length, Perturber, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import BatchRandom, RoadBatch
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -13,6 +21,20 @@ class Bump(Perturber):
     """Push the road aside at one place."""
 
     name: ClassVar[str] = "bump"
+    is_random: ClassVar[bool] = False
     at: Length = option(help="arc length of the middle")
     height: Length = option(help="displacement in the middle, left positive")
     length: Length = option(above=0, help="arc length from where it begins to where it ends")
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        """height * (1 - x^2)^3 for x in [-1, 1]: position, heading and curvature join smoothly."""
+        import numpy as np
+
+        away = roads.stations - np.asarray(self.at)
+        if roads.period is not None:
+            away = np.mod(away + roads.period / 2, roads.period) - roads.period / 2
+        x = np.clip(2.0 * away / self.length, -1.0, 1.0)
+        return np.atleast_2d(self.height * (1.0 - x * x) ** 3)
+
+    def reach(self) -> Floats | float:
+        return abs(self.height)

@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Length, Perturber, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import BatchRandom, RoadBatch
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -17,3 +25,43 @@ class RandomWalk(Perturber):
     correlation: Length = option(
         above=0, help="arc length over which the road forgets where it was"
     )
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        """A reflected random walk at knots, joined by uniform cubic B-splines.
+
+        Knots are `correlation` apart; a step is uniform in [-1.5, 1.5] amplitudes, after which the
+        walk has forgotten all but 40 % of where it was. A B-spline stays between its knots' values.
+        """
+        import numpy as np
+
+        count = len(random.keys)
+        length = roads.period if roads.period is not None else float(roads.stations[-1])
+        gap = np.broadcast_to(np.asarray(self.correlation, float).reshape(-1, 1), (count, 1))
+        gap = np.maximum(gap, length / 4000.0)
+        if roads.period is not None:
+            gap = length / np.maximum(np.rint(length / gap), 3.0)
+        knots = int(np.ceil(length / gap.min() - 1e-9)) + 4
+        walk = self._walk(random, knots)
+        place = roads.stations / gap
+        index = np.floor(place).astype(np.int64)
+        t = place - index
+        cubes = ((1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3)
+        total = np.zeros(np.broadcast_shapes(place.shape, (count, 1)))
+        turns = np.rint(length / gap).astype(np.int64) if roads.period is not None else None
+        for shift, weight in enumerate(cubes):
+            at = index + shift if turns is None else (index + shift) % turns
+            total += weight / 6.0 * np.take_along_axis(walk, at, axis=1)
+        return self.amplitude * total
+
+    def _walk(self, random: BatchRandom, knots: int) -> Floats:
+        """(V, knots) in [-1, 1]: the n-th number depends on the first n draws alone."""
+        import numpy as np
+
+        drawn = random.uniform(knots)
+        steps = 3.0 * drawn - 1.5
+        steps[:, 0] = 4.0 * drawn[:, 0]
+        # Folding the line into [-1, 1] reflects the walk at both ends.
+        return np.abs(np.mod(np.cumsum(steps, axis=1), 4.0) - 2.0) - 1.0
+
+    def reach(self) -> Floats | float:
+        return self.amplitude

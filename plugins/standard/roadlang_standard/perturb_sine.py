@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Angle, Length, Perturber, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import BatchRandom, RoadBatch
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -13,8 +21,23 @@ class Sine(Perturber):
     """Sway the road by a sine wave along its arc length."""
 
     name: ClassVar[str] = "sine"
+    is_random: ClassVar[bool] = False
     amplitude: Length = option(help="greatest displacement")
     wavelength: Length = option(
         above=0, help="arc length of one period; a closed road has a whole number"
     )
-    phase: Angle = option(0.0, help="of the wave where the road, or the stretch, begins")
+    phase: Angle = option(0.0, help="of the wave where the road begins")
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        """amplitude * sin(2 pi s / wavelength + phase)."""
+        import numpy as np
+
+        wavelength = self.wavelength
+        if roads.period is not None:
+            wavelength = roads.period / np.maximum(np.rint(roads.period / wavelength), 1.0)
+        return np.atleast_2d(
+            self.amplitude * np.sin((2.0 * np.pi / wavelength) * roads.stations + self.phase)
+        )
+
+    def reach(self) -> Floats | float:
+        return abs(self.amplitude)

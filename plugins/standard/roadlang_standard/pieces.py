@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from roadlang.api import Angle, Curvature, Length, Piece, option
+from roadlang.api import Angle, Curvature, Length, Piece, geometry, option
 
 
 @dataclass(frozen=True)
@@ -15,6 +15,10 @@ class Straight(Piece):
     name: ClassVar[str] = "straight"
     length: Length = option(above=0, maximum=1e5, help="how far")
 
+    def laid(self, curvature: float) -> Any:
+        """The piece as geometry has it, behind a piece that ends with `curvature`."""
+        return geometry.Straight(self.length)
+
 
 @dataclass(frozen=True)
 class Arc(Piece):
@@ -23,6 +27,10 @@ class Arc(Piece):
     name: ClassVar[str] = "arc"
     radius: Length = option(above=0, maximum=1e6, help="of the centre line")
     angle: Angle = option(minimum=-62.84, maximum=62.84, help="how far to turn; left is positive")
+
+    def laid(self, curvature: float) -> Any:
+        """The piece as geometry has it, behind a piece that ends with `curvature`."""
+        return geometry.Arc(self.radius, self.angle)
 
 
 @dataclass(frozen=True)
@@ -35,3 +43,9 @@ class Clothoid(Piece):
     start: Curvature = option(
         None, minimum=-10, maximum=10, help="curvature at the start; the last piece's if not given"
     )
+
+    def laid(self, curvature: float) -> Any:
+        """The piece as geometry has it, behind a piece that ends with `curvature`."""
+        return geometry.Clothoid(
+            self.length, curvature if self.start is None else self.start, self.to
+        )

@@ -3,9 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Sampler, Whole, option
+from roadlang.api import (
+    DiagnosticError,
+    Sampler,
+    Whole,
+    diagnose,
+    option,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import DrawnValue
+
+    Floats = NDArray[np.float64]
+
+
+MOST = 10_000_000
 
 
 @dataclass(frozen=True)
@@ -14,3 +33,24 @@ class Grid(Sampler):
 
     name: ClassVar[str] = "grid"
     steps: Whole = option(5, minimum=1, maximum=10_000, help="values of a continuous draw")
+
+    def size(self, draws: Sequence[DrawnValue]) -> int:
+        """The product of the numbers of levels. Raises RL614 beyond ten million."""
+        count = 1
+        for draw in draws:
+            count *= len(draw.levels(self.steps))
+            if count > MOST:
+                raise DiagnosticError(diagnose("RL614", most=f"{MOST:,}"))
+        return count
+
+    def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:
+        """The last draw changes fastest."""
+        import numpy as np
+
+        points = np.empty((len(indices), len(draws)))
+        rest = np.asarray(indices)
+        for column in reversed(range(len(draws))):
+            levels = np.asarray(draws[column].levels(self.steps))
+            points[:, column] = levels[rest % len(levels)]
+            rest = rest // len(levels)
+        return points

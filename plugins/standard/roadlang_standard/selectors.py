@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Point, Selector, Whole, option
+from roadlang.api import Point, Selector, Whole, geometry, option
 
 
 @dataclass(frozen=True)
@@ -16,6 +16,10 @@ class Route(Selector):
     start: Point = option(help="near where it begins")
     end: Point = option(help="near where it ends")
 
+    def select(self, network: geometry.RoadNetwork) -> geometry.Path:
+        """The way between the places of the network nearest to the points."""
+        return network.route(self.start, self.end)
+
 
 @dataclass(frozen=True)
 class RoadById(Selector):
@@ -23,3 +27,8 @@ class RoadById(Selector):
 
     name: ClassVar[str] = "road"
     id: Whole = option(minimum=0, help="the number in the picture, the scene file or the map")
+
+    def select(self, network: geometry.RoadNetwork) -> geometry.Path:
+        """The whole of that road."""
+        edge = network.edge(self.id)
+        return geometry.Path(network, (geometry.Step(edge.id, 0.0, edge.length),))

@@ -3,15 +3,37 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import RoadOrNetwork, Signal, option
+from roadlang.api import (
+    RoadOrNetwork,
+    Signal,
+    geometry,
+    option,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+FARTHEST = 1e4
+"""Metres: the clearance of a road that has nothing to keep clear of."""
 
 
 @dataclass(frozen=True)
 class Clearance(Signal):
-    """Free space beside the road, to its own other stretches and to other roads of its network."""
+    """How far the centre line keeps from the road's other stretches and from other roads."""
 
     name: ClassVar[str] = "clearance"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 400.0
     road: RoadOrNetwork = option(help="the road")
+
+    def values(self) -> Floats:
+        import numpy as np
+
+        others = [road.curves for road in self.road.others]
+        return np.minimum(geometry.clearance(self.road.curves, others), FARTHEST)

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,4 +20,8 @@ class Curvature(Signal):
 
     name: ClassVar[str] = "curvature"
     unit: ClassVar[str] = "1/m"
+    cost: ClassVar[float] = 10.0
     road: RoadOrNetwork = option(help="the road")
+
+    def values(self) -> Floats:
+        return self.road.curvature

@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, option
+from roadlang_standard.nearest import nearest_offset
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,5 +21,13 @@ class Deviation(Signal):
 
     name: ClassVar[str] = "deviation"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 2.0
     road: RoadOrNetwork = option(help="the displaced road")
     origin: RoadOrNetwork = option(help="what it came from")
+
+    def values(self) -> Floats:
+        import numpy as np
+
+        if self.road.root == self.origin.root:
+            return np.abs(self.road.displacement - self.origin.displacement)
+        return nearest_offset(self.road, self.origin)

@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import RoadOrNetwork, Signal, option
+from roadlang.api import (
+    RoadOrNetwork,
+    Signal,
+    geometry,
+    option,
+)
+from roadlang_standard.nearest import nearest_distance
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,5 +26,11 @@ class Distance(Signal):
 
     name: ClassVar[str] = "distance"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 3.0
     road: RoadOrNetwork = option(help="one road")
     other: RoadOrNetwork = option(help="the other")
+
+    def values(self) -> Floats:
+        if self.road.root == self.other.root:
+            return geometry.pointwise(self.road.curves, self.other.curves)
+        return nearest_distance(self.road, self.other)

@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Point, RoadOrNetwork, Signal, option
+from roadlang.api import (
+    Point,
+    RoadOrNetwork,
+    Signal,
+    geometry,
+    option,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,6 +26,10 @@ class Margin(Signal):
 
     name: ClassVar[str] = "margin"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 6.0
     road: RoadOrNetwork = option(help="the road")
     corner: Point = option(help="a corner of the box")
     opposite: Point = option(help="the corner across from it")
+
+    def values(self) -> Floats:
+        return geometry.margin(self.road.curves, self.corner, self.opposite)

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -14,4 +20,11 @@ class Width(Signal):
 
     name: ClassVar[str] = "width"
     unit: ClassVar[str] = "m"
+    cost: ClassVar[float] = 1.0
     road: RoadOrNetwork = option(help="the road")
+
+    def values(self) -> Floats:
+        import numpy as np
+
+        stations = len(self.road.stations)
+        return np.broadcast_to(self.road.width, (self.road.width.shape[0], stations))

@@ -1,0 +1,120 @@
+"""From the call of a kind to the kind itself, with its options evaluated."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..ir.values import Entity, PassCall
+from ..plugins.option_types import CallType, QuantityType
+from ..plugins.options import OptionSchema, schema_of
+from ..plugins.registry import KindEntry
+from .blame import blaming
+from .evaluation import evaluate, scalar
+from .variants import Variants
+
+Resolve = Callable[[Entity], Any]
+
+
+@dataclass(frozen=True)
+class Built:
+    """A kind with concrete options, and whom to blame when it fails."""
+
+    kind: Any
+    entry: KindEntry
+    call: PassCall
+
+    @property
+    def blamed(self) -> AbstractContextManager[None]:
+        return blaming(self.entry, self.call.span)
+
+
+def build(
+    call: PassCall,
+    variants: Variants,
+    element: int = 0,
+    *,
+    single: bool = False,
+    resolve: Resolve | None = None,
+) -> Built:
+    """The kind of a call. `single`: plain numbers of one candidate instead of columns."""
+    entry, kind = variants.plan.kind(call)
+    given = dict(call.options)
+    fields: dict[str, Any] = {}
+    for option in schema_of(kind):
+        if option.name in given:
+            value = evaluate(given[option.name], variants, element)
+            value = scalar(value) if single else value
+            _check_bounds(option, value, call)
+            fields[option.name] = _converted(option, value, variants, element, single, resolve)
+        elif not option.required:
+            fields[option.name] = option.default
+    with blaming(entry, call.span):
+        return Built(kind(**fields), entry, call)
+
+
+def one_of_batch(kind: Any, row: int) -> Any:
+    """The kind of one candidate of a batch: its columns become plain numbers."""
+    picked = {
+        field.name: value[row if value.shape[0] > 1 else 0, 0].item()
+        for field in dataclasses.fields(kind)
+        if isinstance(value := getattr(kind, field.name), np.ndarray) and value.ndim == 2
+    }
+    return dataclasses.replace(kind, **picked)
+
+
+def _converted(
+    option: OptionSchema,
+    value: Any,
+    variants: Variants,
+    element: int,
+    single: bool,
+    resolve: Resolve | None,
+) -> Any:
+    if isinstance(value, Entity):
+        return resolve(value) if resolve is not None else value.name
+    if isinstance(value, PassCall) and not isinstance(option.type, CallType):
+        return value
+    if isinstance(value, PassCall):
+        return build(value, variants, element, single=single, resolve=resolve).kind
+    if isinstance(value, tuple):
+        return tuple(_converted(option, v, variants, element, single, resolve) for v in value)
+    if isinstance(option.type, QuantityType) and option.type.whole and not isinstance(value, str):
+        return np.rint(value).astype(np.int64) if isinstance(value, np.ndarray) else round(value)
+    return value
+
+
+def _check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:
+    """Constants are checked with the file; drawn and computed values here (RL473)."""
+    if not isinstance(value, float | int | np.ndarray) or isinstance(value, bool):
+        return
+    numbers = np.asarray(value)
+    if numbers.dtype.kind not in "fiu":
+        return
+    limits = option.constraints
+    wrong = np.isnan(numbers)
+    for bound, outside in (
+        (limits.minimum, np.less),
+        (limits.maximum, np.greater),
+        (limits.above, np.less_equal),
+        (limits.below, np.greater_equal),
+    ):
+        if bound is not None:
+            wrong = wrong | outside(numbers, bound)
+    if wrong.any():
+        found = float(numbers[wrong].reshape(-1)[0])
+        raise DiagnosticError(
+            diagnose(
+                "RL473",
+                call.span,
+                option=option.name,
+                kind=call.kind.rpartition(".")[2],
+                value=f"{found:g}",
+            )
+        )

@@ -1,0 +1,104 @@
+"""Values of a scenario for many candidates: numbers, or columns (V, 1) where they are random."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+from ..ir.values import (
+    Condition,
+    Constant,
+    Draw,
+    Entity,
+    Entries,
+    Flag,
+    Items,
+    Measure,
+    Operation,
+    PassCall,
+    Reference,
+    Text,
+    Value,
+)
+from .variants import Variants
+
+_BINARY: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": np.divide,
+    "^": np.power,
+    "min": np.minimum,
+    "max": np.maximum,
+}
+
+
+def evaluate(value: Value, variants: Variants, element: int = 0) -> Any:
+    """What a value is for these candidates.
+
+    `element` counts the roads of a network and the copies of a group from 1: draws made for each
+    of them differ by it. A call stays a call: it is built where it is used.
+    """
+    if isinstance(value, Constant | Flag | Text):
+        return value.value
+    if isinstance(value, Reference):
+        named = variants.plan.values[value.name]
+        return variants.once(("value", value.name), lambda: evaluate(named.value, variants))
+    if isinstance(value, Draw):
+        return drawn(value, variants, element)
+    if isinstance(value, Operation):
+        return _operation(value, variants, element)
+    if isinstance(value, Measure):
+        from .signals import measured
+
+        return measured(value.call, variants, element)
+    if isinstance(value, Items):
+        return tuple(evaluate(item, variants, element) for item in value.items)
+    if isinstance(value, Entries):
+        return {key: evaluate(item, variants, element) for key, item in value.entries}
+    assert isinstance(value, Entity | PassCall | Condition)
+    return value
+
+
+def drawn(draw: Draw, variants: Variants, element: int = 0) -> Any:
+    """(V, 1) values of a draw."""
+    from .building import build
+
+    element = 0 if draw.per == "scene" else element
+
+    def quantile() -> Any:
+        built = build(draw.call, variants, element)
+        with built.blamed:
+            found = built.kind.quantile(variants.uniform(draw.place, element))
+            return np.asarray(found).reshape(variants.count, 1)
+
+    return variants.once(("draw", draw.place, element), quantile)
+
+
+def _operation(value: Operation, variants: Variants, element: int) -> Any:
+    operands = [evaluate(operand, variants, element) for operand in value.operands]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        if value.operator == "negate":
+            return -operands[0]
+        if value.operator == "abs":
+            return np.abs(operands[0])
+        if len(operands) == 1 and value.operator == "-":
+            return -operands[0]
+        return reduce(_BINARY[value.operator], operands)
+
+
+def scalar(value: Any) -> Any:
+    """A value of a single candidate without its column: plain Python numbers and strings."""
+    if isinstance(value, np.ndarray):
+        return value.reshape(-1)[0].item() if value.dtype != object else value.reshape(-1)[0]
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, tuple | list):
+        return tuple(scalar(item) for item in value)
+    if isinstance(value, dict):
+        return {key: scalar(item) for key, item in value.items()}
+    return value

@@ -1,0 +1,135 @@
+"""Runs `perturb` passes on batches of roads, on a stretch where they say so, and checks them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..geometry import Window, displace, over
+from ..ir.batch import BatchRandom, RoadBatch
+from ..ir.values import PassCall
+from ..plugins.kinds import Perturber
+from .building import Built, build, one_of_batch
+from .evaluation import evaluate
+from .stations import is_still
+from .variants import Variants
+
+Floats = NDArray[np.float64]
+FARTHEST = 1e6
+
+
+def perturbed(
+    before: RoadBatch,
+    call: PassCall,
+    variants: Variants,
+    element: int = 0,
+    window: Window | None = None,
+) -> RoadBatch:
+    """A road after one pass. `window` fades the displacement at junctions.
+
+    Raises RL470, RL474 (blaming the kind) and RL414 for a stretch that is none.
+    """
+    built = build(call, variants, element)
+    stretch = _stretch(call, variants, element)
+    seen = before if stretch is None else replace(before, stretch=stretch)
+    moves = _displacements(built, seen, variants.random(call.place, element), variants)
+    if stretch is not None:
+        moves = moves * _over(call, stretch, before, variants, element)
+    if window is not None:
+        moves = window.value * moves
+    return displaced(before, moves)
+
+
+def displaced(before: RoadBatch, moves: Floats) -> RoadBatch:
+    """A road moved along its normal by `moves` (V, S)."""
+    if is_still(before):
+        curves = displace(before.curves.frame, before.stations, moves)  # type: ignore[attr-defined]
+        return replace(before, curves=curves, displacement=moves)
+    curves = displace(before.curves, before.stations, moves)
+    return replace(before, curves=curves, displacement=before.displacement + moves)
+
+
+def _displacements(
+    built: Built, road: RoadBatch, random: BatchRandom, variants: Variants
+) -> Floats:
+    kind = built.kind
+    with built.blamed:
+        if type(kind).displacements is not Perturber.displacements:
+            moves = np.asarray(kind.displacements(road, random), dtype=np.float64)
+        else:
+            moves = _one_by_one(kind, road, random, variants.count)
+    _check(moves, built, road, variants.count)
+    return moves
+
+
+def _one_by_one(kind: Any, road: RoadBatch, random: BatchRandom, count: int) -> Floats:
+    rows = []
+    for row in range(count):
+        one = road.take(np.array([row if road.variants > 1 else 0]))
+        rows.append(one_of_batch(kind, row).displacement(one, random.generator(row)))
+    return np.asarray(rows, dtype=np.float64)
+
+
+def _check(moves: Floats, built: Built, road: RoadBatch, count: int) -> None:
+    stations = len(road.stations)
+    fault = None
+    if moves.ndim != 2 or moves.shape[0] not in (1, count) or moves.shape[1] != stations:
+        fault = f"gave displacements of shape {moves.shape}, not ({count}, {stations})"
+    elif not np.isfinite(moves).all():
+        fault = "gave displacements that are not finite numbers"
+    elif np.abs(moves).max(initial=0.0) > FARTHEST:
+        fault = f"moved `{road.name}` by more than {FARTHEST:g} m"
+    if fault is not None:
+        raise DiagnosticError(
+            diagnose(
+                "RL474",
+                built.call.span,
+                kind=f"perturb {built.entry.qualified}",
+                plugin=str(built.entry.origin),
+                fault=fault,
+            )
+        )
+
+
+def _stretch(call: PassCall, variants: Variants, element: int) -> tuple[Any, Any] | None:
+    given = dict(call.common).get("over")
+    if given is None:
+        return None
+    low, high = evaluate(given, variants, element)
+    return low, high
+
+
+def _over(
+    call: PassCall,
+    stretch: tuple[Any, Any],
+    road: RoadBatch,
+    variants: Variants,
+    element: int,
+) -> Floats:
+    """(S,) or (V, S): one on the stretch, fading out over `taper` metres inside its ends."""
+    given = dict(call.common).get("taper")
+    taper = 0.0 if given is None else evaluate(given, variants, element)
+    columns = np.broadcast_arrays(*(np.asarray(item, float) for item in (*stretch, taper)))
+    rows = [
+        _window(call, road, *map(float, row)) for row in zip(*map(np.ravel, columns), strict=True)
+    ]
+    return rows[0] if len(rows) == 1 else np.stack(rows)
+
+
+def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: float) -> Floats:
+    end = float(road.period if road.period is not None else road.stations[-1])
+    if (low > high and road.period is None) or low >= end or high <= 0:
+        raise DiagnosticError(
+            diagnose(
+                "RL414",
+                call.span,
+                stretch=f"[{low:g}m, {high:g}m]",
+                road=road.name,
+                length=f"{end:.1f}m",
+            )
+        )
+    return over(road.stations, low, high, taper, road.period).value

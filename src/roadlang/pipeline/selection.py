@@ -1,0 +1,44 @@
+"""Which road of a network: `longest`, `any`, `route(p, q)`, `road(id)`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..geometry import GeometryError, Path, Step
+from ..ir.scenario import Road
+from ..ir.values import PassCall
+from .building import build
+from .evaluation import evaluate, scalar
+from .networks import NetworkRoot
+from .variants import Variants
+
+
+def selected(road: Road, root: NetworkRoot, variants: Variants) -> Path:
+    """The way through the network. Raises RL411, RL418."""
+    given = dict(road.options).get("select")
+    choice: Any = "longest" if given is None else evaluate(given, variants)
+    try:
+        if isinstance(choice, PassCall):
+            return _called(choice, root, variants)
+        if scalar(choice) == "any":
+            return _any(road, root, variants)
+        return root.network.longest()
+    except GeometryError as error:
+        span = choice.span if isinstance(choice, PassCall) else road.span
+        raise DiagnosticError(
+            diagnose("RL418", span, network=root.name, reason=str(error))
+        ) from None
+
+
+def _called(call: PassCall, root: NetworkRoot, variants: Variants) -> Path:
+    built = build(call, variants, single=True)
+    with built.blamed:
+        path: Path = built.kind.select(root.network)
+    return path
+
+
+def _any(road: Road, root: NetworkRoot, variants: Variants) -> Path:
+    share = float(variants.uniform(f"{road.name}/select")[0, 0])
+    edge = root.edges[min(int(share * len(root.edges)), len(root.edges) - 1)]
+    return Path(root.network, (Step(edge.id, 0.0, edge.length),))
