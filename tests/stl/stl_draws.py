@@ -14,14 +14,16 @@ NAMES = ("x", "y", "z")
 
 
 class FormulaDraw:
-    """Draws formulas. `past`, `logic` and `corners` switch parts of the language on and off."""
+    """Draws formulas: with `past` operators or not, with `corners` (truth values, equality, bounds
+    between samples) or not; `bounded` leaves out infinite intervals and products of signals.
+    """
 
     def __init__(
-        self, seed: int, *, past: bool = True, corners: bool = True, step: float = 0.5,
-        future: bool = True,
-    ) -> None:  # fmt: skip
+        self, seed: int, *, past: bool = True, corners: bool = True, bounded: bool = False
+    ) -> None:
         self.random = random.Random(seed)
-        self.past, self.corners, self.step, self.future = past, corners, step, future
+        self.past, self.corners, self.bounded = past, corners, bounded
+        self.step = 0.5
 
     def formula(self, depth: int) -> stl.Formula:
         if depth == 0:
@@ -41,14 +43,15 @@ class FormulaDraw:
             return stl.Apply("abs", (self.term(depth - 1),))
         if kind == 2:
             return stl.Apply(draw.choice(["min", "max"]), (self.term(depth - 1), self.term(0)))
-        return stl.Arithmetic(draw.choice("+-*"), self.term(depth - 1), self.term(0))
+        ops = "+-" if self.bounded else "+-*"
+        return stl.Arithmetic(draw.choice(ops), self.term(depth - 1), self.term(0))
 
     def interval(self) -> stl.Interval | None:
         draw = self.random
-        if draw.random() < 0.25:
+        if not self.bounded and draw.random() < 0.25:
             return None
         lo = self.step * draw.choice([0, 0, 1, 2, 3, 7])
-        if self.corners and draw.random() < 0.1:
+        if self.corners and not self.bounded and draw.random() < 0.1:
             return stl.Interval(lo, math.inf)
         if self.corners and draw.random() < 0.15:
             lo += 0.3 * self.step
@@ -74,7 +77,7 @@ class FormulaDraw:
 
     def _temporal(self, depth: int) -> stl.Formula:
         draw = self.random
-        ahead = [stl.Always, stl.Eventually, stl.Until] if self.future else []
+        ahead = [stl.Always, stl.Eventually, stl.Until]
         behind = [stl.Historically, stl.Once, stl.Since] if self.past else []
         kind = draw.choice(ahead + behind)
         if kind in (stl.Until, stl.Since):

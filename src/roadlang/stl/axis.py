@@ -52,13 +52,19 @@ class Windows:
 
 @dataclass(frozen=True)
 class Axis:
-    """The samples of a trace: `positions` (S,), and the length of the road if it is closed."""
+    """The samples of a trace: `positions` (S,), and the length of the road if it is closed.
+
+    `ends` (S,) differs from `positions` for stand-ins only (`ahead.py`): such a sample is anywhere
+    between the two.
+    """
 
     positions: FloatArray
     wrap: float | None = None
+    ends: FloatArray | None = None
 
     @property
     def size(self) -> int:
+        """How many samples there are, stand-ins included."""
         return int(self.positions.size)
 
     def windows(
@@ -78,12 +84,13 @@ class Axis:
         if self.wrap is not None:
             interval = _unrolled(interval, self.wrap, keep_lead=whole)
             laps = 1 + math.ceil((interval.hi - TOLERANCE) / self.wrap)
-        places = -self.positions[::-1] if past else self.positions
+        lows, highs = self.positions, self.positions if self.ends is None else self.ends
         if past:
+            lows, highs = -highs[::-1], -lows[::-1]
             asked = (self.size - 1 - asked[1], self.size - 1 - asked[0])
         if laps > 1 and self.wrap is not None:
-            places = (places + self.wrap * np.arange(laps)[:, None]).ravel()
-        starts, ends = _bounds(places, interval, asked)
+            lows = highs = (lows + self.wrap * np.arange(laps)[:, None]).ravel()
+        starts, ends = _bounds(lows, highs, interval, asked)
         if (ends < starts).all():
             return None
         return self._relative(starts, ends, asked, laps, past, whole)
@@ -113,23 +120,22 @@ class Axis:
 
 
 def _bounds(
-    places: FloatArray, interval: Interval, asked: tuple[int, int]
+    lows: FloatArray, highs: FloatArray, interval: Interval, asked: tuple[int, int]
 ) -> tuple[IntArray, IntArray]:
+    """First and last sample that meets the window of each sample asked about."""
     indices = np.arange(asked[0], asked[1] + 1)
-    own = places[indices]
-    near = own + interval.lo
-    starts = np.searchsorted(places, near - _slack(near), "left")
-    starts = np.maximum(starts, indices)
+    near = lows[indices] + interval.lo
+    starts = np.maximum(np.searchsorted(highs, near - _slack(near), "left"), indices)
     if math.isinf(interval.hi):
-        return starts, np.full(starts.shape, places.size - 1, dtype=np.intp)
-    far = own + interval.hi
-    ends = np.searchsorted(places, far + _slack(far), "right") - 1
+        return starts, np.full(starts.shape, lows.size - 1, dtype=np.intp)
+    far = highs[indices] + interval.hi
+    ends = np.searchsorted(lows, far + _slack(far), "right") - 1
     return starts, ends
 
 
 def _slack(bound: FloatArray) -> FloatArray:
     slack: FloatArray = TOLERANCE * np.maximum(1.0, np.abs(bound))
-    return slack
+    return np.where(np.isinf(slack), 0.0, slack)
 
 
 def _unrolled(interval: Interval, period: float, *, keep_lead: bool) -> Interval:

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
     from .formulas import Formula
     from .trace import FloatArray, Positions, Signals
+    from .verdicts import Range, Verdict
 
 
 class Evaluable:
@@ -50,3 +51,17 @@ class Evaluable:
         from .evaluation import satisfied
 
         return satisfied(self._formula, positions, signals, wrap=wrap)
+
+    def range(self, positions: Positions, signals: Signals, *, wrap: float | None = None) -> Range:
+        """The least and the greatest `rho` over all continuations of the trace: (lo, hi)."""
+        from .verdicts import robustness_range
+
+        return robustness_range(self._formula, positions, signals, wrap=wrap)
+
+    def verdict(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> NDArray[np.str_] | Verdict:
+        """ "satisfied", "violated" or "unknown"; an array (V,) of them for a batch."""
+        from .verdicts import verdict
+
+        return verdict(self._formula, positions, signals, wrap=wrap)

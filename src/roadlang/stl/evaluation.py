@@ -50,7 +50,12 @@ def at_start(
     formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at the first sample of each variant, (V,)."""
-    plan = Plan.of(Graph.of(formula, leaves), Axis(trace.positions, trace.wrap), (0, 0))
+    return run_at_start(Graph.of(formula, leaves), trace, Axis(trace.positions, trace.wrap))
+
+
+def run_at_start(graph: Graph, trace: Trace, axis: Axis) -> FloatArray:
+    """The last node of `graph` at the first sample of each variant, (V,)."""
+    plan = Plan.of(graph, axis, (0, 0))
     result = np.empty(trace.variants)
     for first, last in chunks(trace):
         result[first:last] = plan.run(trace, first, last)[0]

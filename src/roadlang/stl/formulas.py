@@ -184,4 +184,5 @@ class Since(_TemporalBinary):
 
 
 TEMPORAL = (_TemporalUnary, _TemporalBinary)
+FUTURE = (Always, Eventually, Until)
 PAST = (Once, Historically, Since)

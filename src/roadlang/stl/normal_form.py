@@ -16,44 +16,50 @@ _OPPOSITE: dict[f.ComparisonOperator, f.ComparisonOperator] = {
 }  # fmt: skip
 
 
-def normal_form(formula: f.Formula, *, negated: bool = False) -> f.Formula:
-    """`formula`, or `not formula`, in normal form."""
+def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = False) -> f.Formula:
+    """`formula`, or `not formula`, in normal form.
+
+    `iff` and `xor` become a least of greatests, or a `greatest` of leasts. They are worth the same,
+    but the one gives the better lower, the other the better upper bound from bounds of the parts.
+    """
+
+    def of(part: f.Formula, negated: bool = negated) -> f.Formula:
+        return normal_form(part, negated=negated, greatest=greatest)
+
     match formula:
         case f.Truth(value):
             return f.Truth(value != negated)
         case f.Comparison(op, left, right):
             return f.Comparison(_OPPOSITE[op], left, right) if negated else formula
         case f.Not(operand):
-            return normal_form(operand, negated=not negated)
+            return of(operand, not negated)
         case f.And(operands) | f.Or(operands):
             conjunctive = isinstance(formula, f.And) != negated
-            parts = (normal_form(operand, negated=negated) for operand in operands)
+            parts = (of(operand) for operand in operands)
             return _joined(f.And if conjunctive else f.Or, parts)
         case f.Implies() | f.Iff() | f.Xor():
-            return normal_form(_spelled_out(formula), negated=negated)
+            return of(_spelled_out(formula, greatest != negated))
         case f.Until(interval, left, right) | f.Since(interval, left, right):
-            plain = type(formula)(interval, normal_form(left), normal_form(right))
+            sides = [normal_form(side, greatest=greatest != negated) for side in (left, right)]
+            plain = type(formula)(interval, *sides)
             return f.Not(plain) if negated else plain
         case f.Always(interval, operand) | f.Eventually(interval, operand):
             least = isinstance(formula, f.Always) != negated
-            return (f.Always if least else f.Eventually)(
-                interval, normal_form(operand, negated=negated)
-            )
+            return (f.Always if least else f.Eventually)(interval, of(operand))
         case f.Historically(interval, operand) | f.Once(interval, operand):
             least = isinstance(formula, f.Historically) != negated
-            return (f.Historically if least else f.Once)(
-                interval, normal_form(operand, negated=negated)
-            )
+            return (f.Historically if least else f.Once)(interval, of(operand))
     raise TypeError(f"not a formula: {formula!r}")
 
 
-def _spelled_out(formula: f.Implies | f.Iff | f.Xor) -> f.Formula:
+def _spelled_out(formula: f.Implies | f.Iff | f.Xor, greatest: bool) -> f.Formula:
     left, right = formula.left, formula.right
     if isinstance(formula, f.Implies):
         return f.Or((f.Not(left), right))
-    if isinstance(formula, f.Iff):
-        return f.And((f.Or((f.Not(left), right)), f.Or((f.Not(right), left))))
-    return f.Or((f.And((left, f.Not(right))), f.And((f.Not(left), right))))
+    other = right if isinstance(formula, f.Iff) else f.Not(right)
+    if greatest:
+        return f.Or((f.And((left, other)), f.And((f.Not(left), f.Not(other)))))
+    return f.And((f.Or((f.Not(left), other)), f.Or((left, f.Not(other)))))
 
 
 def _joined(kind: type[f.And] | type[f.Or], parts: Iterable[f.Formula]) -> f.Formula:

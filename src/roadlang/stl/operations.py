@@ -55,7 +55,29 @@ class Reaching:
     past: bool
 
 
-Operation: TypeAlias = Read | Number | Pointwise | Sliding | Reaching
+@dataclass(frozen=True)
+class Given:
+    """Numbers per variant, infinite ones welcome, that are computed with the graph."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Extend:
+    """The first input at the first `seen` samples, the second at the stand-ins behind them."""
+
+    seen: int
+
+
+@dataclass(frozen=True)
+class AtUnseen:
+    """The first input; behind the first `seen` samples joined with the second by `function`."""
+
+    seen: int
+    function: Function
+
+
+Operation: TypeAlias = Read | Number | Given | Pointwise | Sliding | Reaching | Extend | AtUnseen
 
 
 def least(*values: FloatArray) -> FloatArray:

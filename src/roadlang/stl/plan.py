@@ -9,7 +9,7 @@ import numpy as np
 from .axis import Axis, Windows
 from .graph import Graph, Node
 from .kernels import slide, until
-from .operations import Number, Pointwise, Reaching, Read, Sliding
+from .operations import AtUnseen, Extend, Given, Number, Pointwise, Reaching, Read, Sliding
 from .trace import FloatArray, Trace
 
 Span = tuple[int, int]
@@ -78,6 +78,8 @@ class Plan:
         match step.node.operation:
             case Number(value):
                 return np.full((1, 1), value)
+            case Given(name):
+                return trace.given(name, first, last)
             case Read(name):
                 low, high = step.span
                 rows = trace.rows(name, first, last)
@@ -87,23 +89,7 @@ class Plan:
             self._slice(values, source, need)
             for source, need in zip(step.node.inputs, step.needs, strict=True)
         ]
-        match step.node.operation:
-            case Pointwise(function):
-                return function(*inputs)
-            case Sliding(extreme):
-                if step.windows is None:
-                    return np.full((1, 1), extreme.identity)
-                return _turned(
-                    slide(_unrolled(inputs[0], step.windows), step.windows, extreme), step
-                )
-            case Reaching():
-                if step.windows is None:
-                    return np.full((1, 1), -np.inf)
-                left, right = np.broadcast_arrays(
-                    *(_unrolled(values, step.windows) for values in inputs)
-                )
-                return _turned(until(left, right, step.windows), step)
-        raise TypeError(f"not an operation: {step.node.operation!r}")
+        return _derived(step, inputs)
 
     def _slice(self, values: list[FloatArray | None], source: int, need: Span | None) -> FloatArray:
         step, value = self.steps[source], values[source]
@@ -114,18 +100,62 @@ class Plan:
         return value[need[0] - step.span[0] : need[1] - step.span[0] + 1]
 
 
+def _derived(step: Step, inputs: list[FloatArray]) -> FloatArray:
+    """What a node computes from the samples of its inputs that it needs."""
+    windows = step.windows
+    match step.node.operation:
+        case Pointwise(function):
+            return function(*inputs)
+        case Sliding(extreme):
+            if windows is None:
+                return np.full((1, 1), extreme.identity)
+            return _turned(slide(_unrolled(inputs[0], windows), windows, extreme), windows)
+        case Reaching():
+            if windows is None:
+                return np.full((1, 1), -np.inf)
+            left, right = np.broadcast_arrays(*(_unrolled(values, windows) for values in inputs))
+            return _turned(until(left, right, windows), windows)
+        case Extend():
+            filled = [
+                np.broadcast_to(values, (need[1] - need[0] + 1, values.shape[1]))
+                for values, need in zip(inputs, step.needs, strict=True)
+                if need is not None
+            ]
+            rows = max(values.shape[1] for values in filled)
+            return np.concatenate([np.broadcast_to(v, (len(v), rows)) for v in filled])
+        case AtUnseen(_, function):
+            value, own = inputs
+            if step.needs[1] is None:
+                return value
+            low, high = step.needs[1]
+            seen = np.broadcast_to(value, (step.span[1] - step.span[0] + 1, value.shape[1]))
+            split = low - step.span[0]
+            joined = function(seen[split:], np.broadcast_to(own, (high - low + 1, own.shape[1])))
+            head = np.broadcast_to(seen[:split], (split, joined.shape[1]))
+            return np.concatenate([head, joined])
+    raise TypeError(f"not an operation: {step.node.operation!r}")
+
+
 def _step(node: Node, axis: Axis, asked: Span) -> Step:
-    operation = node.operation
-    if not isinstance(operation, (Sliding, Reaching)):
-        return Step(node, asked, (asked,) * len(node.inputs))
-    windows = axis.windows(
-        operation.interval,
-        asked,
-        past=operation.past,
-        whole=isinstance(operation, Reaching),
-    )
-    span = None if windows is None else windows.span
-    return Step(node, asked, (span,) * len(node.inputs), windows)
+    match node.operation:
+        case Sliding(_, interval, past) | Reaching(interval, past):
+            whole = isinstance(node.operation, Reaching)
+            windows = axis.windows(interval, asked, past=past, whole=whole)
+            span = None if windows is None else windows.span
+            return Step(node, asked, (span,) * len(node.inputs), windows)
+        case Extend(seen):
+            return Step(node, asked, (_before(asked, seen), _behind(asked, seen)))
+        case AtUnseen(seen):
+            return Step(node, asked, (asked, _behind(asked, seen)))
+    return Step(node, asked, (asked,) * len(node.inputs))
+
+
+def _before(span: Span, seen: int) -> Span | None:
+    return (span[0], min(span[1], seen - 1)) if span[0] < seen else None
+
+
+def _behind(span: Span, seen: int) -> Span | None:
+    return (max(span[0], seen), span[1]) if span[1] >= seen else None
 
 
 def _spent(graph: Graph) -> tuple[tuple[int, ...], ...]:
@@ -145,5 +175,5 @@ def _unrolled(values: FloatArray, windows: Windows) -> FloatArray:
     return np.concatenate([values] * windows.laps) if windows.laps > 1 else values
 
 
-def _turned(values: FloatArray, step: Step) -> FloatArray:
-    return values[::-1] if step.windows is not None and step.windows.flipped else values
+def _turned(values: FloatArray, windows: Windows) -> FloatArray:
+    return values[::-1] if windows.flipped else values

@@ -31,6 +31,8 @@ class Trace:
     variants: int
     batched: bool
     wrap: float | None = None
+    constants: frozenset[str] = frozenset()
+    """The signals that are one number per variant, at every sample now and later."""
 
     @classmethod
     def of(
@@ -51,6 +53,11 @@ class Trace:
             variants=variants or 1,
             batched=variants is not None,
             wrap=wrap,
+            constants=frozenset(
+                name
+                for name, array in checked.items()
+                if array.ndim == 0 or array.shape[-1] == 1 < stations.size
+            ),
         )
 
     @property
@@ -67,13 +74,19 @@ class Trace:
             _check_finite(name, values, first, self.positions)
         return values
 
+    def given(self, name: str, first: int, last: int) -> FloatArray:
+        """Numbers per variant that need no check, shape (1, r)."""
+        array = self.signals[name]
+        part = array if array.shape[0] == 1 else array[first:last]
+        return np.asarray(part, dtype=np.float64).T
+
     def alone(self, variant: int) -> Trace:
         """The trace of one variant."""
         chosen = {
             name: array if array.shape[0] == 1 else array[variant : variant + 1]
             for name, array in self.signals.items()
         }
-        return Trace(self.positions, chosen, 1, False, self.wrap)
+        return Trace(self.positions, chosen, 1, False, self.wrap, self.constants)
 
 
 def _variants(signals: Signals) -> int | None:

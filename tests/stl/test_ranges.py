@@ -1,0 +1,100 @@
+"""[lo, hi] holds the robustness of every continuation, and no less than that."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from stl_continuations import continuations
+from stl_draws import FormulaDraw, draw_trace
+
+from roadlang import stl
+
+
+def _seen(seed, samples):
+    positions, signals = draw_trace(seed, samples, 1, even=seed % 2 == 0)
+    return positions, {name: values[0] for name, values in signals.items()}
+
+
+MANY = [pytest.param(seed, marks=pytest.mark.slow) for seed in range(40, 400)]
+
+
+@pytest.mark.parametrize("seed", [*range(40), *MANY])
+def test_no_continuation_leaves_the_range(seed):
+    formula = FormulaDraw(seed).formula(1 + seed % 3)
+    positions, row = _seen(seed, (1, 2, 5, 9, 14)[seed % 5])
+    lo, hi = formula.range(positions, row)
+    for later, signals in continuations(seed, positions, row, choices=12, variants=60):
+        rho = formula.rho(later, signals)
+        assert lo - 1e-9 <= rho.min()
+        assert rho.max() <= hi + 1e-9
+
+
+@pytest.mark.parametrize("seed", [*range(30), *MANY])
+def test_continuations_reach_both_ends(seed):
+    """Infinite intervals are left out: only a continuation without end reaches their range."""
+    formula = FormulaDraw(seed, bounded=True, past=seed % 3 == 0).formula(1 + seed % 3)
+    positions, row = _seen(seed, (1, 2, 5, 9, 14)[seed % 5])
+    lo, hi = formula.range(positions, row)
+    least, greatest = math.inf, -math.inf
+    for later, signals in continuations(seed, positions, row, choices=40, variants=150):
+        rho = formula.rho(later, signals)
+        least, greatest = min(least, rho.min()), max(greatest, rho.max())
+    assert least <= max(lo + 1e-9, -1e5)
+    assert greatest >= min(hi - 1e-9, 1e5)
+
+
+@pytest.mark.parametrize(
+    ("text", "lo", "hi"),
+    [
+        ("always (x > 0)", -math.inf, 1),
+        ("always[0, 2] (x > 0)", 1, 1),
+        ("always[0, 3] (x > 0)", -math.inf, 1),
+        ("eventually[5, 9] (abs(x) < 3)", -math.inf, 3),
+        ("eventually[5, 9] (x < 1 and x > 2)", -math.inf, -0.5),
+        ("eventually[5, 9] (x + y < 1 and x > 2 and y > 0)", -math.inf, -1 / 3),
+        ("eventually[5, 9] historically[0, 3] (x < 9)", -math.inf, math.inf),
+        ("eventually[3, 4] historically[2, 9] (x < 9)", -math.inf, 7),
+        ("eventually[5, 9] (x > limit and x < 4)", -math.inf, 1),
+        ("(x > 0) until (y > 5)", -4, 1),
+        ("x > 0 iff always (y > 0)", -1, 1),
+    ],
+)
+def test_ranges_known_by_hand(text, lo, hi):
+    signals = {"x": [1, 2, 3], "y": [1, 1, 1], "limit": 2}
+    assert stl.parse(text).range([0, 1, 2], signals) == pytest.approx((lo, hi))
+
+
+def test_closed_roads_have_no_continuation():
+    lo, hi = stl.parse("always[0, 90] (x > 0)").range([0, 1, 2], {"x": [1, 2, 3]}, wrap=3)
+    assert (lo, hi) == (1, 1)
+
+
+def test_numbers_per_variant_hold_for_later_samples_too():
+    formula = stl.parse("eventually[5, 9] (abs(x) < limit)")
+    lo, hi = formula.range([0, 1], {"x": np.zeros((3, 2)), "limit": [[1], [2], [3]]})
+    assert lo.tolist() == [-math.inf] * 3
+    assert hi.tolist() == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("x >= 1", "satisfied"),
+        ("x > 1", "violated"),
+        ("always[0, 2] (x >= 1)", "satisfied"),
+        ("always[0, 2] (x > 1)", "violated"),
+        ("always (x >= 1)", "unknown"),
+        ("always (x > 1)", "violated"),
+        ("eventually (x >= 2)", "satisfied"),
+        ("eventually (x > 2)", "unknown"),
+        ("eventually (x > 9)", "unknown"),
+        ("eventually[3, 4] (x == x + 1)", "violated"),
+        ("(x > 1 until x > 2) iff true", "violated"),
+        ("true", "satisfied"),
+    ],
+)
+def test_verdicts(text, verdict):
+    formula = stl.parse(text)
+    assert formula.verdict([0, 1, 2], {"x": [1.0, 2.0, 2.0]}) == verdict
