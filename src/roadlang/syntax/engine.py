@@ -14,10 +14,9 @@ Build: TypeAlias = Callable[..., Any]
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """No rule goes on with the token at `index`; `states` is the parser's stack there."""
+    """No rule goes on with the token at `index`."""
 
     index: int
-    states: tuple[int, ...]
 
 
 def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Build]) -> Any:
@@ -39,7 +38,7 @@ def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Bu
             if to is None:
                 # Statement words and letters are names where the grammar wants nothing but a name.
                 if kind not in soft or "NAME" not in row:
-                    return Stuck(index, tuple(states))
+                    return Stuck(index)
                 to = row["NAME"]
             if to >= 0:
                 states.append(to)

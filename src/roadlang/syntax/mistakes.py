@@ -170,10 +170,11 @@ def stray_closer(place: Place) -> Mistake | None:
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
-def stray_comma(place: Place) -> Mistake | None:
-    if place.kind() != "COMMA" or not place.goes_on(skip=1):
+def one_too_many(place: Place) -> Mistake | None:
+    """A comma or a `with` that can be left out."""
+    if place.kind() not in ("COMMA", "WITH") or not place.goes_on(skip=1):
         return None
-    found = diagnose("RL001", place.span(), expected=expectation(place), found="`,`")
+    found = diagnose("RL001", place.span(), expected=expectation(place), found=finding(place))
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
@@ -254,6 +255,8 @@ def reserved_name(place: Place) -> Mistake | None:
     if place.kind() not in RESERVED_KINDS or not place.expects("NAME") or place.wants_value:
         return None
     if place.first_kind in ("REQUIRE", "EXPECT") and place.kind(1) not in ("COLON", "WITH"):
+        return None
+    if not place.goes_on("NAME", skip=1, over=1):
         return None
     help = "choose another name"
     found = diagnose("RL011", place.span(), word=place.word(), help=help)
@@ -423,5 +426,5 @@ _KNOWN: tuple[Callable[[Place], Mistake | None], ...] = (
     reserved_name,
     bare_file_name,
     list_operand,
-    stray_comma,
+    one_too_many,
 )

@@ -57,7 +57,7 @@ def finding(place: Place) -> str:
     """The token that stands there, in words."""
     kind, text = place.kind(), place.word()
     if kind == END:
-        return "the end of the file" if place.source.end.start <= place.token()[3] else "its end"
+        return "the end of the file" if place.source.end.start <= place.token()[3] else "the end of the statement"
     if kind == "TEXT":
         return 'a text in `"""`'
     if kind == "UNREADABLE":

@@ -73,7 +73,7 @@ def _whole(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> An
     """The value of all tokens, or where they do not fit."""
     slip = misspelt_temporal(lexed.tokens)
     if slip is not None:
-        return Stuck(slip, ())
+        return Stuck(slip)
     return run(grammar, start, lexed.tokens, builds)
 
 

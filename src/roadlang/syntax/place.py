@@ -42,7 +42,7 @@ class Place:
     start: str
     tokens: Sequence[Token]
     index: int
-    states: tuple[int, ...]
+    states: tuple[int, ...] = ()
 
     def token(self, offset: int = 0) -> Token:
         """The token so many places on; before the first and behind the last one: `$END`."""

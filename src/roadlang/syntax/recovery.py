@@ -33,6 +33,8 @@ class Recovery:
     """Lines with an unreadable character: a complaint of the parser there would be an echo."""
     diagnostics: list[Diagnostic] = field(default_factory=list)
     spoiled: list[ast.Word] = field(default_factory=list)
+    guessed: int | None = None
+    """From here on a bracket has been closed by guess: complaints would be about the guess."""
     budget: int = _MOST_TOKENS
 
     def file(self, lexed: Lexed) -> list[ast.Statement]:
@@ -58,6 +60,7 @@ class Recovery:
             return value
         tokens, unclosed = close_brackets(self.source, tokens)
         self.diagnostics.extend(unclosed)
+        self.guessed = _first_guess(unclosed)
         for _ in range(_MOST_PER_PIECE):
             value = self.attempt(start, tokens)
             if not isinstance(value, Stuck):
@@ -88,7 +91,9 @@ class Recovery:
 
     def mend(self, start: str, tokens: list[Token], stuck: Stuck) -> list[Token] | None:
         """Report what is wrong, and return tokens with which reading can go on."""
-        place = Place(self.source, self.tables, start, tokens, stuck.index, stuck.states)
+        stuck_at = Place(self.source, self.tables, start, tokens, stuck.index)
+        place = stuck_at.back(0)
+        assert place is not None, "the parser has come this far"
         mistake = explain(place)
         self.report(mistake)
         edit = mistake.edit
@@ -99,7 +104,9 @@ class Recovery:
 
     def report(self, mistake: Mistake) -> None:
         found = mistake.diagnostic
-        if found is not None and found.span is not None and found.span.line not in self.quiet:
+        if found is None or found.span is None or found.span.line in self.quiet:
+            return
+        if self.guessed is None or found.span.start < self.guessed:
             self.diagnostics.append(found)
 
     def lost(self, tokens: list[Token]) -> None:
@@ -123,3 +130,9 @@ class Recovery:
             self.lost(tokens)
             return [tokens[-1]]
         return [(meant.upper(), meant, start, end), *tokens[1:]]
+
+
+def _first_guess(unclosed: list[Diagnostic]) -> int | None:
+    """Where the first `(` or `[` stands of which the end is not known."""
+    spans = [found.span for found in unclosed if found.span is not None]
+    return min((span.start for span in spans if span.text in ("(", "[")), default=None)

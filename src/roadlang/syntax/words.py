@@ -48,19 +48,24 @@ SIGNS = {
 def slip(word: str, known: str) -> bool:
     """Whether `word` is `known` with one slip: a letter more, less, another, or two swapped.
 
-    In a longer word there may be two slips, if they leave its first letter alone.
+    In a longer word there may be two, and the letters may be in any order, if the first is right.
     """
     if word == known or word.lower() == known:
         return word != known
-    limit = 1 if len(known) < 6 or word[:1] != known[:1] else 2
+    if word[:1] == known[:1] and sorted(word) == sorted(known):
+        return True
     if len(known) <= 2:
         return sorted(word) == sorted(known)
+    limit = 1 if len(known) < 6 or word[:1] != known[:1] else 2
     return distance(word.lower(), known) <= limit
 
 
 def misspelt(word: str, known: Iterable[str]) -> str | None:
-    """The one of the known words that `word` is a slip of."""
+    """The one of the known words that `word` is a slip of, or begins."""
+    known = list(known)
     slips = [candidate for candidate in known if slip(word, candidate)]
+    if not slips and len(word) >= 3:
+        slips = [candidate for candidate in known if candidate.startswith(word)]
     return min(slips, key=lambda candidate: (distance(word, candidate), candidate), default=None)
 
 
