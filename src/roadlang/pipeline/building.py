@@ -12,7 +12,7 @@ import numpy as np
 
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.values import Entity, PassCall
-from ..plugins.option_types import CallType, QuantityType
+from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
 from ..plugins.options import OptionSchema, schema_of
 from ..plugins.registry import KindEntry
 from .blame import blaming
@@ -79,7 +79,7 @@ def _converted(
 ) -> Any:
     if isinstance(value, Entity):
         return resolve(value) if resolve is not None else value.name
-    if isinstance(value, PassCall) and not isinstance(option.type, CallType):
+    if isinstance(value, PassCall) and not _takes_calls(option.type):
         return value
     if isinstance(value, PassCall):
         return build(value, variants, element, single=single, resolve=resolve).kind
@@ -88,6 +88,15 @@ def _converted(
     if isinstance(option.type, QuantityType) and option.type.whole and not isinstance(value, str):
         return np.rint(value).astype(np.int64) if isinstance(value, np.ndarray) else round(value)
     return value
+
+
+def _takes_calls(type: OptionType) -> bool:
+    """Whether a call in an option is built with it; in other options it is left to be chosen."""
+    if isinstance(type, ListType):
+        return _takes_calls(type.item)
+    if isinstance(type, UnionType):
+        return any(map(_takes_calls, type.alternatives))
+    return isinstance(type, CallType)
 
 
 def _check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:

@@ -23,25 +23,27 @@ def realise(variants: Variants, index: int, overrides: dict[str, str] | None = N
     """
     plan = variants.plan
     scenario = plan.scenario
-    # Roads first: whatever is drawn for them is drawn before it is listed.
+    # All that is drawn is drawn before it is listed.
     roads, networks = scene_roads(variants), scene_networks(variants)
     agents = scene_actors(scenario.agents, variants)
     objects = (*scene_actors(scenario.objects, variants), *legend_objects(variants))
+    values = {
+        item.name: _plain(evaluate(item.value, variants), variants) for item in scenario.values
+    }
+    world = {name: _plain(evaluate(value, variants), variants) for name, value in scenario.world}
     simulate = None if scenario.simulate is None else call_of(scenario.simulate, variants)
     return Scene(
         name=scenario.header.name,
         title=scenario.header.title,
         index=index,
         provenance=provenance(variants, index, overrides or {}),
-        values={
-            item.name: _plain(evaluate(item.value, variants), variants) for item in scenario.values
-        },
+        values=values,
         draws=_draws(variants),
         networks=networks,
         roads=roads,
         agents=agents,
         objects=objects,
-        world={name: _plain(evaluate(value, variants), variants) for name, value in scenario.world},
+        world=world,
         requirements=tuple(verdict(item, variants) for item in scenario.requirements),
         expectations=tuple(verdict(item, variants) for item in scenario.expectations),
         simulate=simulate,

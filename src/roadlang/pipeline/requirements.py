@@ -175,7 +175,8 @@ def monitor_rho(call: PassCall, variants: Variants) -> Floats:
 
 def _cost(test: Condition | PassCall, plan: Plan) -> float:
     """Signals cost what their kinds say, temporal operators about what two displacements do."""
-    calls = [v for v in walk(test, plan.values) if isinstance(v, PassCall)]
+    inside = (v for v in walk(test, plan.values) if isinstance(v, PassCall))
+    calls = [call for call in inside if call.verb in ("signal", "number", "monitor")]
     work = sum(getattr(plan.kind(call)[1], "cost", 0.0) for call in calls)
     if isinstance(test, Condition):
         return work + 4.0 * sum(node.temporal for node in test.formula.walk())

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.batch import RoadBatch
-from ..ir.scenario import Actor, Network
+from ..ir.scenario import Network
 from ..ir.values import Entity, PassCall, Value
 from .building import build
 from .dependencies import entities_in
@@ -80,8 +80,7 @@ def measured(call: PassCall, variants: Variants, element: int = 0) -> Floats:
 
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
-            actor: Actor = variants.plan.actors[entity.name]
-            return start_of(actor, variants, element)
+            return start_of(variants.plan.actors[entity.name], variants, element)
         return Axis().resolve(entity, variants)
 
     def make() -> Floats:

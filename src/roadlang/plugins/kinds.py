@@ -164,7 +164,7 @@ class Signal(Kind):
 class RoadNumber(Signal):
     """A number of a road, written as a call: `length(bent)`. `values` has shape (variants, 1).
 
-    `member`: written `van.start` instead.
+    `member`: a number of an agent or object on a road, written `ego.start`.
     """
 
     verb: ClassVar[str] = "number"
