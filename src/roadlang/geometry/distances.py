@@ -55,10 +55,10 @@ def sup_distance(a: CurveBatch, b: CurveBatch) -> Floats:
 
 def margin(batch: CurveBatch, p: ArrayLike, q: ArrayLike) -> Floats:
     """(V, S) metres to the nearest edge of the box with corners `p` and `q`, negative outside."""
-    corners = np.stack([finite(corner, "the corners of a box").reshape(-1) for corner in (p, q)])
-    if corners.shape != (2, 2):
+    first, second = finite(p, "the corners of a box"), finite(q, "the corners of a box")
+    if first.shape != (2,) or second.shape != (2,):
         raise GeometryError("a box needs two corners (x, y)")
-    low, high = corners.min(axis=0), corners.max(axis=0)
+    low, high = np.minimum(first, second), np.maximum(first, second)
     result = np.full(batch.points.shape[:2], np.inf)
     for axis in (0, 1):
         places = batch.points[..., axis]

@@ -51,6 +51,12 @@ class Edge:
     def width(self) -> WidthProfile:
         return WidthProfile.even(self.widths, self.curve.length, self.curve.closed)
 
+    @cached_property
+    def end_headings(self) -> tuple[float, float]:
+        """The headings of the curve at its start and at its end."""
+        start, end = self.curve.heading([0.0, self.curve.length])
+        return float(start), float(end)
+
     def other(self, node: int) -> int:
         """The node at the other end."""
         return self.end if node == self.start else self.start

@@ -156,11 +156,11 @@ def _along(edge: Edge, origin: int) -> Step:
 
 def _turn(network: RoadNetwork, before: Step, after: Step) -> float:
     """Radians between the end of one step and the start of the next, in [0, pi]."""
-    arriving = network.edge(before.edge).curve.tangent(before.stop)
-    leaving = network.edge(after.edge).curve.tangent(after.start)
-    same_way = (before.stop >= before.start) == (after.stop >= after.start)
-    cosine = float(arriving @ leaving) * (1.0 if same_way else -1.0)
-    return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    first, second = network.edge(before.edge), network.edge(after.edge)
+    forward, onward = before.stop > before.start, after.stop > after.start
+    arriving, leaving = first.end_headings[forward], second.end_headings[not onward]
+    turn = abs(arriving - leaving + (0.0 if forward == onward else np.pi)) % (2.0 * np.pi)
+    return float(min(turn, 2.0 * np.pi - turn))
 
 
 def shortest_path(network: RoadNetwork, p: ArrayLike, q: ArrayLike) -> Path:

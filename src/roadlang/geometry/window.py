@@ -82,7 +82,7 @@ def ease(t: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """The quintic 6t^5 - 15t^4 + 10t^3 from 0 at t <= 0 to 1 at t >= 1, and two derivatives."""
     x = np.clip(np.asarray(t, dtype=np.float64), 0.0, 1.0)
     y = 1.0 - x
-    value = x**3 * (10.0 - 15.0 * x + 6.0 * x * x)
+    value = np.minimum(x**3 * (10.0 - 15.0 * x + 6.0 * x * x), 1.0)
     return value, 30.0 * x * x * y * y, 60.0 * x * y * (y - x)
 
 
