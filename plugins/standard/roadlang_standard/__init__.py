@@ -37,7 +37,6 @@ _KINDS = {
     "number length": "number_length:Length",
     "number sup_distance": "number_sup_distance:SupDistance",
     "number frechet": "number_frechet:Frechet",
-    "number start": "number_start:Start",
     "number lp_distance": "number_lp_distance:LpDistance",
     "distribution uniform": "distribution_uniform:Uniform",
     "distribution normal": "distribution_normal:Normal",

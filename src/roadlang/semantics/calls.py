@@ -1,4 +1,4 @@
-"""Calls: built-in functions, signals, numbers of the scene, draws, pieces, members."""
+"""Calls: built-in functions, signals, numbers of the scene, draws, pieces."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ..diagnostics import did_you_mean
-from ..ir.values import Entity, Measure, PassCall
-from ..plugins.kinds import DriveSignal
+from ..ir.values import PassCall
 from ..plugins.option_types import EntityType as EntityOption
 from ..plugins.option_types import UnionType
 from ..plugins.options import OptionSchema
@@ -21,7 +20,6 @@ from .kinds import Found, find_kind
 from .signals import measured
 from .types import (
     CallType,
-    EntityType,
     Quantity,
     SignalType,
     Typed,
@@ -40,16 +38,21 @@ def infer_call(checker: Checker, call: ast.Call, context: Context) -> Typed:
         return checker.report("RL225", call.function.span, name=call.function.span.text)
     if name in _COUNTS:
         return _built_in(checker, call, name, context)
-    verbs = [verb for verb in context.verbs if _has(checker, verb, name)]
-    verbs = verbs[:1] or [verb for verb in _VERBS if _has(checker, verb, name)]
+    verbs = [verb for verb in context.verbs if has(checker, verb, name)]
+    verbs = verbs[:1] or [verb for verb in _VERBS if has(checker, verb, name)]
     if not verbs and context.verbs == () and name in checker.program.declarations:
         checker.use(name, context)
         return checker.report("RL226", call.function.span, name=name)
     if not verbs:
         return _no_function(checker, call, name, context)
     if len(verbs) == 1:
-        return _of_kind(checker, call, verbs[0], name, context)
+        return of_kind(checker, call, verbs[0], name, context)
     return _overloaded(checker, call, verbs, name, context)
+
+
+def is_member(found: Found) -> bool:
+    """Whether a signal or number is written `ego.speed` rather than `speed(ego)`."""
+    return bool(getattr(found.kind, "member", False))
 
 
 def dotted(expression: ast.Expression) -> str | None:
@@ -62,7 +65,7 @@ def dotted(expression: ast.Expression) -> str | None:
     return None
 
 
-def _has(checker: Checker, verb: str, name: str) -> bool:
+def has(checker: Checker, verb: str, name: str) -> bool:
     return checker.registry.has(verb, name) or checker.registry.is_announced(verb, name)
 
 
@@ -153,11 +156,11 @@ def expression_of(checker: Checker, name: str) -> ast.Expression:
     return statement.value
 
 
-def _of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Context) -> Typed:
+def of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Context) -> Typed:
     found = find_kind(checker, verb, name, call.function.span)
     if found is None:
         return unknown(call.span)
-    if verb == "drive_signal" and getattr(found.kind, "member", True):
+    if is_member(found):
         first = found.schema[0].name if found.schema else "agent"
         help_ = f"write `{first}.{name}`, as in `ego.{name}`"
         return checker.report("RL225", call.function.span, name=name, help=help_)
@@ -190,13 +193,11 @@ def _overloaded(
         if found is not None:
             candidates.append((verb, found))
     for verb, found in candidates:
-        if _takes(found.schema, roles) and not (
-            issubclass(found.kind, DriveSignal) and found.kind.member
-        ):
-            return _of_kind(checker, call, verb, name, context)
+        if _takes(found.schema, roles) and not is_member(found):
+            return of_kind(checker, call, verb, name, context)
     for argument in call.arguments:
         checker.infer(argument.value, context)
-    takes = " or ".join(f"`{name}({_signature(found.schema)})`" for _, found in candidates)
+    takes = " or ".join(f"`{name}({signature(found.schema)})`" for _, found in candidates)
     given = ", ".join(role or "a value" for role in roles)
     return checker.report("RL227", call.span, name=name, given=given, help=f"there is {takes}")
 
@@ -226,89 +227,5 @@ def _roles_of(option: OptionSchema) -> Iterable[str]:
     return [role for part in parts if isinstance(part, EntityOption) for role in part.roles]
 
 
-def _signature(schema: tuple[OptionSchema, ...]) -> str:
+def signature(schema: tuple[OptionSchema, ...]) -> str:
     return ", ".join(" or ".join(_roles_of(option)) or option.name for option in schema)
-
-
-def infer_member(checker: Checker, member: ast.Member, context: Context) -> Typed:
-    """`ego.speed`, `lead.start`, or a kind by its whole name, `acme.robot`."""
-    parts = dotted(member)
-    if parts is None:
-        return checker.report("RL227", member.name.span, name=member.name.text, given="a call")
-    base, _, name = parts.partition(".")
-    declared = checker.program.declarations.get(base)
-    if base in checker.program.spoiled:
-        return unknown(member.span)
-    if declared is None:
-        return _no_such_base(checker, member, parts, base, context)
-    root: ast.Expression = member
-    while isinstance(root, ast.Member):
-        root = root.of
-    owner = checker.infer(root, context)
-    if owner.is_unknown:
-        return unknown(member.span)
-    if not isinstance(owner.type, EntityType) or owner.type.role not in ("agent", "object"):
-        return checker.report("RL233", member.name.span, name=base, found=owner.type, member=name)
-    if name == "start":
-        return _start(checker, member, base, owner.type.role)
-    return _member_signal(checker, member, base, name, owner)
-
-
-def _no_such_base(
-    checker: Checker, member: ast.Member, parts: str, base: str, context: Context
-) -> Typed:
-    if checker.program.incomplete:
-        return unknown(member.span)
-    verbs = (*context.verbs, "agent", "object")
-    for verb in verbs:
-        if checker.registry.has(verb, parts):
-            call = ast.Call(member, (), span=member.span)
-            return _of_kind(checker, call, verb, parts, context)
-    if context.verbs:
-        find_kind(checker, context.verbs[0], parts, member.span)
-        return unknown(member.span)
-    span = member.of.span
-    return checker.report("RL101", span, name=base, help=did_you_mean(
-        base, checker.program.declarations))  # fmt: skip
-
-
-def _start(checker: Checker, member: ast.Member, name: str, role: str) -> Typed:
-    from ..ir.dimension import LENGTH
-
-    statement = checker.program.declarations[name].statement
-    assert isinstance(statement, ast.Actor)
-    if statement.on is None:
-        return checker.report("RL240", member.span, name=name)
-    options = (("of", Entity(name, role)),)
-    call = PassCall("placement", "start", options, f"{name}.start", member.span)
-    return Typed(member.span, Quantity(LENGTH), Measure(call), random=True)
-
-
-def _member_signal(
-    checker: Checker, member: ast.Member, base: str, name: str, owner: Typed
-) -> Typed:
-    members = [entry for entry in checker.registry.of("drive_signal") if entry.name != "time"]
-    if not checker.registry.has("drive_signal", name):
-        if checker.registry.is_announced("drive_signal", name):
-            find_kind(checker, "drive_signal", name, member.name.span)
-            return unknown(member.span)
-        known = [*(entry.name for entry in members), "start"]
-        help_ = did_you_mean(name, known) or ("there are " + ", ".join(sorted(known)),)
-        given = f"`{base}`"
-        return checker.report("RL227", member.name.span, name=name, given=given, help=help_)
-    found = find_kind(checker, "drive_signal", name, member.name.span)
-    if found is None:
-        return unknown(member.span)
-    if not found.kind.member or len(found.schema) < 1:  # type: ignore[attr-defined]
-        help_ = (f"it is written `{name}({_signature(found.schema)})`",)
-        given = f"`{base}`"
-        return checker.report("RL227", member.name.span, name=name, given=given, help=help_)
-    first = found.schema[0]
-    from .arguments import Bound
-    from .fitting import fit
-
-    fitted = fit(checker, owner, first)
-    if fitted is None:
-        return unknown(member.span)
-    bound = Bound({first.name: fitted}, True)
-    return measured(checker, member.span, found, bound, f"{base}.{name}", member=True)

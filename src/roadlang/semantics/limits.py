@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 from ..ir.dimension import Dimension
+from ..plugins.describing import value_text
+from ..plugins.option_types import QuantityType
 from ..plugins.options import Constraints
 from .checker import Checker
 from .types import Typed
@@ -50,7 +50,4 @@ def _above(limits: Constraints, high: float) -> tuple[str, float, float] | None:
 
 
 def _quantity(value: float, dimension: Dimension) -> str:
-    if math.isinf(value):
-        return "inf" if value > 0 else "-inf"
-    unit = dimension.unit
-    return f"{value:g}{unit.removeprefix('1') if unit.startswith('1/') else unit}"
+    return value_text(value, QuantityType(dimension))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..syntax import ast
-from . import calls, expressions, formulas
+from . import calls, expressions, formulas, members
 from .checker import Rule
 from .units import infer_number
 
@@ -15,7 +15,7 @@ RULES: Mapping[type, Rule] = {
     ast.Text: expressions.infer_string,
     ast.Boolean: expressions.infer_boolean,
     ast.Name: expressions.infer_name,
-    ast.Member: calls.infer_member,
+    ast.Member: members.infer_member,
     ast.Call: calls.infer_call,
     ast.Negate: expressions.infer_negation,
     ast.Arithmetic: expressions.infer_arithmetic,
