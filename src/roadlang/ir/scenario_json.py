@@ -47,7 +47,6 @@ def scenario_schema() -> dict[str, Any]:
     """The JSON Schema of a scenario, derived from the dataclasses."""
     definitions = {name: _schema_of_node(node) for name, node in sorted(_nodes().items())}
     definitions["Scenario"]["properties"]["schema"] = {"const": SCENARIO_SCHEMA}
-    definitions["Scenario"]["required"].append("schema")
     definitions["Dimension"] = {
         "description": "exponents of length, pixel, time, angle and mass",
         "type": "object",

@@ -94,7 +94,9 @@ def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
     import numpy as np
 
     last = float(ribbon.reference[-1])
-    for step in range(int(last / spacing + 1e-9) + 1):
+    # On a closed road the last mark would stand on the first.
+    furthest = last - 0.6 * spacing if ribbon.closed else last
+    for step in range(int(furthest / spacing + 1e-9) + 1):
         s = step * spacing
         here = ribbon.part(s, min(s + 1e-3, last), by_reference=True)
         edge, out = here.line(-1.0)[0], -here.left[0]

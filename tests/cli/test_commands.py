@@ -1,0 +1,358 @@
+"""The commands as a user runs them: words on stdout and stderr, an exit code, no traceback."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+SCENE = """\
+road main { draw with waypoints { points: [(0m, 0m), (80m, 10m), (160m, -10m), (240m, 30m)] } }
+road bent from main { perturb with sine { amplitude: 0m..6m, wavelength: 80m..200m } }
+require near: always (deviation(bent, main) < 3m)
+emit json
+emit svg
+"""
+
+
+@dataclass(frozen=True)
+class Done:
+    """What a command left behind."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def roadlang(*arguments: str, cwd: Path, **environment: str) -> Done:
+    """Run a command line in `cwd`, in this process."""
+    from roadlang.cli.main import run
+
+    out, err = io.StringIO(), io.StringIO()
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
+        patch.chdir(cwd)
+        for name, value in environment.items():
+            patch.setenv(name, value)
+        code = run(list(arguments))
+    return Done(code, out.getvalue(), err.getvalue())
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "scene.rl").write_text(SCENE)
+    return tmp_path
+
+
+def imported_by(*arguments: str, cwd: Path) -> set[str]:
+    """The top-level modules that a command leaves imported."""
+    code = (
+        "import sys\n"
+        "from roadlang.cli.main import run\n"
+        f"run({list(arguments)!r})\n"
+        "print('\\nMODULES', *{name.partition('.')[0] for name in sys.modules})\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=cwd, capture_output=True, text=True, timeout=60
+    )
+    return set(done.stdout.rpartition("MODULES")[2].split())
+
+
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_help_and_version_import_nothing_heavy(option, tmp_path):
+    heavy = {"numpy", "scipy", "cv2", "lark", "pluggy", "msgspec", "yaml"}
+    assert not imported_by(option, cwd=tmp_path) & heavy
+
+
+def test_check_imports_neither_numpy_nor_scipy_nor_opencv(folder):
+    assert not imported_by("check", "scene.rl", cwd=folder) & {"numpy", "scipy", "cv2"}
+
+
+def test_help_lists_the_commands(tmp_path):
+    done = roadlang("--help", cwd=tmp_path)
+    assert done.returncode == 0
+    for name in ("compile", "check", "fmt", "init", "explain", "plugins", "schema", "completion"):
+        assert f"  {name} " in done.stdout
+
+
+def test_a_misspelt_command_gets_its_name(tmp_path):
+    done = roadlang("complie", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "Did you mean `compile`?" in done.stderr
+
+
+def test_compile_writes_scenes_figures_a_sheet_and_a_manifest(folder):
+    done = roadlang("compile", "scene.rl", "-n", "2", "-o", "out", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    names = sorted(path.name for path in (folder / "out").iterdir())
+    assert names == [
+        "contact-sheet.svg",
+        "manifest.json",
+        "scene-0000.json",
+        "scene-0000.svg",
+        "scene-0001.json",
+        "scene-0001.svg",
+    ]
+
+
+def test_the_manifest_has_the_digest_of_every_file(folder):
+    from hashlib import sha256
+
+    roadlang("compile", "scene.rl", "-n", "2", "-o", "out", cwd=folder)
+    manifest = json.loads((folder / "out/manifest.json").read_text())
+    for file in manifest["files"]:
+        data = (folder / "out" / file["path"]).read_bytes()
+        assert file["sha256"] == sha256(data).hexdigest()
+    assert manifest["inputs"]["scene.rl"] == sha256(SCENE.encode()).hexdigest()
+    assert [row["name"] for row in manifest["requirements"]] == ["near"]
+
+
+def files_of(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def test_two_runs_and_any_number_of_jobs_give_the_same_bytes(folder):
+    for name, jobs in (("a", "1"), ("b", "1"), ("c", "2")):
+        roadlang(
+            "compile", "scene.rl", "-n", "3", "--seed", "5", "--jobs", jobs, "-o", name, cwd=folder
+        )
+    assert files_of(folder / "a") == files_of(folder / "b") == files_of(folder / "c")
+
+
+def test_a_scene_does_not_depend_on_how_many_are_asked_for(folder):
+    roadlang("compile", "scene.rl", "-n", "2", "-o", "few", cwd=folder)
+    roadlang("compile", "scene.rl", "-n", "6", "-o", "many", cwd=folder)
+    few, many = files_of(folder / "few"), files_of(folder / "many")
+    for name in ("scene-0000.json", "scene-0001.json", "scene-0001.svg"):
+        assert few[name] == many[name]
+
+
+def test_emit_on_the_command_line_replaces_the_files(folder):
+    roadlang("compile", "scene.rl", "--emit", "svg", "-o", "out", cwd=folder)
+    assert sorted(files_of(folder / "out")) == ["manifest.json", "scene-0000.svg"]
+
+
+def test_compile_json_prints_manifest_and_diagnostics(folder):
+    done = roadlang("compile", "scene.rl", "-o", "out", "--json", cwd=folder)
+    record = json.loads(done.stdout)
+    assert record["manifest"]["scenes"] == 1
+    assert record["diagnostics"] == []
+
+
+def test_impossible_requirements_exit_3_with_the_table_and_write_nothing(folder):
+    (folder / "scene.rl").write_text(SCENE + "require far: always (deviation(bent, main) > 50m)\n")
+    done = roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
+    assert done.returncode == 3
+    assert "far" in done.stderr
+    assert "rejected" in done.stderr
+    assert not (folder / "out").exists()
+
+
+def test_a_failing_run_leaves_an_earlier_output_as_it_was(folder):
+    roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
+    before = files_of(folder / "out")
+    (folder / "scene.rl").write_text(SCENE.replace("sine", "sinus"))
+    assert roadlang("compile", "scene.rl", "-o", "out", cwd=folder).returncode == 1
+    assert files_of(folder / "out") == before
+
+
+def test_an_output_folder_that_cannot_be_made_is_said(folder):
+    (folder / "file").write_text("")
+    done = roadlang("compile", "scene.rl", "-o", "file/out", cwd=folder)
+    assert done.returncode != 0
+    assert "Traceback" not in done.stderr
+    assert "file" in done.stderr
+
+
+def test_check_json_has_every_fault_with_its_place(folder):
+    (folder / "scene.rl").write_text(SCENE.replace("amplitude", "amplitud").replace("3m", "3s"))
+    done = roadlang("check", "scene.rl", "--json", cwd=folder)
+    found = json.loads(done.stdout)
+    assert done.returncode == 1
+    assert {
+        "code",
+        "severity",
+        "message",
+        "file",
+        "line",
+        "column",
+        "end_line",
+        "end_column",
+        "help",
+    } <= set(found[0])
+    assert {entry["line"] for entry in found} == {2, 3}
+
+
+def test_set_gives_a_param_another_value(folder):
+    (folder / "scene.rl").write_text("param reach = 2m\n" + SCENE.replace("6m", "reach"))
+    roadlang("compile", "scene.rl", "--set", "reach=1m", "-o", "out", cwd=folder)
+    scene = json.loads((folder / "out/scene-0000.json").read_text())
+    assert scene["values"]["reach"] == 1.0
+    assert scene["provenance"]["overrides"] == {"reach": "1m"}
+
+
+@pytest.mark.parametrize(
+    ("content", "code", "status"),
+    [
+        (None, "RL920", 2),
+        (b"\x89PNG\r\n\x1a\n\xff", "RL922", 1),
+        (b"road main {\xff}", "RL922", 1),
+        ("road main".encode("utf-16"), "RL922", 1),
+        (b"#" * 5_000_000, "RL923", 1),
+    ],
+    ids=["missing", "picture", "latin", "utf16", "huge"],
+)
+@pytest.mark.parametrize("command", ["check", "compile", "fmt"])
+def test_what_is_no_text_is_said_without_a_traceback(command, content, code, status, tmp_path):
+    if content is not None:
+        (tmp_path / "scene.rl").write_bytes(content)
+    done = roadlang(command, "scene.rl", cwd=tmp_path)
+    assert done.returncode == status
+    assert code in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_folder_is_no_scene_file(folder):
+    (folder / "scenes").mkdir()
+    done = roadlang("check", "scenes", cwd=folder)
+    assert (done.returncode, "RL921" in done.stderr) == (2, True)
+
+
+def test_check_goes_on_after_a_file_that_is_not_there(folder):
+    done = roadlang("check", "nope.rl", "scene.rl", "gone.rl", "--json", cwd=folder)
+    assert [entry["file"] for entry in json.loads(done.stdout)] == ["nope.rl", "gone.rl"]
+
+
+def test_standard_input_is_a_file_called_dash(folder):
+    done = subprocess.run(
+        [sys.executable, "-m", "roadlang", "fmt", "-"],
+        input="param   a=3m\n",
+        capture_output=True,
+        text=True,
+        cwd=folder,
+    )
+    assert done.stdout == "param a = 3m\n"
+
+
+def test_fmt_check_and_diff_change_nothing(folder):
+    (folder / "scene.rl").write_text("param   a=3m   # why\n")
+    checked = roadlang("fmt", "--check", "scene.rl", cwd=folder)
+    shown = roadlang("fmt", "--diff", "scene.rl", cwd=folder)
+    assert (checked.returncode, shown.returncode) == (1, 1)
+    assert "+param a = 3m" in shown.stdout
+    assert (folder / "scene.rl").read_text() == "param   a=3m   # why\n"
+    assert roadlang("fmt", "scene.rl", cwd=folder).returncode == 0
+    assert roadlang("fmt", "--check", "scene.rl", cwd=folder).returncode == 0
+
+
+def test_fmt_leaves_a_file_with_errors_alone(folder):
+    (folder / "scene.rl").write_text("road main {\n")
+    assert roadlang("fmt", "scene.rl", cwd=folder).returncode == 1
+    assert (folder / "scene.rl").read_text() == "road main {\n"
+
+
+@pytest.mark.parametrize("template", ["bend", "town", "sweep"])
+def test_every_starter_scene_compiles(template, tmp_path):
+    assert roadlang("init", "new.rl", "--template", template, cwd=tmp_path).returncode == 0
+    done = roadlang("compile", "new.rl", "-o", "out", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert roadlang("fmt", "--check", "new.rl", cwd=tmp_path).returncode == 0
+
+
+def test_init_never_writes_over_a_file(folder):
+    done = roadlang("init", "scene.rl", cwd=folder)
+    assert (done.returncode, "RL929" in done.stderr) == (2, True)
+    assert (folder / "scene.rl").read_text() == SCENE
+
+
+def test_explain_prints_a_page_and_knows_a_near_code(tmp_path):
+    assert "roadlang has a bug" in roadlang("explain", "RL900", cwd=tmp_path).stdout
+    done = roadlang("explain", "RL999", cwd=tmp_path)
+    assert (done.returncode, "RL925" in done.stderr) == (2, True)
+
+
+def test_plugins_lists_kinds_and_shows_options(tmp_path):
+    record = json.loads(roadlang("plugins", "--json", cwd=tmp_path).stdout)
+    assert {"verb": "perturb", "name": "sine"}.items() <= next(
+        kind for kind in record["kinds"] if kind["name"] == "sine"
+    ).items()
+    shown = roadlang("plugins", "show", "perturb", "sine", cwd=tmp_path).stdout
+    assert "wavelength: a length (m); required; > 0m" in shown
+
+
+@pytest.mark.parametrize("name", ["scene", "manifest", "scenario", "sine"])
+def test_schemas_are_json_schemas(name, tmp_path):
+    import jsonschema
+
+    schema = json.loads(roadlang("schema", name, cwd=tmp_path).stdout)
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+
+def test_manifest_and_scenario_fit_their_schemas(folder):
+    import jsonschema
+
+    roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
+    manifest = json.loads((folder / "out/manifest.json").read_text())
+    jsonschema.validate(manifest, json.loads(roadlang("schema", "manifest", cwd=folder).stdout))
+    scenario = json.loads(roadlang("check", "--scenario", "scene.rl", cwd=folder).stdout)
+    jsonschema.validate(scenario, json.loads(roadlang("schema", "scenario", cwd=folder).stdout))
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_scripts(shell, tmp_path):
+    assert "roadlang" in roadlang("completion", shell, cwd=tmp_path).stdout
+
+
+def test_colour_only_where_it_is_wanted(folder):
+    (folder / "scene.rl").write_text("raod main {}\n")
+    assert "\x1b[" not in roadlang("check", "scene.rl", cwd=folder).stderr
+    assert "\x1b[" in roadlang("--color", "always", "check", "scene.rl", cwd=folder).stderr
+    assert "\x1b[" in roadlang("check", "scene.rl", cwd=folder, FORCE_COLOR="1").stderr
+    quiet = roadlang("check", "scene.rl", cwd=folder, FORCE_COLOR="1", NO_COLOR="1")
+    assert "\x1b[" not in quiet.stderr
+
+
+def test_a_closed_pipe_ends_quietly(tmp_path):
+    done = subprocess.run(
+        ["bash", "-c", f"{sys.executable} -m roadlang schema scenario | head -n 1"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
+    assert done.stdout == "{\n"
+    assert done.stderr == ""
+
+
+def test_an_interruption_ends_quietly(monkeypatch, capsys):
+    from roadlang.cli import explain
+    from roadlang.cli.main import run
+
+    def interrupted() -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(explain, "codes", interrupted)
+    assert run(["explain"]) == 130
+    assert capsys.readouterr().err.strip() == "interrupted"
+
+
+def test_a_bug_is_a_short_report_and_exit_70(monkeypatch, capsys):
+    from roadlang.cli import explain
+    from roadlang.cli.main import run
+
+    def broken() -> None:
+        raise RuntimeError("the moon is full")
+
+    monkeypatch.setattr(explain, "codes", broken)
+    assert run(["explain"]) == 70
+    words = capsys.readouterr().err
+    assert "RL900" in words
+    assert "the moon is full" in words
+    assert "Traceback" not in words
+    monkeypatch.setenv("ROADLANG_TRACEBACK", "1")
+    with pytest.raises(RuntimeError):
+        run(["explain"])
