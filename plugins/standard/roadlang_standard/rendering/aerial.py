@@ -71,7 +71,7 @@ def _paint(
     image, water = ground(rng, setting, near)
     buildings, lots = settle(rng, setting, roads, near, water)
     canopy = woods(rng, setting, near, water)
-    plant(rng, setting, canopy, near, roads)
+    plant(rng, setting, canopy, near, water, roads)
     canopy.cover *= 1 - water
     _clear(
         setting, canopy, footprints(setting, buildings, True), footprints(setting, buildings, False)

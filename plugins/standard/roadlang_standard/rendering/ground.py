@@ -49,7 +49,10 @@ def _field(rng: np.random.Generator, setting: Setting, image: Layer) -> None:
     blend(image, np.clip(base, 0.05, 1) * texture[..., None], cover * rng.uniform(0.7, 1))
     if rng.random() < 0.4:
         edge = cv2.morphologyEx(cover, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-        blend(image, setting.palette["wood"], edge * rng.uniform(0.3, 0.8))
+        tone = np.array(setting.palette[str(rng.choice(["wood", "soil"]))]) * rng.uniform(0.6, 1.3)
+        if rng.random() < 0.4:
+            edge = cv2.dilate(edge, np.ones((2, 2), np.uint8))
+        blend(image, tuple(np.clip(tone, 0, 1)), edge * rng.uniform(0.3, 0.9))
 
 
 def _rows(frame: Frame, turn: float, pitch: float) -> Layer:
@@ -68,14 +71,16 @@ def polygon(frame: Frame, corners: np.ndarray) -> Layer:
 
 def _water(rng: np.random.Generator, setting: Setting, image: Layer, near: Layer) -> Layer:
     frame = setting.frame
-    if rng.random() > 0.22 - 0.12 * setting.homes:
+    if rng.random() > 0.28 - 0.12 * setting.homes:
         return np.zeros(frame.shape, np.float32)
     level = fractal(rng, frame, rng.uniform(150, 600)) + np.clip(12 - near, 0, 40) * 0.2
     depth = -(level + rng.uniform(0.6, 1.6))
     water = np.clip(depth * 12, 0, 1).astype(np.float32)
-    if rng.random() < 0.5:
-        sand = np.clip(1 - np.abs(depth + 0.06) * rng.uniform(8, 25), 0, 1).astype(np.float32)
-        blend(image, tuple(np.array(setting.palette["soil"]) * 1.25), sand * rng.uniform(0.4, 0.9))
+    if rng.random() < 0.65:
+        rim = rng.uniform(0.03, 0.15)
+        sand = np.clip(1.5 - np.abs(depth + rim) / rim * rng.uniform(1, 1.6), 0, 1)
+        tone = np.clip(np.array(setting.palette["soil"]) * rng.uniform(0.9, 1.5), 0, 1)
+        blend(image, tuple(tone), (sand * rng.uniform(0.5, 1)).astype(np.float32))
     ripple = 1 + 0.06 * streaks(rng, frame, 6, rng.uniform(0, np.pi)) + 0.1 * smooth(rng, frame, 90)
     blend(image, np.array(setting.palette["water"], np.float32) * ripple[..., None], water)
     return water

@@ -42,7 +42,8 @@ def settle(
     taken = np.zeros(setting.frame.shape, np.uint8)
     buildings: list[Building] = []
     lots: list[Lot] = []
-    pitch, setback = rng.uniform(14, 28), rng.uniform(3, 12)
+    pitch = rng.uniform(14, 28)
+    setback = rng.uniform(3, 12) if rng.random() < 0.65 else rng.uniform(10, 45)
     for road in plan:
         if road.manner != "street":
             continue
@@ -55,7 +56,8 @@ def settle(
                 station += max(pitch, 2 * half[0] + 3) * rng.uniform(0.85, 1.3)
                 if rng.random() > setting.homes:
                     continue
-                place = _place(rng, road, index, side, half, setback + rng.exponential(3))
+                back = setback * rng.uniform(0.7, 1.3) + rng.exponential(3)
+                place = _place(rng, road, index, side, half, back)
                 if large and rng.random() < 0.4:
                     lot = Lot(place.centre, place.half, place.heading)
                     if _free(setting, lot, near, water, taken):
@@ -118,16 +120,47 @@ def lay_drives(
         quad(setting, quad3, lot.centre, lot.half, lot.heading, np.ones(3))
         blend(image, (tone,) * 3, quad3[..., 0].astype(np.float32) / 255)
     for house in buildings:
-        if rng.random() < 0.7:
-            end = house.centre + rng.normal(0, 2, 2)
-            points = spline(
-                np.array([house.door, (house.door + end) / 2 + rng.normal(0, 1.2, 2), end])
-            )
-            tone = np.clip(setting.asphalt * rng.uniform(0.5, 1.3), 0.12, 0.85)
-            window, alpha = ribbon(
-                frame.pixels(points), frame.length(rng.uniform(2.2, 4.2)), frame.shape
-            )
-            blend(image[window], tuple(tone * rng.normal(1, 0.03, 3)), alpha * rng.uniform(0.5, 1))
+        if rng.random() < 0.75:
+            _drive(rng, setting, image, house)
+        if house.large and rng.random() < 0.4:
+            _way_round(rng, setting, image, house)
+
+
+def _drive(rng: np.random.Generator, setting: Setting, image: Layer, house: Building) -> None:
+    """From the road to the house, straight or winding, sometimes with a yard at its end."""
+    end = house.centre + rng.normal(0, 2, 2)
+    away = float(np.hypot(*(end - house.door)))
+    bends = house.door + np.outer((0.35, 0.7), end - house.door)
+    bends = bends + rng.normal(0, 0.02 + 0.07 * away, (2, 2))
+    points = spline(np.vstack([house.door, bends, end]))
+    _lane(rng, setting, image, points, rng.uniform(2.2, 4.4))
+    if rng.random() < 0.3:
+        yard = points[-max(2, int(rng.uniform(3, 7))) :]
+        _lane(rng, setting, image, yard, rng.uniform(5, 10))
+
+
+def _way_round(
+    rng: np.random.Generator, setting: Setting, image: Layer, house: Building
+) -> None:
+    """A service lane about a large building."""
+    turns = np.linspace(0, 2 * np.pi, 9)[:-1]
+    around = np.c_[np.cos(turns), np.sin(turns)] * (house.half + rng.uniform(5, 12)) * 1.2
+    cosine, sine = np.cos(house.heading), np.sin(house.heading)
+    ring = house.centre + around @ np.array([[cosine, sine], [-sine, cosine]])
+    _lane(rng, setting, image, spline(ring, closed=True), rng.uniform(3.5, 6))
+
+
+def _lane(
+    rng: np.random.Generator, setting: Setting, image: Layer, points: Floats, width: float
+) -> None:
+    """A strip of private asphalt or gravel: no road."""
+    frame = setting.frame
+    tone = np.clip(setting.asphalt * rng.uniform(0.55, 1.25), 0.12, 0.85)
+    colour = tone * rng.normal(1, 0.03, 3)
+    if rng.random() < 0.15:
+        colour = np.array(setting.palette["soil"]) * rng.uniform(0.8, 1.2)
+    window, alpha = ribbon(frame.pixels(points), frame.length(width), frame.shape)
+    blend(image[window], tuple(np.clip(colour, 0, 1)), alpha * rng.uniform(0.55, 1))
 
 
 def build(

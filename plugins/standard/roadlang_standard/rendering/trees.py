@@ -68,7 +68,12 @@ def _needles(rng: np.random.Generator, setting: Setting) -> Layer:
 
 
 def plant(
-    rng: np.random.Generator, setting: Setting, canopy: Canopy, near: Layer, plan: list[PlannedRoad]
+    rng: np.random.Generator,
+    setting: Setting,
+    canopy: Canopy,
+    near: Layer,
+    water: Layer,
+    plan: list[PlannedRoad],
 ) -> None:
     """Add single trees, some of them in avenues beside the road, in place."""
     frame = setting.frame
@@ -80,7 +85,7 @@ def plant(
     for centre in spots:
         x, y = frame.pixels(centre)
         row, column = np.clip((int(y), int(x)), 0, frame.size - 1)
-        if near[row, column] > -setting.overhang:
+        if near[row, column] > -setting.overhang and not water[row, column] > 0:
             press(canopy, stamps[int(rng.integers(len(stamps)))], centre, setting)
     for road in plan:
         if rng.random() < 0.15 and road.manner == "street":

@@ -1,0 +1,112 @@
+"""What the net says about a picture: maps of road surface and centre line, by tiles without seams."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .exposure import even_exposure
+from .tones import Image
+
+Layer = NDArray[np.float32]
+_TILE, _MARGIN = 768, 96
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Probability of road surface and of being on a centre line, both (h, w) in 0..1."""
+
+    surface: Layer
+    line: Layer
+
+
+Predictor = Callable[[Image], NDArray[np.float32]]
+"""From an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2)."""
+
+
+@lru_cache(maxsize=4)
+def road_net(path: str = "") -> Predictor:
+    """The net in an ONNX file, read by OpenCV; the shipped one without a path.
+
+    A net of one map serves as both. Raises cv2.error for a file that is no such net.
+    """
+    data = Path(path).read_bytes() if path else _shipped()
+    net = cv2.dnn.readNetFromONNX(np.frombuffer(data, np.uint8))
+
+    def predict(tile: Image) -> NDArray[np.float32]:
+        net.setInput(cv2.dnn.blobFromImage(tile, swapRB=True))
+        maps = np.asarray(net.forward(), np.float32)[0]
+        return maps if len(maps) >= 2 else np.repeat(maps, 2, axis=0)
+
+    return predict
+
+
+def _shipped() -> bytes:
+    return files(__package__).joinpath("weights", "roads.onnx").read_bytes()
+
+
+def evidence(image: Image, predict: Predictor, mirrored: bool = True) -> Evidence:
+    """The maps of a picture (h, w, 3) at its own size; mirrored, two views are averaged."""
+    even = even_exposure(image)
+    maps = _tiled(even, predict)
+    if mirrored:
+        maps += _tiled(np.ascontiguousarray(even[:, ::-1]), predict)[:, :, ::-1]
+        maps /= 2
+    height, width = image.shape[:2]
+    size = (2 * maps.shape[2], 2 * maps.shape[1])
+    full = [cv2.resize(m, size, interpolation=cv2.INTER_LINEAR)[:height, :width] for m in maps]
+    return Evidence(np.ascontiguousarray(full[0]), np.ascontiguousarray(full[1]))
+
+
+def _tiled(image: Image, predict: Predictor) -> NDArray[np.float32]:
+    """Maps (2, ceil(h/2), ceil(w/2)); tiles overlap and fade into each other."""
+    height, width = image.shape[:2]
+    rows, columns = -(-height // 2), -(-width // 2)
+    total = np.zeros((2, rows, columns), np.float32)
+    weight = np.zeros((rows, columns), np.float32)
+    for top, bottom in _spans(height):
+        for left, right in _spans(width):
+            maps = _predicted(image[top:bottom, left:right], predict)
+            fade = np.outer(_fade(top, bottom, height), _fade(left, right, width)).astype(np.float32)
+            here = (slice(top // 2, top // 2 + maps.shape[1]), slice(left // 2, left // 2 + maps.shape[2]))
+            total[(slice(None), *here)] += maps * fade
+            weight[here] += fade
+    return total / weight
+
+
+def _predicted(tile: Image, predict: Predictor) -> NDArray[np.float32]:
+    height, width = tile.shape[:2]
+    down, right = -height % 32, -width % 32
+    padded = cv2.copyMakeBorder(tile, 0, down, 0, right, cv2.BORDER_REFLECT_101 if min(height, width) > 32 else cv2.BORDER_REPLICATE)
+    return predict(padded)[:2, : -(-height // 2), : -(-width // 2)]
+
+
+def _spans(size: int) -> Iterator[tuple[int, int]]:
+    """Even starts of tiles that overlap by two margins and cover 0..size."""
+    start = 0
+    while True:
+        end = start + _TILE
+        if end + _TILE // 4 >= size:
+            yield start, size
+            return
+        yield start, end
+        start = end - 2 * _MARGIN
+
+
+def _fade(start: int, end: int, size: int) -> NDArray[np.float64]:
+    """Weight along one side of a tile: zero near its edges, but not at those of the picture."""
+    count = -(-(end - start) // 2)
+    at = 2 * np.arange(count) + 1.0
+    weight = np.ones(count)
+    if start > 0:
+        weight = np.minimum(weight, at / _MARGIN - 0.25)
+    if end < size:
+        weight = np.minimum(weight, (end - start - at) / _MARGIN - 0.25)
+    return np.clip(weight, 1e-4, 1)
