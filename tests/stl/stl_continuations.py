@@ -21,7 +21,7 @@ def continuations(
     variants: int,
     values: Floats = _VALUES,
 ) -> Iterator[tuple[Floats, dict[str, Floats]]]:
-    """(positions, signals (variants, S)) that begin with the given trace; the first is the trace."""
+    """(positions, signals (variants, S)) that begin with the trace; the first is no longer."""
     rng = np.random.default_rng(seed)
     yield positions, {name: row[None] for name, row in signals.items()}
     for _ in range(choices):

@@ -38,6 +38,19 @@ class Windows:
     def count(self) -> int:
         return int(self.starts.size)
 
+    def samples(self, window: int) -> IntArray:
+        """The samples of one window as indices on the axis, from its near end to its far end."""
+        return self._on_axis(np.arange(self.starts[window], self.ends[window] + 1))
+
+    def before(self, window: int, sample: int) -> IntArray:
+        """For until: the samples from the one asked about to the `sample`-th of its window."""
+        return self._on_axis(np.arange(self.first + window, self.starts[window] + sample))
+
+    def _on_axis(self, counted: IntArray) -> IntArray:
+        low, high = self.span
+        counted = counted % (high - low + 1)
+        return high - counted if self.flipped else low + counted
+
     @cached_property
     def even(self) -> tuple[int, int] | None:
         """(offset, width) if window k is [k + offset, k + offset + width), clipped at the end."""

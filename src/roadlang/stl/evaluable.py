@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from .explanation import Explanation
     from .formulas import Formula
     from .trace import FloatArray, Positions, Signals
     from .verdicts import Range, Verdict
@@ -65,3 +66,16 @@ class Evaluable:
         from .verdicts import verdict
 
         return verdict(self._formula, positions, signals, wrap=wrap)
+
+    def explain(
+        self,
+        positions: Positions,
+        signals: Signals,
+        *,
+        variant: int = 0,
+        wrap: float | None = None,
+    ) -> Explanation:
+        """What decides the robustness at the start of one variant, and where the formula fails."""
+        from .explanation import explain
+
+        return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
