@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from roadlang.plugins.hookspecs import hookimpl
+from roadlang.api import hookimpl
 
 _KINDS = {
     "adjust brightness": "adjust_brightness:Brightness",
