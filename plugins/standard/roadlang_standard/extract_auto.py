@@ -1,0 +1,50 @@
+"""`extract with auto`, the default: see what sort of picture it is and take the kind for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Extractor, Length, Number, PixelPoint, list_of, option
+
+if TYPE_CHECKING:
+    from roadlang.ir.picture import Extraction, Picture
+
+
+@dataclass(frozen=True)
+class Auto(Extractor):
+    """Tell photo, drawing, mask and legend apart, say so, and delegate."""
+
+    name: ClassVar[str] = "auto"
+    threshold: Number = option(
+        "auto", words=("auto",), above=0, below=1, help="see `aerial` and `contour`"
+    )
+    width: Length = option(None, above=0, help="the roads' width, instead of the measured one")
+    through: list_of(PixelPoint) = option(  # type: ignore[valid-type]
+        (), help="points that roads pass through: a hint for photos"
+    )
+    leave_out: list_of(list_of(PixelPoint, at_least=2)) = option(  # type: ignore[valid-type]
+        (), help="boxes without roads, each as two corners: a hint for photos"
+    )
+
+    def extract(self, picture: Picture) -> Extraction:
+        from dataclasses import replace
+
+        from .extract_aerial import Aerial
+        from .extract_contour import Contour
+        from .extract_pixels import Pixel
+        from .extraction.picture_kind import picture_kind
+
+        if picture.characters is not None or picture.legend:
+            kind = "typed grid" if picture.characters is not None else "drawing with a legend"
+            found = Pixel().extract(picture)
+        else:
+            assert picture.pixels is not None
+            seen = picture_kind(picture.pixels)
+            kind = seen.name
+            if seen.drawn and not self.through:
+                found = Contour(threshold=self.threshold, width=self.width).extract(picture)
+            else:
+                hints = (self.through, self.leave_out)
+                found = Aerial(self.threshold, self.width, *hints).extract(picture)
+        return replace(found, remarks=(f"read as a {kind}", *found.remarks))

@@ -1,0 +1,66 @@
+"""What the extract kinds ask of a picture: its pixels, or its legend; told in diagnostics if lacking."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .colours import NAMES, bgr
+from .found import FoundNetwork
+from .legend import ROAD, Thing, read_colours, read_text
+from .tones import Image
+
+if TYPE_CHECKING:
+    from roadlang.ir.picture import Picture
+
+
+def pixels_of(picture: Picture, kind: str) -> Image:
+    """The pixels (h, w, 3). Raises DiagnosticError RL420 for a picture typed as text."""
+    from roadlang.api import DiagnosticError, diagnose
+
+    if picture.pixels is None:
+        raise DiagnosticError(
+            diagnose("RL420", kind=kind, help="typed pictures are read by `extract with pixels`")
+        )
+    return picture.pixels
+
+
+def read_legend(
+    picture: Picture, thickness: float | None
+) -> tuple[FoundNetwork, tuple[Thing, ...]]:
+    """Roads and things of a picture with a legend. Raises DiagnosticError RL421 to RL423."""
+    from roadlang.api import DiagnosticError, diagnose
+
+    legend = dict(picture.legend)
+    if not legend and picture.characters is not None:
+        legend = {"#": ROAD}
+    if ROAD not in legend.values():
+        example = '`legend: { "#": road }`' if picture.characters else '`legend: { "white": road }`'
+        raise DiagnosticError(diagnose("RL421", help=f"add {example} to the image"))
+    if picture.characters is not None:
+        _check_characters(legend)
+        return read_text(picture.characters, legend, thickness or 1.0)
+    for colour in legend:
+        _check_colour(colour)
+    return read_colours(pixels_of(picture, "pixels"), legend, thickness)
+
+
+def _check_characters(legend: dict[str, str]) -> None:
+    from roadlang.api import DiagnosticError, diagnose
+
+    for key in legend:
+        if len(key) != 1:
+            raise DiagnosticError(
+                diagnose("RL422", key=key, help="in a typed picture each key is one character")
+            )
+
+
+def _check_colour(colour: str) -> None:
+    from roadlang.api import DiagnosticError, diagnose
+    from roadlang.diagnostics import did_you_mean
+
+    try:
+        bgr(colour)
+    except ValueError:
+        hints = did_you_mean(colour, NAMES)
+        advice = 'write a colour as "#2e7d32" or by name, such as "white"'
+        raise DiagnosticError(diagnose("RL423", colour=colour, help=(*hints, advice))) from None

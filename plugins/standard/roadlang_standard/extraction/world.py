@@ -1,0 +1,82 @@
+"""From pixels to the world: what was found, as an `Extraction` in metres."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .found import Floats, FoundNetwork, FoundRoad
+from .legend import Thing
+from .smoothing import resample
+
+if TYPE_CHECKING:
+    from roadlang.ir.picture import Extraction, Picture
+
+_DOUBTFUL = 0.5
+
+
+def extraction(
+    picture: Picture, found: FoundNetwork, things: Sequence[Thing] = (), remarks: Sequence[str] = ()
+) -> Extraction:
+    """The found roads as splines in metres, joined at their nodes; doubtful ones are remarked on."""
+    from roadlang.geometry import Edge, Node, RoadNetwork
+    from roadlang.ir.picture import Extraction
+
+    where = picture.to_world(found.nodes) if len(found.nodes) else found.nodes
+    edges = []
+    for road in found.roads:
+        curve = _curve(picture, road, where, cells=found.method == "cells")
+        if curve is not None:
+            widths = np.maximum(road.widths * picture.scale, 1e-3)
+            ids = (road.start, road.end)
+            edges.append(Edge(len(edges) + 1, *ids, curve, widths, road.confidence))
+    used = {node for edge in edges for node in (edge.start, edge.end)}
+    nodes = tuple(Node(i, (float(x), float(y))) for i, (x, y) in enumerate(where) if i in used)
+    return Extraction(
+        RoadNetwork(nodes, tuple(edges)),
+        tuple(_object(picture, thing) for thing in things),
+        round(found.confidence, 4),
+        (*remarks, *found.remarks, *_doubts(found)),
+        found.mask,
+    )
+
+
+def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool):  # type: ignore[no-untyped-def]
+    """A spline through points about half a width apart; None for a road without length."""
+    from roadlang.geometry import Curve
+
+    usual = float(np.median(road.widths))
+    points = road.points if cells else resample(road.points, max(2.0, 0.5 * usual))
+    world = picture.to_world(points)
+    world[0], world[-1] = where[road.start], where[road.end]
+    apart = np.r_[True, np.hypot(*np.diff(world, axis=0).T) > 1e-6]
+    world = world[apart]
+    if road.closed and len(world) > 3:
+        return Curve.through(world[:-1], closed=True)
+    return Curve.through(world) if len(world) > 1 and not road.closed else None
+
+
+def _object(picture: Picture, thing: Thing):  # type: ignore[no-untyped-def]
+    from roadlang.ir.picture import FoundObject
+
+    x, y = picture.to_world(np.array([[thing.x, thing.y]]))[0]
+    scale = picture.scale
+    return FoundObject(
+        thing.kind, float(x), float(y), thing.length * scale, thing.width * scale, -thing.heading
+    )
+
+
+def _doubts(found: FoundNetwork) -> list[str]:
+    """One line for each doubtful road, longest first, with its place; at most five."""
+    doubtful = [road for road in found.roads if road.confidence < _DOUBTFUL]
+    doubtful.sort(key=lambda road: -road.length)
+    lines = []
+    for road in doubtful[:5]:
+        x, y = road.points[len(road.points) // 2]
+        share = f"{road.confidence:.0%}"
+        lines.append(f"a road of {road.length:.0f} px at ({x:.0f}px, {y:.0f}px) is only {share} sure")
+    if len(doubtful) > 5:
+        lines.append(f"{len(doubtful) - 5} more roads are less than {_DOUBTFUL:.0%} sure")
+    return lines
