@@ -14,7 +14,7 @@ from .options import OptionSchema
 def type_text(option: OptionSchema) -> str:
     """What may be written for an option: `a length`, `a whole number or auto`."""
     if isinstance(option.type, types.WordType):
-        return " | ".join(option.words)
+        return " | ".join(option.words) or "one of the words of `option(words=...)`"
     return " | ".join([_WORDS[type(option.type)](option.type), *option.words])
 
 
@@ -86,6 +86,10 @@ def _item_type(type_: OptionType) -> OptionType:
     return type_
 
 
+def _a(noun: str) -> str:
+    return f"an {noun}" if noun[0] in "aeio" else f"a {noun}"
+
+
 def _of(type_: OptionType) -> str:
     return _WORDS[type(type_)](type_)
 
@@ -109,7 +113,7 @@ _WORDS: dict[type, Callable[[Any], str]] = {
     types.ListType: lambda t: f"a list of {_of(t.item)}",
     types.IntervalType: lambda t: f"[a, b], each {_of(t.item)}",
     types.PointType: lambda t: f"a point ({t.dimension.unit})",
-    types.EntityType: lambda t: "the name of " + " or ".join(f"a {role}" for role in t.roles),
+    types.EntityType: lambda t: "the name of " + " or ".join(map(_a, t.roles)),
     types.NamesType: lambda t: "a constraint's name, or a list of such",
     types.CallType: lambda t: f"a call of a {t.verb}",
     types.KindNameType: lambda t: f"the name of a kind of {t.verb}",
