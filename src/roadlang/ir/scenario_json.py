@@ -1,7 +1,7 @@
 """A `Scenario` as JSON and back, and its JSON Schema.
 
 A dataclass becomes an object with its class's name under `is`; a dimension its unit; a formula
-its JSON form; a place in a source its file and offsets (the text is not repeated).
+its JSON form; a place in a source its file, line, column and offsets (the text is not repeated).
 """
 
 from __future__ import annotations
@@ -61,10 +61,12 @@ def scenario_schema() -> dict[str, Any]:
         "type": "object",
         "properties": {
             "file": {"type": "string"},
+            "line": {"type": "integer", "description": "of the start, counted from 1"},
+            "column": {"type": "integer", "description": "of the start, counted from 1"},
             "start": {"type": "integer"},
             "end": {"type": "integer"},
         },
-        "required": ["file", "start", "end"],
+        "required": ["file", "line", "column", "start", "end"],
     }
     return {
         "$schema": _DRAFT,
@@ -94,7 +96,8 @@ def _plain(value: Any) -> Any:
     if isinstance(value, Dimension):
         return {"is": "Dimension", "unit": value.unit, "exponents": list(value.exponents)}
     if isinstance(value, Span):
-        return {"file": value.source.path, "start": value.start, "end": value.end}
+        place = {"file": value.source.path, "line": value.line, "column": value.column}
+        return {**place, "start": value.start, "end": value.end}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         members = {
             field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)

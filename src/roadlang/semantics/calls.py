@@ -142,18 +142,8 @@ def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
     declared = checker.program.declarations.get(value.text)
     if declared is None or declared.role not in ("param", "let") or not typed.random:
         return checker.report("RL232", value.span, what=value.text)
-    again = checker.infer(expression_of(checker, value.text), replace(context, fresh=True))
-    return replace(again, span=call.span, range=False)
-
-
-def expression_of(checker: Checker, name: str) -> ast.Expression:
-    """What a `param` or `let` is set to, here or from outside."""
-    setting = checker.program.settings.get(name)
-    if setting is not None:
-        return setting.value
-    statement = checker.program.declarations[name].statement
-    assert isinstance(statement, ast.Param | ast.Let)
-    return statement.value
+    again = checker.infer(value, replace(context, fresh=True))
+    return replace(again, span=call.span)
 
 
 def of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Context) -> Typed:

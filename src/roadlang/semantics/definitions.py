@@ -9,20 +9,18 @@ from ..plugins.option_types import QuantityType
 from . import types as ty
 from .checker import Checker
 from .context import Context
-from .program import Declaration, Setting
+from .program import Declaration, Setting, expression_of
 from .types import Typed, unknown
 from .units import unit_missing
 
 
 def define(checker: Checker, declaration: Declaration, context: Context) -> Typed:
     """Infer the definition; called once for each name."""
-    from .calls import expression_of
-
     name = declaration.name.text
     setting = checker.program.settings.get(name)
     statement = declaration.statement
     if setting is None or not hasattr(statement, "value"):
-        typed = checker.infer(expression_of(checker, name), context)
+        typed = checker.infer(expression_of(checker.program, name), context)
         return _usable(checker, declaration, typed)
     default_context = replace(context, user="", place=f"{name}/default")
     default = _usable(checker, declaration, checker.infer(statement.value, default_context))

@@ -24,6 +24,7 @@ from .arithmetic import signal_arithmetic, signal_negation
 from .checker import Checker
 from .context import Context
 from .kinds import find_kind
+from .program import expression_of
 from .types import (
     ConstraintType,
     EntityType,
@@ -195,11 +196,29 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
     found = checker.definition(text)
     if found.is_unknown:
         return unknown(span)
+    if context.fresh and found.random and found.value is not None:
+        again = checker.infer(expression_of(checker.program, text), context)
+        return replace(again, span=span, range=False)
     if found.value is None:
-        evidence = replace(found.evidence, span=span, text=text) if found.evidence else None
-        return replace(found, span=span, evidence=evidence)
-    kind = replace(found.type, bare=False) if isinstance(found.type, Quantity) else found.type
-    return replace(found, span=span, type=kind, value=Reference(text), range=False)
+        return _signal_or_formula(found, text, span)
+    if isinstance(found.type, Quantity):
+        constant = isinstance(found.value, Constant)
+        value = found.value if constant else Reference(text)
+        kind = replace(found.type, bare=False)
+        return replace(found, span=span, type=kind, value=value, range=False)
+    return replace(found, span=span, value=Reference(text), range=False)
+
+
+def _signal_or_formula(found: Typed, text: str, span: Span) -> Typed:
+    """What a `let` names; a signal by itself is a variable of that name in formulas."""
+    from ..stl import Variable
+
+    evidence = replace(found.evidence, span=span, text=text) if found.evidence else None
+    found = replace(found, span=span, evidence=evidence)
+    if isinstance(found.term, Variable) and len(found.signals) == 1:
+        signals = (replace(found.signals[0], variable=text),)
+        return replace(found, term=Variable(text), signals=signals)
+    return found
 
 
 def _verb_of(checker: Checker, text: str, context: Context) -> str | None:

@@ -58,3 +58,13 @@ class Program:
     def in_role(self, *roles: str) -> list[Declaration]:
         """The declarations with one of these statement words, in order."""
         return [found for found in self.declarations.values() if found.role in roles]
+
+
+def expression_of(program: Program, name: str) -> ast.Expression:
+    """What a `param` or `let` is set to, here or from outside."""
+    setting = program.settings.get(name)
+    if setting is not None:
+        return setting.value
+    statement = program.declarations[name].statement
+    assert isinstance(statement, ast.Param | ast.Let)
+    return statement.value

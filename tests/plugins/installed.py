@@ -1,0 +1,15 @@
+"""Installs a plugin for one test: its module and its metadata in a folder of `sys.path`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+
+def install(folder: Path, name: str, text: str, *, entry: str | None = None) -> None:
+    """What pip leaves behind: `roadlang_NAME.py` and a dist-info with the entry point NAME."""
+    module = f"roadlang_{name}"
+    (folder / f"{module}.py").write_text(text)
+    info = folder / f"{name}_plugin-1.2.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 1.2\n")
+    (info / "entry_points.txt").write_text(f"[roadlang]\n{name} = {entry or module}\n")

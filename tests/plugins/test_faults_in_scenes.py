@@ -1,0 +1,78 @@
+"""What a scene file hears of plugins that are broken, or that agree on a name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from installed import install
+from test_discovery import ACME, GOOD
+
+from roadlang.diagnostics import Diagnostic
+from roadlang.plugins.discovery import load_registry
+from roadlang.semantics import check_text
+
+ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
+
+
+def faults(text: str, folder: Path) -> list[Diagnostic]:
+    return check_text(ROAD + text, folder / "scene.rl", {}, load_registry())[1]
+
+
+def test_a_kind_of_a_broken_plugin_gives_the_reason(site: Path) -> None:
+    install(site, "acme", "raise RuntimeError('no licence found')")
+    [fault] = faults("agent ego is car on main at 5m { drive with acme.mpc { horizon: 2s } }", site)
+    assert fault.code == "RL211"
+    assert fault.span is not None
+    assert fault.span.text == "acme.mpc"
+    assert "acme-plugin 1.2" in fault.message
+    assert "no licence found" in fault.message
+
+
+def test_a_broken_plugin_is_mentioned_where_a_kind_is_not_known(site: Path) -> None:
+    install(site, "acme", "raise RuntimeError('no licence found')")
+    [fault] = faults("agent ego is car on main at 5m { drive with mpc { horizon: 2s } }", site)
+    assert fault.code == "RL210"
+    assert any("acme-plugin 1.2 could not be loaded" in line for line in fault.help)
+
+
+def test_a_kind_that_fails_when_it_is_imported(site: Path) -> None:
+    text = """
+from roadlang.api import hookimpl
+
+@hookimpl
+def roadlang_kinds():
+    return {"perturb zigzag": "roadlang_not_there:Zigzag"}
+"""
+    install(site, "late", text)
+    [fault] = faults("road bent from main { perturb with zigzag { amplitude: 3m } }", site)
+    assert fault.code == "RL211"
+    assert "roadlang_not_there" in fault.message
+
+
+def test_a_name_that_two_plugins_bring_has_to_be_qualified(site: Path) -> None:
+    install(site, "waves", GOOD.format(kind="sine"))
+    [fault] = faults("road bent from main { perturb with sine { amplitude: 3m } }", site)
+    assert fault.code == "RL213"
+    assert fault.help == ("write `standard.sine` or `waves.sine`",)
+    assert faults("road bent from main { perturb with waves.sine { amplitude: 3m } }", site) == []
+
+
+def test_wrong_options_of_a_strangers_kind_are_explained_in_place(site: Path) -> None:
+    install(site, "acme", ACME.read_text())
+    found = faults(
+        """agent ego is car on main at 5m {
+  drive with acme.mpc { horizon: 2m, weights: [1], verbos: true, model: "none.onnx" }
+}
+expect comfort with acme.ride_comfort { agent: main, limit: 2.5m/s^2 }
+""",
+        site,
+    )
+    placed = [(fault.code, fault.span.line, fault.span.column) for fault in found if fault.span]
+    assert placed == [
+        ("RL201", 3, 34),
+        ("RL208", 3, 47),
+        ("RL220", 3, 52),
+        ("RL450", 3, 73),
+        ("RL228", 5, 48),
+        ("RL201", 5, 61),
+    ]

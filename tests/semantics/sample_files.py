@@ -1,0 +1,24 @@
+"""The samples of the language, with the files they name beside them."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+SAMPLES = Path(__file__).parents[1] / "syntax" / "samples"
+_FIRST_BYTES = {
+    "hairpin.jpg": b"\xff\xd8\xff\xe0",
+    "town.png": b"\x89PNG\r\n\x1a\n",
+    "town.tif": b"II*\x00",
+    "town.xodr": b"<OpenDRIVE/>",
+    "Town01.xodr": b"<OpenDRIVE/>",
+    "spa.csv": b"x,y\n0,0\n100,0\n100,100\n",
+    "mpc.onnx": b"onnx",
+}
+
+
+def copy_samples(folder: Path) -> list[Path]:
+    """Copy all samples to `folder`, with stand-ins for pictures and maps that begin like them."""
+    for name, head in _FIRST_BYTES.items():
+        (folder / name).write_bytes(head)
+    return [Path(shutil.copy(path, folder)) for path in sorted(SAMPLES.glob("*.rl"))]
