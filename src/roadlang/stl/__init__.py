@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .foreign import read_breach, read_latex
     from .formulas import (
         Always,
         And,
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     )
     from .interval import UNBOUNDED, Interval
     from .json_form import from_json, to_json
+    from .online import Monitor
     from .terms import Apply, Arithmetic, Constant, Negate, Term, Variable
     from .text import parse
 
@@ -36,8 +38,10 @@ _HOMES = {
         "Always And Comparison Eventually Formula Historically Iff Implies Not Once Or "
         "Since Truth Until Xor"
     ),
+    "foreign": "read_breach read_latex",
     "interval": "Interval UNBOUNDED",
     "json_form": "from_json to_json",
+    "online": "Monitor",
     "terms": "Apply Arithmetic Constant Negate Term Variable",
     "text": "parse",
 }
@@ -57,6 +61,7 @@ __all__ = [
     "Iff",
     "Implies",
     "Interval",
+    "Monitor",
     "Negate",
     "Not",
     "Once",
@@ -69,6 +74,8 @@ __all__ = [
     "Xor",
     "from_json",
     "parse",
+    "read_breach",
+    "read_latex",
     "to_json",
 ]
 

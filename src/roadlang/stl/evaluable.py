@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 if TYPE_CHECKING:
     import numpy as np
@@ -53,6 +53,14 @@ class Evaluable:
 
         return satisfied(self._formula, positions, signals, wrap=wrap)
 
+    def truth(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> NDArray[np.bool_]:
+        """Boolean satisfaction at every sample, (V, S) or (S,)."""
+        from .evaluation import truth
+
+        return truth(self._formula, positions, signals, wrap=wrap)
+
     def range(self, positions: Positions, signals: Signals, *, wrap: float | None = None) -> Range:
         """The least and the greatest `rho` over all continuations of the trace: (lo, hi)."""
         from .verdicts import robustness_range
@@ -79,3 +87,15 @@ class Evaluable:
         from .explanation import explain
 
         return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
+
+    def to_rtamt(self) -> str:
+        """The formula in the syntax of RTAMT; DiagnosticError RL330 for what RTAMT cannot say."""
+        from .rtamt import to_rtamt
+
+        return to_rtamt(self._formula)
+
+    def to_json(self) -> Any:
+        """The formula as a JSON value; `roadlang.stl.from_json` reads it back."""
+        from .json_form import to_json
+
+        return to_json(self._formula)

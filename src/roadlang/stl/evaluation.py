@@ -46,6 +46,15 @@ def satisfied(
     return values if trace.batched else values[0]
 
 
+def truth(
+    formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
+) -> NDArray[np.bool_]:
+    """Boolean satisfaction at every sample: (V, S) or (S,)."""
+    trace = Trace.of(positions, signals, formula.variables, wrap)
+    values = everywhere(formula, trace, BOOLEAN) > 0
+    return values if trace.batched else values[0]
+
+
 def at_start(
     formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:

@@ -74,6 +74,11 @@ class Trace:
             _check_finite(name, values, first, self.positions)
         return values
 
+    def check(self) -> None:
+        """Read every signal once. Raises DiagnosticError RL302 for a value that is no number."""
+        for name in self.signals:
+            self.rows(name, 0, self.variants)
+
     def given(self, name: str, first: int, last: int) -> FloatArray:
         """Numbers per variant that need no check, shape (1, r)."""
         array = self.signals[name]

@@ -1,0 +1,59 @@
+"""An online monitor says after each sample what the whole prefix says, and forgets what it may."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from stl_draws import FormulaDraw, draw_trace
+
+from roadlang import stl
+from roadlang.diagnostics import DiagnosticError
+
+
+def _compare(formula, positions, row, every=1):
+    monitor = stl.Monitor(formula)
+    for k, position in enumerate(positions):
+        lo, hi = monitor.push(position, {name: values[k] for name, values in row.items()})
+        if k % every == 0:
+            prefix = {name: values[: k + 1] for name, values in row.items()}
+            assert (lo, hi) == pytest.approx(formula.range(positions[: k + 1], prefix), abs=1e-12)
+            assert monitor.verdict == formula.verdict(positions[: k + 1], prefix)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_each_step_equals_the_range_of_the_prefix(seed):
+    formula = FormulaDraw(seed).formula(1 + seed % 2)
+    positions, signals = draw_trace(seed, 9, 1, even=seed % 2 == 0)
+    _compare(formula, positions, {name: values[0] for name, values in signals.items()})
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "always (x < 4)",
+        "always (y <= 6)",
+        "eventually (y > 5 and eventually[1, 3] (x < -1))",
+        "always (x > 2 implies eventually[0, 4] always[0, 1] (z < 5))",
+        "eventually always (x > -9)",
+    ],
+)
+def test_folding_the_past_changes_nothing(text):
+    positions, signals = draw_trace(7, 400, 1, even=True)
+    row = {name: values[0] for name, values in signals.items()}
+    _compare(stl.parse(text), positions, row, every=7)
+
+
+def test_a_step_costs_the_horizon_not_the_past():
+    monitor = stl.Monitor(stl.parse("always (x < 4 or eventually[0, 2] (x < 3))"))
+    for k in range(3000):
+        monitor.push(0.1 * k, {"x": np.sin(k)})
+    assert len(monitor._positions) < 200
+
+
+def test_a_wrong_sample_is_refused_and_forgotten():
+    monitor = stl.Monitor(stl.parse("always (x < 4)"))
+    monitor.push(0, {"x": 1})
+    for position, values in [(0, {"x": 1}), (1, {"x": float("nan")}), (1, {"y": 1})]:
+        with pytest.raises(DiagnosticError):
+            monitor.push(position, values)
+    assert monitor.push(1, {"x": 2}) == (-np.inf, 2)
