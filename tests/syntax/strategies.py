@@ -47,7 +47,9 @@ class _Grower:
     def pick(self, words: str) -> str:
         return str(self.draw(st.sampled_from(words.split())))
 
-    def some(self, make: Callable[[int], Any], depth: int, least: int, most: int) -> tuple[Any, ...]:
+    def some(
+        self, make: Callable[[int], Any], depth: int, least: int, most: int
+    ) -> tuple[Any, ...]:
         return tuple(make(depth) for _ in range(self.draw(st.integers(least, most))))
 
     def maybe(self, make: Callable[[int], Any], depth: int) -> Any:
@@ -129,9 +131,7 @@ class _Grower:
             return term(depth)
         return self._arithmetic(self.pick("+ -"), term(depth), self.unary(depth))
 
-    def _arithmetic(
-        self, sign: str, left: ast.Expression, right: ast.Expression
-    ) -> ast.Expression:
+    def _arithmetic(self, sign: str, left: ast.Expression, right: ast.Expression) -> ast.Expression:
         return ast.Arithmetic(sign, left, right, operator_span=NOWHERE, span=NOWHERE)
 
     def comparison(self, depth: int) -> ast.Expression:

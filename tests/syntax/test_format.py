@@ -16,7 +16,7 @@ from roadlang.syntax.tables import tables
 
 SAMPLES = sorted((Path(__file__).parent / "samples").glob("*.rl"))
 slow_to_draw = settings(
-    max_examples=40,
+    max_examples=15,
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )
@@ -48,6 +48,15 @@ def test_any_tree_is_read_back_as_it_was_printed(tree: ast.File) -> None:
     assert format_file(again) == text
 
 
+@pytest.mark.slow
+@given(files())
+@settings(slow_to_draw, max_examples=1000)
+def test_very_many_trees_are_read_back(tree: ast.File) -> None:
+    again, found = parse(Source("printed.rl", format_file(tree)))
+    assert not found
+    assert again == tree
+
+
 @given(files().map(format_file))
 @slow_to_draw
 def test_comments_anywhere_are_kept_in_place(text: str) -> None:
@@ -68,7 +77,8 @@ def _sprinkle(text: str, rng: random.Random) -> str:
         last = end
         starts_glued = text[end : end + 1] not in ("", " ", "\n")
         if not starts_glued and rng.random() < 0.2:
-            out.append(rng.choice(["  # note {}\n", "\n# line {}\n", "\n\n  # apart {}\n"]).format(number))
+            comment = rng.choice(["  # note {}\n", "\n# line {}\n", "\n\n  # apart {}\n"])
+            out.append(comment.format(number))
     return "".join(out) + text[last:]
 
 

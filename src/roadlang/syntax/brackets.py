@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Diagnostic, Fix, Source, diagnose
-from .items import spoil
+from .items import UNREADABLE, spoil
 from .place import indentation, looks_like_item, starts_line
 from .tables import END
 from .tokens import Token
@@ -18,29 +18,46 @@ def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], li
         if fault is None:
             break
         opener, place = fault
-        kind, text, start, end = tokens[opener]
-        closer = SIGNS[OPENERS[kind]]
-        span = source.span(start, end)
-        wrong = tokens[place]
-        if wrong[0] in CLOSERS and not _opened(tokens, opener, wrong[0]):
-            there = source.span(wrong[2], wrong[3])
-            found.append(
-                diagnose("RL004", there, what=wrong[1], help=_not_that(text, closer, span.line),
-                         fixes=[Fix(there, closer)])
-            )  # fmt: skip
-            tokens = tokens[:place] + [(OPENERS[kind], closer, *wrong[2:])] + tokens[place + 1 :]
-            continue
-        found.append(diagnose("RL003", span, what=text, help=f"close it with `{closer}`"))
-        behind = tokens[place - 1][3]
-        tokens = [*tokens[:place], (OPENERS[kind], closer, behind, behind), *tokens[place:]]
-        if kind != "LBRACE" and wrong[0] != END:
-            # What the bracket holds is a guess: say nothing more about the item around it.
-            tokens = spoil(source, tokens, opener) or tokens
+        if tokens[place][0] in CLOSERS and not _opened(tokens, opener, tokens[place][0]):
+            tokens = _exchange(source, tokens, opener, place, found)
+        else:
+            tokens = _close(source, tokens, opener, place, found)
     return tokens, found
 
 
-def _not_that(opener: str, closer: str, line: int) -> str:
-    return f"`{opener}` of line {line} is closed by `{closer}`"
+def _exchange(
+    source: Source, tokens: list[Token], opener: int, place: int, found: list[Diagnostic]
+) -> list[Token]:
+    """`(a]`: the closing bracket is of another form than the opening one."""
+    kind, text, start, end = tokens[opener]
+    wrong, closer = tokens[place], SIGNS[OPENERS[kind]]
+    there = source.span(wrong[2], wrong[3])
+    line = source.span(start, end).line
+    help = f"`{text}` of line {line} is closed by `{closer}`"
+    fixes = [Fix(there, closer)]
+    found.append(diagnose("RL004", there, what=wrong[1], help=help, fixes=fixes))
+    return [*tokens[:place], (OPENERS[kind], closer, *wrong[2:]), *tokens[place + 1 :]]
+
+
+def _close(
+    source: Source, tokens: list[Token], opener: int, place: int, found: list[Diagnostic]
+) -> list[Token]:
+    """Report a bracket that is never closed, and close it where it should have been."""
+    kind, text, start, end = tokens[opener]
+    closer = SIGNS[OPENERS[kind]]
+    span = source.span(start, end)
+    found.append(diagnose("RL003", span, what=text, help=f"close it with `{closer}`"))
+    behind, before = tokens[place - 1][3], tokens[place - 1][0]
+    closed = [*tokens[:place], (OPENERS[kind], closer, behind, behind), *tokens[place:]]
+    if kind == "LBRACE":
+        return closed
+    # What the bracket holds is a guess: say nothing more about the item around it.
+    if before in OPENERS or before == "COMMA":
+        everything: Token = (UNREADABLE, "", tokens[0][2], behind)
+        return spoil(source, closed, opener) or [everything, tokens[-1]]
+    if tokens[place][0] != END:
+        return spoil(source, closed, opener) or closed
+    return closed
 
 
 def too_deep(tokens: list[Token]) -> int | None:
@@ -73,23 +90,30 @@ def _first_fault(source: Source, tokens: list[Token]) -> tuple[int, int] | None:
             stack.append(index)
         elif kind in CLOSERS and stack:
             top = stack[-1]
-            if CLOSERS[kind] != tokens[top][0] or _belongs_further_out(source, tokens, stack, token):
+            further_out = _belongs_further_out(source, tokens, stack, token)
+            if CLOSERS[kind] != tokens[top][0] or further_out:
                 return top, _where(source, tokens, top, index)
             stack.pop()
-        elif kind not in CLOSERS and stack and tokens[stack[-1]][0] != "LBRACE":
-            if starts_line(source, token) and looks_like_item(tokens, index):
-                if not _in_call(tokens, stack[-1]):
-                    return stack[-1], index
+        elif kind not in CLOSERS and stack and _item_inside(source, tokens, stack[-1], index):
+            return stack[-1], index
     if stack:
         return stack[-1], _where(source, tokens, stack[-1], len(tokens) - 1)
     return None
 
 
-def _in_call(tokens: list[Token], opener: int) -> bool:
-    """`f(` at the end of a line may be followed by lines that begin `key:`."""
-    return opener > 0 and tokens[opener][0] == "LPAR" and tokens[opener - 1][0] == "NAME" and (
-        tokens[opener - 1][3] == tokens[opener][2]
+def _item_inside(source: Source, tokens: list[Token], opener: int, index: int) -> bool:
+    """A line begins `key:` or `verb with` where a `(` or `[` is open.
+
+    Within `f(`, such lines are arguments.
+    """
+    if tokens[opener][0] == "LBRACE" or not starts_line(source, tokens[index]):
+        return False
+    in_call = (
+        tokens[opener][0] == "LPAR"
+        and tokens[opener - 1][0] == "NAME"
+        and tokens[opener - 1][3] == tokens[opener][2]
     )
+    return not in_call and looks_like_item(tokens, index)
 
 
 def _belongs_further_out(

@@ -7,8 +7,8 @@ from typing import Any
 
 from ..diagnostics import Source, Span
 from . import ast
-from .tokens import Token
 from .strings import dedented, unescaped
+from .tokens import Token
 
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?")
 CANONICAL = {
@@ -250,9 +250,7 @@ class Builder:
     ) -> ast.Binding:
         span = Span(self.source, start, end)
         canonical = CANONICAL[word[0]]
-        return ast.Binding(
-            canonical, interval, left, right, word_span=self._span(word), span=span
-        )
+        return ast.Binding(canonical, interval, left, right, word_span=self._span(word), span=span)
 
     def logic(self, start: int, end: int, *parts: Any) -> ast.Logic:
         word = CANONICAL[parts[1][0]]

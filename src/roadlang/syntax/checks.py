@@ -44,7 +44,7 @@ def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
     found: list[Diagnostic] = []
     for node, depth in walk(root):
         if depth > DEEPEST:
-            return [*found, diagnose("RL024", node.span)], False
+            return [diagnose("RL024", node.span)], False
         match node:
             case ast.Block():
                 found.extend(_separated(node.items))
@@ -56,10 +56,10 @@ def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
                 found.append(diagnose("RL017", node.span))
             case ast.Binding():
                 found.extend(_chained_binding(node))
-                found.extend(_parentheses(node, (node.left,), node.word_span))
+                found.extend(_parentheses(node, (node.left,)))
             case ast.Logic():
                 found.extend(_chained_logic(node))
-                found.extend(_parentheses(node, node.operands[:-1], None))
+                found.extend(_parentheses(node, node.operands[:-1]))
     return found, True
 
 
@@ -118,7 +118,7 @@ def _draw_beside(node: ast.Arithmetic) -> Iterator[Diagnostic]:
     else:
         return
     draw = node.right if isinstance(node.right, ast.Draw) else node.left
-    yield diagnose("RL016", draw.span, sign=node.operator, **_both(node.span, readings))
+    yield _refused("RL016", draw.span, node.span, readings, node.operator)
 
 
 # --- chains --------------------------------------------------------------------------------------
@@ -131,7 +131,7 @@ def _chained_binding(node: ast.Binding) -> Iterator[Diagnostic]:
         first, second = _between(inner.left, inner.right), _between(inner, node.right)
         b, c = _text(inner.right), _text(node.right)
         readings = (f"({a}{first}{b}){second}{c}", f"{a}{first}({b}{second}{c})")
-        yield diagnose("RL018", node.word_span, word=node.word, **_both(node.span, readings))
+        yield _refused("RL018", node.word_span, node.span, readings, node.word)
 
 
 def _chained_logic(node: ast.Logic) -> Iterator[Diagnostic]:
@@ -141,14 +141,14 @@ def _chained_logic(node: ast.Logic) -> Iterator[Diagnostic]:
         first, second = f" {inner.word} ", f" {node.word} "
         readings = (f"({a}{first}{b}){second}{c}", f"{a}{first}({b}{second}{c})")
         place = _sign_between(inner, node.operands[1])
-        yield diagnose("RL018", place, word=node.word, **_both(node.span, readings))
+        yield _refused("RL018", place, node.span, readings, node.word)
 
 
 # --- parentheses ---------------------------------------------------------------------------------
 
 
 def _parentheses(
-    node: ast.Binding | ast.Logic, left: Iterable[ast.Expression], sign: Span | None
+    node: ast.Binding | ast.Logic, left: Iterable[ast.Expression]
 ) -> Iterator[Diagnostic]:
     """To the left of `and` and looser words, what a temporal word governs is in parentheses."""
     for operand in left:
@@ -161,10 +161,7 @@ def _parentheses(
         tail = source.text[body.span.end : node.span.end]
         readings = (f"{head}({_text(body)}){tail}", f"{head}({_text(body)}{tail})")
         place = source.span(temporal.span.start, node.span.end)
-        word = node.word
-        yield diagnose(
-            "RL015", temporal.span, temporal=temporal.word, word=word, **_both(place, readings)
-        )
+        yield _refused("RL015", temporal.span, place, readings, node.word, temporal.word)
 
 
 def _open_temporal(node: ast.Expression) -> ast.Temporal | None:
@@ -210,9 +207,15 @@ def _sign_between(left: ast.Node, right: ast.Node) -> Span:
     return source.span(start, max(start + 1, left.span.end + len(between.rstrip())))
 
 
-def _both(span: Span, readings: tuple[str, str]) -> dict[str, object]:
-    """Two readings, as help and as fixes of which one is to be chosen."""
-    return {
-        "help": tuple(f"write `{' '.join(reading.split())}`" for reading in readings),
-        "fixes": tuple(Fix(span, reading) for reading in readings),
-    }
+def _refused(
+    code: str, span: Span, whole: Span, readings: tuple[str, str], word: str, temporal: str = ""
+) -> Diagnostic:
+    """Two readings of the whole, as help and as fixes of which one is to be chosen."""
+    return diagnose(
+        code,
+        span,
+        help=tuple(f"write `{' '.join(reading.split())}`" for reading in readings),
+        fixes=tuple(Fix(whole, reading) for reading in readings),
+        word=word,
+        temporal=temporal,
+    )

@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from .tokens import Token
 from .tables import LIST, Tables
+from .tokens import Token
 
 Build: TypeAlias = Callable[..., Any]
 
@@ -50,7 +50,8 @@ def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Bu
             if build:
                 children = values[len(values) - size :]
                 if not whole:
-                    children = _taken(children, take)
+                    grow = build == LIST and take[0] == -1
+                    children = _taken(children, take, grow)
                 if size:
                     place, end = starts[-size], ends[-1]
                     del states[-size:], values[-size:], starts[-size:], ends[-size:]
@@ -65,24 +66,20 @@ def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Bu
     return values[0]
 
 
-def _taken(children: list[Any], take: Sequence[int | None]) -> list[Any]:
+def _taken(children: list[Any], take: Sequence[int | None], grow: bool) -> list[Any]:
     """The children that a rule hands over; a list from a repetition is spread out.
 
-    A list is grown in place where a rule only adds to it: long lists stay linear in cost.
+    A repetition grows its own list in place, so that long lists are linear in cost.
     """
-    if len(take) == 2 and take[0] == -1 and take[1] is not None:
-        grown: list[Any] = children[0]
-        rest = take[1:]
-    else:
-        grown, rest = [], take[:]
-    for index in rest:
+    taken: list[Any] = children[0] if grow else []
+    for index in take[1:] if grow else take:
         if index is None:
-            grown.append(None)
+            taken.append(None)
         elif index >= 0:
-            grown.append(children[index])
+            taken.append(children[index])
         else:
-            grown.extend(children[~index])
-    return grown
+            taken.extend(children[~index])
+    return taken
 
 
 def advance(tables: Tables, stack: list[int], kind: str) -> bool:

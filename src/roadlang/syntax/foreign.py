@@ -1,3 +1,4 @@
+# ruff: noqa: RUF001 (signs that look like others are what this file is about)
 """Signs of other languages and typewriters, and what they are in roadlang."""
 
 from __future__ import annotations

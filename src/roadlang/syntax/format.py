@@ -21,7 +21,7 @@ def format_source(source: Source) -> tuple[str | None, list[Diagnostic]]:
 
 
 def format_file(tree: ast.File) -> str:
-    """The canonical text of a tree that was read without errors. Printing it again changes nothing."""
+    """The canonical text of a tree that was read without errors; read and printed again, the same."""
     printer = _Printer(tree)
     printer.sequence(tree.statements, 0, 0, len(tree.span.source.text) + 1)
     return "".join(f"{line}\n" for line in printer.lines)
@@ -122,4 +122,8 @@ def _flat_doc(content: Part) -> Doc:
         return content.head
     items = [part(item) for item in _items(content.braced)]
     closed = [item.braced is not None and isinstance(item.braced, ast.Block) for item in items]
-    return (content.head, " ", braces([(_flat_doc(i), c) for i, c in zip(items, closed)]))
+    return (
+        content.head,
+        " ",
+        braces([(_flat_doc(i), c) for i, c in zip(items, closed, strict=True)]),
+    )

@@ -25,15 +25,19 @@ def generate(grammar: str) -> dict[str, Any]:
     rules = [memo[entry["@"]] for entry in data["rules"]]
     numbers = {entry["@"]: number for number, entry in enumerate(data["rules"])}
     order, states, rows = _states(table, numbers)
-    return {"digest": digest(grammar)} | _lexicon(parser.terminals) | {
-        "starts": {start: order[table["start_states"][start]] for start in STARTS},
-        "soft": sorted(
-            {rule["expansion"][0]["name"] for rule in rules if rule["origin"]["name"] == "word"}
-        ),
-        "rules": [_rule(rule) for rule in rules],
-        "states": states,
-        "rows": rows,
-    }
+    return (
+        {"digest": digest(grammar)}
+        | _lexicon(parser.terminals)
+        | {
+            "starts": {start: order[table["start_states"][start]] for start in STARTS},
+            "soft": sorted(
+                {rule["expansion"][0]["name"] for rule in rules if rule["origin"]["name"] == "word"}
+            ),
+            "rules": [_rule(rule) for rule in rules],
+            "states": states,
+            "rows": rows,
+        }
+    )
 
 
 def _lexicon(terminals: Iterable[Any]) -> dict[str, Any]:

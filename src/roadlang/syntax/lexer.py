@@ -5,9 +5,9 @@ from __future__ import annotations
 from ..diagnostics import Source
 from .ast import Comment
 from .misread import SUSPECTS, Misread, misread
-from .unprintable import binary, surrogates
 from .tables import END, Tables
 from .tokens import Lexed
+from .unprintable import binary, surrogates
 
 _MOST_REPORTED = 50
 
@@ -25,6 +25,10 @@ def lex(source: Source, tables: Tables) -> Lexed:
         position = _scan(source, tables, lexed, position)
         if position < length:
             position = _misread(Misread(source, tables, lexed, position))
+        if len(lexed.diagnostics) > _MOST_REPORTED:
+            # Whatever this is, it is no scene file: what comes behind would tell nothing new.
+            lexed.tokens.clear()
+            break
     lexed.diagnostics.extend(surrogates(source, lexed.diagnostics))
     del lexed.diagnostics[_MOST_REPORTED:]
     end = source.end.start
@@ -57,7 +61,7 @@ def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
 
 def _misread(place: Misread) -> int:
     found, position = misread(place)
-    if found is not None and len(place.lexed.diagnostics) <= _MOST_REPORTED:
+    if found is not None:
         place.lexed.diagnostics.append(found)
     return position
 

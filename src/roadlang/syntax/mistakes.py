@@ -14,17 +14,19 @@ from .naming import expectation, finding
 from .place import Edit, Mistake, Place
 from .tables import END
 from .words import (
+    BINDING_KINDS,
     CLOSERS,
     CONNECTIVES,
+    OPENERS,
     RESERVED,
     RESERVED_KINDS,
     STATEMENT_KINDS,
-    TEMPORAL,
+    TEMPORAL_KINDS,
     UNITS,
     misspelt,
 )
 
-_UNIT = re.compile(r"[ \t]+((?:%s)(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b" % "|".join(UNITS))
+_UNIT = re.compile(rf"[ \t]+((?:{'|'.join(UNITS)})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b")
 _LETTERS = {"G": "always", "F": "eventually", "H": "historically", "O": "once"}
 
 
@@ -41,10 +43,9 @@ def unexpected(place: Place) -> Mistake:
     """Anything else is here than may be; a sign that is plainly missing is put in."""
     edit, expected = None, place.expected()
     for kind, sign in _MISSING:
-        if kind in expected and place.goes_on(kind):
-            if kind not in ("LBRACE", "LPAR", "LSQB") or _closes_later(place, kind):
-                edit = Edit(place.index, place.index, (_token(place, kind, sign),))
-                break
+        if kind in expected and place.goes_on(kind) and _closes_later(place, kind):
+            edit = Edit(place.index, place.index, (_token(place, kind, sign),))
+            break
     wanted = f"`{edit.tokens[0][1]}`" if edit else expectation(place)
     found = diagnose("RL001", place.span(), expected=wanted, found=finding(place))
     return Mistake(found, edit)
@@ -64,6 +65,9 @@ _MISSING = (
 
 
 def _closes_later(place: Place, opener: str) -> bool:
+    """An opening bracket is put in only where a closing one waits for it."""
+    if opener not in OPENERS:
+        return True
     closer = place.unmatched_closer()
     return closer is not None and CLOSERS[closer] == opener
 
@@ -341,7 +345,7 @@ def interval_form(place: Place) -> Mistake | None:
     if place.kind() != "RSQB" or not place.expects("COMMA") or place.expects("RSQB"):
         return None
     opener = _opener(place, place.index, "LSQB", "RSQB")
-    if opener is None or place.tokens[opener - 1][0].lower() not in (*TEMPORAL, *"gfhous", "until", "since"):
+    if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS | BINDING_KINDS:
         return None
     inside = range(opener + 1, place.index)
     dots = [index for index in inside if place.tokens[index][0] == "RANGE"]
@@ -360,7 +364,7 @@ def interval_form(place: Place) -> Mistake | None:
 
 def _round_interval(place: Place) -> Mistake | None:
     opener = _opener(place, place.index - 1, "LPAR", "RPAR")
-    if opener is None or place.tokens[opener - 1][0].lower() not in (*TEMPORAL, *"gfho"):
+    if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS:
         return None
     span = place.source.span(place.tokens[opener][2], place.token(-1)[3])
     fixed = f"[{span.text[1:-1]}]"

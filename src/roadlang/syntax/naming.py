@@ -31,7 +31,7 @@ def expectation(place: Place) -> str:
 
 def _names_an_item(place: Place, kinds: set[str]) -> bool:
     """A key, a member or an argument: any word will do."""
-    return "NAME" in kinds and STATEMENT_KINDS <= kinds and END not in kinds
+    return "NAME" in kinds and kinds >= STATEMENT_KINDS and END not in kinds
 
 
 def _after_logic(place: Place) -> bool:
@@ -57,11 +57,10 @@ def finding(place: Place) -> str:
     """The token that stands there, in words."""
     kind, text = place.kind(), place.word()
     if kind == END:
-        return "the end of the file" if place.source.end.start <= place.token()[3] else "the end of the statement"
+        at_end = place.source.end.start <= place.token()[3]
+        return "the end of the file" if at_end else "the end of the statement"
     if kind == "TEXT":
         return 'a text in `"""`'
-    if kind == "UNREADABLE":
-        return "this"
     shown = text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
     printable = "".join(char if char.isprintable() else "?" for char in shown)
     return f"`{printable}`" if "`" not in printable else printable

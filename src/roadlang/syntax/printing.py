@@ -92,7 +92,9 @@ def _all(nodes: tuple[ast.Node, ...]) -> list[Doc]:
 
 def _chain(operands: list[Doc], signs: list[str]) -> Doc:
     """Operands with signs between them; lines break before a sign."""
-    rest = tuple((LINE, f"{sign} ", operand) for sign, operand in zip(signs, operands[1:]))
+    rest = tuple(
+        (LINE, f"{sign} ", operand) for sign, operand in zip(signs, operands[1:], strict=True)
+    )
     return Group((operands[0], Nest(2, rest)))
 
 
@@ -115,7 +117,7 @@ def braces(items: list[tuple[Doc, bool]]) -> Doc:
     for index, (item, closed) in enumerate(items):
         inner.append(item)
         if index + 1 < len(items):
-            inner.append((LINE if closed else (",", LINE)))
+            inner.append(LINE if closed else (",", LINE))
     return Group(("{", Nest(2, (LINE, *inner)), LINE, "}"))
 
 

@@ -9,7 +9,7 @@ from ..diagnostics import Diagnostic, Fix, Source, diagnose
 from . import ast
 from .brackets import close_brackets, too_deep
 from .engine import Build, Stuck, run
-from .items import spoil
+from .items import UNREADABLE, spoil
 from .mistakes import explain
 from .pieces import pieces
 from .place import Mistake, Place
@@ -64,7 +64,7 @@ class Recovery:
         for _ in range(_MOST_PER_PIECE):
             value = self.attempt(start, tokens)
             if not isinstance(value, Stuck):
-                return value
+                return value if tokens[0][0] != UNREADABLE else self.lost(original)
             mended = self.mend(start, tokens, value)
             if mended is None or self.budget < 0:
                 break
@@ -122,9 +122,8 @@ class Recovery:
             return tokens
         meant = misspelt(text, STATEMENTS)
         span = self.source.span(start, end)
-        help, fixes = (), ()
-        if meant is not None:
-            help, fixes = (f"did you mean `{meant}`?",), (Fix(span, meant),)
+        help = [f"did you mean `{meant}`?"] if meant is not None else []
+        fixes = [Fix(span, meant)] if meant is not None else []
         self.diagnostics.append(diagnose("RL002", span, word=text, help=help, fixes=fixes))
         if meant is None:
             self.lost(tokens)

@@ -8,15 +8,14 @@ from .tokens import Token
 from .words import slip
 
 _LONG = ("always", "eventually", "historically")
-_NOT_THESE = frozenset(("COLON", "EQUAL", "DOT"))
 
 
 def misspelt_temporal(tokens: Sequence[Token], start: int = 0) -> int | None:
     """The index of the first name before `(` or `[` that is a long temporal word with a slip."""
     for index in range(start, len(tokens) - 1):
-        if tokens[index + 1][0] in ("LPAR", "LSQB") and tokens[index][0] == "NAME":
-            if meant_temporal(tokens[index][1]) is not None:
-                return index
+        before_bracket = tokens[index + 1][0] in ("LPAR", "LSQB") and tokens[index][0] == "NAME"
+        if before_bracket and meant_temporal(tokens[index][1]) is not None:
+            return index
     return None
 
 

@@ -6,13 +6,19 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 STATEMENTS = (
-    "scenario include param let image network road require expect agent object world sample "
-    "simulate falsify emit"
-).split()
-CONNECTIVES = "from is on at".split()
-TEMPORAL = "always eventually once historically".split()
-RESERVED = "and or not xor implies iff until since true false with".split() + TEMPORAL
-UNITS = "m mm cm km ft mi px s ms min h deg rad kg t N Hz mph".split()
+    "scenario", "include", "param", "let", "image", "network", "road", "require", "expect",
+    "agent", "object", "world", "sample", "simulate", "falsify", "emit",
+)  # fmt: skip
+CONNECTIVES = ("from", "is", "on", "at")
+TEMPORAL = ("always", "eventually", "once", "historically")
+BINDING = ("until", "since")
+RESERVED = (
+    "and", "or", "not", "xor", "implies", "iff", "true", "false", "with", *BINDING, *TEMPORAL,
+)  # fmt: skip
+UNITS = (
+    "m", "mm", "cm", "km", "ft", "mi", "px", "s", "ms", "min", "h", "deg", "rad", "kg", "t", "N",
+    "Hz", "mph",
+)  # fmt: skip
 
 DEEPEST = 150
 """Levels of a statement. Later passes go through trees by recursion, within Python's limit."""
@@ -20,8 +26,9 @@ DEEPEST = 150
 STATEMENT_KINDS = frozenset(word.upper() for word in STATEMENTS)
 RESERVED_KINDS = frozenset(word.upper() for word in RESERVED)
 TEMPORAL_KINDS = frozenset(word.upper() for word in TEMPORAL) | set("GFHO")
-LOGIC_KINDS = frozenset("AND OR XOR IMPLIES IFF NOT UNTIL SINCE U S".split()) | TEMPORAL_KINDS
-OPERATOR_KINDS = frozenset("PLUS MINUS TIMES DIVIDE POWER COMPARISON RANGE".split())
+BINDING_KINDS = frozenset(word.upper() for word in BINDING) | set("US")
+LOGIC_KINDS = {"AND", "OR", "XOR", "IMPLIES", "IFF", "NOT"} | TEMPORAL_KINDS | BINDING_KINDS
+OPERATOR_KINDS = {"PLUS", "MINUS", "TIMES", "DIVIDE", "POWER", "COMPARISON", "RANGE"}
 OPENERS = {"LPAR": "RPAR", "LSQB": "RSQB", "LBRACE": "RBRACE"}
 CLOSERS = {closer: opener for opener, closer in OPENERS.items()}
 SIGNS = {

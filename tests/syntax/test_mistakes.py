@@ -1,0 +1,186 @@
+# ruff: noqa: E501 (one fault, one line)
+"""One fault in a sample: the right code at the right place, and nothing else."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from roadlang.diagnostics import Source
+from roadlang.syntax import parse
+
+SAMPLES = Path(__file__).parent / "samples"
+
+# sample, what is written there, what is written instead, code, text at which it is reported
+FAULTS = [
+    ('paper', 'road main', 'raod main', 'RL002', 'raod'),
+    ('paper', 'road bent', 'roads bent', 'RL002', 'roads'),
+    ('paper', 'require phi1', 'requir phi1', 'RL002', 'requir'),
+    ('paper', 'emit json', 'emitt json', 'RL002', 'emitt'),
+    ('paper', 'agent ego', 'agnet ego', 'RL002', 'agnet'),
+    ('paper', 'image photo', 'imgae photo', 'RL002', 'imgae'),
+    ('paper', 'let e1', 'lte e1', 'RL002', 'lte'),
+    ('paper', 'param reach', 'parm reach', 'RL002', 'parm'),
+    ('paper', 'perturb with', 'perturb wiht', 'RL021', 'wiht'),
+    ('paper', 'drive with', 'drive whit', 'RL021', 'whit'),
+    ('paper', 'network town from', 'network town form', 'RL021', 'form'),
+    ('paper', 'main from town', 'main fro town', 'RL021', 'fro'),
+    ('paper', 'ego is car', 'ego si car', 'RL021', 'si'),
+    ('paper', 'on bent at', 'on bent ta', 'RL021', 'ta'),
+    ('paper', 'car on bent', 'car no bent', 'RL021', 'no'),
+    ('paper', 'always (e1 < 10m)', 'alwyas (e1 < 10m)', 'RL021', 'alwyas'),
+    ('paper', 'always (e1 < 10m)', 'allways (e1 < 10m)', 'RL021', 'allways'),
+    ('paper', 'eventually[20m, 60m]', 'eventualy[20m, 60m]', 'RL021', 'eventualy'),
+    ('paper', 'implies', 'implise', 'RL021', 'implise'),
+    ('paper', 'implies', 'impies', 'RL021', 'impies'),
+    ('paper', 'd1 < 6m and e1', 'd1 < 6m adn e1', 'RL021', 'adn'),
+    ('paper', '{ scale: 0.35m/px }', 'scale: 0.35m/px }', 'RL001', 'scale'),
+    ('paper', 'require phi1: always (e1 < 10m)', 'require phi1: always (e1 < 10m', 'RL003', '(e1'),
+    ('paper', 'require phi1: always (e1 < 10m)', 'require phi1: always e1 < 10m)', 'RL004', ')'),
+    ('paper', '[20m, 60m]', '[20m, 60m', 'RL003', '[20m'),
+    ('paper', 'deviation(bent, main)', 'deviation(bent, main', 'RL003', '(bent'),
+    ('paper', 'deviation(bent, main)', 'deviation bent, main)', 'RL001', 'bent, main)'),
+    ('paper', 'speed: 12m/s', 'speed 12m/s', 'RL001', '12m/s'),
+    ('paper', 'speed: 12m/s', 'speed = 12m/s', 'RL010', '= 12m'),
+    ('paper', 'param reach = 8m', 'param reach: 8m', 'RL010', ': 8m'),
+    ('paper', 'param reach = 8m', 'param reach 8m', 'RL001', '8m'),
+    ('paper', 'require phi1:', 'require phi1 =', 'RL010', '= always'),
+    ('paper', 'require phi1:', 'require phi1', 'RL001', 'always (e1'),
+    ('paper', 'require phi1:', 'require', 'RL023', 'require always'),
+    ('paper', '7m,', '7 m,', 'RL009', '7 m'),
+    ('paper', '10m)', '10 m)', 'RL009', '10 m'),
+    ('paper', '95%', '95 %', 'RL009', '95 %'),
+    ('paper', '0.35m/px', '0.35 m/px', 'RL009', '0.35 m'),
+    ('paper', '0.1/m', '.1/m', 'RL008', '.1'),
+    ('paper', '"hairpin.jpg"', '"hairpin.jpg', 'RL005', '"hairpin'),
+    ('paper', '"hairpin.jpg"', 'hairpin.jpg"', 'RL005', '" {'),
+    ('paper', '"hairpin.jpg"', "'hairpin.jpg'", 'RL006', "'hairpin"),
+    ('paper', 'always (e1 < 10m)', 'always (e1 < )', 'RL001', ')\nrequire phi2'),
+    ('paper', 'always (e1 < 10m)', 'always (< 10m)', 'RL001', '< 10m'),
+    ('paper', 'always (e1 < 10m)', 'always e1 < 10m and d1 < 3m', 'RL015', 'always e1'),
+    ('paper', 'always (e1 < 10m)', '\\Box (e1 < 10m)', 'RL019', '\\Box'),
+    ('paper', 'always (e1 < 10m)', 'G_{[0,10]} (e1 < 10m)', 'RL019', 'G_'),
+    ('paper', 'always (e1 < 10m)', '□ (e1 < 10m)', 'RL006', '□'),
+    ('paper', '0m..reach', '0m..reach..3m', 'RL017', '0m..'),
+    ('paper', '0m..reach', '0m..reach + 2m', 'RL016', '0m..'),
+    ('paper', 'select: longest, width', 'select: longest width', 'RL014', 'width'),
+    ('paper', 'emit json\n', 'emit json emit csv\n', 'RL013', 'emit csv'),
+    ('paper', 'road main from', 'road image from', 'RL012', 'image from'),
+    ('paper', 'road main from', 'road with from', 'RL011', 'with from'),
+    ('paper', 'param reach', 'param and', 'RL011', 'and'),
+    ('paper', '[20m, 60m]', '[20m..60m]', 'RL026', '[20m'),
+    ('paper', 'always[0m, 15m]', 'always[15m]', 'RL026', '[15m]'),
+    ('paper', 'width: 7m,', 'width: ,', 'RL001', ', lanes'),
+    ('paper', 'width: 7m,', 'width 7m, ', 'RL001', '7m'),
+    ('paper', 'width: 7m,', 'width: 7m,,', 'RL001', ', lanes'),
+    ('paper', 'from town { select', 'from { select', 'RL001', '{ select'),
+    ('paper', 'agent ego is car', 'agent ego car', 'RL001', 'car on'),
+    ('paper', 'car on bent at 5m', 'car at 5m on bent', 'RL022', 'on bent'),
+    ('paper', 'perturb with sine', 'perturb sine', 'RL001', 'sine'),
+    ('paper', 'emit svg {', 'emit {', 'RL001', '{ size'),
+    ('paper', 'emit svg {', 'emit with svg {', 'RL001', 'with svg'),
+    ('paper', 'lp_distance(bent, main, 2) <', 'lp_distance(bent, main, 2) <<', 'RL001', '< 90'),
+    ('paper', 'e1 > 6m implies', 'e1 > 6m impl', 'RL021', 'impl'),
+    ('grid_town', '{ "#": road, "T"', '{ "#": road "T"', 'RL014', '"T"'),
+    ('grid_town', '"#2e7d32": tree', '#2e7d32: tree', 'RL028', '#2e7d32'),
+    ('traffic', 'ego.start + gap {', 'ego.start + 10m..30m {', 'RL016', '10m..30m {'),
+    ('traffic', '  drive with car_follow { headway: 1.5s }\n}', '  drive with car_follow { headway: 1.5s \n}', 'RL003', '{ headway'),
+    ('traffic', '{ headway: 1.5s }', '{ headway: }', 'RL001', '}\n}\nagent onc'),
+    ('traffic', 'count: integer(0, 3),', 'count: integer(0, 3,', 'RL003', '(0, 3'),
+    ('traffic', 'distance(ego, walker) > 1m and', 'distance(ego walker) > 1m and', 'RL001', 'walker) > 1m and'),
+    ('traffic', 'include "street.rl"', 'include street.rl', 'RL001', 'street.rl'),
+]  # fmt: skip
+
+
+def broken(sample: str, written: str, instead: str) -> tuple[Source, int]:
+    """The sample with the fault, and the offset of the fault."""
+    text = (SAMPLES / f"{sample}.rl").read_text()
+    assert written in text
+    return Source(f"{sample}.rl", text.replace(written, instead, 1)), text.index(written)
+
+
+@pytest.mark.parametrize(("sample", "written", "instead", "code", "at"), FAULTS)
+def test_a_fault_is_reported_once_and_in_place(
+    sample: str, written: str, instead: str, code: str, at: str
+) -> None:
+    source, near = broken(sample, written, instead)
+    _, found = parse(source)
+    place = source.position(source.text.index(at, max(0, near - 1)))
+    assert [(d.code, (d.span.line, d.span.column)) for d in found if d.span] == [(code, place)]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_three_independent_faults_are_all_reported(seed: int) -> None:
+    text = (SAMPLES / "paper.rl").read_text()
+    faults = random.Random(seed).sample([fault for fault in FAULTS if fault[0] == "paper"], 12)
+    by_line = {text.count("\n", 0, text.index(fault[1])): fault for fault in faults}
+    chosen = list(by_line.values())[:3]
+    for _, written, instead, _, _ in chosen:
+        text = text.replace(written, instead, 1)
+    _, found = parse(Source("three.rl", text))
+    assert sorted(d.code for d in found) == sorted(fault[3] for fault in chosen)
+
+
+def test_several_faults_within_one_block_are_all_reported() -> None:
+    text = """road bent from main {
+  perturb with sine { amplitude 0m..8m, wavelength: , phase: 0deg }
+  width = 7m
+  lanes: 2
+  perturb wiht scale { factor: (2 }
+}
+"""
+    tree, found = parse(Source("block.rl", text))
+    assert [(d.code, d.span.line) for d in found if d.span] == [
+        ("RL001", 2),
+        ("RL001", 2),
+        ("RL010", 3),
+        ("RL021", 5),
+        ("RL003", 5),
+    ]
+    block = tree.statements[0].block
+    assert [option.key.text for option in block.options] == ["width", "lanes"]
+    assert [call.block.complete for call in block.passes] == [False, False]
+
+
+def test_a_misspelt_statement_still_declares_its_name() -> None:
+    tree, found = parse(Source("raod.rl", "raod main from town\n"))
+    assert found[0].fixes[0].replacement == "road"
+    assert tree.statements[0].name.text == "main"
+
+
+def test_an_unreadable_statement_leaves_its_name() -> None:
+    tree, _ = parse(Source("let.rl", "let e1 = deviation(\nlet e2 = 3m\n"))
+    assert [word.text for word in tree.spoiled] == ["e1"]
+    assert [statement.name.text for statement in tree.statements] == ["e2"]
+
+
+def test_both_readings_are_offered_as_fixes() -> None:
+    _, (found,) = parse(Source("p.rl", "require a: always p and q"))
+    assert [fix.replacement for fix in found.fixes] == ["always (p) and q", "always (p and q)"]
+
+
+@pytest.mark.parametrize(
+    "formula", ["always (p) and q", "q and always p", "G F (p) <-> O (q)", "not always (p) or q"]
+)
+def test_parentheses_that_suffice(formula: str) -> None:
+    assert parse(Source("p.rl", f"require a: {formula}"))[1] == []
+
+
+def test_letters_of_the_literature_are_names_elsewhere() -> None:
+    text = "let F = width(a)\nlet S = 1\nrequire b: G (F > 3m) U[0s, 1s] (S > s)\n"
+    assert parse(Source("letters.rl", text))[1] == []
+    text = "world {\n  a: S\n  U: 3\n  S with x\n  G: F\n}\n"
+    assert parse(Source("letters.rl", text))[1] == []
+
+
+def test_statement_words_are_free_as_keys_members_and_arguments() -> None:
+    text = "emit godot { road: mesh, from: a.is, at: f(on: 1, image: 2) }\n"
+    assert parse(Source("words.rl", text))[1] == []
+
+
+def test_latex_is_shown_in_words() -> None:
+    text = r"require a: \Box_{[0,10]} (p \rightarrow \Diamond q)"
+    _, (found,) = parse(Source("latex.rl", text))
+    assert found.help == ("in roadlang: `always[0,10] (p implies eventually q)`",)

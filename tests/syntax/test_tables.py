@@ -1,0 +1,49 @@
+"""The stored tables are those of the grammar, and the grammar is one that lark reads."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from roadlang.syntax import tables
+from roadlang.syntax.generate import generate
+from roadlang.syntax.grammar import grammar_text
+
+SAMPLES = sorted((Path(__file__).parent / "samples").glob("*.rl"))
+
+
+def test_tables_are_up_to_date() -> None:
+    stored = json.loads(Path(tables.__file__).with_name("tables.json").read_text())
+    assert stored == generate(grammar_text()), "run python -m roadlang.syntax.tables"
+
+
+@pytest.fixture(scope="module")
+def lark_parser():
+    lark = pytest.importorskip("lark")
+    return lark.Lark(
+        grammar_text(),
+        parser="lalr",
+        lexer="contextual",
+        start=["file", "formula"],
+        maybe_placeholders=True,
+        strict=False,
+    )
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.stem)
+def test_lark_reads_the_samples_with_the_same_grammar(lark_parser, path: Path) -> None:
+    tree = lark_parser.parse(path.read_text(), start="file")
+    assert tree.data == "file"
+
+
+def test_parsing_does_not_import_lark() -> None:
+    code = (
+        "import sys; from roadlang.syntax import parse; from roadlang.diagnostics import Source;"
+        "parse(Source('a', 'let a = ')); print('lark' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "False"
