@@ -178,3 +178,34 @@ def test_a_road_of_two_points_is_drawn():
         },
     )
     assert group(drawn(replace(bend(), roads=(short,), expectations=())), "roads") is not None
+
+
+def test_versions_of_one_road_are_told_apart_by_colour_and_name():
+    scene = bend()
+    other = replace(scene.roads[1], name="right")
+    root = drawn(replace(scene, roads=(*scene.roads, other), expectations=()))
+    assert texts(group(root, "versions")) == ["bent", "right"]
+
+
+def test_a_road_that_runs_on_a_network_is_a_route_on_its_streets():
+    scene = town()
+    street = next(r for r in scene.roads if r.name == "town/3")
+    tour = replace(street, name="tour", root="tour", network=None, edge=None)
+    root = drawn(replace(scene, roads=(*scene.roads, tour)))
+    assert len(group(root, "routes")) == 1
+
+
+def test_edge_lines_make_no_loops_inside_tight_bends():
+    import numpy as np
+
+    from roadlang_standard.svg.ribbon import unfolded
+
+    angle = np.linspace(0, np.pi / 2, 30)
+    arc = np.column_stack([4 * np.sin(angle), 4 * (1 - np.cos(angle))])
+    before, after = np.linspace([-30, 0], [-0.5, 0], 60), np.linspace([4, 4.5], [4, 34], 60)
+    centre = np.concatenate([before, arc, after])
+    heading = np.concatenate([np.zeros(60), angle, np.full(60, np.pi / 2)])
+    inner = centre + 10 * np.column_stack([-np.sin(heading), np.cos(heading)])
+    parts = unfolded(inner, centre)
+    assert len(parts) == 2
+    assert min(np.hypot(*(point - centre).T).min() for part in parts for point in part) > 9.6

@@ -67,6 +67,8 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         ghost.context(ribbons[name] for name in selection.context),
         ghost.ghosts(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         roads(scene, ribbons, selection.full, viewport),
+        ghost.versions((ribbons[name] for name in selection.versions), style.font),
+        ghost.routes(ribbons[name] for name in selection.routes),
         ghost.ghost_lines(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         violations(scene, ribbons),
         actors.objects(scene, viewport),
@@ -86,7 +88,9 @@ def _stations(
 ) -> list[str]:
     if not style.stations:
         return []
-    alone = [road.name for road in scene.roads if road.name in selection.full and not road.network]
+    alone = [
+        road.name for road in scene.roads if road.name in selection.measured and not road.network
+    ]
     return [furniture.station_marks(ribbons[name], viewport, style.font) for name in alone]
 
 

@@ -1,4 +1,4 @@
-"""What was there before: the original road as a ghost, other roads of the source as context."""
+"""Roads that are not the road itself: its original as a ghost, routes, versions, context."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from . import palette
-from .markup import element, group, path_data
+from .markup import element, group, path_data, text
 
 if TYPE_CHECKING:
     from .ribbon import Ribbon
@@ -46,6 +46,41 @@ def ghost_lines(originals: Iterable[Ribbon]) -> str:
         for ribbon in originals
     ]
     return group(lines, class_="ghost-lines")
+
+
+def versions(roads: Iterable[Ribbon], size: float) -> str:
+    """Roads of one root: translucent, each in its colour, with its name where it ends."""
+    shapes = []
+    for index, ribbon in enumerate(roads):
+        colour = palette.agent_colour(index)
+        surface = path_data(ribbon.outline(), closed=True)
+        shapes.append(
+            element("path", d=surface, fill=colour, fill_opacity=0.30, stroke=colour,
+                    stroke_width=1.4, stroke_linejoin="round")
+        )  # fmt: skip
+        shapes.append(
+            element("path", d=path_data(ribbon.line(0.0)), fill="none", stroke=colour,
+                    stroke_width=1.0, stroke_dasharray="7 5")
+        )  # fmt: skip
+        x, y = ribbon.centre[-1].tolist()
+        shapes.append(
+            text(ribbon.name, x, y + (1.3 * index - 0.9) * size, text_anchor="middle",
+                 font_size=size, font_weight="600", fill=colour, stroke=palette.GROUND,
+                 stroke_width=3.0, paint_order="stroke")
+        )  # fmt: skip
+    return group(shapes, class_="versions")
+
+
+def routes(roads: Iterable[Ribbon]) -> str:
+    """Roads that run on a network: a band along the streets that they take."""
+    bands = [
+        element("path", d=path_data(ribbon.line(0.0)), fill="none",
+                stroke=palette.agent_colour(index), stroke_opacity=0.55,
+                stroke_width=max(0.6 * float(ribbon.half.mean()), 2.0), stroke_linejoin="round",
+                stroke_linecap="round")
+        for index, ribbon in enumerate(roads)
+    ]  # fmt: skip
+    return group(bands, class_="routes")
 
 
 def context(others: Iterable[Ribbon]) -> str:

@@ -109,6 +109,24 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
     )
 
 
+def unfolded(line: Floats, centre: Floats) -> list[Floats]:
+    """An offset line without the loops that it makes inside bends tighter than the offset.
+
+    A point belongs to it if no point of the centre line is nearer than its own; (n, 2) each.
+    """
+    import numpy as np
+
+    forward = (np.diff(line, axis=0) * np.diff(centre, axis=0)).sum(axis=1)
+    if (forward >= 0).all():
+        return [line]
+    own = np.hypot(*(line - centre).T)
+    nearest = np.hypot(*(line[:, None] - centre[None]).transpose(2, 0, 1)).min(axis=1)
+    fine = np.concatenate([[False], nearest >= own - 0.35, [False]])
+    starts = np.flatnonzero(fine[1:] & ~fine[:-1])
+    ends = np.flatnonzero(~fine[1:] & fine[:-1])
+    return [line[a:b] for a, b in zip(starts, ends, strict=True) if b - a > 1]
+
+
 def _kept(points: Floats) -> NDArray[np.intp]:
     import numpy as np
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from . import palette
 from .markup import element, group, path_data
+from .ribbon import unfolded
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -70,7 +71,9 @@ def _end_half(ribbon: Ribbon, x: float, y: float) -> float:
     """Half the width at the end that is at (x, y)."""
     first, last = ribbon.centre[0], ribbon.centre[-1]
     at_start = abs(first - (x, y)).sum() <= abs(last - (x, y)).sum()
-    return float(ribbon.half[0 if at_start else -1])
+    # What was extracted at a junction may be the width of the whole crossing.
+    usual = sorted(ribbon.half.tolist())[len(ribbon.half) // 2]
+    return min(float(ribbon.half[0 if at_start else -1]), 1.2 * usual)
 
 
 def _markings(
@@ -93,7 +96,8 @@ def _lines(ribbon: Ribbon, lane: float, viewport: Viewport) -> Iterator[str]:
     thin = min(max(0.035 * lane, 0.5), 2.0)
     for side in (1, -1):
         edge = ribbon.line(side, shift=-side * (0.09 * lane + thin))
-        yield _stroke(edge, thin)
+        for part in unfolded(edge, ribbon.centre):
+            yield _stroke(part, thin)
     for boundary in range(1, ribbon.lanes):
         share = 1 - 2 * boundary / ribbon.lanes
         centre_of_many = ribbon.lanes >= 4 and 2 * boundary == ribbon.lanes

@@ -1,40 +1,81 @@
-"""Which roads of a scene are drawn in full, which as a ghost, which as pale context."""
+"""Which roads of a scene are drawn in full, which as a route, a ghost or pale context."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneRoad
 
+_NEAR = 1.5
+
 
 @dataclass(frozen=True)
 class Selection:
-    """Names of roads, in the scene's order."""
+    """Names of roads, in the scene's order.
+
+    `versions` are several derived roads of one root, which overlap; `routes` run on a network that
+    is drawn in full.
+    """
 
     full: tuple[str, ...]
+    versions: tuple[str, ...]
+    routes: tuple[str, ...]
     ghosts: tuple[str, ...]
     context: tuple[str, ...]
 
+    @property
+    def measured(self) -> tuple[str, ...]:
+        """The roads that get marks of arc length: versions share those of the first."""
+        return (*self.full, *self.versions[:1], *self.routes)
+
 
 def select(scene: Scene) -> Selection:
-    """Derived roads in full; the roots of what differs from them as ghosts; the rest as context."""
+    """Derived roads in full, the roots of what differs from them as ghosts, the rest as context."""
     roads = {road.name: road for road in scene.roads}
-    full = [road for road in scene.roads if road.derived] or list(scene.roads)
-    names = {road.name for road in full}
-    roots = {
-        road.root
-        for road in full
-        if road.root in roads and road.root not in names and _differ(road, roads[road.root])
-    }
-    rest = [name for name in roads if name not in names and name not in roots]
+    shown = [road for road in scene.roads if road.derived] or list(scene.roads)
+    streets = [road for road in shown if road.network is not None]
+    singles = [road for road in shown if road.network is None]
+    routes = [road for road in singles if _runs_on(road, streets)]
+    versions = [
+        road
+        for road in singles
+        if road not in routes and sum(other.root == road.root for other in singles) > 1
+    ]
+    full = [road for road in shown if road not in routes and road not in versions]
+    names = {road.name for road in shown}
+    ghosts = [
+        roads[root]
+        for root in dict.fromkeys(road.root for road in shown)
+        if root in roads and root not in names
+    ]
+    ghosts = [ghost for ghost in ghosts if _was_changed(ghost, shown)]
+    drawn = names | {ghost.name for ghost in ghosts}
+    rest = [road for road in scene.roads if road.name not in drawn and road.network is not None]
     return Selection(
         full=tuple(road.name for road in full),
-        ghosts=tuple(name for name in roads if name in roots),
-        context=tuple(name for name in rest if roads[name].network is not None),
+        versions=tuple(road.name for road in versions),
+        routes=tuple(road.name for road in routes),
+        ghosts=tuple(ghost.name for ghost in ghosts),
+        context=tuple(road.name for road in rest if not _runs_on(road, [*ghosts, *shown])),
     )
 
 
-def _differ(road: SceneRoad, root: SceneRoad) -> bool:
-    return (road.x, road.y) != (root.x, root.y)
+def _was_changed(root: SceneRoad, shown: Iterable[SceneRoad]) -> bool:
+    return any(road.root == root.name and (road.x, road.y) != (root.x, root.y) for road in shown)
+
+
+def _runs_on(road: SceneRoad, others: Iterable[SceneRoad]) -> bool:
+    """Whether the centre line stays within a step of that of other roads."""
+    import numpy as np
+
+    lines = [np.column_stack([other.x, other.y]) for other in others]
+    if not lines:
+        return False
+    ground = np.concatenate(lines)
+    spacing = max(np.hypot(*np.diff(line, axis=0).T).max(initial=0.0) for line in lines)
+    points = np.column_stack([road.x, road.y])[:: max(1, len(road.x) // 60)]
+    gaps = np.hypot(*(points[:, None] - ground[None]).transpose(2, 0, 1)).min(axis=1)
+    return bool((gaps < _NEAR + spacing / 2).all())
