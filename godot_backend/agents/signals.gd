@@ -8,6 +8,8 @@ const Outline := preload("res://agents/outline.gd")
 const SAME_LANE := 2.0
 
 var _agents: Array[Agent] = []
+## Where the search for an agent on the path of another begins.
+var _segments: Dictionary = {}
 
 
 func _init(agents: Array[Agent]) -> void:
@@ -81,16 +83,27 @@ func _ahead(agent: Agent) -> Array[float]:
 	for other in _agents:
 		if other == agent:
 			continue
-		var segment := agent.path.nearest(other.x, other.y)
-		var along := agent.path.station(segment, other.x, other.y) - agent.station
-		var between := agent.direction * along
+		var place := _on_path_of(agent, other)
+		var between := agent.direction * (place.x - agent.station)
 		if agent.path.closed:
 			between = fposmod(between, agent.path.length)
-		var beside := agent.path.offset(segment, other.x, other.y) - agent.line_offset
+		var beside := place.y - agent.line_offset
 		var gap := between - 0.5 * (agent.size().x + other.size().x)
 		if between > 0.0 and absf(beside) < SAME_LANE and gap < out[0]:
 			out = [gap, other.speed * cos(other.heading - agent.heading)]
 	return out
+
+
+## Station and offset of another agent on the path of this one.
+func _on_path_of(agent: Agent, other: Agent) -> Vector2:
+	if other.path == agent.path:
+		return Vector2(other.station, other.direction * other.cross_track + other.line_offset)
+	var pair := Vector2i(agent.id, other.id)
+	var segment := agent.path.nearest(other.x, other.y, _segments.get(pair, -1))
+	_segments[pair] = segment
+	return Vector2(
+		agent.path.station(segment, other.x, other.y), agent.path.offset(segment, other.x, other.y)
+	)
 
 
 func _outline(agent: Agent) -> Outline:

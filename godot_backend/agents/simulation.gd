@@ -30,6 +30,7 @@ var _stop_at_end := false
 var _hold_until := 0
 var _trace := PackedByteArray()
 var _flushed := 0
+var _recorded := 0
 
 
 func _init(server: Server, stages: Dictionary) -> void:
@@ -52,6 +53,7 @@ func start(settings: Dictionary) -> String:
 	tick = 0
 	_hold_until = 0
 	_trace.clear()
+	_recorded = 0
 	mode = Mode.FREE if wanted == "free" else Mode.LOCKSTEP
 	_gather()
 	for part in _cast:
@@ -89,7 +91,7 @@ func stop(reason: String) -> void:
 		var agent: Agent = part[1]
 		if is_instance_valid(agent) and agent.body is Vehicle:
 			(agent.body as Vehicle).freeze = true
-	_server.send_json(Protocol.DONE, {"tick": tick, "reason": reason})
+	_server.send_json(Protocol.DONE, {"tick": tick, "reason": reason, "records": _recorded})
 
 
 ## One physics step: look, tell, decide, act.
@@ -104,6 +106,7 @@ func step(dt: float) -> void:
 		_await_step()
 	elif mode == Mode.FREE and tick % _every == 0:
 		_trace.append_array(_records())
+		_recorded += _cast.size()
 		if _trace.size() > FLUSH_BYTES or Time.get_ticks_usec() - _flushed > FLUSH_USEC:
 			_flush()
 	if mode == Mode.IDLE:

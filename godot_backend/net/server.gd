@@ -26,6 +26,7 @@ var refused := 0
 var _link: RefCounted
 var _channel := Channel.new()
 var _session := 0
+var _ended := 0
 var _client := ""
 var _nonce := -1
 var _last_heard := 0
@@ -121,6 +122,9 @@ func _receive(datagram: PackedByteArray, source: String, now: int) -> void:
 		return
 	if _session == 0 or frame.session != _session or source != _client:
 		refused += 1
+		# Its first answer to a goodbye may have been lost.
+		if frame.type == Protocol.BYE and frame.session == _ended:
+			_link.send(source, Frame.pack(Protocol.BYE, _ended, 0, PackedByteArray()))
 		return
 	_last_heard = now
 	match frame.type:
@@ -147,6 +151,7 @@ func _hand_on(frame: Frame) -> void:
 
 func _send_goodbye() -> void:
 	_link.send(_client, Frame.pack(Protocol.BYE, _session, 0, PackedByteArray()))
+	_ended = _session
 	end_session()
 
 

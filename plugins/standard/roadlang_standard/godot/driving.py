@@ -39,18 +39,24 @@ def run(session: Session, ticks: int, *, every: int = 1, stop_at_end: bool = Fal
     """
     settings = {"mode": "free", "ticks": ticks, "every": every, "stop_at_end": stop_at_end}
     session.send_json(Message.RUN, settings, "the start of the drive")
-    parts = []
+    parts: list[Records] = []
     while (done := session.take(Message.DONE)) is None:
         session.pump(0.02)
-        while (part := session.take(Message.TRACE)) is not None:
-            parts.append(records(part))
-    while (part := session.take(Message.TRACE)) is not None:
-        parts.append(records(part))
+        _gather(session, parts)
+    end = json.loads(done)
+    # The end may overtake what was recorded before it.
+    while sum(map(len, parts)) < int(end["records"]):
+        session.pump(0.02)
+        _gather(session, parts)
     trace = np.concatenate(parts) if parts else records(b"")
     # Messages come in any order; records tell theirs.
     trace = trace[np.lexsort((trace["agent"], trace["world"], trace["tick"]))]
-    end = json.loads(done)
     return Drive(trace, int(end["tick"]), str(end["reason"]))
+
+
+def _gather(session: Session, parts: list[Records]) -> None:
+    while (part := session.take(Message.TRACE)) is not None:
+        parts.append(records(part))
 
 
 class LockStep:

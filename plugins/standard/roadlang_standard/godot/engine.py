@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -23,6 +25,7 @@ START_SECONDS = 60.0
 DRAWING_PATIENCE = 60.0
 """Drawing in software takes seconds, in which an engine answers nobody."""
 
+_KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
 _VARIABLE = "ROADLANG_GODOT"
 _NAMES = ("godot4", "godot", "Godot", "godot4-bin")
 _PLACES = (
@@ -134,15 +137,22 @@ class Engine:
         return self.log.read_text(encoding="utf-8", errors="replace")
 
     def stop(self) -> None:
-        """End the process and remove its log."""
+        """End the process, with the virtual screen it may have, and remove its log."""
         if self.process.poll() is None:
-            self.process.terminate()
+            self._signal(signal.SIGTERM)
             try:
                 self.process.wait(timeout=5)
             except subprocess.TimeoutExpired:
-                self.process.kill()
+                self._signal(_KILL)
                 self.process.wait()
         shutil.rmtree(self.log.parent, ignore_errors=True)
+
+    def _signal(self, number: int) -> None:
+        if os.name == "nt":
+            self.process.send_signal(number)
+            return
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, number)
 
 
 def connect(
@@ -150,7 +160,8 @@ def connect(
 ) -> Session:
     """A session with an engine that already runs.
 
-    Raises `EngineError` RL502 where nobody answers, RL503 where it refuses.
+    Raises `EngineError` RL502 where nobody answers, RL503 where it refuses, RL512 where the
+    address is no good.
     """
     try:
         link: Link = WebSocketLink(host, port) if transport == "websocket" else UdpLink(host, port)
@@ -183,18 +194,26 @@ def start(
     if draw and not window:
         command.append("--still")
     log = Path(tempfile.mkdtemp(prefix="roadlang-godot-")) / "engine.log"
+    engine = Engine(_spawn(command, log), host, port, transport, log, draws)
+    engine.port = _await_port(engine, command[0])
+    return engine
+
+
+def _spawn(command: list[str], log: Path) -> subprocess.Popen[bytes]:
+    """A process group of its own: ending it ends a virtual screen too."""
     try:
         # A file, not a pipe: an engine whose pipe nobody reads stops when it is full.
         with log.open("wb") as out:
-            process = subprocess.Popen(
-                command, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL
+            return subprocess.Popen(
+                command,
+                stdout=out,
+                stderr=subprocess.STDOUT,
+                stdin=subprocess.DEVNULL,
+                start_new_session=True,
             )
     except OSError as error:
         shutil.rmtree(log.parent, ignore_errors=True)
         raise fault("RL501", engine=command[0], reason=error.strerror or error) from error
-    engine = Engine(process, host, port, transport, log, draws)
-    engine.port = _await_port(engine, command[0])
-    return engine
 
 
 def _await_port(engine: Engine, name: str) -> int:

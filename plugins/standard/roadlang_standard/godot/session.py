@@ -22,6 +22,8 @@ PATIENCE = 5.0
 _HELLO_EVERY = 0.1
 _PING_EVERY = 1.0
 _NAMED = 8
+_GOODBYES = 12
+_GOODBYE_WAIT = 0.05
 
 _BEGIN = struct.Struct("<HH")
 _COMMIT = struct.Struct("<HHI")
@@ -70,9 +72,13 @@ class Session:
         self.close()
 
     def close(self) -> None:
-        """Say goodbye and leave."""
+        """Say goodbye until the engine says it too, or does not seem to hear it; leave."""
         try:
-            self.send_once(Message.BYE, b"")
+            for _ in range(_GOODBYES):
+                self.send_once(Message.BYE, b"")
+                frames = map(protocol.unpack, self._link.receive(_GOODBYE_WAIT))
+                if any(frame is not None and frame.type == Message.BYE for frame in frames):
+                    break
         except OSError:
             pass
         finally:

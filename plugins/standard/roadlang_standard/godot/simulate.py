@@ -55,9 +55,11 @@ Controllers = Mapping[str, "Controller"]
 def drive_scene(scene: Scene, settings: Settings, controllers: Controllers | None = None) -> Trace:
     """Start an engine, build one scene, drive it, end the engine."""
     fixed = settings.rate if settings.headless else None
-    with engine.start(fixed_fps=fixed, window=not settings.headless) as running:
-        with running.connect(scene.name) as session:
-            return drive_in(session, scene, settings, controllers or {})
+    with (
+        engine.start(fixed_fps=fixed, window=not settings.headless) as running,
+        running.connect(scene.name) as session,
+    ):
+        return drive_in(session, scene, settings, controllers or {})
 
 
 def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Controllers) -> Trace:

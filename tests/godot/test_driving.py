@@ -1,0 +1,146 @@
+"""Cars with real tyres: they keep their lane, slide out where physics says, and repeat exactly."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
+
+from roadlang.api import Control, Observation, Scene, SceneActor, SceneRoad, Trace
+from roadlang_standard.godot.session import Session
+from roadlang_standard.godot.simulate import Settings, drive_batch, drive_in
+
+pytestmark = pytest.mark.godot
+
+
+def driven(session: Session, made: Scene, duration: float = 70.0) -> Trace:
+    return drive_in(session, made, Settings(duration=duration), {})
+
+
+def pursuit(speed: float) -> object:
+    return call("pure_pursuit", speed=speed, lookahead=1.0, lookahead_time=0.4)
+
+
+@pytest.mark.parametrize("kind", ["pure_pursuit", "stanley", "lane_follow", "car_follow"])
+def test_a_car_at_15_m_s_stays_within_30_cm_on_bends_of_37_m(session: Session, kind: str) -> None:
+    options = {"lookahead": 1.0, "lookahead_time": 0.4} if kind == "pure_pursuit" else {}
+    bent = bends()
+    ego = car("ego", bent, 5.0, call(kind, speed=15.0, **options))
+    trace = driven(session, scene(bent, agents=[ego], world={"friction": 1.0}))
+    assert trace.agents["ego"].progress[-1] > 0.99
+    assert trace.agents["ego"].speed.max() == pytest.approx(15.0, abs=0.3)
+    assert np.abs(trace.agents["ego"].cross_track).max() <= 0.3
+
+
+def circle(friction: float, speed: float) -> tuple[Scene, SceneRoad]:
+    ring = road("ring", pieces(straight(160), bend(60, 350)), width=9.0)
+    ego = car("ego", ring, 3.0, pursuit(speed))  # type: ignore[arg-type]
+    return scene(ring, agents=[ego], world={"friction": friction}), ring
+
+
+@pytest.mark.parametrize("friction", [0.5, 0.9])
+def test_a_car_slides_out_where_friction_ends(session: Session, friction: float) -> None:
+    limit = math.sqrt(friction * 9.81 * 60.0)
+    inside = driven(session, circle(friction, 0.85 * limit)[0], 45)
+    assert np.abs(inside.agents["ego"].cross_track).max() < 1.0
+    beyond = driven(session, circle(friction, 1.15 * limit)[0], 45)
+    assert np.abs(beyond.agents["ego"].cross_track).max() > 3.0
+
+
+def test_two_drives_of_one_scene_are_equal_to_the_last_bit(session: Session) -> None:
+    bent = bends()
+    cars = [car(f"car[{i}]", bent, 5.0 + 9 * i, call("car_follow", speed=12.0)) for i in range(5)]
+    made = scene(bent, agents=cars)
+    one, two = driven(session, made, 20), driven(session, made, 20)
+    for name, agent in one.agents.items():
+        for column in ("x", "y", "heading", "speed", "steering", "cross_track"):
+            assert getattr(agent, column).tobytes() == getattr(two.agents[name], column).tobytes()
+
+
+def test_a_car_brakes_when_its_condition_comes_true(session: Session) -> None:
+    main = road("main", pieces(straight(300)))
+    when = {
+        "formula": {"<": ["d", 30.0]},
+        "signals": {"d": {"kind": "distance", "options": {"one": "ego", "other": "van"}}},
+    }
+    brake = call("brake", when=when, deceleration=6.0)
+    ego = car("ego", main, 5.0, call("lane_follow", speed=15.0, acceleration=3.0), brake)
+    made = scene(main, agents=[ego], objects=[thing("parked_van", 200.0, 0.0, 5, 2, 2, "van")])
+    agent = driven(session, made, 25).agents["ego"]
+    stopped = agent.x[-1]
+    assert agent.speed[-1] == pytest.approx(0.0, abs=0.1)
+    assert stopped == pytest.approx(170.0 + 15.0**2 / (2 * 6.0), abs=1.5)
+    assert agent.contacts.max() == 0
+
+
+def test_a_follower_keeps_its_distance(session: Session) -> None:
+    main = road("main", pieces(straight(500)))
+    lead = car("lead", main, 60.0, call("lane_follow", speed=8.0))
+    ego = car("ego", main, 5.0, call("car_follow", speed=20.0, headway=1.5, gap=2.0))
+    trace = driven(session, scene(main, agents=[ego, lead]), 40)
+    gap = trace.agents["lead"].x - trace.agents["ego"].x - 4.5
+    assert gap.min() > 2.0
+    assert trace.agents["ego"].speed[-1] == pytest.approx(8.0, abs=0.3)
+    assert gap[-1] == pytest.approx(2.0 + 8.0 * 1.5, abs=3.0)
+
+
+def test_a_pedestrian_crosses_and_a_car_that_does_not_look_touches_it(session: Session) -> None:
+    main = road("main", pieces(straight(200)))
+    walker = car("walker", main, 60.0, call("crossing", speed=1.4), kind="pedestrian", offset=-4.5)
+    made = scene(main, agents=[walker])
+    crossed = driven(session, made, 8).agents["walker"]
+    assert crossed.y[0] == pytest.approx(-4.5)
+    assert crossed.y[-1] == pytest.approx(3.5 + 1.0, abs=0.1)
+    assert np.ptp(crossed.x) == pytest.approx(0.0, abs=0.05)
+    ego = car("ego", main, 47.0, call("lane_follow", speed=14.0))
+    hit = driven(session, scene(main, agents=[ego, walker]), 8)
+    assert hit.agents["ego"].contacts.max() >= 1
+    assert hit.events[0]["event"] == "contact"
+
+
+class Steady:
+    """A controller in Python: pure pursuit, written with what an observation has."""
+
+    def __init__(self, speed: float) -> None:
+        self.speed = speed
+        self.steps = 0
+
+    def control(self, seen: Observation) -> Control:
+        self.steps += 1
+        x, y, _, _ = seen.line_ahead(7.0)
+        rear_x = seen.x - 0.5 * seen.wheelbase * math.cos(seen.heading)
+        rear_y = seen.y - 0.5 * seen.wheelbase * math.sin(seen.heading)
+        bearing = math.atan2(y - rear_y, x - rear_x) - seen.heading
+        away = math.hypot(x - rear_x, y - rear_y)
+        steering = math.atan2(2 * seen.wheelbase * math.sin(bearing), away)
+        return Control(steering, max(-6.0, min(3.0, 2.0 * (self.speed - seen.speed))))
+
+
+def test_a_controller_in_python_drives_in_lock_step(session: Session) -> None:
+    bent = bends()
+    ego: SceneActor = car("ego", bent, 5.0, call("acme.steady"))
+    controller = Steady(13.0)
+    made = scene(bent, agents=[ego], world={"friction": 1.0})
+    settings = Settings(duration=75.0, step=1 / 60)
+    trace = drive_in(session, made, settings, {"ego": controller})  # type: ignore[dict-item]
+    assert trace.agents["ego"].progress[-1] > 0.99
+    assert np.abs(trace.agents["ego"].cross_track).max() < 0.5
+    assert controller.steps >= len(trace.time) - 1
+
+
+def test_worlds_of_one_engine_do_not_touch_each_other(session: Session) -> None:
+    main = road("main", pieces(straight(120), bend(50, 90), straight(60)))
+
+    def at(speed: float) -> Scene:
+        return scene(main, agents=[car("ego", main, 5.0, call("lane_follow", speed=speed))])
+
+    speeds = [6.0, 9.0, 12.0]
+    settings = Settings(duration=12.0)
+    together = drive_batch(session, [at(speed) for speed in speeds], settings)
+    for speed, trace in zip(speeds, together, strict=True):
+        alone = drive_in(session, at(speed), settings, {})
+        # Three worlds run until the slowest is done, so compare what both have.
+        count = min(len(alone.time), len(trace.time))
+        assert trace.agents["ego"].x[:count] == pytest.approx(alone.agents["ego"].x[:count])

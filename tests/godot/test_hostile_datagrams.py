@@ -1,0 +1,70 @@
+"""Noise, mutations and forged frames: the engine neither crashes nor floods its log."""
+
+from __future__ import annotations
+
+import contextlib
+import random
+import socket
+import struct
+
+import pytest
+from test_building import begin, everything
+
+from roadlang_standard.godot import protocol
+from roadlang_standard.godot.engine import Engine
+from roadlang_standard.godot.protocol import Message
+
+pytestmark = pytest.mark.godot
+
+MOST_LOG_LINES = 60
+
+
+def hostile(chance: random.Random, session: int) -> bytes:
+    """Noise, a spoilt frame, or a whole frame with a payload of nonsense."""
+    kind = chance.random()
+    size = chance.choice((0, 1, 12, 19, 20, 21, 60, 400, 1400, 9000))
+    noise = chance.randbytes(size)
+    if kind < 0.3:
+        return noise
+    type = chance.choice([*Message, chance.randrange(256)])
+    if type in (Message.BYE, Message.BEGIN) and kind > 0.5:
+        type = Message.SEGMENT
+    prefix = struct.pack("<HHII", 0, 0, chance.randrange(1 << 32), chance.randrange(1 << 32))
+    body = (prefix + noise)[: protocol.MAX_DATAGRAM - protocol.HEADER_BYTES]
+    if chance.random() < 0.2:
+        body = b'{"protocol":[1,1],"nonce":' + b"[" * chance.randrange(900) + b"}"
+    seq = chance.choice((0, chance.randrange(1, 3000), chance.randrange(1 << 32)))
+    frame = bytearray(protocol.pack(type, chance.choice((session, 0, 77)), seq, body))
+    if kind < 0.6:
+        frame[chance.randrange(len(frame))] ^= 1 << chance.randrange(8)
+    return bytes(frame)
+
+
+def bombard(engine: Engine, count: int, seed: int) -> None:
+    """Send hostile datagrams from an address that holds the session."""
+    chance = random.Random(seed)
+    with engine.connect("fuzz", patience=30.0) as session:
+        begin(session, everything()[:10])
+        number = session.welcome["session"]
+        own: socket.socket = session._link._socket  # type: ignore[attr-defined]
+        stranger = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        stranger.connect((engine.host, engine.port))
+        for i in range(count):
+            with contextlib.suppress(BlockingIOError, ConnectionError):
+                (own if chance.random() < 0.5 else stranger).send(hostile(chance, number))
+            if i % 40 == 39:
+                session._link.receive(0.004)
+        stranger.close()
+
+
+@pytest.mark.parametrize(
+    "count", [3_000, pytest.param(100_000, marks=pytest.mark.slow)], ids=["some", "many"]
+)
+def test_hostile_datagrams_harm_nothing(fresh_engine: Engine, count: int) -> None:
+    bombard(fresh_engine, count, seed=count)
+    assert fresh_engine.process.poll() is None
+    assert len(fresh_engine.output().splitlines()) < MOST_LOG_LINES, fresh_engine.output()[-3000:]
+    things = everything()
+    with fresh_engine.connect("after", patience=30.0) as session:
+        begin(session, things)
+        assert session.prove().things == len(things)

@@ -1,0 +1,96 @@
+"""Junctions: strips are cut back until none overlaps, and the patch joins their ends."""
+
+from __future__ import annotations
+
+import math
+
+import cv2
+import numpy as np
+from godot_scenes import pieces, road, scene, straight, town
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from test_road_mesh import strip
+
+from roadlang_standard.godot.frame import Frame
+from roadlang_standard.godot.junctions import Arm, cuts, order, patch
+from roadlang_standard.godot.layout import layout_of
+from roadlang_standard.godot.line import line_of
+from roadlang_standard.godot.protocol import Message
+from roadlang_standard.godot.road_mesh import road_things
+
+PIXEL = 0.08
+bearings = st.lists(st.integers(0, 35), min_size=2, max_size=5, unique=True)
+
+
+def star(degrees: list[int]) -> list[Arm]:
+    """Arms of 80 m that leave the origin."""
+    return order(
+        [
+            Arm(line_of(road(f"{d}", pieces(straight(80), heading=math.radians(d)))), 1)
+            for d in degrees
+        ]
+    )
+
+
+def painted(polygons: list[np.ndarray]) -> np.ndarray:
+    """How many polygons cover each 8 cm of the square around the origin."""
+    count = np.zeros((800, 800), np.uint8)
+    for polygon in polygons:
+        layer = np.zeros(count.shape, np.uint8)
+        cv2.fillPoly(layer, [np.round(polygon / PIXEL + 400).astype(np.int32)], 1)
+        count += layer
+    return count
+
+
+def strips_of(arms: list[Arm], back: list[float]) -> list[np.ndarray]:
+    out = []
+    for arm, cut in zip(arms, back, strict=True):
+        near = [strip(t) for t in road_things(arm.line, 1, Frame(), cut, 30.0)]
+        edges = np.concatenate(near)
+        out.append(np.concatenate([edges[:, 0], edges[::-1, 1]])[:, [0, 2]])
+    return out
+
+
+@settings(max_examples=20)
+@given(bearings)
+def test_no_two_roads_overlap_after_the_cut(tens: list[int]) -> None:
+    degrees = sorted(10 * one for one in tens)
+    gaps = [(b - a) % 360 for a, b in zip(degrees, degrees[1:] + degrees[:1], strict=True)]
+    assume(min(gaps) >= 30)
+    arms = star(degrees)
+    covered = painted(strips_of(arms, cuts(arms)))
+    # Outlines are drawn with their rims, so neighbours may share a line of pixels.
+    assert (cv2.erode((covered > 1).astype(np.uint8), np.ones((4, 4), np.uint8)) == 0).all()
+
+
+def test_the_patch_has_the_very_corners_of_the_roads() -> None:
+    arms = star([0, 90, 200])
+    back = cuts(arms)
+    made = patch(arms, back, 1, Frame(), "here")
+    head = np.frombuffer(made.body[:2], "<u2")[0]
+    corners = {tuple(p) for p in np.frombuffer(made.body[4:], "<f4", int(head) * 3).reshape(-1, 3)}
+    for arm, cut in zip(arms, back, strict=True):
+        first = strip(road_things(arm.line, 1, Frame(), cut, 30.0)[0])[0]
+        assert {tuple(first[0]), tuple(first[1])} <= corners
+
+
+def test_patch_and_roads_leave_no_hole_in_a_crossing() -> None:
+    arms = star([0, 80, 180, 260])
+    back = cuts(arms)
+    made = patch(arms, back, 1, Frame(), "here")
+    count = int(np.frombuffer(made.body[:2], "<u2")[0])
+    ring = np.frombuffer(made.body[4:], "<f4", count * 3).reshape(-1, 3)[1:, [0, 2]]
+    covered = painted([ring, *strips_of(arms, back)]) > 0
+    for degrees in (0, 80, 180, 260):
+        turn = math.radians(degrees)
+        for along in np.arange(0, 29, 0.5):
+            x = round((along * math.cos(turn)) / PIXEL + 400)
+            y = round((-along * math.sin(turn)) / PIXEL + 400)
+            assert covered[y, x]
+
+
+def test_a_town_gets_a_patch_for_each_node_where_roads_meet() -> None:
+    roads, network = town()
+    things = layout_of(scene(*roads, networks=[network])).things
+    labels = [thing.label for thing in things if thing.kind == Message.PATCH]
+    assert labels == ["junction 1 of town", "junction 2 of town"]

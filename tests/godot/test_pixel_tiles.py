@@ -1,0 +1,79 @@
+"""Tiles: one per road pixel, with the mask of its four neighbours."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+from godot_scenes import pieces, road, scene, straight, town
+from hypothesis import given
+from hypothesis.extra.numpy import arrays
+
+from roadlang_standard.godot import protocol
+from roadlang_standard.godot.faults import EngineError
+from roadlang_standard.godot.frame import Frame
+from roadlang_standard.godot.layout import layout_of
+from roadlang_standard.godot.protocol import Message
+from roadlang_standard.godot.road_tiles import (
+    EAST,
+    NORTH,
+    SOUTH,
+    WEST,
+    coarsened,
+    neighbour_masks,
+    tile_things,
+)
+
+maps = arrays(bool, (12, 17))
+
+
+def test_the_four_bits_are_the_four_neighbours() -> None:
+    cross = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]], bool)
+    masks = neighbour_masks(cross)
+    assert masks[1, 1] == NORTH | EAST | SOUTH | WEST
+    assert masks[0, 1] == SOUTH
+    assert masks[1, 0] == EAST
+    assert masks[1, 2] == WEST
+    assert masks[2, 1] == NORTH
+
+
+@given(maps)
+def test_neighbours_agree_about_each_other(pixels: np.ndarray) -> None:
+    masks = neighbour_masks(pixels)
+    joined_east = (masks[:, :-1] & EAST > 0) & pixels[:, :-1]
+    joined_west = (masks[:, 1:] & WEST > 0) & pixels[:, :-1] & pixels[:, 1:]
+    assert np.array_equal(joined_east, joined_west)
+
+
+@given(maps)
+def test_every_road_pixel_becomes_one_tile(pixels: np.ndarray) -> None:
+    things = tile_things(pixels, 8.0, (0.0, 0.0), 1, Frame())
+    assert sum(len(thing.content) // 5 for thing in things) == pixels.sum()
+    for thing in things:
+        assert len(thing.message(0, 1)) + protocol.HEADER_BYTES <= protocol.BULK_DATAGRAM
+
+
+def test_fine_pixels_are_taken_together() -> None:
+    fine = np.zeros((7, 9), bool)
+    fine[3:7, 0:4] = True
+    coarse = coarsened(fine, 4)
+    assert coarse.tolist() == [[False, False, False], [True, False, False]]
+
+
+def test_a_scene_with_a_mask_is_built_of_tiles() -> None:
+    roads, network = town()
+    mask = np.zeros((10, 12), np.uint8)
+    mask[4, :] = 255
+    png = base64.b64encode(cv2.imencode(".png", mask)[1]).decode()
+    pixelled = replace(network, mask=png, mask_scale=8.0)
+    kinds = {t.kind for t in layout_of(scene(*roads, networks=[pixelled]), "tiles").things}
+    assert Message.TILES in kinds
+    assert Message.SEGMENT not in kinds
+
+
+def test_a_road_without_pixels_cannot_be_built_of_tiles() -> None:
+    with pytest.raises(EngineError, match="RL514"):
+        layout_of(scene(road("main", pieces(straight(50)))), "tiles")

@@ -1,0 +1,85 @@
+"""Reliable delivery, on a network of pure thought: no sockets, no clock."""
+
+from __future__ import annotations
+
+import random
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from roadlang_standard.godot.channel import FIRST_RESEND, Channel
+
+STEP = 0.005
+
+
+def exchange(count: int, seed: int, loss: float, double: float) -> tuple[list[bytes], Channel]:
+    """Send `count` messages over a bad network until all are acknowledged."""
+    chance = random.Random(seed)
+    sender, receiver = Channel(), Channel()
+    arrived: list[bytes] = []
+    for i in range(count):
+        sender.offer(17, str(i).encode())
+    now = 0.0
+    while not sender.idle and now < 60:
+        now += STEP
+        network = [m for m in sender.due(now) if chance.random() >= loss]
+        network += [m for m in network if chance.random() < double]
+        chance.shuffle(network)
+        for _, seq, payload in network:
+            if receiver.accept(seq):
+                arrived.append(payload)
+        ack = receiver.take_ack()
+        if ack and chance.random() >= loss:
+            sender.acknowledged(ack)
+    return arrived, sender
+
+
+@settings(max_examples=20)
+@given(st.integers(0, 80), st.integers(0, 2**16), st.floats(0, 0.6), st.floats(0, 0.6))
+def test_every_message_arrives_exactly_once(
+    count: int, seed: int, loss: float, double: float
+) -> None:
+    arrived, sender = exchange(count, seed, loss, double)
+    assert sender.idle
+    assert sorted(arrived) == sorted(str(i).encode() for i in range(count))
+
+
+def test_a_perfect_network_needs_no_second_sending() -> None:
+    _, sender = exchange(500, seed=1, loss=0.0, double=0.0)
+    assert sender.resent == 0
+
+
+def test_no_more_than_the_window_is_on_its_way() -> None:
+    sender = Channel(window=8)
+    for _ in range(20):
+        sender.offer(17, b"")
+    assert len(sender.due(0.0)) == 8
+    assert sender.due(0.001) == []
+
+
+def test_what_is_not_acknowledged_is_named_when_patience_ends() -> None:
+    sender = Channel()
+    sender.offer(17, b"", "bent from 0 m to 100 m")
+    sender.due(0.0)
+    assert sender.overdue(4.9, patience=5.0) == []
+    assert sender.overdue(5.1, patience=5.0) == ["bent from 0 m to 100 m"]
+
+
+def test_a_message_that_others_have_overtaken_is_sent_again_at_once() -> None:
+    sender, receiver = Channel(), Channel()
+    for _ in range(6):
+        sender.offer(17, b"")
+    for _, seq, _ in sender.due(0.0):
+        if seq != 1:
+            receiver.accept(seq)
+            sender.acknowledged(receiver.take_ack())
+    assert [seq for _, seq, _ in sender.due(FIRST_RESEND / 2)] == [1]
+
+
+@given(st.binary(max_size=40))
+def test_a_false_acknowledgement_harms_nothing(payload: bytes) -> None:
+    sender = Channel()
+    sender.offer(17, b"")
+    sender.due(0.0)
+    sender.acknowledged(payload)
+    assert sender.overdue(9.0, 5.0) or sender.idle

@@ -1,0 +1,89 @@
+"""Roads become strips: whole, without gaps, fine enough, and each in one datagram."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from godot_scenes import bend, bends, pieces, road, straight
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from roadlang_standard.godot import protocol
+from roadlang_standard.godot.frame import Frame
+from roadlang_standard.godot.line import Line, line_of
+from roadlang_standard.godot.road_mesh import SAG, road_things, stations
+from roadlang_standard.godot.thing import Thing
+
+radii = st.floats(8, 400) | st.floats(-400, -8)
+
+
+def strip(thing: Thing) -> np.ndarray:
+    """(n, 2, 3) left and right edge points."""
+    return np.frombuffer(thing.content, dtype="<f4").reshape(-1, 2, 3)
+
+
+@settings(max_examples=25)
+@given(radii, st.floats(10, 170), st.floats(5, 300))
+def test_neighbours_share_their_corners_exactly(radius: float, turn: float, run: float) -> None:
+    line = line_of(road("r", pieces(straight(run), bend(radius, turn), straight(run))))
+    strips = [strip(thing) for thing in road_things(line, 1, Frame())]
+    for one, following in pairwise(strips):
+        assert np.array_equal(one[-1], following[0])
+
+
+@settings(max_examples=25)
+@given(radii, st.floats(10, 170))
+def test_every_piece_fits_a_datagram_that_no_network_splits(radius: float, turn: float) -> None:
+    line = line_of(road("r", pieces(straight(250), bend(radius, turn), straight(30))))
+    for thing in road_things(line, 1, Frame()):
+        whole = protocol.pack(thing.kind, 1, 1, thing.message(0, 1))
+        assert len(whole) <= protocol.BULK_DATAGRAM
+
+
+@given(st.floats(15, 400), st.floats(20, 170))
+def test_chords_stay_near_the_curve(radius: float, turn: float) -> None:
+    line = line_of(road("r", pieces(bend(radius, turn))))
+    for s in stations(line, 0.0, line.length):
+        middle = line.at((s[:-1] + s[1:]) / 2)[0]
+        ends = line.at(s)[0]
+        away = np.hypot(*((ends[:-1] + ends[1:]) / 2 - middle).T)
+        assert away.max() < 1.5 * SAG
+
+
+def test_the_pieces_cover_the_road_and_no_more() -> None:
+    line = line_of(bends())
+    covered = list(stations(line, 0.0, line.length))
+    assert covered[0][0] == 0.0
+    assert covered[-1][-1] == pytest.approx(line.length)
+    assert all(a[-1] == b[0] for a, b in pairwise(covered))
+
+
+def test_the_strip_is_as_wide_as_the_road() -> None:
+    line = line_of(road("r", pieces(straight(50), bend(40, 90)), width=6.5))
+    for thing in road_things(line, 1, Frame()):
+        edges = strip(thing)
+        assert np.hypot(*(edges[:, 0] - edges[:, 1])[:, [0, 2]].T) == pytest.approx(6.5, abs=1e-3)
+
+
+def test_north_is_minus_z_and_the_left_edge_is_left() -> None:
+    line = line_of(road("east", pieces(straight(20))))
+    left, right = strip(road_things(line, 1, Frame())[0])[0]
+    assert left == pytest.approx([0.0, 0.0, -3.5])
+    assert right == pytest.approx([0.0, 0.0, 3.5])
+
+
+def test_a_closed_road_ends_where_it_begins() -> None:
+    ring = road("ring", pieces(bend(40, 359)), closed=True)
+    strips = [strip(thing) for thing in road_things(line_of(ring), 1, Frame())]
+    assert strips[0][0] == pytest.approx(strips[-1][-1], abs=1e-3)
+
+
+def test_a_scene_far_from_the_origin_is_as_exact_as_one_near_it() -> None:
+    near = line_of(road("r", pieces(straight(90), bend(30, 90))))
+    far = line_of(road("r", pieces(straight(90), bend(30, 90), start=(4e5, 5e6))))
+    assert isinstance(far, Line)
+    here = strip(road_things(near, 1, Frame())[0])
+    there = strip(road_things(far, 1, Frame(4e5, 5e6))[0])
+    assert there == pytest.approx(here, abs=1e-3)

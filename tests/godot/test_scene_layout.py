@@ -1,0 +1,108 @@
+"""From a scene to what is sent: which roads are built, where agents drive, what they obey."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
+
+from roadlang.api import Scene
+from roadlang_standard.godot.faults import EngineError
+from roadlang_standard.godot.layout import layout_of
+from roadlang_standard.godot.protocol import Message
+from roadlang_standard.godot.sky import sun_at, world_settings
+
+
+def agent_spec(made: Scene, name: str) -> dict[str, Any]:
+    layout = layout_of(made)
+    body = next(t.body for t in layout.things if t.key == (Message.AGENT, layout.agents[name]))
+    return dict(json.loads(body))
+
+
+def labels(made: Scene, kind: Message) -> list[str]:
+    return [one.label for one in layout_of(made).things if one.kind == kind]
+
+
+def test_a_scene_without_roads_has_nothing_to_build() -> None:
+    with pytest.raises(EngineError, match="RL509"):
+        layout_of(scene())
+
+
+def test_only_the_last_road_of_a_chain_is_built() -> None:
+    main = road("main", pieces(straight(50)), derived=False)
+    bent = road("bent", pieces(straight(50), start=(0.0, 3.0)))
+    assert {label.split()[0] for label in labels(scene(main, bent), Message.SEGMENT)} == {"bent"}
+
+
+def test_a_route_through_a_town_is_a_path_on_its_roads_and_no_second_road() -> None:
+    roads, network = town()
+    points = np.vstack([pieces(straight(119.5))[:-1], [[120.0, 0.0]]])
+    tour = road("tour", points)
+    made = scene(*roads, tour, networks=[network], agents=[car("ego", tour, 5.0)])
+    assert not any("tour" in label for label in labels(made, Message.SEGMENT))
+    assert labels(made, Message.PATH)[0].startswith("path of tour")
+
+
+def test_the_origin_is_in_the_middle_of_the_scene() -> None:
+    far = road("far", pieces(straight(100), start=(4e5, 5e6)))
+    layout = layout_of(scene(far))
+    assert (layout.frame.x, layout.frame.y) == (400050.0, 5000000.0)
+
+
+def test_agents_follow_the_middle_of_their_lane() -> None:
+    main = road("main", pieces(straight(80)))
+    right = car("right", main, 5.0, lane=-1, offset=-1.75)
+    left = car("left", main, 50.0, lane=1, offset=1.75, facing="back")
+    made = scene(main, agents=[right, left])
+    assert agent_spec(made, "right")["offset"] == pytest.approx(-1.75)
+    assert agent_spec(made, "left")["offset"] == pytest.approx(1.75)
+    assert agent_spec(made, "left")["direction"] == -1
+
+
+def test_a_condition_becomes_the_nested_lists_of_the_engine() -> None:
+    main = bends()
+    when = {
+        "formula": {"once": {"<": ["d", 15.0]}, "interval": [0, 2]},
+        "signals": {"d": {"kind": "roadlang.distance", "options": {"one": "ego", "other": "lead"}}},
+    }
+    ego = car("ego", main, 5.0, call("lane_follow", speed=9.0), call("brake", when=when))
+    made = scene(main, agents=[ego, car("lead", main, 40.0)])
+    drives = agent_spec(made, "ego")["drives"]
+    assert drives[0] == {"kind": "lane_follow", "speed": 9.0}
+    assert drives[1]["when"] == ["once", 0.0, 2.0, ["<", ["distance", "ego", "lead"], 15.0]]
+
+
+def test_an_object_in_a_condition_is_told_by_its_outline() -> None:
+    main = bends()
+    when = {
+        "formula": {"<": ["d", 5.0]},
+        "signals": {"d": {"kind": "distance", "options": {"one": "van", "other": "ego"}}},
+    }
+    ego = car("ego", main, 5.0, call("brake", when=when))
+    made = scene(main, agents=[ego], objects=[thing("parked_van", 50.0, 3.0, name="van")])
+    frame = layout_of(made).frame
+    tree = agent_spec(made, "ego")["drives"][0]["when"]
+    assert tree[1] == ["distance", "ego", 50.0 - frame.x, 3.0 - frame.y, 0.0, 4.0, 4.0]
+
+
+def test_a_condition_that_the_engine_cannot_evaluate_is_refused() -> None:
+    main = bends()
+    signals = {"d": {"kind": "acme.mood", "options": {"agent": "ego"}}}
+    when = {"formula": {"<": ["d", 5.0]}, "signals": signals}
+    with pytest.raises(EngineError, match="RL513"):
+        layout_of(scene(main, agents=[car("ego", main, 5.0, call("brake", when=when))]))
+
+
+def test_the_sun_is_in_the_south_at_noon_and_in_the_east_at_six() -> None:
+    assert sun_at(12.0)["sun_azimuth"] == pytest.approx(-math.pi / 2)
+    assert sun_at(6.0) == pytest.approx({"sun_elevation": 0.0, "sun_azimuth": 0.0})
+    assert sun_at(0.0)["sun_elevation"] < 0
+
+
+def test_what_a_scene_says_goes_before_what_its_weather_implies() -> None:
+    assert world_settings({"weather": "rain"})["friction"] < world_settings({})["friction"]
+    assert world_settings({"weather": "rain", "friction": 0.5})["friction"] == 0.5
