@@ -21,7 +21,7 @@ def format_source(source: Source) -> tuple[str | None, list[Diagnostic]]:
 
 
 def format_file(tree: ast.File) -> str:
-    """The canonical text of a tree that was read without errors; read and printed again, the same."""
+    """The canonical text of a tree read without errors; formatting it again changes nothing."""
     printer = _Printer(tree)
     printer.sequence(tree.statements, 0, 0, len(tree.span.source.text) + 1)
     return "".join(f"{line}\n" for line in printer.lines)
