@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ..diagnostics import Label, Span, did_you_mean, nearest
+from ..diagnostics import Label, Span, nearest
 from ..ir.values import Items, Value
 from ..plugins import option_types as opt
 from ..plugins.options import OptionSchema
@@ -202,10 +202,10 @@ def _alike(typed: Typed, due: opt.OptionType) -> list[Typed]:
 def _report_unknown(
     checker: Checker, key: ast.Word, known: dict[str, OptionSchema], owner: str
 ) -> None:
-    help_ = did_you_mean(key.text, known)
-    if not help_ and known:
-        help_ = ("it has " + ", ".join(f"`{name}`" for name in known),)
-    checker.report("RL220", key.span, name=key.text, owner=owner, help=help_)
+    meant = nearest(key.text, known)
+    listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
+    help_ = () if meant else (listed,)
+    checker.report("RL220", key.span, name=key.text, owner=owner, help=help_, meant=meant)
 
 
 def _report_missing(

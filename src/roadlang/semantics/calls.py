@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ..diagnostics import did_you_mean
+from ..diagnostics import nearest
 from ..ir.values import PassCall
 from ..plugins.option_types import EntityType as EntityOption
 from ..plugins.option_types import UnionType
@@ -81,8 +81,7 @@ def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) 
         checker.report("RL211", span, kind=name, plugin=plugin, reason=reason)
         return unknown(call.span)
     known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)}
-    help_ = did_you_mean(name, known | set(_COUNTS))
-    checker.report("RL225", span, name=name, help=help_)
+    checker.report("RL225", span, name=name, meant=nearest(name, known | set(_COUNTS)))
     return unknown(call.span)
 
 

@@ -48,9 +48,17 @@ class Checker:
         help: str | Iterable[str] = (),
         labels: Iterable[Label] = (),
         fixes: Iterable[Fix] = (),
+        meant: str | None = None,
         **values: Any,
     ) -> Typed:
-        """Report and go on with a value that fits everywhere."""
+        """Report and go on with a value that fits everywhere.
+
+        `meant`: what was probably meant by the text of `span`; it is suggested and is the fix.
+        """
+        if meant is not None:
+            more = (help,) if isinstance(help, str) else tuple(help)
+            help = (f"did you mean `{meant}`?", *more)
+            fixes = (*fixes, Fix(span, meant))
         found = diagnose(code, span, help=help, labels=labels, fixes=fixes, **values)
         self.diagnostics.append(found)
         return unknown(span)

@@ -40,7 +40,7 @@ def _items(found: Found, bound: Bound) -> tuple[Typed, ...]:
     chosen = _chosen(found, bound)
     if chosen and all(isinstance(part.type, ty.ListType | ty.PointType) for part in chosen):
         return chosen[0].items
-    return ()
+    return chosen if chosen and isinstance(chosen[0].type, ty.TextType) else ()
 
 
 def _chosen(found: Found, bound: Bound) -> tuple[Typed, ...]:

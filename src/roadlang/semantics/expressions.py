@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from ..diagnostics import Span, did_you_mean
+from ..diagnostics import Span, nearest
 from ..ir.values import (
     Constant,
     Draw,
@@ -234,25 +234,26 @@ def _verb_of(checker: Checker, text: str, context: Context) -> str | None:
 
 
 def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
-    declared = checker.program.declarations
-    nearest_declared = did_you_mean(name.text, declared)
     if checker.program.incomplete and not (context.words or context.verbs):
         return unknown(name.span)
-    if context.words and not (nearest_declared and not did_you_mean(name.text, context.words)):
+    declared = nearest(name.text, checker.program.declarations)
+    word = nearest(name.text, context.words)
+    if context.words and (word or not declared):
         words = ", ".join(f"`{word}`" for word in context.words)
-        help_ = [*did_you_mean(name.text, context.words), f"the words are {words}"]
-        return checker.report("RL223", name.span, word=name.text, help=help_)
-    if context.verbs and not nearest_declared:
+        help_ = f"the words are {words}"
+        return checker.report("RL223", name.span, word=name.text, help=help_, meant=word)
+    if context.verbs and not declared:
         find_kind(checker, context.verbs[0], name.text, name.span)
         return unknown(name.span)
-    help_ = [*(nearest_declared or _is_kind(checker, name.text))]
-    return checker.report("RL101", name.span, name=name.text, help=help_)
+    meant = declared or _FLAGS.get(name.text.lower())
+    help_ = "" if meant else _about_functions(checker, name.text)
+    return checker.report(
+        "RL101", name.span, name=name.text, help=(help_,) if help_ else (), meant=meant
+    )
 
 
-def _is_kind(checker: Checker, text: str) -> tuple[str, ...]:
-    known = {entry.name for verb in ("signal", "number") for entry in checker.registry.of(verb)}
-    if text in known:
-        return (f"`{text}` is a function: write what it is of, as in `{text}(road)`",)
-    if text.lower() in _FLAGS:
-        return (f"write `{_FLAGS[text.lower()]}`",)
-    return ()
+def _about_functions(checker: Checker, text: str) -> str:
+    verbs = ("signal", "number")
+    if not any(checker.registry.has(verb, text) for verb in verbs):
+        return ""
+    return f"`{text}` is a function: write what it is of, as in `{text}(road)`"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Fix, did_you_mean
+from ..diagnostics import Fix, nearest
 from ..ir.values import Items, Reference, Text, Value
 from ..plugins import option_types as opt
 from ..plugins.options import Constraints, OptionSchema
@@ -196,8 +196,11 @@ def _word(checker: Checker, typed: Typed, limits: Constraints, what: str) -> Typ
     if not wrong:
         return typed
     words = ", ".join(f"`{word}`" for word in limits.words)
-    help_ = [*did_you_mean(wrong[0], limits.words), f"the words are {words}"]
-    checker.report("RL223", typed.span, word=wrong[0], help=help_)
+    places = [item.span for item in typed.items if item.value == Text(wrong[0])]
+    place = places[0] if places else typed.span
+    is_written = place.text.strip('"') == wrong[0]
+    meant = nearest(wrong[0], limits.words) if is_written else None
+    checker.report("RL223", place, word=wrong[0], help=f"the words are {words}", meant=meant)
     return None
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ..diagnostics import Span, did_you_mean
+from ..diagnostics import Span, nearest
 from ..plugins.kinds import VERBS, Kind
 from ..plugins.options import OptionSchema, schema_of
 from ..plugins.registry import AmbiguousKind, KindEntry, UnknownKind
@@ -91,14 +91,14 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
             return
     known = (*registry.names(verb), *registry.announced_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
-    help_ = [*did_you_mean(name, qualified if "." in name else known)]
-    help_ += _elsewhere(checker, verb, name) if not help_ else []
-    if not help_:
+    meant = nearest(name, qualified if "." in name else known)
+    help_ = [] if meant else _elsewhere(checker, verb, name)
+    if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
     for broken in registry.broken:
         help_.append(f"the plugin {broken.origin} could not be loaded: {broken.reason}")
     noun = _NOUNS.get(verb, f"kind of `{verb}`")
-    checker.report("RL210", span, name=name, noun=noun, help=help_)
+    checker.report("RL210", span, name=name, noun=noun, help=help_, meant=meant)
 
 
 def _elsewhere(checker: Checker, verb: str, name: str) -> list[str]:

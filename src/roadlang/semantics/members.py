@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean
+from ..diagnostics import nearest
 from ..syntax import ast
 from .arguments import Bound
 from .calls import dotted, has, is_member, of_kind, signature
@@ -49,8 +49,8 @@ def _of_nothing(
     if context.verbs:
         find_kind(checker, context.verbs[0], parts, member.span)
         return unknown(member.span)
-    help_ = did_you_mean(base, checker.program.declarations)
-    return checker.report("RL101", member.of.span, name=base, help=help_)
+    meant = nearest(base, checker.program.declarations)
+    return checker.report("RL101", member.of.span, name=base, meant=meant)
 
 
 def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner: Typed) -> Typed:
@@ -58,8 +58,8 @@ def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner:
     verb = next((verb for verb in _VERBS if has(checker, verb, name)), None)
     if verb is None:
         known = [entry.name for verb in _VERBS for entry in checker.registry.of(verb)]
-        help_ = did_you_mean(name, known)
-        return checker.report("RL227", place, name=name, given=f"`{base}`", help=help_)
+        meant = nearest(name, known)
+        return checker.report("RL227", place, name=name, given=f"`{base}`", meant=meant)
     found = find_kind(checker, verb, name, place)
     if found is None:
         return unknown(member.span)

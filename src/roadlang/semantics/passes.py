@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ..diagnostics import Label, Span, did_you_mean
+from ..diagnostics import Label, Span, nearest
 from ..ir.values import PassCall, Value
 from ..plugins.options import OptionSchema
 from ..syntax import ast
@@ -55,11 +55,12 @@ def _verb_fits(checker: Checker, statement: str, item: ast.Pass) -> bool:
     verbs = STATEMENTS[statement].verbs if statement in STATEMENTS else ()
     if verb in verbs:
         return True
-    help_: list[str] = list(did_you_mean(verb, verbs))
-    if not help_ and verbs:
+    meant = nearest(verb, verbs)
+    help_: list[str] = []
+    if not meant and verbs:
         help_.append(f"`{statement}` takes " + ", ".join(f"`{known}`" for known in verbs))
     code = "RL216" if verb in _ALL_VERBS else "RL215"
-    checker.report(code, item.verb.span, what=f"`{statement}`", verb=verb, help=help_)
+    checker.report(code, item.verb.span, what=f"`{statement}`", verb=verb, help=help_, meant=meant)
     return False
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ..diagnostics import nearest
 from ..ir.values import Entries, Text, Value
 from ..plugins.options import OptionSchema
 from ..syntax import ast
@@ -87,11 +88,9 @@ def fit_kind_name(
 def _is_kind(
     checker: Checker, verb: str, text: str, value: ast.Expression, schema: OptionSchema
 ) -> bool:
-    from ..diagnostics import did_you_mean
-
     known = checker.registry.has(verb, text) or checker.registry.is_announced(verb, text)
-    if not known and (meant := did_you_mean(text, schema.words)):
-        checker.report("RL210", value.span, name=text, noun=f"kind of {verb}", help=meant)
+    if not known and (meant := nearest(text, schema.words)):
+        checker.report("RL210", value.span, name=text, noun=f"kind of {verb}", meant=meant)
         return False
     return find_kind(checker, verb, text, value.span) is not None
 

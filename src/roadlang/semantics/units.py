@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from functools import cache
 
-from ..diagnostics import Fix, Label, did_you_mean, nearest
+from ..diagnostics import Fix, Label, nearest
 from ..ir.dimension import ANGLE, Dimension
 from ..ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
 from ..ir.values import Constant
@@ -68,10 +68,8 @@ def _report_unknown_unit(checker: Checker, number: ast.Number, word: str) -> Non
         known = ", ".join(unit for unit in UNITS)
         checker.report("RL203", number.span, unit=word, help=f"the units are {known}")
         return
-    better = number.unit.replace(word, meant, 1)
-    fixes = [Fix(number.span, number.digits + better)]
-    help_ = did_you_mean(meant, [meant])
-    checker.report("RL203", number.span, unit=word, help=help_, fixes=fixes)
+    better = number.digits + number.unit.replace(word, meant, 1)
+    checker.report("RL203", number.span, unit=word, meant=better)
 
 
 def _one_slash(text: str) -> str:
