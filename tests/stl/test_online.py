@@ -20,7 +20,7 @@ def _compare(formula, positions, row, every=1):
             assert monitor.verdict == formula.verdict(positions[: k + 1], prefix)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(15))
 def test_each_step_equals_the_range_of_the_prefix(seed):
     formula = FormulaDraw(seed).formula(1 + seed % 2)
     positions, signals = draw_trace(seed, 9, 1, even=seed % 2 == 0)
@@ -38,14 +38,14 @@ def test_each_step_equals_the_range_of_the_prefix(seed):
     ],
 )
 def test_folding_the_past_changes_nothing(text):
-    positions, signals = draw_trace(7, 400, 1, even=True)
+    positions, signals = draw_trace(7, 260, 1, even=True)
     row = {name: values[0] for name, values in signals.items()}
-    _compare(stl.parse(text), positions, row, every=7)
+    _compare(stl.parse(text), positions, row, every=29)
 
 
 def test_a_step_costs_the_horizon_not_the_past():
     monitor = stl.Monitor(stl.parse("always (x < 4 or eventually[0, 2] (x < 3))"))
-    for k in range(3000):
+    for k in range(600):
         monitor.push(0.1 * k, {"x": np.sin(k)})
     assert len(monitor._positions) < 200
 

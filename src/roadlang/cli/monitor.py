@@ -1,0 +1,99 @@
+"""`roadlang monitor FORMULA TRACE...`: judge recorded traces by an STL formula."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from . import exit_codes
+from .console import say
+
+if TYPE_CHECKING:
+    from ..stl import Formula
+
+
+@click.command("monitor")
+@click.argument("formula", metavar="FORMULA")
+@click.argument("traces", nargs=-1, required=True, metavar="TRACE...")
+@click.option("--json", "as_json", is_flag=True, help="Print the findings as JSON.")
+@click.option("--plot", type=click.Path(), metavar="OUT.svg", help="Draw signals and robustness.")
+@click.option("--wrap", type=float, metavar="LENGTH", help="The traces go round a closed road.")
+def command(
+    formula: str, traces: tuple[str, ...], as_json: bool, plot: str | None, wrap: float | None
+) -> None:
+    """Judge each TRACE (CSV with the positions in the first column, or JSON) by FORMULA.
+
+    Numbers are in the units of the trace unless they carry one: `always[0, 5] (x < 1.5)`. Exit code
+    4 says that a trace violates the formula. With one TRACE the JSON is an object with formula,
+    robustness (at the start), range, verdict, positions, trace (the robustness at each) and
+    explanation, with more it is a list of them; infinities are the texts "inf" and "-inf".
+    """
+    if plot and len(traces) > 1:
+        raise click.UsageError("--plot draws one trace; several were given")
+    from ..stl import parse
+
+    parsed = parse(formula)
+    findings = [_finding(parsed, path, wrap, plot) for path in traces]
+    if as_json:
+        say(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
+    else:
+        say(str(parsed))
+        say(_table(findings))
+    broken = any(finding["verdict"] == "violated" for finding in findings)
+    click.get_current_context().exit(exit_codes.EXPECTATION_BROKEN if broken else exit_codes.DONE)
+
+
+def _finding(formula: Formula, path: str, wrap: float | None, plot: str | None) -> dict[str, Any]:
+    from ..stl.trace_files import read_trace
+
+    axis, positions, signals = read_trace(path)
+    why = formula.explain(positions, signals, wrap=wrap)
+    explanation = why.to_json()
+    if plot:
+        from ..stl.plot import plot_svg
+
+        drawn = plot_svg(formula, positions, signals, axis=axis, wrap=wrap)
+        Path(plot).write_text(drawn, encoding="utf-8")
+    trace = formula.robustness(positions, signals, wrap=wrap)
+    return {
+        "file": path,
+        "formula": str(formula),
+        "robustness": explanation["rho"],
+        "range": explanation["range"],
+        "verdict": why.verdict,
+        "positions": positions,
+        "trace": [value if abs(value) != float("inf") else str(value) for value in trace.tolist()],
+        "explanation": explanation,
+        "lines": why.lines(),
+    }
+
+
+def _table(findings: list[dict[str, Any]]) -> str:
+    """One row per trace, and under each what decides and where the formula fails."""
+    head = ("trace", "verdict", "robustness", "range")
+    rows = [
+        (
+            Path(finding["file"]).name,
+            finding["verdict"],
+            _short(finding["robustness"]),
+            "[{}, {}]".format(*map(_short, finding["range"])),
+        )
+        for finding in findings
+    ]
+    widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]
+
+    def line(cells: tuple[str, ...]) -> str:
+        return "  ".join(c.ljust(w) for c, w in zip(cells, widths, strict=True)).rstrip()
+
+    lines = [line(head)]
+    for row, finding in zip(rows, findings, strict=True):
+        lines.append(line(row))
+        lines += [f"  {told}" for told in finding["lines"][1:]]
+    return "\n".join(lines)
+
+
+def _short(value: float | str) -> str:
+    return value if isinstance(value, str) else f"{value:.6g}"
