@@ -184,3 +184,19 @@ def test_latex_is_shown_in_words() -> None:
     text = r"require a: \Box_{[0,10]} (p \rightarrow \Diamond q)"
     _, (found,) = parse(Source("latex.rl", text))
     assert found.help == ("in roadlang: `always[0,10] (p implies eventually q)`",)
+
+
+def test_items_at_the_left_margin_do_not_end_their_block() -> None:
+    tree, found = parse(Source("margin.rl", "road a {\nwidth: 7m\nlanes 2\n}\nroad b from a\n"))
+    assert [(d.code, d.span.line) for d in found if d.span] == [("RL001", 3)]
+    assert len(tree.statements) == 2
+
+
+def test_an_indented_misspelt_statement_is_found() -> None:
+    _, found = parse(Source("indented.rl", "  road a from b\n  raod c from d\n  raod e from f\n"))
+    assert [d.code for d in found] == ["RL002", "RL002"]
+
+
+def test_a_semicolon_is_said_once() -> None:
+    _, found = parse(Source("semicolon.rl", "let a = 1; let b = 2;\n"))
+    assert [d.code for d in found] == ["RL006", "RL006"]

@@ -132,8 +132,11 @@ def _where(source: Source, tokens: list[Token], opener: int, latest: int) -> int
     """Before which token a bracket should be closed: a `{` before the next line not further in."""
     if tokens[opener][0] == "LBRACE":
         column = indentation(source, tokens[opener][2])
+        inside = any(token[0] == "LBRACE" for token in tokens[:opener])
         for index in range(opener + 1, latest):
             token = tokens[index]
-            if starts_line(source, token) and indentation(source, token[2]) <= column:
+            if not starts_line(source, token) or indentation(source, token[2]) > column:
+                continue
+            if inside or not looks_like_item(tokens, index):
                 return index
     return latest

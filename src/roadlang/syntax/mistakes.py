@@ -80,6 +80,8 @@ def unexpected(place: Place) -> Mistake:
     """Anything else is here than may be; a sign that is plainly missing is put in."""
     edit, expected = None, place.expected()
     for kind, sign in _MISSING:
+        if kind == "COLON" and "COMMA" in expected:
+            continue
         if kind in expected and place.goes_on(kind) and _closes_later(place, kind):
             edit = Edit(place.index, place.index, (_token(place, kind, sign),))
             break

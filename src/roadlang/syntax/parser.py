@@ -35,7 +35,8 @@ def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
         found.extend(recovery.diagnostics)
         spoiled = recovery.spoiled
     checked = check(value)
-    found.extend(checked.diagnostics)
+    quiet = _lines(lexed.diagnostics)
+    found.extend(each for each in checked.diagnostics if not _echo(each, quiet))
     tree = replace(
         value,
         statements=tuple(checked.kept),
@@ -79,6 +80,11 @@ def _whole(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> An
 
 def _lines(diagnostics: list[Diagnostic]) -> frozenset[int]:
     return frozenset(found.span.line for found in diagnostics if found.span is not None)
+
+
+def _echo(found: Diagnostic, quiet: frozenset[int]) -> bool:
+    """A missing comma or line end where a foreign character has been left out."""
+    return found.code in ("RL013", "RL014") and found.span is not None and found.span.line in quiet
 
 
 def _reported(diagnostics: list[Diagnostic]) -> list[Diagnostic]:

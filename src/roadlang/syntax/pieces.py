@@ -8,14 +8,15 @@ from ..diagnostics import Source
 from .place import at_margin, looks_like_item, starts_line
 from .tables import END
 from .tokens import Token
-from .words import CLOSERS, OPENERS, STATEMENT_KINDS
+from .words import CLOSERS, OPENERS, STATEMENT_KINDS, STATEMENTS, misspelt
 
 
 def pieces(source: Source, tokens: Sequence[Token]) -> list[list[Token]]:
     """One list of tokens for each statement, with an `$END` of its own.
 
-    A piece begins at every word at the left margin. Where brackets are open, such a word must not
-    look like an item of a block; where none are, an indented statement word will do as well.
+    A piece begins at every word at the left margin. Where brackets are open, it must be a statement
+    word, or nearly one, and not look like an item of a block; where none are, such a word will do
+    even if it is indented.
     """
     cut: list[list[Token]] = []
     depth = 0
@@ -39,6 +40,12 @@ def _begins(source: Source, tokens: Sequence[Token], index: int, depth: int) -> 
     kind, text = token[0], token[1]
     if not (text[:1].isalpha() or text.startswith("_")):
         return False
-    if depth == 0 and kind in STATEMENT_KINDS and starts_line(source, token):
-        return not looks_like_item(tokens, index)
-    return at_margin(source, token) and not (depth > 0 and looks_like_item(tokens, index))
+    margin = at_margin(source, token)
+    if depth == 0 and margin:
+        return True
+    if not starts_line(source, token) or looks_like_item(tokens, index):
+        return False
+    if kind in STATEMENT_KINDS:
+        return depth == 0 or margin
+    named = tokens[index + 1][0] in ("NAME", "STRING")
+    return named and (depth == 0 or margin) and misspelt(text, STATEMENTS) is not None

@@ -12,7 +12,7 @@ from .engine import Build, Stuck, run
 from .items import UNREADABLE, spoil
 from .mistakes import explain
 from .pieces import pieces
-from .place import Mistake, Place
+from .place import Mistake, Place, looks_like_item
 from .spelling import meant_temporal, misspelt_temporal
 from .tables import Tables
 from .tokens import Lexed, Token
@@ -123,6 +123,8 @@ class Recovery:
         meant = misspelt(text, STATEMENTS)
         span = self.source.span(start, end)
         help = [f"did you mean `{meant}`?"] if meant is not None else []
+        if meant is None and looks_like_item(tokens, 0):
+            help = ["options and passes stand between the braces of a statement"]
         fixes = [Fix(span, meant)] if meant is not None else []
         self.diagnostics.append(diagnose("RL002", span, word=text, help=help, fixes=fixes))
         if meant is None:
