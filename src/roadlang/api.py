@@ -1,9 +1,16 @@
-"""All that a plugin author imports."""
+"""All that a plugin author imports.
+
+What is needed only while a kind runs is imported when it is asked for: checking a scene file
+imports the kinds that it names, and should not pay for scenes and traces.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from . import geometry
 from .diagnostics import Diagnostic, DiagnosticError, diagnose, did_you_mean
-from .drive.contract import Control, Observation
-from .ir.batch import BatchRandom, RoadBatch
 from .ir.dimension import (
     ACCELERATION,
     ANGLE,
@@ -21,9 +28,6 @@ from .ir.dimension import (
     TIME,
     Dimension,
 )
-from .ir.encoding import to_json
-from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
-from .ir.trace import AgentTrace, Trace
 from .plugins.hookspecs import hookimpl
 from .plugins.kinds import (
     Adjuster,
@@ -86,6 +90,22 @@ from .plugins.option_types import (
     record_of,
 )
 from .plugins.options import option
+
+if TYPE_CHECKING:
+    from .drive.contract import Control, Observation
+    from .ir.batch import BatchRandom, RoadBatch
+    from .ir.encoding import to_json
+    from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
+    from .ir.trace import AgentTrace, Trace
+
+_LATER = {
+    ".drive.contract": "Control Observation",
+    ".ir.batch": "BatchRandom RoadBatch",
+    ".ir.encoding": "to_json",
+    ".ir.scene": "Call Scene SceneActor SceneNetwork SceneNode SceneRoad Verdict",
+    ".ir.trace": "AgentTrace Trace",
+}
+_HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
 __all__ = [
     "ACCELERATION",
@@ -181,3 +201,9 @@ __all__ = [
     "record_of",
     "to_json",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOME[name], __package__), name)

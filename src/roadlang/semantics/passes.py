@@ -97,7 +97,7 @@ def lower_call(
         context,
         owner=owner,
         span=blamed,
-        whole=block is None or block.complete,
+        whole=_is_whole(block),
     )
     for inner in block.passes if block else ():
         checker.report("RL216", inner.verb.span, what=owner, verb=inner.verb.text)
@@ -125,8 +125,13 @@ def lower_options(
         context,
         owner=f"`{statement}`",
         span=span,
-        whole=block is None or block.complete,
+        whole=_is_whole(block),
     )
+
+
+def _is_whole(block: ast.Block | None) -> bool:
+    """Whether what is not in a block is missing, rather than in a part that could not be read."""
+    return block is None or (block.complete and block.span.text.endswith("}"))
 
 
 def refuse_passes(checker: Checker, what: str, passes: Iterable[ast.Pass]) -> bool:
