@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Duration, Flag, Simulator, Word, option
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, Trace
+    from collections.abc import Mapping
+
+    from roadlang.api import Controller, Scene, Trace
 
 
 @dataclass(frozen=True)
@@ -22,9 +24,9 @@ class Godot(Simulator):
     headless: Flag = option(True, help="without a window, as fast as it can")
     road: Word = option("mesh", words=("mesh", "tiles"), help="along the curve, or pixel by pixel")
 
-    def drive(self, scene: Scene) -> Trace:
+    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Start an engine, build the scene, drive it, and end the engine."""
         from .godot.simulate import Settings, drive_scene
 
         settings = Settings(self.duration, self.step, self.headless, self.road)
-        return drive_scene(scene, settings)
+        return drive_scene(scene, settings, controllers)

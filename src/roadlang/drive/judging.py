@@ -34,7 +34,7 @@ def _judged(verdict: Verdict, trace: Trace, registry: Registry) -> Verdict:
     if verdict.formula is None:
         return verdict
     if "monitor" in verdict.formula:
-        rho = _monitored(verdict.formula["monitor"], trace, registry)
+        rho = _monitored(verdict.formula, trace, registry)
     else:
         rho = robustness(verdict.formula, trace, registry)
     return dataclasses.replace(verdict, robustness=rho, satisfied=rho > 0)
@@ -108,7 +108,7 @@ def _kind(call: Mapping[str, Any], registry: Registry) -> type[DriveSignal]:
 
 
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
-    kind: Any = registry.find("monitor", str(call["kind"])).load()
+    kind: Any = registry.find("monitor", str(call["monitor"])).load()
     options = {
         key: (group(value, trace) or (value,))[0] if isinstance(value, str) else value
         for key, value in call.get("options", {}).items()

@@ -254,7 +254,8 @@ class Simulator(Kind):
 
     verb: ClassVar[str] = "simulate"
 
-    def drive(self, scene: Scene) -> Trace:
+    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
+        """What happened. `controllers` are those written in Python, by the agents they drive."""
         raise NotImplementedError
 
 

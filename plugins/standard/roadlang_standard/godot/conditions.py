@@ -29,9 +29,10 @@ _PAST = frozenset({"once", "historically", "since"})
 
 def engine_condition(when: Mapping[str, Any], scene: Scene, frame: Frame) -> Any:
     """The engine's form of a condition. Raises `EngineError` RL513 for what it cannot evaluate."""
-    signals = {
+    signals: dict[str, Any] = {
         name: _signal(name, call, scene, frame) for name, call in when.get("signals", {}).items()
     }
+    signals |= {name: float(value) for name, value in when.get("numbers", {}).items()}
     return _tree(when["formula"], signals)
 
 
@@ -59,8 +60,6 @@ def _tree(value: Any, signals: Mapping[str, Any]) -> Any:
 
 def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> Any:
     """A signal as [kind, agent, ...]; an object that stands still is given by its outline."""
-    if "value" in call:
-        return float(call["value"])
     kind = plain_name(str(call["kind"]))
     if kind not in SIGNALS:
         raise fault("RL513", what=name)

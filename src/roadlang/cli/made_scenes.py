@@ -1,0 +1,46 @@
+"""Scenes of a scene file, for the commands that drive or show them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..diagnostics import Diagnostic, DiagnosticError, diagnose
+from .scene_files import read_scene_file
+
+if TYPE_CHECKING:
+    from ..ir.scenario import Scenario
+    from ..ir.scene import Scene
+    from ..plugins.registry import Registry
+
+
+@dataclass(frozen=True)
+class MadeScenes:
+    """`warnings`: what the check had to say beside errors."""
+
+    scenario: Scenario
+    registry: Registry
+    scenes: tuple[Scene, ...]
+    warnings: tuple[Diagnostic, ...]
+
+
+def make_scenes(
+    file: str, overrides: dict[str, str], count: int | None = None, seed: int = 0
+) -> MadeScenes:
+    """Check a file and make its scenes. Raises `DiagnosticError` where there is none to have."""
+    from ..pipeline.sampling import sample_scenes
+    from ..plugins.discovery import load_registry
+    from ..semantics import check_text
+
+    registry = load_registry()
+    scenario, found = check_text(read_scene_file(file), Path(file), overrides, registry)
+    if scenario is None or any(diagnostic.is_error for diagnostic in found):
+        raise DiagnosticError(*found)
+    result = sample_scenes(scenario, registry, count, seed, 1, None, overrides)
+    if not result.scenes:
+        if result.impossible:
+            which = "; ".join(result.impossible)
+            raise DiagnosticError(diagnose("RL600", path=file, which=which))
+        raise DiagnosticError(diagnose("RL601", path=file, tried=f"{result.candidates:,}"))
+    return MadeScenes(scenario, registry, tuple(result.scenes), tuple(found))
