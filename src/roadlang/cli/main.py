@@ -5,13 +5,15 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import click
 
 from .. import __version__
 from . import exit_codes
 from .commands import LazyGroup
+
+_NO_PLUGINS = "ROADLANG_NO_PLUGINS"
 
 
 @click.group(
@@ -28,10 +30,27 @@ from .commands import LazyGroup
     default="auto",
     help="Colour in messages; `auto` asks the terminal and NO_COLOR.",
 )
+@click.option("--no-plugin", "refused", multiple=True, metavar="NAME", help="Do not load a plugin.")
 @click.pass_context
-def roadlang(context: click.Context, color: str) -> None:
+def roadlang(context: click.Context, color: str, refused: tuple[str, ...]) -> None:
     """From a picture of a road to checked, simulator-ready scenes."""
     context.meta["roadlang.color"] = color
+    if refused:
+        context.with_resource(_plugins_refused(refused))
+
+
+@contextlib.contextmanager
+def _plugins_refused(names: tuple[str, ...]) -> Iterator[None]:
+    """Say so in the environment, where worker processes see it too."""
+    before = os.environ.get(_NO_PLUGINS)
+    os.environ[_NO_PLUGINS] = ",".join([*names, *([before] if before else [])])
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ[_NO_PLUGINS]
+        else:
+            os.environ[_NO_PLUGINS] = before
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
