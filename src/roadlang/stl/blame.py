@@ -20,11 +20,12 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Stretch:
-    """Neighbouring samples, from `start` to `end`, at all of which `predicate` fails."""
+    """Neighbouring samples, `start` to `end`, at all of which `predicate` (of `signals`) fails."""
 
     start: float
     end: float
     predicate: str
+    signals: tuple[str, ...]
     worst: float
     worst_position: float
 
@@ -105,6 +106,7 @@ def _stretches(comparison: f.Comparison, mask: Mask, trace: Trace) -> list[Stret
                 start=float(trace.positions[first]),
                 end=float(trace.positions[behind - 1]),
                 predicate=str(comparison),
+                signals=tuple(sorted(comparison.left.variables | comparison.right.variables)),
                 worst=float(margins[worst]),
                 worst_position=float(trace.positions[worst]),
             )

@@ -15,8 +15,8 @@ from .explanation import Explanation, explain
 from .printing import number_text
 from .trace import FloatArray, Positions, Signals, Trace
 
-_WIDTH, _PANEL, _GAP = 860, 130, 34
-_LEFT, _RIGHT, _TOP = 74, 24, 62
+_WIDTH, _PANEL, _GAP = 860, 130, 44
+_LEFT, _RIGHT, _TOP = 74, 24, 76
 _COLOURS = ("#1b6ca8", "#b0562b", "#3f7d43", "#7a4fa3", "#8a6d1a", "#3b7f86")
 _BLAME, _INK, _FAINT = "#c62f3d", "#222", "#d9d9d9"
 _MOST_POINTS = 2000
@@ -63,14 +63,14 @@ class _Panel:
 
     def __init__(self, title: str, colour: str, x: FloatArray, y: FloatArray) -> None:
         self.title, self.colour, self.x, self.y = title, colour, x, y
-        self.levels: list[tuple[float, str]] = []
+        self.levels: dict[float, str] = {}
         self.shaded: list[tuple[float, float]] = []
         self.dot: tuple[float, float] | None = None
 
     def draw(self, top: float) -> Iterator[str]:
         """SVG elements of the panel with its upper edge at `top`."""
         finite = self.y[np.isfinite(self.y)]
-        shown = [*finite.tolist(), *(level for level, _ in self.levels)] or [0.0]
+        shown = [*finite.tolist(), *self.levels] or [0.0]
         low, high = _padded(min(shown), max(shown))
         first, last = _padded(float(self.x[0]), float(self.x[-1]), 0.0)
 
@@ -88,7 +88,7 @@ class _Panel:
                 f' height="{_PANEL}" fill="{_BLAME}" fill-opacity="0.16"/>'
             )
         yield from _grid(top, across, down, (first, last), (low, high))
-        for level, label in self.levels:
+        for level, label in self.levels.items():
             y = down(level)
             yield (
                 f'<path d="M{_LEFT} {y:.1f}H{_WIDTH - _RIGHT}" stroke="{_INK}"'
@@ -109,8 +109,12 @@ class _Panel:
 
 
 def _robustness_panel(formula: f.Formula, trace: Trace, why: Explanation) -> _Panel:
-    panel = _Panel("robustness", _INK, trace.positions, everywhere(formula, trace)[0])
-    panel.levels = [(0.0, "0")]
+    """Of `always p` and `eventually p`, the robustness of p says where: that is drawn."""
+    whole = isinstance(formula, f.Always | f.Eventually)
+    shown = formula.parts[0] if whole else formula
+    title = f"robustness of {_shortened(str(shown))}" if whole else "robustness"
+    panel = _Panel(title, _INK, trace.positions, everywhere(shown, trace)[0])
+    panel.levels = {0.0: ""}
     panel.shaded = [(stretch.start, stretch.end) for stretch in why.stretches]
     return panel
 
@@ -120,14 +124,9 @@ def _signal_panel(
 ) -> _Panel:
     values = np.broadcast_to(trace.rows(name, 0, 1)[0], (trace.samples,))
     panel = _Panel(name, _COLOURS[index % len(_COLOURS)], trace.positions, values)
-    panel.levels = sorted(set(_thresholds(formula, name)))
-    reads = {
-        str(part): part.left.variables | part.right.variables for part in _comparisons(formula)
-    }
+    panel.levels = dict(_thresholds(formula, name))
     panel.shaded = [
-        (stretch.start, stretch.end)
-        for stretch in why.stretches
-        if name in reads.get(stretch.predicate, {name})
+        (stretch.start, stretch.end) for stretch in why.stretches if name in stretch.signals
     ]
     if name in why.values:
         panel.dot = (why.position, why.values[name])

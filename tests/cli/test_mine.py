@@ -1,0 +1,30 @@
+"""`roadlang mine` prints the tightest parameters."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from roadlang.cli.main import run
+
+
+@pytest.fixture
+def trace(tmp_path):
+    path = tmp_path / "drive.csv"
+    path.write_text("t,e\n0,1\n1,3\n2,2\n")
+    return str(path)
+
+
+def test_values_in_words_and_json(trace, capsys):
+    mining = ["mine", "always (e <= limit)", "--param", "limit=0..20", trace]
+    assert run(mining) == 0
+    assert "limit = 3\nalways (e <= 3" in capsys.readouterr().out
+    assert run([*mining, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["values"]["limit"] == pytest.approx(3, abs=1e-4)
+
+
+@pytest.mark.parametrize(("bounds", "code"), [("limit=0..1", 1), ("limit", 2), ("x=0..1", 1)])
+def test_refusals(trace, bounds, code):
+    assert run(["mine", "always (e <= limit)", "--param", bounds, trace]) == code

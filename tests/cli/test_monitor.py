@@ -1,0 +1,75 @@
+"""`roadlang monitor` judges recorded traces."""
+
+from __future__ import annotations
+
+import json
+from xml.etree import ElementTree
+
+import pytest
+
+from roadlang.cli.main import run
+
+
+@pytest.fixture
+def trace(tmp_path):
+    path = tmp_path / "drive.csv"
+    path.write_text("t,e,v\n0,1,5\n0.5,3,5\n1.5,7,6\n2,2,5\n")
+    return str(path)
+
+
+def test_the_table_says_what_decides(trace, capsys):
+    assert run(["monitor", "always (e < 6)", trace]) == 4
+    told = capsys.readouterr().out
+    assert "violated" in told
+    assert "decided at 1.5: e < 6, where e = 7" in told
+    assert "from 1.5 to 1.5 not e < 6, worst -1 at 1.5" in told
+
+
+@pytest.mark.parametrize(
+    ("formula", "code", "verdict"),
+    [
+        ("always[0, 2] (e < 8)", 0, "satisfied"),
+        ("always (e < 8)", 0, "unknown"),
+        ("eventually[0, 1] (v > 5)", 4, "violated"),
+    ],
+)
+def test_exit_codes_and_json(trace, capsys, formula, code, verdict):
+    assert run(["monitor", formula, trace, "--json"]) == code
+    found = json.loads(capsys.readouterr().out)
+    assert found["verdict"] == verdict
+    assert len(found["trace"]) == len(found["positions"]) == 4
+    assert found["explanation"]["chain"][0]["rho"] == found["robustness"]
+    lo, hi = (float(end) for end in found["range"])
+    assert lo <= found["robustness"] <= hi
+
+
+def test_several_traces(trace, tmp_path, capsys):
+    other = tmp_path / "other.json"
+    other.write_text('{"t": [0, 1], "e": [0, 1]}')
+    assert run(["monitor", "always (e < 6)", trace, str(other), "--json"]) == 4
+    assert [found["verdict"] for found in json.loads(capsys.readouterr().out)] == [
+        "violated", "unknown",
+    ]  # fmt: skip
+
+
+def test_the_plot_marks_what_is_violated(trace, tmp_path):
+    picture = tmp_path / "out.svg"
+    run(["monitor", "always (e < 6 and abs(v) < 9)", trace, "--plot", str(picture)])
+    root = ElementTree.parse(picture).getroot()
+    shaded = [node for node in root.iter() if node.get("class") == "violated"]
+    assert len(shaded) == 2
+    assert sum(node.tag.endswith("polyline") for node in root.iter()) == 3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        (["always (f < 6)"], 1, "RL304"),
+        (["always (e < "], 1, "RL0"),
+        (["e"], 1, "RL320"),
+        (["e < 6", "--wrap", "1"], 1, "RL306"),
+    ],
+)
+def test_faults_are_explained(trace, capsys, arguments, code, told):
+    assert run(["monitor", arguments[0], trace, *arguments[1:]]) == code
+    assert told in capsys.readouterr().err

@@ -1,0 +1,65 @@
+"""Traces are read from CSV and JSON; files that are none are refused with the place."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from roadlang.diagnostics import DiagnosticError
+from roadlang.stl.trace_files import read_trace
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.csv", "s,x\n0,1\n2,3\n"),
+        ("b.csv", "s; x\n0; 1\n\n2; 3\n"),
+        ("c.tsv", "\ufeffs\tx\n0\t1\n2\t3\n"),
+        ("d.json", '{"s": [0, 2], "x": [1, 3]}'),
+        ("e.json", '[{"s": 0, "x": 1}, {"s": 2, "x": 3}]'),
+    ],
+)
+def test_layouts(tmp_path, name, text):
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    assert read_trace(path) == ("s", [0, 2], {"x": [1, 3]})
+
+
+def test_positions_and_signals(tmp_path):
+    path = tmp_path / "trace.json"
+    path.write_text('{"signals": {"x": [1, null]}, "positions": [0, 2]}')
+    axis, positions, signals = read_trace(path)
+    assert (axis, positions) == ("position", [0, 2])
+    assert signals["x"][0] == 1
+    assert math.isnan(signals["x"][1])
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "problem"),
+    [
+        ("a.csv", "", "empty"),
+        ("a.csv", "0,1\n2,3\n", "must name the columns"),
+        ("a.csv", "s,x\n0,1\n2\n", "line 3 has 1 cells, not 2"),
+        ("a.csv", "s,x\n0,one\n", "line 2, column `x`"),
+        ("a.csv", "s,s\n0,1\n", "same name"),
+        ("a.json", "{", "not JSON"),
+        ("a.json", "3", "neither"),
+        ("a.json", '{"s": 3}', "not a list"),
+        ("a.json", '{"s": [0, 1], "x": [1]}', "1 values for 2 positions"),
+        ("a.json", '{"s": ["no"]}', "`s`, sample 0"),
+        ("a.json", "{}", "no columns"),
+    ],
+)
+def test_files_that_are_no_traces(tmp_path, name, text, problem):
+    path = tmp_path / name
+    path.write_text(text)
+    with pytest.raises(DiagnosticError, match=problem):
+        read_trace(path)
+
+
+def test_missing_and_binary_files(tmp_path):
+    (tmp_path / "binary.csv").write_bytes(b"\xff\xfe\x00")
+    for name in ("missing.csv", "binary.csv"):
+        with pytest.raises(DiagnosticError, match="RL340"):
+            read_trace(tmp_path / name)
