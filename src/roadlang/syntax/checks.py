@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from ..diagnostics import Diagnostic, Fix, Source, Span, diagnose
 from . import ast
+from .place import begins_line
 from .walk import walk
 from .words import CONNECTIVES, DEEPEST, STATEMENTS
 
@@ -68,8 +69,7 @@ def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
 
 def _place_of(statement: ast.Statement) -> Iterator[Diagnostic]:
     source, start = statement.span.source, statement.span.start
-    before = source.text[source.text.rfind("\n", 0, start) + 1 : start]
-    if before.strip("\ufeff \t\r\f\v"):
+    if not begins_line(source, start):
         end = start + len(source.text[start : start + 12].split()[0])
         fix = Fix(source.span(start, start), "\n")
         help = "begin a new line before it"

@@ -120,8 +120,15 @@ class Place:
 
 def starts_line(source: Source, token: Token) -> bool:
     """Only white space stands before the token on its line."""
-    before = source.text[source.text.rfind("\n", 0, token[2]) + 1 : token[2]]
-    return not before.strip("\ufeff \t\r\f\v")
+    return begins_line(source, token[2])
+
+
+def begins_line(source: Source, offset: int) -> bool:
+    """Only white space stands before this offset on its line. Long lines cost nothing."""
+    text = source.text
+    while offset > 0 and text[offset - 1] in "\ufeff \t\r\f\v":
+        offset -= 1
+    return offset == 0 or text[offset - 1] == "\n"
 
 
 def indentation(source: Source, offset: int) -> int:
