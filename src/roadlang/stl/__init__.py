@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from .interval import UNBOUNDED, Interval
     from .json_form import from_json, to_json
     from .online import Monitor
+    from .smooth import smooth_rho
     from .terms import Apply, Arithmetic, Constant, Negate, Term, Variable
     from .text import parse
 
@@ -42,6 +43,7 @@ _HOMES = {
     "interval": "Interval UNBOUNDED",
     "json_form": "from_json to_json",
     "online": "Monitor",
+    "smooth": "smooth_rho",
     "terms": "Apply Arithmetic Constant Negate Term Variable",
     "text": "parse",
 }
@@ -76,6 +78,7 @@ __all__ = [
     "parse",
     "read_breach",
     "read_latex",
+    "smooth_rho",
     "to_json",
 ]
 
