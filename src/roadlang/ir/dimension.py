@@ -63,7 +63,7 @@ class Dimension:
                 (above if exponent > 0 else below).append(_SYMBOLS[part.name] + power)
         if not above and not below:
             return ""
-        return "*".join(above or ["1"]) + "".join("/" + unit for unit in below)
+        return "*".join(above or ["1"]) + ("/" + "*".join(below) if below else "")
 
     def __str__(self) -> str:
         """In words: `a length`, `a speed`; other dimensions by their unit."""

@@ -48,7 +48,12 @@ def check_text(
         registry = load_registry()
     program = load(Path(path), text, overrides or {})
     checker = Checker(program, registry, RULES, define)
-    scenario = lower(checker)
+    try:
+        scenario = lower(checker)
+    except RecursionError:
+        # The parser refuses deep nesting; what is left are circles of hundreds of definitions.
+        checker.report("RL024", program.source.span(0, 0))
+        return None, in_order(checker.diagnostics)
     if not checker.has_errors:
         warn(checker)
     found = in_order(checker.diagnostics)

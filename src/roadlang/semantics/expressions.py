@@ -171,14 +171,15 @@ def infer_name(checker: Checker, name: ast.Name, context: Context) -> Typed:
     declaration = checker.program.declarations.get(text)
     if text in checker.program.spoiled and text != "time":
         return unknown(name.span)
-    if declaration is not None:
+    verb = _verb_due(checker, text, context)
+    if declaration is not None and verb is None:
         return _declared(checker, name, declaration.role, context)
     if text == "inf":
         kind = Quantity(fits_any=True)
         return Typed(name.span, kind, Constant(math.inf), bounds=(math.inf, math.inf))
     if text == "time":
         return checker.infer(ast.Call(name, (), span=name.span), context)
-    verb = _verb_of(checker, text, context)
+    verb = verb or _verb_in_definition(checker, text, context)
     if verb is not None:
         return checker.infer(ast.Call(name, (), span=name.span), replace(context, verbs=(verb,)))
     if context.strings:
@@ -221,16 +222,21 @@ def _signal_or_formula(found: Typed, text: str, span: Span) -> Typed:
     return found
 
 
-def _verb_of(checker: Checker, text: str, context: Context) -> str | None:
-    """The verb of a kind that a bare name may mean: those due here, else agents and objects."""
+def _verb_due(checker: Checker, text: str, context: Context) -> str | None:
+    """The verb of the kind that a bare name means where kinds are due: `is car`."""
     registry = checker.registry
     for verb in context.verbs:
         if registry.has(verb, text) or registry.is_announced(verb, text):
             return verb
+    return None
+
+
+def _verb_in_definition(checker: Checker, text: str, context: Context) -> str | None:
+    """Where nothing says what is due, a name that is not declared may be a kind."""
     declared = checker.program.declarations.get(context.user)
     if declared is None or declared.role not in ("param", "let"):
         return None
-    return next((verb for verb in ("agent", "object") if registry.has(verb, text)), None)
+    return next((verb for verb in ("agent", "object") if checker.registry.has(verb, text)), None)
 
 
 def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:

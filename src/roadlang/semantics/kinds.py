@@ -92,13 +92,19 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     known = (*registry.names(verb), *registry.announced_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
     meant = nearest(name, qualified if "." in name else known)
-    help_ = [] if meant else _elsewhere(checker, verb, name)
+    help_ = [] if meant else _elsewhere(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
     for broken in registry.broken:
         help_.append(f"the plugin {broken.origin} could not be loaded: {broken.reason}")
     noun = _NOUNS.get(verb, f"kind of `{verb}`")
     checker.report("RL210", span, name=name, noun=noun, help=help_, meant=meant)
+
+
+def _not_installed(checker: Checker, name: str) -> list[str]:
+    plugin, dot, _ = name.rpartition(".")
+    there = {entry.origin.plugin for entry in checker.registry.entries}
+    return [f"no plugin called `{plugin}` is installed"] if dot and plugin not in there else []
 
 
 def _elsewhere(checker: Checker, verb: str, name: str) -> list[str]:

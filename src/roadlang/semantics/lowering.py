@@ -10,6 +10,7 @@ from ..ir.dimension import Dimension
 from ..ir.values import PassCall
 from ..syntax import ast
 from .checker import Checker
+from .dependencies import definition_order
 from .lower_actors import lower_actor
 from .lower_geometry import lower_geometry
 from .lower_rest import lower_constraint, lower_emit, lower_plan, lower_world, only_one
@@ -31,6 +32,8 @@ _LOWER = {
 def lower(checker: Checker) -> ir.Scenario:
     """The scenario; where errors were reported it lacks what they concern."""
     program = checker.program
+    for name in definition_order(program):
+        checker.definition(name)
     made: dict[str, Any] = {}
     for name, declaration in program.declarations.items():
         made[name] = _lower_one(checker, declaration)

@@ -9,30 +9,27 @@ def evaluation_order(checker: Checker) -> list[str]:
     """All names, each behind those that it depends on; cycles are reported."""
     order: list[str] = []
     done: set[str] = set()
-    names = [name for name, found in checker.program.declarations.items()]
-    for name in names:
+    for name in list(checker.program.declarations):
         _visit(checker, name, done, order)
     return order
 
 
 def _visit(checker: Checker, start: str, done: set[str], order: list[str]) -> None:
     """Depth first, with a stack of its own: chains may be longer than Python's."""
-    stack = [(start, iter(checker.uses.get(start, ())))]
-    path = [start]
     if start in done:
         return
-    while stack:
-        name, rest = stack[-1]
-        for other in rest:
+    path = {start: iter(checker.uses.get(start, ()))}
+    while path:
+        name = next(reversed(path))
+        for other in path[name]:
             if other in path:
-                _report(checker, path[path.index(other) :])
+                names = list(path)
+                _report(checker, names[names.index(other) :])
             elif other not in done and other in checker.program.declarations:
-                stack.append((other, iter(checker.uses.get(other, ()))))
-                path.append(other)
+                path[other] = iter(checker.uses.get(other, ()))
                 break
         else:
-            stack.pop()
-            path.pop()
+            del path[name]
             done.add(name)
             order.append(name)
 

@@ -9,7 +9,9 @@ def warn(checker: Checker) -> None:
     """Names that nobody uses, and names that a unit hides."""
     for declaration in checker.program.in_role("let"):
         name = declaration.name
-        if name.text not in checker.used:
+        # A file that others include may well name more than each of them needs.
+        in_main_file = name.span.source == checker.program.source
+        if in_main_file and name.text not in checker.used:
             checker.report("RL190", name.span, name=name.text)
     for word, span in checker.divisors:
         if word in checker.program.declarations:

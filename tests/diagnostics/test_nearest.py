@@ -1,0 +1,48 @@
+"""Did you mean: slips of the keyboard are found, strangers are not."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roadlang.diagnostics.nearest import edits, nearest
+
+words = st.text("abcde", min_size=0, max_size=8)
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "meant"),
+    [
+        ("amplitdue", ["amplitude", "phase"], "amplitude"),
+        ("aps", ["abs", "gap", "max"], "abs"),
+        ("e2", ["e1", "main"], "e1"),
+        ("Sine", ["sine", "scale"], "sine"),
+        ("pure-pursuit", ["pure_pursuit"], "pure_pursuit"),
+        ("curve", ["curvature", "length"], "curvature"),
+        ("xyz", ["main", "bent"], None),
+        ("colour", ["speed", "closed"], None),
+        ("x", ["y"], None),
+        ("anything", [], None),
+    ],
+)
+def test_nearest(word: str, known: list[str], meant: str | None) -> None:
+    assert nearest(word, known) == meant
+
+
+@given(words, words)
+def test_edits_are_symmetric_and_zero_for_the_same(a: str, b: str) -> None:
+    assert edits(a, b, 20) == edits(b, a, 20)
+    assert (edits(a, b, 20) == 0) == (a == b)
+
+
+@given(words, st.integers(0, 6))
+def test_swapping_two_neighbours_is_one_edit(a: str, index: int) -> None:
+    if index + 1 < len(a) and a[index] != a[index + 1]:
+        swapped = a[:index] + a[index + 1] + a[index] + a[index + 2 :]
+        assert edits(a, swapped, 20) == 1
+
+
+@given(words, words)
+def test_no_more_than_asked_for_is_counted(a: str, b: str) -> None:
+    assert edits(a, b, 2) == min(edits(a, b, 20), 3)
