@@ -1,0 +1,1 @@
+"""Kinds and their options, hooks, discovery, the registry. Only here is pluggy."""
