@@ -95,6 +95,7 @@ if TYPE_CHECKING:
     from .drive.contract import Control, Observation
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.encoding import to_json
+    from .ir.picture import Extraction, FoundObject, Picture
     from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
     from .ir.trace import AgentTrace, Trace
 
@@ -102,6 +103,7 @@ _LATER = {
     ".drive.contract": "Control Observation",
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.encoding": "to_json",
+    ".ir.picture": "Extraction FoundObject Picture",
     ".ir.scene": "Call Scene SceneActor SceneNetwork SceneNode SceneRoad Verdict",
     ".ir.trace": "AgentTrace Trace",
 }
@@ -147,9 +149,11 @@ __all__ = [
     "DrawnValue",
     "DriveSignal",
     "Duration",
+    "Extraction",
     "Extractor",
     "File",
     "Flag",
+    "FoundObject",
     "Jerk",
     "Kind",
     "Length",
@@ -160,6 +164,7 @@ __all__ = [
     "ObjectKind",
     "Observation",
     "Perturber",
+    "Picture",
     "Piece",
     "PixelPoint",
     "Pixels",

@@ -73,12 +73,13 @@ def test_pluggy_lives_in_the_plugins_room_alone():
             assert not any(name.split(".")[0] == "pluggy" for name in imported(path)), path
 
 
-def test_standard_kinds_import_the_public_api_alone():
+def test_standard_kinds_import_the_public_api_and_the_geometry_that_it_exports():
     for path in modules(STANDARD):
         for name in imported(path):
             if name.split(".")[0] == "roadlang" and name != "roadlang":
                 where = path.relative_to(ROOT)
-                assert name.startswith("roadlang.api"), f"{where} imports {name}"
+                public = name.startswith(("roadlang.api", "roadlang.geometry"))
+                assert public, f"{where} imports {name}"
 
 
 def test_every_module_says_what_it_is_for():

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Extractor, Length, Number, PixelPoint, list_of, option
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Extraction, Picture
+    from roadlang.api import Extraction, Picture
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from roadlang.api import Extractor, Flag, Length, Number, Pixels, Word, option
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Extraction, Picture
+    from roadlang.api import Extraction, Picture
 
 
 @dataclass(frozen=True)

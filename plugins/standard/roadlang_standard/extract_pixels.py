@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Extractor, Pixels, option
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Extraction, Picture
+    from roadlang.api import Extraction, Picture
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from .legend import ROAD, Thing, read_colours, read_text
 from .tones import Image
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Picture
+    from roadlang.api import Picture
 
 
 def pixels_of(picture: Picture, kind: str) -> Image:
@@ -55,8 +55,7 @@ def _check_characters(legend: dict[str, str]) -> None:
 
 
 def _check_colour(colour: str) -> None:
-    from roadlang.api import DiagnosticError, diagnose
-    from roadlang.diagnostics import did_you_mean
+    from roadlang.api import DiagnosticError, diagnose, did_you_mean
 
     try:
         bgr(colour)

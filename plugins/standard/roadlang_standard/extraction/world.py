@@ -12,7 +12,7 @@ from .legend import Thing
 from .smoothing import resample
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Extraction, Picture
+    from roadlang.api import Extraction, Picture
 
 _DOUBTFUL = 0.5
 
@@ -21,8 +21,8 @@ def extraction(
     picture: Picture, found: FoundNetwork, things: Sequence[Thing] = (), remarks: Sequence[str] = ()
 ) -> Extraction:
     """The found roads as splines in metres, joined at their nodes; doubtful ones are remarked on."""
+    from roadlang.api import Extraction
     from roadlang.geometry import Edge, Node, RoadNetwork
-    from roadlang.ir.picture import Extraction
 
     where = picture.to_world(found.nodes) if len(found.nodes) else found.nodes
     edges = []
@@ -59,7 +59,7 @@ def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool):  # ty
 
 
 def _object(picture: Picture, thing: Thing):  # type: ignore[no-untyped-def]
-    from roadlang.ir.picture import FoundObject
+    from roadlang.api import FoundObject
 
     x, y = picture.to_world(np.array([[thing.x, thing.y]]))[0]
     scale = picture.scale
