@@ -2,25 +2,38 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 
-from .clean import contract, drop_crumbs, join, prune
+from .clean import contract, join, prune
 from .drafting import Draft, draft, usual_width_of
-from .evidence import Evidence, Layer, Predictor, evidence, road_net
+from .evidence import Evidence, Predictor, evidence, road_net
 from .found import FoundNetwork
-from .graph import trace
+from .graph import Graph, trace
+from .hints import leave_out, paint, way_through
 from .hysteresis import hysteresis
+from .linking import link
 from .masks import without_specks
+from .scale import resized, start_scale
 from .skeleton import skeleton
 from .tones import Image
+from .worth import drop_unworthy, prune_by_worth
+
+_COARSE = 0.35
+"""Share of the half-size view in the evidence."""
+_WIDE, _HANDY = 17.0, 8.0
+"""Roads wider than the first, in working pixels, are looked at again so that they are the second."""
 
 
 @dataclass(frozen=True)
 class Request:
-    """What the user says, in pixels: all of it optional."""
+    """What the user says, in pixels of the picture; all of it optional.
+
+    `threshold` is the least evidence of a road, 0..1; `through` points (x, y) that roads pass
+    through; `leave_out` boxes given by corners.
+    """
 
     threshold: float | None = None
     width: float | None = None
@@ -29,25 +42,102 @@ class Request:
     min_length: float | None = None
     metres_per_pixel: float | None = None
 
+    def at(self, scale: float) -> Request:
+        """The same in a picture `scale` times as large."""
+
+        def moved(point: tuple[float, float]) -> tuple[float, float]:
+            return ((point[0] + 0.5) * scale - 0.5, (point[1] + 0.5) * scale - 0.5)
+
+        return replace(
+            self,
+            width=None if self.width is None else self.width * scale,
+            min_length=None if self.min_length is None else self.min_length * scale,
+            through=tuple(moved(p) for p in self.through),
+            leave_out=tuple(tuple(moved(p) for p in box) for box in self.leave_out),
+        )
+
+
+@dataclass(frozen=True)
+class Cutoffs:
+    """Where evidence counts: strong starts a road, weak carries it on; lengths in working pixels."""
+
+    strong: float = 0.9
+    weak: float = 0.6
+    spur: float = 30.0
+    crumb: float = 60.0
+    floor: float = 0.5
+    reach: float = 50.0
+    dear: float = 0.8
+
 
 def roads_of_photo(
     image: Image, request: Request = Request(), predict: Predictor | None = None
 ) -> FoundNetwork:
     """The road network of a photo (h, w, 3)."""
-    seen = evidence(image, predict or road_net())
-    return roads_of_evidence(seen, request)
+    predict = predict or road_net()
+    scale = start_scale(image, request.metres_per_pixel)
+    seen = look(resized(image, scale), predict)
+    usual = _usual(seen)
+    if usual > _WIDE and request.metres_per_pixel is None:
+        scale *= _HANDY / usual
+        seen = look(resized(image, scale), predict)
+    found = roads_of_evidence(seen, request.at(scale))
+    found = found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
+    return replace(found, scores={**found.scores, "scale": round(scale, 4)})
 
 
-def roads_of_evidence(seen: Evidence, request: Request) -> FoundNetwork:
-    """Trace what the net saw."""
-    score = cv2.GaussianBlur((seen.surface + seen.line) / 2, (0, 0), 1.0)
-    high = request.threshold if request.threshold is not None else 0.5
-    mask = without_specks(hysteresis(score, high, 0.55 * high), 40)
+def look(image: Image, predict: Predictor) -> Evidence:
+    """Evidence at the picture's size, blended with that of a half-size view."""
+    fine = evidence(image, predict)
+    if min(image.shape[:2]) < 96:
+        return fine
+    coarse = evidence(resized(image, 0.5), predict)
+    size = image.shape[1::-1]
+    both = []
+    for near, far in ((fine.surface, coarse.surface), (fine.line, coarse.line)):
+        both.append(cv2.addWeighted(near, 1 - _COARSE, cv2.resize(far, size), _COARSE, 0))
+    return Evidence(both[0], both[1])
+
+
+def _usual(seen: Evidence) -> float:
+    """Usual width of what is surely road, in pixels."""
+    mask = without_specks(seen.surface > 0.8, 40)
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3), np.uint8))) & mask]
+    return float(2 * np.median(ridge) - 1) if len(ridge) else 0.0
+
+
+def roads_of_evidence(
+    seen: Evidence, request: Request = Request(), cutoffs: Cutoffs = Cutoffs()
+) -> FoundNetwork:
+    """Trace, tidy, link and draw what the net saw; the hints are those of `request`."""
+    if request.threshold is not None:
+        strong = request.threshold + 0.5 * (1 - request.threshold)
+        cutoffs = replace(cutoffs, strong=strong, weak=request.threshold, floor=0.8 * request.threshold)
+    if request.min_length is not None:
+        cutoffs = replace(cutoffs, spur=request.min_length)
+    surface = seen.surface.copy()
+    score = cv2.GaussianBlur(surface, (0, 0), 1.0)
+    leave_out([surface, score], request.leave_out)
+    if len(request.through) > 1:
+        way = way_through(score, np.array(request.through, float))
+        paint(surface, score, way, request.width or max(5.0, _usual(seen)))
+        cutoffs = replace(cutoffs, strong=max(cutoffs.strong, 0.95), crumb=2 * cutoffs.crumb)
+    mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
     graph = trace(skeleton(mask))
     usual = usual_width_of(graph, mask)
+    _tidy(graph, score, usual, cutoffs)
+    return draft(graph, surface, score, Draft(usual, fixed_width=request.width), "aerial")
+
+
+def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> None:
+    shape = (score.shape[0], score.shape[1])
     contract(graph, 1.2 * usual)
-    prune(graph, request.min_length or max(14.0, 2.2 * usual), mask.shape)
+    prune(graph, 1.2 * usual, shape)
     join(graph)
-    drop_crumbs(graph, 40.0)
-    manner = Draft(usual, fixed_width=request.width)
-    return draft(graph, seen.surface, score, manner, "aerial")
+    drop_unworthy(graph, score, cutoffs.crumb / 3, cutoffs.floor)
+    link(graph, score, cutoffs.reach, cutoffs.dear)
+    prune_by_worth(graph, score, cutoffs.spur, cutoffs.floor)
+    drop_unworthy(graph, score, cutoffs.crumb, cutoffs.floor)
+    contract(graph, 1.2 * usual)
+    join(graph)

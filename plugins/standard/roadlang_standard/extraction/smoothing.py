@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
+from scipy.ndimage import maximum_filter1d
 from scipy.sparse import diags, eye
 from scipy.sparse.linalg import splu
 
@@ -53,7 +54,7 @@ def smooth(
         sharp = curvature(curve, closed) > 1 / tightest
         if not sharp.any():
             break
-        near = np.convolve(sharp, np.ones(2 * int(tightest) + 3), "same") > 0
+        near = maximum_filter1d(sharp, 2 * int(tightest) + 3)
         pull = np.where(near & (pull <= 1), pull / 4, pull)
         curve = _solve(points, pull, max(stiffness, 1.0), closed)
     return curve

@@ -1,0 +1,45 @@
+"""At which size to look at a photo: from its ground resolution, else from how sharp it is."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from .tones import Image
+
+_GROUND = 0.9
+"""Metres per pixel at which the net sees best."""
+
+
+def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
+    """The factor by which to resize before looking; 1 or less."""
+    smallest = min(1.0, 64 / min(image.shape[:2]))
+    if metres_per_pixel is not None:
+        wanted = metres_per_pixel / _GROUND
+        return float(np.clip(wanted if wanted < 0.72 else 1.0, max(0.1, smallest), 1.0))
+    fine = fine_share(image)
+    scale = 1 / 3 if fine < 0.0025 else 1 / 2 if fine < 0.015 else 1.0
+    return max(scale, smallest)
+
+
+def fine_share(image: Image) -> float:
+    """Share of the spectral energy above a quarter of the sampling rate: tiny in enlarged photos."""
+    grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    height, width = (min(1024, side) for side in grey.shape)
+    top, left = (grey.shape[0] - height) // 2, (grey.shape[1] - width) // 2
+    part = grey[top : top + height, left : left + width].astype(np.float32)
+    part -= part.mean()
+    part *= np.outer(np.hanning(height), np.hanning(width)).astype(np.float32)
+    energy = np.abs(np.fft.rfft2(part)) ** 2
+    rate = np.hypot(np.fft.fftfreq(height)[:, None], np.fft.rfftfreq(width)[None])
+    total = float(energy[rate > 0.005].sum())
+    return float(energy[rate > 0.25].sum()) / total if total > 0 else 1.0
+
+
+def resized(image: Image, scale: float) -> Image:
+    """The picture `scale` times as large, without aliasing."""
+    if scale == 1:
+        return image
+    size = (max(1, round(image.shape[1] * scale)), max(1, round(image.shape[0] * scale)))
+    way = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
+    return np.asarray(cv2.resize(image, size, interpolation=way))

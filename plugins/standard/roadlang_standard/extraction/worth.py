@@ -1,0 +1,70 @@
+"""Which lines the evidence is worth keeping: mean evidence along them, and pruning by it."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .clean import at_border, components, join
+from .graph import Graph, Line
+from .smoothing import resample
+
+Layer = NDArray[np.float32]
+
+
+def mean_evidence(line: Line, score: Layer) -> float:
+    """Mean of the score (h, w) along a line."""
+    at = resample(line.points, 2.0).astype(np.float32).reshape(1, -1, 2)
+    return float(cv2.remap(score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).mean())
+
+
+def worth(line: Line, score: Layer, floor: float) -> float:
+    """Length in pixels, discounted by how far the evidence is above `floor`."""
+    share = (mean_evidence(line, score) - floor) / (1 - floor)
+    return line.length * float(np.clip(share, 0, 1))
+
+
+def prune_by_worth(graph: Graph, score: Layer, least: float, floor: float) -> None:
+    """Cut dead ends worth less than `least` pixels, least worthy first, in place."""
+    shape = (score.shape[0], score.shape[1])
+    while True:
+        degree = graph.degree()
+        doomed: list[tuple[float, int]] = []
+        for index, line in enumerate(graph.lines):
+            free = [node for node in (line.start, line.end) if degree[node] == 1]
+            if line.closed or len(free) != 1:
+                continue
+            allowance = 0.5 if at_border(graph.nodes[free[0]], shape, 6.0) else 1.0
+            value = worth(line, score, floor)
+            if value < allowance * least:
+                doomed.append((value, index))
+        if not doomed:
+            break
+        chosen = _apart(graph, doomed)
+        graph.lines = [line for index, line in enumerate(graph.lines) if index not in chosen]
+        join(graph)
+    graph.drop_lonely()
+
+
+def _apart(graph: Graph, doomed: list[tuple[float, int]]) -> set[int]:
+    """The least worthy dead ends, one a node, so that what goes on through the node is judged anew."""
+    chosen, touched = set(), set()
+    for _, index in sorted(doomed):
+        line = graph.lines[index]
+        if not {line.start, line.end} & touched:
+            touched |= {line.start, line.end}
+            chosen.add(index)
+    return chosen
+
+
+def drop_unworthy(graph: Graph, score: Layer, least: float, floor: float) -> None:
+    """Forget connected parts worth less than `least` pixels in all, in place."""
+    kept = {
+        id(line)
+        for part in components(graph)
+        if sum(worth(x, score, floor) for x in part) >= least
+        for line in part
+    }
+    graph.lines = [line for line in graph.lines if id(line) in kept]
+    graph.drop_lonely()
