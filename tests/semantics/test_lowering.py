@@ -94,6 +94,23 @@ def test_a_draw_in_place_is_made_for_each_copy(text: str, per: str) -> None:
     assert thing.at_fraction
 
 
+def test_a_draw_in_place_is_made_for_each_road_of_a_network() -> None:
+    scenario = lowered(
+        'image plan from """\n  ..#..\n  #####\n""" { scale: 8m/px, legend: { "#": road } }\n'
+        "param amount = 1m..2m\n"
+        "network town from plan\n"
+        "network bent from town {\n"
+        "  perturb with random_walk { amplitude: amount, correlation: 20m..60m }\n"
+        "}\n"
+    )
+    town, bent = scenario.networks
+    assert [call.kind for call in town.passes] == ["standard.auto"]
+    amount, correlation = (bent.passes[0].option(name) for name in ("amplitude", "correlation"))
+    assert amount == Reference("amount")
+    assert isinstance(correlation, Draw)
+    assert correlation.per == "road"
+
+
 def test_values_come_before_what_depends_on_them() -> None:
     scenario = lowered(
         "agent second is car on bent at first.start + 9m\nagent first is car on bent at half\n"

@@ -58,19 +58,21 @@ class _Loader:
         if (declared is None and self._program.incomplete) or name in self._program.spoiled:
             return
         if declared is None or declared.role != "param":
-            params = [found.name.text for found in self._program.in_role("param")]
-            self._report(
-                "RL108",
-                source.span(0, len(text)),
-                help=did_you_mean(name, params) or _list_of_params(params),
-                name=name,
-                where="this scene file",
-            )
+            span = source.span(0, len(text))
+            help_ = self._about_settings(name)
+            self._report("RL108", span, help=help_, name=name, where="this scene file")
             return
         value, found = parse_formula(source)
         self._program.diagnostics.extend(found)
         if value is not None and not any(diagnostic.is_error for diagnostic in found):
             self._program.settings[name] = Setting(name, value, value.span, True)
+
+    def _about_settings(self, name: str) -> tuple[str, ...]:
+        declared = self._program.declarations.get(name)
+        if declared is not None and declared.role == "let":
+            return (f"`{name}` is a `let`; declare it as `param` to set it from outside",)
+        params = [found.name.text for found in self._program.in_role("param")]
+        return did_you_mean(name, params) or _list_of_params(params)
 
     def _header(self, header: ast.Header, is_main: bool) -> None:
         headers = self._program.headers

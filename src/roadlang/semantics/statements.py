@@ -44,7 +44,7 @@ class ImageOptions:
     )
     legend: Legend = option(
         None,
-        words=("road", "ground", "background", "ignore"),
+        words=("road",),
         help="what a character, or a colour such as `white` or `#2e7d32`, stands for",
     )
 
@@ -110,7 +110,7 @@ class WorldOptions:
     time_of_day: Duration = option(None, minimum=0, maximum=86400, help="since midnight: `14h`")
     weather: Word = option(
         None,
-        words=("clear", "cloudy", "overcast", "rain", "fog", "snow", "storm"),
+        words=("clear", "cloudy", "overcast", "rain", "fog", "snow"),
         help="what the sky does",
     )
     rain: Speed = option(None, minimum=0, help="how much, as in `5mm/h`")

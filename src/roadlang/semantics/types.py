@@ -28,6 +28,8 @@ class Quantity:
 
 @dataclass(frozen=True, slots=True)
 class FlagType:
+    """`true` or `false`."""
+
     def __str__(self) -> str:
         return "`true` or `false`"
 
@@ -45,18 +47,24 @@ class TextType:
 
 @dataclass(frozen=True, slots=True)
 class PointType:
+    """`(x, y)`."""
+
     def __str__(self) -> str:
         return "a point"
 
 
 @dataclass(frozen=True, slots=True)
 class ListType:
+    """`[a, b]`."""
+
     def __str__(self) -> str:
         return "a list"
 
 
 @dataclass(frozen=True, slots=True)
 class MapType:
+    """`{ key: value }`."""
+
     def __str__(self) -> str:
         return "a map"
 
