@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from difflib import SequenceMatcher
+from collections.abc import Callable, Iterable
+from difflib import SequenceMatcher, get_close_matches
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
@@ -16,19 +16,19 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     if len(word) < 2:
         return None
     slips = max(1, (len(word) + 1) // 3)
-    near = [(edits(word, name, slips), -_likeness(word, name), name) for name in candidates]
-    within = [found for found in near if found[0] <= slips]
-    if within:
-        return min(within)[2]
-    alike = [found for found in near if -found[1] >= 0.7]
+    near = [(edits(word, name, slips), name) for name in candidates]
+    fewest = min((count for count, _ in near), default=slips + 1)
+    if fewest <= slips:
+        return max((name for count, name in near if count == fewest), key=_likeness_to(word))
+    alike = get_close_matches(word, candidates, n=1, cutoff=0.7)
     if alike:
-        return min(alike, key=lambda found: found[1:])[2]
+        return alike[0]
     starts = [name for name in candidates if name.startswith(word) or word.startswith(name)]
     return starts[0] if len(word) >= 3 and len(starts) == 1 and len(starts[0]) >= 3 else None
 
 
-def _likeness(word: str, name: str) -> float:
-    return SequenceMatcher(None, word, name).ratio()
+def _likeness_to(word: str) -> Callable[[str], float]:
+    return lambda name: SequenceMatcher(None, word, name).ratio()
 
 
 def edits(a: str, b: str, most: int) -> int:
@@ -44,6 +44,8 @@ def edits(a: str, b: str, most: int) -> int:
             if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
                 cost = min(cost, above[j - 2] + 1)
             row.append(cost)
+        if min(row) > most:
+            return most + 1
     return min(row[-1], most + 1)
 
 
