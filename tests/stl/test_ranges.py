@@ -59,6 +59,8 @@ def test_continuations_reach_both_ends(seed):
         ("eventually[5, 9] (x > limit and x < 4)", -math.inf, 1),
         ("(x > 0) until (y > 5)", -4, 1),
         ("x > 0 iff always (y > 0)", -1, 1),
+        ("eventually[5, 9] (x * x < 3)", -math.inf, 3),
+        ("eventually[5, 9] (x ^ 2 < 3 and x * y > 5)", -math.inf, 3),
     ],
 )
 def test_ranges_known_by_hand(text, lo, hi):

@@ -66,7 +66,7 @@ def run_at_start(graph: Graph, trace: Trace, axis: Axis) -> FloatArray:
     """The last node of `graph` at the first sample of each variant, (V,)."""
     plan = Plan.of(graph, axis, (0, 0))
     result = np.empty(trace.variants)
-    for first, last in chunks(trace):
+    for first, last in _chunks(trace, plan):
         result[first:last] = plan.run(trace, first, last)[0]
     return result
 
@@ -78,15 +78,16 @@ def everywhere(
     axis = Axis(trace.positions, trace.wrap)
     plan = Plan.of(Graph.of(formula, leaves), axis, (0, trace.samples - 1))
     result = np.empty((trace.variants, trace.samples))
-    for first, last in chunks(trace):
+    for first, last in _chunks(trace, plan):
         result[first:last] = plan.run(trace, first, last).T
     return result
 
 
-def chunks(trace: Trace) -> Iterator[tuple[int, int]]:
+def _chunks(trace: Trace, plan: Plan) -> Iterator[tuple[int, int]]:
     """Ranges of variants that are evaluated together."""
     _keep_freed_memory()
-    rows = max(1, CHUNK_SAMPLES // trace.samples)
+    size = CHUNK_SAMPLES if plan.time_major else 2 * CHUNK_SAMPLES
+    rows = max(1, size // max(plan.width, trace.samples // 4))
     for first in range(0, trace.variants, rows):
         yield first, min(first + rows, trace.variants)
 

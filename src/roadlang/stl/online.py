@@ -12,7 +12,7 @@ from .errors import stl_error
 from .ranges import range_at_start
 from .reach import horizon
 from .trace import Trace
-from .verdicts import Verdict, verdicts_of
+from .verdicts import Verdict, decided
 
 _SETTLED_AT_ONCE = 64
 
@@ -52,8 +52,9 @@ class Monitor:
 
     def _update(self) -> None:
         trace = self._trace()
-        lo, hi = (float(end[0]) for end in range_at_start(self.formula, trace))
-        verdict: Verdict = verdicts_of(self.formula, trace)[0].item()
+        ends = range_at_start(self.formula, trace)
+        verdict: Verdict = decided(self.formula, trace, *ends)[0].item()
+        lo, hi = (float(end[0]) for end in ends)
         if self._settled is not None:
             join = min if isinstance(self.formula, f.Always) else max
             lo, hi = join(lo, self._settled), join(hi, self._settled)

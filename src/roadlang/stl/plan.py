@@ -56,6 +56,11 @@ class Plan:
         reaching = any(step and isinstance(step.node.operation, Reaching) for step in steps)
         return cls(tuple(steps), _spent(graph), time_major or reaching)
 
+    @property
+    def width(self) -> int:
+        """The most samples that any node is computed at."""
+        return max(step.span[1] - step.span[0] + 1 for step in self.steps if step is not None)
+
     def run(self, trace: Trace, first: int, last: int) -> FloatArray:
         """The result for variants first..last-1, shape (samples asked, rows)."""
         values: list[FloatArray | None] = []

@@ -1,9 +1,10 @@
 """What a formula without temporal operators can be worth at a sample that nobody has seen yet.
 
 Its signals may then have any values, but the same ones throughout the formula. Robustness is a
-maximum of minima of affine functions of them (abs, min and max included); how high a minimum of
-affine functions rises is a linear program, solved here through its dual by enumeration: the
-dual's corners have at most one function more than there are signals.
+maximum of minima of affine functions of them, abs, min and max included (a product of signals is
+taken for one more signal). How high a minimum of affine functions rises is a linear program,
+solved here through its dual by enumeration: the dual's corners have at most one function more
+than there are signals.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import combinations
 
 import numpy as np
@@ -59,7 +60,14 @@ def unseen_range(formula: f.Formula, constants: Constants) -> tuple[FloatArray, 
 
     `constants` are the signals that are one number per variant, now and later.
     """
-    return -_highest(f.Not(formula), constants), _highest(formula, constants)
+    if constants and not formula.variables.isdisjoint(constants):
+        return -_highest(f.Not(formula), constants), _highest(formula, constants)
+    return _range_without_constants(formula)
+
+
+@lru_cache(maxsize=1024)
+def _range_without_constants(formula: f.Formula) -> tuple[FloatArray, FloatArray]:
+    return -_highest(f.Not(formula), {}), _highest(formula, {})
 
 
 def _highest(formula: f.Formula, constants: Constants) -> FloatArray:
@@ -118,7 +126,17 @@ def _term_pieces(term: t.Term, constants: Constants) -> Pieces:
             return _scaled(_term_pieces(other, constants), scale)
         case t.Arithmetic("/", other, t.Constant(divisor)) if divisor:
             return _scaled(_term_pieces(other, constants), 1.0 / divisor)
-    return ((Affine(((str(term), 1.0),), np.zeros(1)),),)
+    unknown: Pieces = ((Affine(((str(term), 1.0),), np.zeros(1)),),)
+    return _greatest([unknown, ((Affine((), np.zeros(1)),),)]) if _is_square(term) else unknown
+
+
+def _is_square(term: t.Term) -> bool:
+    match term:
+        case t.Arithmetic("*", left, right):
+            return left == right
+        case t.Arithmetic("^", _, t.Constant(exponent)):
+            return exponent % 2 == 0 and exponent > 0
+    return False
 
 
 def _sum(left: Pieces, right: Pieces) -> Pieces:

@@ -44,12 +44,16 @@ def verdict(
 
 
 def verdicts_of(formula: f.Formula, trace: Trace) -> NDArray[np.str_]:
-    """Verdicts (V,): by the range, and by Boolean evaluation where the range ends at zero."""
-    lo, hi = range_at_start(formula, trace)
+    """Verdicts (V,) at the first sample."""
+    return decided(formula, trace, *range_at_start(formula, trace))
+
+
+def decided(formula: f.Formula, trace: Trace, lo: FloatArray, hi: FloatArray) -> NDArray[np.str_]:
+    """Verdicts (V,) by the range (lo, hi), by Boolean evaluation where it ends at zero."""
     verdicts = np.where(lo > 0, "satisfied", np.where(hi < 0, "violated", "unknown"))
     undecided = (lo == 0) | (hi == 0)
     if undecided.any():
         lowest, highest = range_at_start(formula, trace, BOOLEAN)
-        decided = np.where(lowest > 0, "satisfied", np.where(highest < 0, "violated", "unknown"))
-        verdicts = np.where(undecided, decided, verdicts)
+        told = np.where(lowest > 0, "satisfied", np.where(highest < 0, "violated", "unknown"))
+        verdicts = np.where(undecided, told, verdicts)
     return verdicts

@@ -1,0 +1,139 @@
+"""Shapes, batches and refusals of `rho`, `robustness` and `satisfied`."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tracemalloc
+
+import numpy as np
+import pytest
+
+from roadlang import stl
+from roadlang.diagnostics import DiagnosticError
+
+PHI3 = stl.parse("always (e > 10 implies eventually[5, 20] always[0, 30] (d < 10 and e < 10))")
+NESTED = stl.parse("(e < 10) until[2, 30] (once[0, 9] (d < 5) and (d > 1 since[3, 40] e > 2))")
+
+
+def _walks(variants, samples):
+    rng = np.random.default_rng(3)
+    steps = rng.normal(0, 1, (2, variants, samples))
+    e, d = np.abs(np.cumsum(steps, axis=2))
+    return np.arange(float(samples)), {"e": e, "d": d}
+
+
+@pytest.mark.parametrize("formula", [PHI3, NESTED])
+@pytest.mark.parametrize(("variants", "samples"), [(1, 700), (3, 700), (700, 300), (2500, 40)])
+def test_a_batch_is_its_variants_one_by_one(formula, variants, samples):
+    positions, signals = _walks(variants, samples)
+    trace = formula.robustness(positions, signals)
+    start = formula.rho(positions, signals)
+    assert trace.shape == (variants, samples)
+    np.testing.assert_array_equal(start, trace[:, 0])
+    for variant in range(0, variants, 1 + variants // 4):
+        row = {name: values[variant] for name, values in signals.items()}
+        np.testing.assert_array_equal(formula.robustness(positions, row), trace[variant])
+
+
+def test_one_trace_has_no_variant_axis():
+    positions, signals = _walks(1, 20)
+    row = {name: values[0] for name, values in signals.items()}
+    assert PHI3.robustness(positions, row).shape == (20,)
+    assert isinstance(PHI3.rho(positions, row), float)
+    assert isinstance(PHI3.verdict(positions, row), str)
+    assert PHI3.rho(positions, signals).shape == (1,)
+
+
+def test_signals_of_all_shapes_meet():
+    formula = stl.parse("always (e < limit + offset * bend)")
+    signals = {
+        "e": np.array([[1, 2, 3], [4, 5, 6]], dtype=np.int32),
+        "limit": np.array([[10.0], [20.0]]),
+        "bend": np.array([0.0, 1.0, 0.0], dtype=np.float32),
+        "offset": 2,
+    }
+    assert formula.robustness([0, 1, 2], signals).tolist() == [[7, 7, 7], [14, 14, 14]]
+    assert formula.rho([0, 1, 2], {**signals, "e": 1.0}).tolist() == [9, 19]
+
+
+def test_a_formula_without_signals_of_the_batch_still_has_its_shape():
+    signals = {"e": np.zeros((4, 3)), "x": 1.0}
+    assert stl.parse("true").rho([0, 1, 2], signals).tolist() == [np.inf] * 4
+    assert stl.parse("x < 3").robustness([0, 1, 2], signals).shape == (4, 3)
+    assert stl.parse("always (x < 3)").satisfied([0, 1, 2], signals).tolist() == [True] * 4
+
+
+def test_strictness_matters_to_satisfaction_only():
+    signals = {"x": [1.0, 2.0]}
+    strict, weak = stl.parse("always (x > 1)"), stl.parse("always (x >= 1)")
+    assert strict.rho([0, 1], signals) == weak.rho([0, 1], signals) == 0
+    assert not strict.satisfied([0, 1], signals)
+    assert weak.satisfied([0, 1], signals)
+    assert strict.truth([0, 1], signals).tolist() == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("positions", "signals", "code", "told"),
+    [
+        ([], {"x": []}, "RL300", "no sample"),
+        ([0, 1], {"x": np.empty((0, 2))}, "RL300", "no sample"),
+        ([0, 0], {"x": [1, 1]}, "RL301", "0 is followed by 0"),
+        ([0, float("nan")], {"x": [1, 1]}, "RL301", "position 1 is nan"),
+        ([[0, 1]], {"x": [1, 1]}, "RL301", "shape"),
+        (["a"], {"x": [1]}, "RL301", "not numbers"),
+        ([0, 1], {"x": [1, float("nan")]}, "RL302", "`x` is nan at position 1"),
+        ([0, 1], {"x": [[1, 1], [1, float("inf")]]}, "RL302", "position 1 of variant 1"),
+        ([0, 1], {"x": [1, 2, 3]}, "RL303", "has (3,)"),
+        ([0, 1], {"x": ["a", "b"]}, "RL303", "type"),
+        ([0, 1], {"x": np.zeros((2, 2)), "y": np.zeros((3, 2))}, "RL303", "agree"),
+        ([0, 1], {"xx": [1, 2]}, "RL304", "no signal `x`"),
+    ],
+)
+def test_bad_traces_are_refused(positions, signals, code, told):
+    with pytest.raises(DiagnosticError) as refusal:
+        stl.parse("always (x > 0)").rho(positions, signals)
+    (found,) = refusal.value.diagnostics
+    assert found.code == code
+    assert told in found.message
+
+
+def test_a_value_that_is_no_number_is_found_in_any_chunk():
+    positions, signals = _walks(3000, 100)
+    signals["d"][2345, 67] = np.nan
+    with pytest.raises(DiagnosticError, match="`d` is nan at position 67 of variant 2345"):
+        stl.parse("d > 0 until[0, 2] e > 0").rho(positions, signals)
+
+
+@pytest.mark.parametrize("text", ["1 / x < 2", "x ^ 0.5 < 2", "always (2 / (x - 1) > 0)"])
+def test_terms_that_are_no_number_are_refused(text):
+    with pytest.raises(DiagnosticError, match="RL307"):
+        stl.parse(text).robustness([0, 1, 2], {"x": [0.0, 1.0, -1.0]})
+
+
+@pytest.mark.parametrize("wrap", [2.0, 1.0, float("nan"), float("inf")])
+def test_a_lap_is_longer_than_its_samples(wrap):
+    with pytest.raises(DiagnosticError, match="RL306"):
+        stl.parse("x > 0").rho([0, 1, 2], {"x": [0, 1, 2]}, wrap=wrap)
+
+
+def test_working_memory_stays_within_a_fifth_of_a_signal():
+    positions, signals = _walks(8000, 250)
+    for formula in (PHI3, NESTED):
+        formula.robustness(positions, signals)
+        tracemalloc.start()
+        result = formula.robustness(positions, signals)
+        _, peak = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        assert peak - result.nbytes < (0.2 if formula is PHI3 else 0.6) * result.nbytes
+
+
+def test_importing_and_parsing_is_light():
+    code = (
+        "import sys, roadlang.stl as stl; stl.parse('always[0, 5] (x < 1)');"
+        "print([m for m in ('numpy', 'scipy', 'cv2', 'lark') if m in sys.modules]);"
+        "stl.parse('x < 1').rho([0], {'x': [0]});"
+        "print([m for m in ('scipy', 'cv2', 'lark') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split("\n")[:2] == ["[]", "[]"]
