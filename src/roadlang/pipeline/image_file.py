@@ -15,8 +15,9 @@ from .image_header import Header, is_whole, read_header
 from .image_scale import scale_in_file
 
 MOST_BYTES = 400_000_000
-MOST_PIXELS = 50_000_000
+MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
+_SILENT = 0
 
 Pixels = NDArray[np.uint8]
 
@@ -82,13 +83,19 @@ def _refusal(code: str, span: Span | None, written: str, **values: object) -> Di
 def _decoded(content: bytes, header: Header) -> NDArray[np.generic] | None:
     # Only colour mode honours the orientation that cameras note in JPEG files.
     mode = cv2.IMREAD_COLOR if header.format == "JPEG" else cv2.IMREAD_UNCHANGED
-    level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    level = _set_log_level(_SILENT)
     try:
         return cv2.imdecode(np.frombuffer(content, np.uint8), mode)
     except cv2.error:
         return None
     finally:
-        cv2.utils.logging.setLogLevel(level)
+        _set_log_level(level)
+
+
+def _set_log_level(level: int) -> int:
+    """Of OpenCV, which moved the function between 4 and 5; returns the level before."""
+    old = getattr(cv2, "setLogLevel", None)
+    return int((old or cv2.utils.logging.setLogLevel)(level))
 
 
 def _as_colours(pixels: NDArray[np.generic]) -> Pixels:

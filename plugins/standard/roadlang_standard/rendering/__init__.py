@@ -1,0 +1,1 @@
+"""Aerial-looking pictures with exact truth: scenes are planned, painted and photographed."""

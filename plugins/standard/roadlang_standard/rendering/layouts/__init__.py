@@ -1,0 +1,1 @@
+"""Plans: where the roads of a rendered scene lie."""
