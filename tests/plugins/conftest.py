@@ -11,10 +11,14 @@ import pytest
 
 @pytest.fixture
 def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A folder of installed plugins."""
+    """A folder of installed plugins; none that an earlier test imported is still there."""
     monkeypatch.syspath_prepend(str(tmp_path))
-    before = set(sys.modules)
+    _forget_plugins()
     yield tmp_path
-    for name in set(sys.modules) - before:
+    _forget_plugins()
+
+
+def _forget_plugins() -> None:
+    for name in list(sys.modules):
         if name.startswith("roadlang_") and not name.startswith("roadlang_standard"):
             del sys.modules[name]

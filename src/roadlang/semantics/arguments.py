@@ -1,12 +1,12 @@
-"""Options and arguments, one by one, against the schema of a kind."""
+"""Options, one by one, against the schema of a kind."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..diagnostics import Label, Span, nearest
-from ..ir.values import Items, Value
+from ..ir.values import Value
 from ..plugins import option_types as opt
 from ..plugins.options import OptionSchema
 from ..syntax import ast
@@ -57,7 +57,7 @@ def bind_options(
     for option in options:
         name = option.key.text
         if name not in known:
-            _report_unknown(checker, option.key, known, owner)
+            report_unknown(checker, option.key, known, owner)
             misspelt.append(name)
             complete = False
         elif name in first:
@@ -75,55 +75,8 @@ def bind_options(
     given_or_meant = {*first, *meant}
     missing = [o.name for o in schema if o.required and o.name not in given_or_meant]
     if missing and whole:
-        complete = _report_missing(checker, owner, missing, known, span)
-    return _bound(checker, given, schema, complete)
-
-
-def bind_arguments(
-    checker: Checker, call: ast.Call, schema: Sequence[OptionSchema], rest: str, context: Context
-) -> Bound:
-    """The arguments of a call: by position in the order of the fields, or by name."""
-    known = {option.name: option for option in schema}
-    owner = f"`{call.function.span.text}`"
-    given: dict[str, Typed] = {}
-    gathered: list[Typed] = []
-    misspelt: list[str] = []
-    complete = True
-    slots = [option.name for option in schema if option.name != rest] if rest else list(known)
-    for index, argument in enumerate(call.arguments):
-        name = argument.key.text if argument.key else (rest or _slot(slots, index))
-        if name is None:
-            _report_count(checker, call, schema)
-            return Bound(given, False)
-        if name not in known:
-            assert argument.key is not None
-            _report_unknown(checker, argument.key, known, owner)
-            misspelt.append(name)
-            complete = False
-            continue
-        if name in given:
-            checker.report("RL222", argument.span, name=name)
-            complete = False
-            continue
-        if argument.key is None and rest:
-            typed = infer_item(checker, argument.value, known[name], context)
-        else:
-            typed = infer_option(checker, argument.value, known[name], context, argument=True)
-        complete = typed is not None and complete
-        if typed is not None and argument.key is None and rest:
-            gathered.append(typed)
-        elif typed is not None:
-            given[name] = typed
-    positional = [argument for argument in call.arguments if argument.key is None]
-    if gathered or (rest and positional):
-        given[rest] = _gathered(call.span, gathered)
-    named = {argument.key.text for argument in call.arguments if argument.key is not None}
-    meant = {nearest(name, known) for name in misspelt}
-    filled = {*given, *named, *meant, *([] if rest else slots[: len(positional)])}
-    missing = [option.name for option in schema if option.required and option.name not in filled]
-    if missing:
-        complete = _report_missing(checker, owner, missing, known, call.span, "argument")
-    return _bound(checker, given, schema, complete)
+        complete = report_missing(checker, owner, missing, known, span)
+    return bound_of(checker, given, schema, complete)
 
 
 def infer_option(
@@ -138,8 +91,6 @@ def infer_option(
     inner = context.for_option(schema.name, schema.type, schema.words)
     if argument:
         # The draws of a call are numbered at its place, whatever its arguments are called.
-        from dataclasses import replace
-
         inner = replace(inner, place=context.place)
     match schema.type:
         case opt.ConditionType():
@@ -154,27 +105,7 @@ def infer_option(
     return fit(checker, typed, schema)
 
 
-def infer_item(
-    checker: Checker, value: ast.Expression, schema: OptionSchema, context: Context
-) -> Typed | None:
-    """One of the arguments that a list takes all of."""
-    assert isinstance(schema.type, opt.ListType)
-    item = OptionSchema(schema.name, schema.type.item, None, schema.constraints)
-    typed = checker.infer(value, context)
-    return fit(checker, typed, item)
-
-
-def _slot(slots: Sequence[str], index: int) -> str | None:
-    return slots[index] if index < len(slots) else None
-
-
-def _gathered(span: Span, items: list[Typed]) -> Typed:
-    values = tuple(item.value for item in items if item.value is not None)
-    random = any(item.random for item in items)
-    return Typed(span, ty.ListType(), Items(values), random, items=tuple(items))
-
-
-def _bound(
+def bound_of(
     checker: Checker, given: dict[str, Typed], schema: Sequence[OptionSchema], complete: bool
 ) -> Bound:
     ordered = {option.name: given[option.name] for option in schema if option.name in given}
@@ -199,16 +130,17 @@ def _alike(typed: Typed, due: opt.OptionType) -> list[Typed]:
     return []
 
 
-def _report_unknown(
+def report_unknown(
     checker: Checker, key: ast.Word, known: dict[str, OptionSchema], owner: str
 ) -> None:
+    """RL220, with the nearest option or all of them."""
     meant = nearest(key.text, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
     help_ = () if meant else (listed,)
     checker.report("RL220", key.span, name=key.text, owner=owner, help=help_, meant=meant)
 
 
-def _report_missing(
+def report_missing(
     checker: Checker,
     owner: str,
     missing: Sequence[str],
@@ -216,6 +148,7 @@ def _report_missing(
     span: Span,
     sort: str = "option",
 ) -> bool:
+    """RL221, with what each of the missing is; always False."""
     from .describing import describe
 
     names = ", ".join(f"`{name}`" for name in missing)
@@ -225,10 +158,3 @@ def _report_missing(
     ]
     checker.report("RL221", span, owner=owner, names=names, sort=sort, help=help_)
     return False
-
-
-def _report_count(checker: Checker, call: ast.Call, schema: Sequence[OptionSchema]) -> None:
-    names = ", ".join(option.name for option in schema)
-    extra = call.arguments[len(schema)].span if len(call.arguments) > len(schema) else call.span
-    name = call.function.span.text
-    checker.report("RL224", extra, name=name, help=f"it is written `{name}({names})`")

@@ -195,6 +195,27 @@ def of_functions(name: str, arguments: Sequence[Typed], span: Span, dimension: D
     return Typed(span, kind, value, random=random, bounds=reach)
 
 
+def signal_of_functions(
+    checker: Checker, name: str, arguments: Sequence[Typed], span: Span, dimension: Dimension
+) -> Typed:
+    """`abs`, `min` or `max` where at least one argument is a signal."""
+    from ..stl import Apply
+
+    evidence = common_domain(checker, arguments)
+    if evidence is None or isinstance(evidence, Typed):
+        return unknown(span)
+    terms, numbers = terms_of(arguments)
+    return Typed(
+        span,
+        SignalType(evidence.domain, dimension),
+        bounds=function_bounds(name, arguments),
+        term=Apply(name, tuple(terms)),  # type: ignore[arg-type]
+        evidence=evidence,
+        signals=tuple(dict.fromkeys(s for argument in arguments for s in argument.signals)),
+        numbers=numbers,
+    )
+
+
 def function_bounds(name: str, arguments: Sequence[Typed]) -> tuple[float, float] | None:
     parts = [argument.bounds for argument in arguments]
     if name == "abs":

@@ -11,8 +11,8 @@ from ..plugins.option_types import EntityType as EntityOption
 from ..plugins.option_types import UnionType
 from ..plugins.options import OptionSchema
 from ..syntax import ast
-from .arguments import bind_arguments
-from .arithmetic import common_domain, function_bounds, of_functions, terms_of
+from .arithmetic import of_functions, signal_of_functions
+from .call_arguments import bind_arguments
 from .checker import Checker
 from .context import Context
 from .draws import draw_of
@@ -86,17 +86,8 @@ def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) 
 
 
 def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> Typed:
-    least, most = _COUNTS[name]
-    count = len(call.arguments)
-    if count < least or (most is not None and count > most):
-        due = "two or more arguments" if most is None else "one argument"
-        span = call.arguments[most].span if most and count > most else call.span
-        return checker.report("RL224", span, name=name, help=f"`{name}` takes {due}")
-    for argument in call.arguments:
-        if argument.key is not None:
-            return checker.report(
-                "RL220", argument.key.span, name=argument.key.text, owner=f"`{name}`"
-            )
+    if not _counted(checker, call, name):
+        return unknown(call.span)
     if name == "fresh":
         return _fresh(checker, call, context)
     arguments = [checker.infer(argument.value, context) for argument in call.arguments]
@@ -111,22 +102,24 @@ def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> 
         return unknown(call.span)
     if all(isinstance(argument.type, Quantity) for argument in arguments):
         return of_functions(name, arguments, call.span, dimension)
-    evidence = common_domain(checker, arguments)
-    if evidence is None or isinstance(evidence, Typed):
-        return unknown(call.span)
-    from ..stl import Apply
+    return signal_of_functions(checker, name, arguments, call.span, dimension)
 
-    terms, numbers = terms_of(arguments)
-    signals = tuple(dict.fromkeys(s for argument in arguments for s in argument.signals))
-    return Typed(
-        call.span,
-        SignalType(evidence.domain, dimension),
-        bounds=function_bounds(name, arguments),
-        term=Apply(name, tuple(terms)),  # type: ignore[arg-type]
-        evidence=evidence,
-        signals=signals,
-        numbers=numbers,
-    )
+
+def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
+    """Whether a built-in function has as many arguments as it takes, none of them named."""
+    least, most = _COUNTS[name]
+    count = len(call.arguments)
+    if count < least or (most is not None and count > most):
+        due = "two or more arguments" if most is None else "one argument"
+        span = call.arguments[most].span if most and count > most else call.span
+        checker.report("RL224", span, name=name, help=f"`{name}` takes {due}")
+        return False
+    for argument in call.arguments:
+        if argument.key is not None:
+            key = argument.key
+            checker.report("RL220", key.span, name=key.text, owner=f"`{name}`")
+            return False
+    return True
 
 
 def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
