@@ -21,7 +21,9 @@ def crop(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray
         at = matrix @ np.array([[2, 0, 0.5], [0, 2, 0.5], [0, 0, 1]])
     else:
         at = matrix
-    shot = cv2.warpAffine(image, at, (CROP, CROP), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+    shot = cv2.warpAffine(
+        image, at, (CROP, CROP), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT
+    )
     inside = cv2.warpAffine(np.ones(scene.image.shape[:2], np.float32), matrix, (CROP, CROP))
     targets = _targets(scene, matrix, zoom)
     shot = _light(rng, shot, targets[0])
@@ -94,7 +96,11 @@ def _repave(rng: np.random.Generator, image: np.ndarray, surface: np.ndarray) ->
 
 def _dapple(rng: np.random.Generator, image: np.ndarray) -> np.ndarray:
     cells = int(rng.integers(6, 50))
-    field = cv2.resize(rng.standard_normal((cells, cells)).astype(np.float32), (CROP, CROP), interpolation=cv2.INTER_CUBIC)
+    field = cv2.resize(
+        rng.standard_normal((cells, cells)).astype(np.float32),
+        (CROP, CROP),
+        interpolation=cv2.INTER_CUBIC,
+    )
     shade = np.clip((field - rng.uniform(0.3, 1.5)) * 4, 0, 1)[..., None]
     return image * (1 - np.float32(rng.uniform(0.2, 0.7)) * shade)
 
@@ -110,9 +116,13 @@ def _lens(rng: np.random.Generator, image: np.ndarray) -> np.ndarray:
     if rng.random() < 0.25:
         image = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.4, 1.8))
     elif rng.random() < 0.25:
-        image = image + np.float32(rng.uniform(0.3, 1.5)) * (image - cv2.GaussianBlur(image, (0, 0), 1.5))
+        image = image + np.float32(rng.uniform(0.3, 1.5)) * (
+            image - cv2.GaussianBlur(image, (0, 0), 1.5)
+        )
     if rng.random() < 0.4:
-        image = image + np.float32(rng.uniform(1, 14)) * rng.standard_normal(image.shape, np.float32)
+        image = image + np.float32(rng.uniform(1, 14)) * rng.standard_normal(
+            image.shape, np.float32
+        )
     if rng.random() < 0.35:
         plain = np.clip(image, 0, 255).astype(np.uint8)
         _, code = cv2.imencode(".jpg", plain, [cv2.IMWRITE_JPEG_QUALITY, int(rng.integers(25, 96))])

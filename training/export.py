@@ -17,7 +17,15 @@ def export(net: RoadNet, path: Path) -> float:
     """Write `path`; the greatest difference between the net and OpenCV's reading of the file."""
     net = net.eval().float()
     dummy = torch.full((1, 3, 256, 256), 115.0)
-    torch.onnx.export(net, (dummy,), str(path), opset_version=11, input_names=["image"], output_names=["maps"], dynamo=False)
+    torch.onnx.export(
+        net,
+        (dummy,),
+        str(path),
+        opset_version=11,
+        input_names=["image"],
+        output_names=["maps"],
+        dynamo=False,
+    )
     model = halved(onnx.load(str(path)))
     onnx.save(model, str(path))
     rng = np.random.default_rng(0)

@@ -41,6 +41,15 @@ class Crops(IterableDataset[tuple[np.ndarray, np.ndarray, np.ndarray]]):
 
 def batches(folder: Path, seed: int, size: int, workers: int) -> Iterator[list[torch.Tensor]]:
     """Image (n, 3, 256, 256), target (n, 2, 128, 128), weight (n, 1, 128, 128)."""
-    loader = DataLoader(Crops(folder, seed), batch_size=size, num_workers=workers, prefetch_factor=4 if workers else None)
+    loader = DataLoader(
+        Crops(folder, seed),
+        batch_size=size,
+        num_workers=workers,
+        prefetch_factor=4 if workers else None,
+    )
     for image, target, weight in loader:
-        yield [image.permute(0, 3, 1, 2).contiguous(memory_format=torch.channels_last), target, weight]
+        yield [
+            image.permute(0, 3, 1, 2).contiguous(memory_format=torch.channels_last),
+            target,
+            weight,
+        ]

@@ -53,7 +53,12 @@ def fit(
         running += 0.02 * (_step(net, optimiser, image, target, weight) - running)
         _follow(average, net, min(schedule.average, (step + 1) / (step + 10)))
         if (step + 1) % every == 0 or share >= 1:
-            scores = {"step": step + 1, "share": round(share, 3), "loss": round(running, 4), **validate(average)}
+            scores = {
+                "step": step + 1,
+                "share": round(share, 3),
+                "loss": round(running, 4),
+                **validate(average),
+            }
             history.append(scores)
             print(json.dumps(scores), flush=True)
             torch.save(average.state_dict(), folder / "checkpoint.pt")
@@ -63,7 +68,11 @@ def fit(
 
 
 def _step(
-    net: RoadNet, optimiser: torch.optim.Optimizer, image: torch.Tensor, target: torch.Tensor, weight: torch.Tensor
+    net: RoadNet,
+    optimiser: torch.optim.Optimizer,
+    image: torch.Tensor,
+    target: torch.Tensor,
+    weight: torch.Tensor,
 ) -> float:
     net.train()
     with torch.autocast("cpu", torch.bfloat16):
@@ -78,7 +87,9 @@ def _step(
 
 def _follow(average: RoadNet, net: RoadNet, keep: float) -> None:
     with torch.no_grad():
-        for kept, fresh in zip(average.state_dict().values(), net.state_dict().values(), strict=True):
+        for kept, fresh in zip(
+            average.state_dict().values(), net.state_dict().values(), strict=True
+        ):
             if kept.dtype.is_floating_point:
                 kept.mul_(keep).add_(fresh, alpha=1 - keep)
             else:

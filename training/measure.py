@@ -40,7 +40,9 @@ def renderings(folder: Path, count: int) -> list[Case]:
         scene = load(path)
         line = np.zeros(scene.image.shape[:2], np.uint8)
         for points in scene.lines:
-            cv2.polylines(line, [np.round(points * 16).astype(np.int32)], False, 1, 1, cv2.LINE_8, 4)
+            cv2.polylines(
+                line, [np.round(points * 16).astype(np.int32)], False, 1, 1, cv2.LINE_8, 4
+            )
         cases.append((scene.image, line > 0))
     return cases
 
@@ -66,7 +68,14 @@ def probabilities(net: RoadNet, image: np.ndarray) -> np.ndarray:
     height, width = image.shape[:2]
     even = even_exposure(image)
     padded = cv2.copyMakeBorder(even, 0, -height % 32, 0, -width % 32, cv2.BORDER_REFLECT_101)
-    tensor = torch.from_numpy(np.ascontiguousarray(padded[..., ::-1], np.float32)).permute(2, 0, 1)[None]
+    tensor = torch.from_numpy(np.ascontiguousarray(padded[..., ::-1], np.float32)).permute(2, 0, 1)[
+        None
+    ]
     with torch.no_grad(), torch.autocast("cpu", torch.bfloat16):
         maps = net(tensor).float().numpy()[0]
-    return np.stack([cv2.resize(m, padded.shape[1::-1], interpolation=cv2.INTER_LINEAR)[:height, :width] for m in maps])
+    return np.stack(
+        [
+            cv2.resize(m, padded.shape[1::-1], interpolation=cv2.INTER_LINEAR)[:height, :width]
+            for m in maps
+        ]
+    )

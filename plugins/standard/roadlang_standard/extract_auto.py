@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Extractor, Length, Number, PixelPoint, list_of, option
+from roadlang.api import Extractor, Flag, Length, Number, PixelPoint, Scale, list_of, option
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
+
+    from .extract_aerial import Aerial
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,13 @@ class Auto(Extractor):
     )
     leave_out: list_of(list_of(PixelPoint, at_least=2)) = option(  # type: ignore[valid-type]
         (), help="boxes without roads, each as two corners: a hint for photos"
+    )
+    only_through: Flag = option(False, help="keep only the roads that `through` points lie on")
+    resolution: Scale = option(
+        "auto",
+        words=("auto", "unknown"),
+        above=0,
+        help="ground resolution to reckon with in photos; auto: the image's scale",
     )
 
     def extract(self, picture: Picture) -> Extraction:
@@ -45,6 +54,17 @@ class Auto(Extractor):
             if seen.drawn and not self.through:
                 found = Contour(threshold=self.threshold, width=self.width).extract(picture)
             else:
-                hints = (self.through, self.leave_out)
-                found = Aerial(self.threshold, self.width, *hints).extract(picture)
-        return replace(found, remarks=(f"read as a {kind}", *found.remarks))
+                found = self._aerial(Aerial).extract(picture)
+        article = "an" if kind[0] in "aeiou" else "a"
+        return replace(found, remarks=(f"read as {article} {kind}", *found.remarks))
+
+    def _aerial(self, kind: type[Aerial]) -> Aerial:
+        """The photo's kind with this one's options."""
+        return kind(
+            threshold=self.threshold,
+            width=self.width,
+            through=self.through,
+            leave_out=self.leave_out,
+            only_through=self.only_through,
+            resolution=self.resolution,
+        )

@@ -34,6 +34,8 @@ class RoadBatch:
     """`over: [a, b]` of the pass that perturbs it: arc lengths, or (V, 1) columns of such"""
     others: tuple[RoadBatch, ...] = ()
     """the other roads of the same network, for clearance"""
+    confidence: float = 1.0
+    """how sure the extractor is of the road, 0 to 1"""
 
     @property
     def stations(self) -> Floats:

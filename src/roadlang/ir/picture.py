@@ -94,7 +94,8 @@ class Extraction:
     """Roads in metres, objects of the legend, how sure the extractor is (0 to 1), remarks.
 
     `mask`: (height, width) bool, the pixels taken for road, where the extractor has one: tiles
-    are built from it.
+    are built from it. `width_errors`: metres, the standard deviation of what was measured of each
+    road's width, in the order of the network's edges, where the extractor knows it.
     """
 
     network: RoadNetwork
@@ -102,3 +103,4 @@ class Extraction:
     confidence: float = 1.0
     remarks: tuple[str, ...] = ()
     mask: NDArray[np.bool_] | None = None
+    width_errors: tuple[float, ...] = ()

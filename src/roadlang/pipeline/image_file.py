@@ -75,7 +75,7 @@ def _check_size(header: Header, written: str, span: Span | None) -> None:
         raise _refusal("RL405", span, written, size=size)
 
 
-def _refusal(code: str, span: Span | None, written: str, **values: object) -> DiagnosticError:
+def _refusal(code: str, span: Span | None, written: str, **values: str) -> DiagnosticError:
     path = None if span is not None else written
     return DiagnosticError(diagnose(code, span, path=path, file=written, **values))
 
@@ -115,7 +115,7 @@ def _as_colours(pixels: NDArray[np.generic]) -> Pixels:
 
 def _as_bytes(pixels: NDArray[np.generic]) -> Pixels:
     if pixels.dtype == np.uint8:
-        return pixels.astype(np.uint8, copy=False)
+        return np.asarray(pixels, np.uint8)
     numbers = np.nan_to_num(pixels.astype(np.float32), nan=0.0, posinf=0.0, neginf=0.0)
     low, high = float(numbers.min()), float(numbers.max())
     if pixels.dtype == np.uint16 and high > 4095:

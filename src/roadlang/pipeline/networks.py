@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -75,9 +75,11 @@ def edge_batch(network: Network, edge: int, variants: Variants) -> RoadBatch:
 def _still_edge(network: Network, edge: int, variants: Variants) -> RoadBatch:
     root = network_root(network, variants)
     frame = root.frame(edge)
-    width: WidthProfile = root.network.edge(edge).width
+    found = root.network.edge(edge)
+    width: WidthProfile = found.width
     name = f"{root.name}/{edge}"
-    return still(name, name, frame, width.at(frame.stations)[None, :])
+    batch = still(name, name, frame, width.at(frame.stations)[None, :])
+    return replace(batch, confidence=found.confidence)
 
 
 def _bent(batch: RoadBatch, network: Network, edge: int, variants: Variants) -> RoadBatch:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .clean import contract, join, prune
 from .drafting import Draft, draft, usual_width_of
-from .evidence import Evidence, Predictor, evidence, road_net
+from .evidence import Evidence, Net, evidence, road_net
 from .found import FoundNetwork
 from .graph import Graph, trace
 from .hints import leave_out, paint, way_through
@@ -32,13 +32,15 @@ class Request:
     """What the user says, in pixels of the picture; all of it optional.
 
     `threshold` is the least evidence of a road, 0..1; `through` points (x, y) that roads pass
-    through; `leave_out` boxes given by corners.
+    through, in order along a road; `only_through` drops all other roads; `leave_out` boxes given by
+    corners.
     """
 
     threshold: float | None = None
     width: float | None = None
     through: tuple[tuple[float, float], ...] = ()
     leave_out: tuple[tuple[tuple[float, float], ...], ...] = ()
+    only_through: bool = False
     min_length: float | None = None
     metres_per_pixel: float | None = None
 
@@ -71,27 +73,27 @@ class Cutoffs:
 
 
 def roads_of_photo(
-    image: Image, request: Request = Request(), predict: Predictor | None = None
+    image: Image, request: Request = Request(), net: Net | None = None
 ) -> FoundNetwork:
     """The road network of a photo (h, w, 3)."""
-    predict = predict or road_net()
+    net = net or road_net()
     scale = start_scale(image, request.metres_per_pixel)
-    seen = look(resized(image, scale), predict)
+    seen = look(resized(image, scale), net)
     usual = _usual(seen)
     if usual > _WIDE and request.metres_per_pixel is None:
         scale *= _HANDY / usual
-        seen = look(resized(image, scale), predict)
+        seen = look(resized(image, scale), net)
     found = roads_of_evidence(seen, request.at(scale))
     found = found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
 
 
-def look(image: Image, predict: Predictor) -> Evidence:
+def look(image: Image, net: Net) -> Evidence:
     """Evidence at the picture's size, blended with that of a half-size view."""
-    fine = evidence(image, predict)
+    fine = evidence(image, net)
     if min(image.shape[:2]) < 96:
         return fine
-    coarse = evidence(resized(image, 0.5), predict)
+    coarse = evidence(resized(image, 0.5), net)
     size = image.shape[1::-1]
     both = []
     for near, far in ((fine.surface, coarse.surface), (fine.line, coarse.line)):
@@ -113,7 +115,9 @@ def roads_of_evidence(
     """Trace, tidy, link and draw what the net saw; the hints are those of `request`."""
     if request.threshold is not None:
         strong = request.threshold + 0.5 * (1 - request.threshold)
-        cutoffs = replace(cutoffs, strong=strong, weak=request.threshold, floor=0.8 * request.threshold)
+        cutoffs = replace(
+            cutoffs, strong=strong, weak=request.threshold, floor=0.8 * request.threshold
+        )
     if request.min_length is not None:
         cutoffs = replace(cutoffs, spur=request.min_length)
     surface = seen.surface.copy()
@@ -122,12 +126,29 @@ def roads_of_evidence(
     if len(request.through) > 1:
         way = way_through(score, np.array(request.through, float))
         paint(surface, score, way, request.width or max(5.0, _usual(seen)))
-        cutoffs = replace(cutoffs, strong=max(cutoffs.strong, 0.95), crumb=2 * cutoffs.crumb)
+        if request.only_through:
+            _forget_others(surface, score, way, cutoffs.weak)
     mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
     graph = trace(skeleton(mask))
     usual = usual_width_of(graph, mask)
     _tidy(graph, score, usual, cutoffs)
     return draft(graph, surface, score, Draft(usual, fixed_width=request.width), "aerial")
+
+
+def _forget_others(surface: np.ndarray, score: np.ndarray, way: np.ndarray, weak: float) -> None:
+    """Clear all evidence that lies off the way, in place."""
+    width = max(5.0, 2.0 * _reach_of(score, way, weak))
+    near = np.zeros_like(score)
+    paint(near, near, way, width)
+    surface[near <= 0] = 0
+    score[near <= 0] = 0
+
+
+def _reach_of(score: np.ndarray, way: np.ndarray, weak: float) -> float:
+    """Usual distance from the way to the edge of the evidence about it."""
+    inner = cv2.distanceTransform((score > weak).astype(np.uint8), cv2.DIST_L2, 5)
+    x, y = np.clip(np.round(way).astype(int), 0, np.array(score.shape[::-1]) - 1).T
+    return float(np.median(inner[y, x]))
 
 
 def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> None:

@@ -33,10 +33,14 @@ def _merge(graph: Graph, bridge: Line) -> None:
         for end, node in ((0, line.start), (-1, line.end)):
             if node == kept:
                 line.points[end] = graph.nodes[kept]
-    graph.lines = [line for line in graph.lines if not (line.closed and line.length < 3 * bridge.length + 6)]
+    graph.lines = [
+        line for line in graph.lines if not (line.closed and line.length < 3 * bridge.length + 6)
+    ]
 
 
-def prune(graph: Graph, least: float, shape: tuple[int, int] | None = None, margin: float = 4.0) -> None:
+def prune(
+    graph: Graph, least: float, shape: tuple[int, int] | None = None, margin: float = 4.0
+) -> None:
     """Cut dead ends shorter than `least` pixels, shortest first; those at the border stay. In place."""
     while True:
         degree = graph.degree()
@@ -46,7 +50,9 @@ def prune(graph: Graph, least: float, shape: tuple[int, int] | None = None, marg
             if not line.closed
             and line.length < least
             and (degree[line.start] == 1) != (degree[line.end] == 1)
-            and not at_border(graph.nodes[line.start if degree[line.start] == 1 else line.end], shape, margin)
+            and not at_border(
+                graph.nodes[line.start if degree[line.start] == 1 else line.end], shape, margin
+            )
         ]
         if not spurs:
             break
@@ -81,12 +87,16 @@ def join(graph: Graph) -> None:
         b = second.points if second.start == node else second.points[::-1]
         start = first.start if first.end == node else first.end
         end = second.end if second.start == node else second.start
-        share = (first.linked * first.length + second.linked * second.length) / max(1e-9, first.length + second.length)
+        share = (first.linked * first.length + second.linked * second.length) / max(
+            1e-9, first.length + second.length
+        )
         whole = Line(start, end, np.vstack([a, b[1:]]), share)
         graph.lines = [line for line in graph.lines if line is not first and line is not second]
         graph.lines.append(whole)
         for other in {start, end}:
-            at[other] = [line for line in at.get(other, []) if line is not first and line is not second] + [whole]
+            at[other] = [
+                line for line in at.get(other, []) if line is not first and line is not second
+            ] + [whole]
     graph.drop_lonely()
 
 
@@ -110,6 +120,11 @@ def components(graph: Graph) -> list[list[Line]]:
 
 def drop_crumbs(graph: Graph, least: float) -> None:
     """Forget connected parts shorter than `least` pixels in all, in place."""
-    kept = {id(line) for part in components(graph) if sum(x.length for x in part) >= least for line in part}
+    kept = {
+        id(line)
+        for part in components(graph)
+        if sum(x.length for x in part) >= least
+        for line in part
+    }
     graph.lines = [line for line in graph.lines if id(line) in kept]
     graph.drop_lonely()

@@ -46,7 +46,9 @@ def draft(graph: Graph, surface: Layer, score: Layer, manner: Draft, method: str
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
-    roads = tuple(_road(line, curves[id(line)], index, surface, score, manner) for line in graph.lines)
+    roads = tuple(
+        _road(line, curves[id(line)], index, surface, score, manner) for line in graph.lines
+    )
     return FoundNetwork(nodes, roads, surface >= 0.5, method)
 
 
@@ -100,7 +102,9 @@ def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
     if manner.recentre:
         curve = resample(np.vstack([curve, curve[:1]]))[:-1]
         seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3)
-        whole = recentred(np.vstack([curve, curve[:1]]), seen, 0.8 * manner.waves, False, keep_ends=False)
+        whole = recentred(
+            np.vstack([curve, curve[:1]]), seen, 0.8 * manner.waves, False, keep_ends=False
+        )
         curve = smooth(resample(whole)[:-1], 0.6 * manner.waves, tolerance, tightest, closed=True)
     return np.vstack([curve, curve[:1]])
 
@@ -120,7 +124,9 @@ def _split(
         goal = placed.get(node, graph.nodes[node])
         expected = np.abs(station / station[-1] - reached / lengths[-1]) * station[-1]
         away = np.hypot(*(curve - goal).T) + 0.05 * expected
-        cut = int(np.clip(np.argmin(away), cuts[-1] + 1, len(curve) - 1 - (len(chain.parts) - len(cuts))))
+        cut = int(
+            np.clip(np.argmin(away), cuts[-1] + 1, len(curve) - 1 - (len(chain.parts) - len(cuts)))
+        )
         placed.setdefault(node, curve[cut])
         cuts.append(cut)
     cuts.append(len(curve) - 1)
@@ -152,7 +158,9 @@ def _road(
     else:
         wide, spread = widths(seen, manner.width, 4 * manner.waves / 2, closed)
     at = points.astype(np.float32).reshape(1, -1, 2)
-    evidence = cv2.remap(score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    evidence = cv2.remap(
+        score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
+    )
     confidence = float(np.clip(evidence.mean(), 0, 1)) * (1 - 0.5 * line.linked)
     return FoundRoad(
         index[line.start], index[line.end], points, wide, spread, round(confidence, 4), line.linked

@@ -37,7 +37,9 @@ def roads_of_drawing(image: Image, spline: bool = True) -> FoundNetwork:
     if between is not None:
         found = roads_of_surface(between, "edge lines", spline)
         return replace(found, mask=between >= 0.5)
-    layers = [layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)]
+    layers = [
+        layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
+    ]
     best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
     return roads_of_surface(best, "filled road", spline)
 
@@ -104,7 +106,9 @@ def _pen_width(ink: Mask) -> float:
 
 def _ribbons(ink: Mask) -> list[Ribbon]:
     """The road-like regions of the paper: the longest, and pieces as wide as it."""
-    count, labels, stats, _ = cv2.connectedComponentsWithStats((~ink).astype(np.uint8), connectivity=4)
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(
+        (~ink).astype(np.uint8), connectivity=4
+    )
     found = []
     for key in range(1, count):
         x, y, w, h, area = stats[key]

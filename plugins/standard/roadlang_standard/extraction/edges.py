@@ -52,9 +52,17 @@ def normals(points: Floats) -> Floats:
     return np.c_[-tangent[:, 1], tangent[:, 0]]
 
 
-def _sampled(surface: NDArray[np.float32], at: NDArray[np.float32], rows: int = 4096) -> NDArray[np.float32]:
+def _sampled(
+    surface: NDArray[np.float32], at: NDArray[np.float32], rows: int = 4096
+) -> NDArray[np.float32]:
     pieces = [
-        cv2.remap(surface, at[i : i + rows, :, 0], at[i : i + rows, :, 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        cv2.remap(
+            surface,
+            at[i : i + rows, :, 0],
+            at[i : i + rows, :, 1],
+            cv2.INTER_LINEAR,
+            borderMode=cv2.BORDER_REPLICATE,
+        )
         for i in range(0, len(at), rows)
     ]
     return np.vstack(pieces)
@@ -66,7 +74,9 @@ def usual_width(found: Sides) -> float:
     return float(np.median(widths)) if len(widths) else float("nan")
 
 
-def recentred(points: Floats, found: Sides, wavelength: float, closed: bool, keep_ends: bool = True) -> Floats:
+def recentred(
+    points: Floats, found: Sides, wavelength: float, closed: bool, keep_ends: bool = True
+) -> Floats:
     """The line moved half-way between its edges, by offsets that vary slowly."""
     width = usual_width(found)
     good = found.seen & (np.abs(found.left + found.right - width) < 0.35 * width)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -27,15 +28,20 @@ class Evidence:
     line: Layer
 
 
-Predictor = Callable[[Image], NDArray[np.float32]]
-"""From an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2)."""
+@dataclass(frozen=True)
+class Net:
+    """A net that OpenCV reads, and the digest of its file."""
+
+    predict: Callable[[Image], NDArray[np.float32]]
+    """from an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2)"""
+    digest: str
 
 
 @lru_cache(maxsize=4)
-def road_net(path: str = "") -> Predictor:
-    """The net in an ONNX file, read by OpenCV; the shipped one without a path.
+def road_net(path: str = "") -> Net:
+    """The net in an ONNX file; the shipped one without a path. A net of one map serves as both.
 
-    A net of one map serves as both. Raises cv2.error for a file that is no such net.
+    Raises OSError for a file that cannot be read and cv2.error for one that is no net.
     """
     data = Path(path).read_bytes() if path else _shipped()
     net = cv2.dnn.readNetFromONNX(np.frombuffer(data, np.uint8))
@@ -45,19 +51,36 @@ def road_net(path: str = "") -> Predictor:
         maps = np.asarray(net.forward(), np.float32)[0]
         return maps if len(maps) >= 2 else np.repeat(maps, 2, axis=0)
 
-    return predict
+    return Net(predict, hashlib.sha256(data).hexdigest())
+
+
+def checked_net(path: str) -> Net:
+    """A user's net, tried on a tile. Raises DiagnosticError RL424 for what is no road net."""
+    from roadlang.api import DiagnosticError, diagnose
+
+    try:
+        net = road_net(path)
+        maps = net.predict(np.full((64, 64, 3), 115, np.uint8))
+        if maps.shape != (2, 32, 32) or not np.isfinite(maps).all():
+            raise ValueError(f"gives maps of shape {maps.shape} for a tile of 64 x 64")
+        if maps.min() < 0 or maps.max() > 1:
+            raise ValueError("gives values outside 0 to 1: end it with a sigmoid")
+    except (OSError, ValueError, IndexError, cv2.error) as error:
+        reason = getattr(error, "err", None) or str(error).splitlines()[0]
+        raise DiagnosticError(diagnose("RL424", path=path, file=path, reason=reason)) from None
+    return net
 
 
 def _shipped() -> bytes:
     return files(__package__).joinpath("weights", "roads.onnx").read_bytes()
 
 
-def evidence(image: Image, predict: Predictor, mirrored: bool = True) -> Evidence:
+def evidence(image: Image, net: Net, mirrored: bool = True) -> Evidence:
     """The maps of a picture (h, w, 3) at its own size; mirrored, two views are averaged."""
     even = even_exposure(image)
-    maps = _tiled(even, predict)
+    maps = _tiled(even, net)
     if mirrored:
-        maps += _tiled(np.ascontiguousarray(even[:, ::-1]), predict)[:, :, ::-1]
+        maps += _tiled(np.ascontiguousarray(even[:, ::-1]), net)[:, :, ::-1]
         maps /= 2
     height, width = image.shape[:2]
     size = (2 * maps.shape[2], 2 * maps.shape[1])
@@ -65,7 +88,7 @@ def evidence(image: Image, predict: Predictor, mirrored: bool = True) -> Evidenc
     return Evidence(np.ascontiguousarray(full[0]), np.ascontiguousarray(full[1]))
 
 
-def _tiled(image: Image, predict: Predictor) -> NDArray[np.float32]:
+def _tiled(image: Image, net: Net) -> NDArray[np.float32]:
     """Maps (2, ceil(h/2), ceil(w/2)); tiles overlap and fade into each other."""
     height, width = image.shape[:2]
     rows, columns = -(-height // 2), -(-width // 2)
@@ -73,19 +96,31 @@ def _tiled(image: Image, predict: Predictor) -> NDArray[np.float32]:
     weight = np.zeros((rows, columns), np.float32)
     for top, bottom in _spans(height):
         for left, right in _spans(width):
-            maps = _predicted(image[top:bottom, left:right], predict)
-            fade = np.outer(_fade(top, bottom, height), _fade(left, right, width)).astype(np.float32)
-            here = (slice(top // 2, top // 2 + maps.shape[1]), slice(left // 2, left // 2 + maps.shape[2]))
+            maps = _predicted(image[top:bottom, left:right], net)
+            fade = np.outer(_fade(top, bottom, height), _fade(left, right, width)).astype(
+                np.float32
+            )
+            here = (
+                slice(top // 2, top // 2 + maps.shape[1]),
+                slice(left // 2, left // 2 + maps.shape[2]),
+            )
             total[(slice(None), *here)] += maps * fade
             weight[here] += fade
     return total / weight
 
 
-def _predicted(tile: Image, predict: Predictor) -> NDArray[np.float32]:
+def _predicted(tile: Image, net: Net) -> NDArray[np.float32]:
     height, width = tile.shape[:2]
     down, right = -height % 32, -width % 32
-    padded = cv2.copyMakeBorder(tile, 0, down, 0, right, cv2.BORDER_REFLECT_101 if min(height, width) > 32 else cv2.BORDER_REPLICATE)
-    return predict(padded)[:2, : -(-height // 2), : -(-width // 2)]
+    padded = cv2.copyMakeBorder(
+        tile,
+        0,
+        down,
+        0,
+        right,
+        cv2.BORDER_REFLECT_101 if min(height, width) > 32 else cv2.BORDER_REPLICATE,
+    )
+    return net.predict(padded)[:2, : -(-height // 2), : -(-width // 2)]
 
 
 def _spans(size: int) -> Iterator[tuple[int, int]]:

@@ -68,10 +68,18 @@ class FoundNetwork:
 
         roads = tuple(
             FoundRoad(
-                r.start, r.end, moved(r.points), r.widths * factor, r.width_error * factor, r.confidence, r.linked
+                r.start,
+                r.end,
+                moved(r.points),
+                r.widths * factor,
+                r.width_error * factor,
+                r.confidence,
+                r.linked,
             )
             for r in self.roads
         )
-        mask = cv2.resize(self.mask.astype(np.uint8), shape[::-1], interpolation=cv2.INTER_NEAREST) > 0
+        mask = (
+            cv2.resize(self.mask.astype(np.uint8), shape[::-1], interpolation=cv2.INTER_NEAREST) > 0
+        )
         nodes = moved(self.nodes) if len(self.nodes) else self.nodes
         return FoundNetwork(nodes, roads, mask, self.method, self.remarks, self.scores)

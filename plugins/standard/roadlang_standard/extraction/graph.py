@@ -65,7 +65,9 @@ def trace(skeleton: Mask) -> Graph:
     padded = np.pad(skeleton, 1)
     junctions = _junctions(padded)
     graph, owner = Graph(), {}
-    count, labels, _, centres = cv2.connectedComponentsWithStats(junctions.astype(np.uint8), connectivity=8)
+    count, labels, _, centres = cv2.connectedComponentsWithStats(
+        junctions.astype(np.uint8), connectivity=8
+    )
     for key in range(1, count):
         graph.nodes[key] = centres[key] - 1.0
     for flat in np.flatnonzero(junctions):
@@ -77,7 +79,16 @@ def trace(skeleton: Mask) -> Graph:
 def _junctions(padded: Mask) -> Mask:
     """Pixels where at least three branches meet (crossing number), and knots of them."""
     p = padded.astype(np.int8)
-    ring = [p[:-2, 1:-1], p[:-2, 2:], p[1:-1, 2:], p[2:, 2:], p[2:, 1:-1], p[2:, :-2], p[1:-1, :-2], p[:-2, :-2]]
+    ring = [
+        p[:-2, 1:-1],
+        p[:-2, 2:],
+        p[1:-1, 2:],
+        p[2:, 2:],
+        p[2:, 1:-1],
+        p[2:, :-2],
+        p[1:-1, :-2],
+        p[:-2, :-2],
+    ]
     neighbours = sum(ring)
     rises = sum((ring[i] == 0) & (ring[(i + 1) % 8] == 1) for i in range(8))
     found = np.zeros_like(padded)
@@ -94,12 +105,21 @@ def _walk(graph: Graph, padded: Mask, owner: dict[int, int], stride: int) -> Non
         while True:
             path.append(pixel)
             free.discard(pixel)
-            hit = next((owner[pixel + s] for s in steps if pixel + s in owner and _fresh(path, start, owner[pixel + s])), None)
+            hit = next(
+                (
+                    owner[pixel + s]
+                    for s in steps
+                    if pixel + s in owner and _fresh(path, start, owner[pixel + s])
+                ),
+                None,
+            )
             if hit is not None:
                 return _add(graph, start, hit, path, stride)
             onward = next((pixel + s for s in steps if pixel + s in free), None)
             if onward is None:
-                back = len(path) > 2 and any(pixel + s in owner and owner[pixel + s] == start for s in steps)
+                back = len(path) > 2 and any(
+                    pixel + s in owner and owner[pixel + s] == start for s in steps
+                )
                 return _add(graph, start, start if back else None, path, stride)
             pixel = onward
 

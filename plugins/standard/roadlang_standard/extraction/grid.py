@@ -32,7 +32,9 @@ def roads_of_cells(road: NDArray[np.bool_], thickness: float = 1.0) -> FoundNetw
         for cell in (path[0], path[-1]):
             index.setdefault(cell, len(index))
     nodes = np.array([(x, y) for y, x in index], float).reshape(-1, 2)
-    return FoundNetwork(nodes, tuple(_road(path, index, thickness) for path in roads), road, "cells")
+    return FoundNetwork(
+        nodes, tuple(_road(path, index, thickness) for path in roads), road, "cells"
+    )
 
 
 def _links(road: NDArray[np.bool_]) -> dict[Cell, list[Cell]]:
@@ -47,7 +49,11 @@ def _links(road: NDArray[np.bool_]) -> dict[Cell, list[Cell]]:
 
 
 def _follow(
-    start: Cell, step: Cell, links: dict[Cell, list[Cell]], ends: set[Cell], used: set[tuple[Cell, Cell]]
+    start: Cell,
+    step: Cell,
+    links: dict[Cell, list[Cell]],
+    ends: set[Cell],
+    used: set[tuple[Cell, Cell]],
 ) -> list[Cell]:
     path = [start, step]
     used |= {(start, step), (step, start)}

@@ -35,7 +35,9 @@ def read_text(
 ) -> tuple[FoundNetwork, tuple[Thing, ...]]:
     """Roads between the centres of road characters, and one thing per other character of the legend."""
     width = max((len(row) for row in rows), default=0)
-    cells = np.array([list(row.ljust(width)) for row in rows], dtype="<U1").reshape(len(rows), width)
+    cells = np.array([list(row.ljust(width)) for row in rows], dtype="<U1").reshape(
+        len(rows), width
+    )
     kinds = {character: kind for character, kind in legend.items()}
     road = np.isin(cells, [c for c, kind in kinds.items() if kind == ROAD])
     things = tuple(
@@ -59,7 +61,10 @@ def read_colours(
     roads = [i for i, name in enumerate(names) if legend[name] == ROAD]
     road = np.isin(label, roads)
     things = tuple(
-        thing for i, name in enumerate(names) if i not in roads for thing in _things(label == i, legend[name])
+        thing
+        for i, name in enumerate(names)
+        if i not in roads
+        for thing in _things(label == i, legend[name])
     )
     inner = cv2.distanceTransform(np.pad(road.astype(np.uint8), 1), cv2.DIST_L2, 5)
     if inner.max() <= 1.5:

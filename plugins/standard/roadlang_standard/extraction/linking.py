@@ -43,7 +43,11 @@ def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
     price = np.pad(-np.log(np.clip(coarse, 1e-3, 1)) + _FLOOR, _RADIUS, constant_values=9.0)
     for _ in range(3):
         owner = _owners(graph, coarse.shape, step)
-        bridges = [b for node in _dead_ends(graph, score.shape) if (b := _bridge(graph, node, price, owner, step, worst))]
+        bridges = [
+            b
+            for node in _dead_ends(graph, score.shape)
+            if (b := _bridge(graph, node, price, owner, step, worst))
+        ]
         if not bridges:
             return
         for bridge in sorted(bridges, key=lambda item: item.cost):
@@ -65,14 +69,26 @@ def _owners(graph: Graph, shape: tuple[int, ...], step: float) -> NDArray[np.int
     canvas = np.zeros(shape, np.float32)
     for index, line in enumerate(graph.lines):
         at = (line.points + 0.5) / step - 0.5
-        cv2.polylines(canvas, [np.round(at * 16).astype(np.int32)], False, index + 1, 1, cv2.LINE_8, 4)
+        cv2.polylines(
+            canvas, [np.round(at * 16).astype(np.int32)], False, index + 1, 1, cv2.LINE_8, 4
+        )
     return np.pad(canvas.astype(np.int32), _RADIUS)
 
 
 def _bridge(
-    graph: Graph, node: int, price: NDArray[np.float64], owner: NDArray[np.int32], step: float, worst: float
+    graph: Graph,
+    node: int,
+    price: NDArray[np.float64],
+    owner: NDArray[np.int32],
+    step: float,
+    worst: float,
 ) -> Bridge | None:
-    index, side = next((i, s) for i, line in enumerate(graph.lines) for s, n in ((0, line.start), (1, line.end)) if n == node)
+    index, side = next(
+        (i, s)
+        for i, line in enumerate(graph.lines)
+        for s, n in ((0, line.start), (1, line.end))
+        if n == node
+    )
     line = graph.lines[index]
     x, y = np.round((graph.nodes[node] + 0.5) / step - 0.5).astype(int)
     window = (slice(y, y + _SIDE), slice(x, x + _SIDE))
@@ -83,7 +99,9 @@ def _bridge(
     there = owner[window].ravel().copy()
     there[_near_own(line, side, index, there, step)] = 0
     centre = _RADIUS * _SIDE + _RADIUS
-    far, before = dijkstra(_grid(costs), indices=centre, limit=worst * _RADIUS, return_predecessors=True)
+    far, before = dijkstra(
+        _grid(costs), indices=centre, limit=worst * _RADIUS, return_predecessors=True
+    )
     goals = np.flatnonzero((there > 0) & np.isfinite(far))
     if not len(goals):
         return None
@@ -91,14 +109,23 @@ def _bridge(
     way = [goal]
     while way[-1] != centre:
         way.append(int(before[way[-1]]))
-    cells = np.array([(cell % _SIDE + x - _RADIUS, cell // _SIDE + y - _RADIUS) for cell in reversed(way)])
+    cells = np.array(
+        [(cell % _SIDE + x - _RADIUS, cell // _SIDE + y - _RADIUS) for cell in reversed(way)]
+    )
     length = float(stations(cells.astype(float))[-1])
     if length < 1 or far[goal] / length > worst:
         return None
-    return Bridge(node, graph.lines[int(there[goal]) - 1], (cells + 0.5) * step - 0.5, float(far[goal] / length))
+    return Bridge(
+        node,
+        graph.lines[int(there[goal]) - 1],
+        (cells + 0.5) * step - 0.5,
+        float(far[goal] / length),
+    )
 
 
-def _near_own(line: Line, side: int, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
+def _near_own(
+    line: Line, side: int, index: int, there: NDArray[np.int32], step: float
+) -> NDArray[np.bool_]:
     """The line's own pixels near its end: it may meet itself only after a long way round."""
     own = there == index + 1
     return own if line.length < 6 * _RADIUS * step else own & _close(own)

@@ -9,7 +9,13 @@ import numpy as np
 from .drawing import between_lines
 from .tones import Image, flatness, tones
 
-PHOTO, MASK, FILLED, EDGES, MAP = "photo", "mask", "filled drawing", "edge-line drawing", "colour map"
+PHOTO, MASK, FILLED, EDGES, MAP = (
+    "photo",
+    "mask",
+    "filled drawing",
+    "edge-line drawing",
+    "colour map",
+)
 
 
 @dataclass(frozen=True)

@@ -70,7 +70,9 @@ def curvature(points: Floats, closed: bool = False) -> Floats:
     return bend[2:-2] if closed else bend
 
 
-def smooth_values(values: Floats, wavelength: float, closed: bool = False, weights: Floats | None = None) -> Floats:
+def smooth_values(
+    values: Floats, wavelength: float, closed: bool = False, weights: Floats | None = None
+) -> Floats:
     """Values (n,) at even points rid of waves shorter than `wavelength`; ends are free."""
     if len(values) < 5:
         return values

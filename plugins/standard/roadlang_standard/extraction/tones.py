@@ -69,7 +69,10 @@ def flatness(image: Image, spread: int = 10) -> float:
     height, width = image.shape[0] // rows, image.shape[1] // columns
     patches = image[: min(image.shape[0], 700), : min(image.shape[1], 700)]
     if rows > 1 or columns > 1:
-        corner = ((image.shape[0] - min(700, height * rows)) // 2, (image.shape[1] - min(700, width * columns)) // 2)
+        corner = (
+            (image.shape[0] - min(700, height * rows)) // 2,
+            (image.shape[1] - min(700, width * columns)) // 2,
+        )
         patches = image[corner[0] : corner[0] + 700, corner[1] : corner[1] + 700]
     kernel = np.ones((3, 3), np.uint8)
     spreads = cv2.subtract(cv2.dilate(patches, kernel), cv2.erode(patches, kernel)).max(axis=2)

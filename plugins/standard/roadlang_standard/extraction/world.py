@@ -12,7 +12,8 @@ from .legend import Thing
 from .smoothing import resample
 
 if TYPE_CHECKING:
-    from roadlang.api import Extraction, Picture
+    from roadlang.api import Extraction, FoundObject, Picture
+    from roadlang.geometry import Curve
 
 _DOUBTFUL = 0.5
 
@@ -25,13 +26,14 @@ def extraction(
     from roadlang.geometry import Edge, Node, RoadNetwork
 
     where = picture.to_world(found.nodes) if len(found.nodes) else found.nodes
-    edges = []
+    edges, errors = [], []
     for road in found.roads:
         curve = _curve(picture, road, where, cells=found.method == "cells")
         if curve is not None:
             widths = np.maximum(road.widths * picture.scale, 1e-3)
             ids = (road.start, road.end)
             edges.append(Edge(len(edges) + 1, *ids, curve, widths, road.confidence))
+            errors.append(float(road.width_error * picture.scale))
     used = {node for edge in edges for node in (edge.start, edge.end)}
     nodes = tuple(Node(i, (float(x), float(y))) for i, (x, y) in enumerate(where) if i in used)
     return Extraction(
@@ -40,10 +42,11 @@ def extraction(
         round(found.confidence, 4),
         (*remarks, *found.remarks, *_doubts(found)),
         found.mask,
+        tuple(errors),
     )
 
 
-def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool):  # type: ignore[no-untyped-def]
+def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool) -> Curve | None:
     """A spline through points about half a width apart; None for a road without length."""
     from roadlang.geometry import Curve
 
@@ -58,7 +61,7 @@ def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool):  # ty
     return Curve.through(world) if len(world) > 1 and not road.closed else None
 
 
-def _object(picture: Picture, thing: Thing):  # type: ignore[no-untyped-def]
+def _object(picture: Picture, thing: Thing) -> FoundObject:
     from roadlang.api import FoundObject
 
     x, y = picture.to_world(np.array([[thing.x, thing.y]]))[0]
@@ -76,7 +79,9 @@ def _doubts(found: FoundNetwork) -> list[str]:
     for road in doubtful[:5]:
         x, y = road.points[len(road.points) // 2]
         share = f"{road.confidence:.0%}"
-        lines.append(f"a road of {road.length:.0f} px at ({x:.0f}px, {y:.0f}px) is only {share} sure")
+        lines.append(
+            f"a road of {road.length:.0f} px at ({x:.0f}px, {y:.0f}px) is only {share} sure"
+        )
     if len(doubtful) > 5:
         lines.append(f"{len(doubtful) - 5} more roads are less than {_DOUBTFUL:.0%} sure")
     return lines

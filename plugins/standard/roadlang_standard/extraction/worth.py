@@ -16,7 +16,11 @@ Layer = NDArray[np.float32]
 def mean_evidence(line: Line, score: Layer) -> float:
     """Mean of the score (h, w) along a line."""
     at = resample(line.points, 2.0).astype(np.float32).reshape(1, -1, 2)
-    return float(cv2.remap(score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).mean())
+    return float(
+        cv2.remap(
+            score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
+        ).mean()
+    )
 
 
 def worth(line: Line, score: Layer, floor: float) -> float:

@@ -139,9 +139,7 @@ def _drive(rng: np.random.Generator, setting: Setting, image: Layer, house: Buil
         _lane(rng, setting, image, yard, rng.uniform(5, 10))
 
 
-def _way_round(
-    rng: np.random.Generator, setting: Setting, image: Layer, house: Building
-) -> None:
+def _way_round(rng: np.random.Generator, setting: Setting, image: Layer, house: Building) -> None:
     """A service lane about a large building."""
     turns = np.linspace(0, 2 * np.pi, 9)[:-1]
     around = np.c_[np.cos(turns), np.sin(turns)] * (house.half + rng.uniform(5, 12)) * 1.2

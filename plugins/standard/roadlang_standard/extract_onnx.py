@@ -1,0 +1,26 @@
+"""`extract with onnx`: a road net of your own, through the same back end as the shipped one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import File, option
+
+from .extract_aerial import Aerial
+
+if TYPE_CHECKING:
+    from roadlang.ir.picture import Extraction, Picture
+
+
+@dataclass(frozen=True, kw_only=True)
+class Onnx(Aerial):
+    """Your own net: RGB in 0..255 (1, 3, h, w) to one or two maps in 0..1 of half that size."""
+
+    name: ClassVar[str] = "onnx"
+    model: File = option(help="the ONNX file: road surface, and centre line if it has two maps")
+
+    def extract(self, picture: Picture) -> Extraction:
+        from .extraction.evidence import checked_net
+
+        return self.read(picture, checked_net(self.model))

@@ -1,0 +1,117 @@
+"""Photos read before: results kept by the digest of picture, request, net and code."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import io
+import os
+import tempfile
+import zipfile
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from .aerial import Request, roads_of_photo
+from .evidence import Net, road_net
+from .found import FoundNetwork, FoundRoad
+from .tones import Image
+
+
+def remembered(image: Image, request: Request, net: Net | None = None) -> FoundNetwork:
+    """The roads of a photo, read again only if anything that decides them has changed.
+
+    `ROADLANG_CACHE` names the folder, or is `off`; by default it is in the user's cache folder.
+    A cache that cannot be read or written is done without.
+    """
+    net = net or road_net()
+    folder = _folder()
+    if folder is None:
+        return roads_of_photo(image, request, net)
+    place = folder / f"{_digest(image, request, net)}.roads"
+    found = _read(place)
+    if found is None:
+        found = roads_of_photo(image, request, net)
+        _write(place, found)
+    return found
+
+
+def _folder() -> Path | None:
+    told = os.environ.get("ROADLANG_CACHE", "")
+    if told == "off":
+        return None
+    if told:
+        return Path(told)
+    home = os.environ.get("XDG_CACHE_HOME") or (Path.home() / ".cache")
+    return Path(home) / "roadlang" / "photos"
+
+
+def _digest(image: Image, request: Request, net: Net) -> str:
+    whole = hashlib.sha256(f"{image.shape} {request} {net.digest} {_code()}".encode())
+    whole.update(memoryview(image).cast("B") if image.flags.c_contiguous else image.tobytes())
+    return whole.hexdigest()
+
+
+@cache
+def _code() -> str:
+    """Digest of this folder's source: another back end gives other roads."""
+    sources = sorted(Path(__file__).parent.glob("*.py"))
+    return hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()
+
+
+def _read(place: Path) -> FoundNetwork | None:
+    with contextlib.suppress(OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        with np.load(place, allow_pickle=False) as stored:
+            return _unpacked(dict(stored))
+    return None
+
+
+def _write(place: Path, found: FoundNetwork) -> None:
+    buffer = io.BytesIO()
+    np.savez_compressed(buffer, **_packed(found))
+    with contextlib.suppress(OSError):
+        place.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=place.parent)
+        with os.fdopen(handle, "wb") as file:
+            file.write(buffer.getvalue())
+        os.replace(name, place)
+
+
+def _packed(found: FoundNetwork) -> dict[str, np.ndarray]:
+    roads = found.roads
+    return {
+        "nodes": found.nodes,
+        "ends": np.array([(road.start, road.end) for road in roads], int).reshape(-1, 2),
+        "counts": np.array([len(road.points) for road in roads], int),
+        "points": np.vstack([np.zeros((0, 2)), *[road.points for road in roads]]),
+        "widths": np.concatenate([np.zeros(0), *[road.widths for road in roads]]),
+        "doubts": np.array(
+            [(road.width_error, road.confidence, road.linked) for road in roads]
+        ).reshape(-1, 3),
+        "mask": np.packbits(found.mask),
+        "shape": np.array(found.mask.shape),
+        "words": np.array([found.method, *found.remarks]),
+        "score_names": np.array(list(found.scores), dtype=str),
+        "scores": np.array(list(found.scores.values()), float),
+    }
+
+
+def _unpacked(stored: dict[str, np.ndarray]) -> FoundNetwork:
+    cuts = np.cumsum(stored["counts"])[:-1]
+    shape = tuple(int(side) for side in stored["shape"])
+    mask = np.unpackbits(stored["mask"], count=shape[0] * shape[1]).reshape(shape).astype(bool)
+    parts = zip(
+        stored["ends"],
+        np.split(stored["points"], cuts),
+        np.split(stored["widths"], cuts),
+        stored["doubts"],
+        strict=False,
+    )
+    roads = tuple(
+        FoundRoad(int(start), int(end), points, widths, *map(float, doubts))
+        for (start, end), points, widths, doubts in parts
+    )
+    method, *remarks = map(str, stored["words"])
+    scores = dict(zip(map(str, stored["score_names"]), map(float, stored["scores"]), strict=True))
+    return FoundNetwork(stored["nodes"], roads, mask, method, tuple(remarks), scores)

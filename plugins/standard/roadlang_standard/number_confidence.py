@@ -1,0 +1,28 @@
+"""`confidence(town)`: how sure the extractor is of a road."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import RoadNumber, RoadOrNetwork, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Confidence(RoadNumber):
+    """How sure the extractor is of the road, 0 to 1; of a network: of each of its roads."""
+
+    name: ClassVar[str] = "confidence"
+    cost: ClassVar[float] = 1.0
+    road: RoadOrNetwork = option(help="the road or network")
+
+    def values(self) -> Floats:
+        import numpy as np
+
+        return np.full((1, 1), self.road.confidence)

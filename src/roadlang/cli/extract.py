@@ -1,0 +1,161 @@
+"""`roadlang extract IMAGE`: the roads of a picture as JSON, and a picture of them to judge."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from . import exit_codes
+from .console import report, say
+
+if TYPE_CHECKING:
+    from ..ir.picture import Extraction, Picture
+
+
+class _Numbers(click.ParamType):
+    """Numbers with commas between them: `120,80`."""
+
+    def __init__(self, count: int, name: str) -> None:
+        self.count, self.name = count, name
+
+    def convert(self, value: Any, parameter: Any, context: Any) -> tuple[float, ...]:
+        try:
+            numbers = tuple(float(part) for part in str(value).split(","))
+        except ValueError:
+            numbers = ()
+        if len(numbers) != self.count:
+            self.fail(f"{value!r} is not {self.name}", parameter, context)
+        return numbers
+
+
+@click.command("extract")
+@click.argument("image", type=click.Path(dir_okay=False))
+@click.option("-o", "--output", type=click.Path(dir_okay=False), help="Write the roads as JSON.")
+@click.option("--overlay", type=click.Path(dir_okay=False), help="Write an SVG to look at.")
+@click.option("--mask", type=click.Path(dir_okay=False), help="Write the road mask as a PNG.")
+@click.option("--with", "kind", default="auto", metavar="KIND", help="Kind of `extract`.")
+@click.option("--scale", type=click.FloatRange(1e-4, 1e4), help="Metres per pixel, if known.")
+@click.option(
+    "--threshold", type=click.FloatRange(0, 1, min_open=True, max_open=True), help="Least evidence."
+)
+@click.option("--width", type=click.FloatRange(0, min_open=True), help="Road width in pixels.")
+@click.option(
+    "--through",
+    type=_Numbers(2, "X,Y"),
+    multiple=True,
+    metavar="X,Y",
+    help="A pixel that a road passes through; give two or more in order along it.",
+)
+@click.option("--only-through", is_flag=True, help="Keep only the road of the --through points.")
+@click.option(
+    "--leave-out",
+    type=_Numbers(4, "X,Y,X,Y"),
+    multiple=True,
+    metavar="X,Y,X,Y",
+    help="A box without roads.",
+)
+@click.option("--model", type=click.Path(dir_okay=False), help="ONNX file for `--with onnx`.")
+def command(
+    image: str, output: str | None, overlay: str | None, mask: str | None, **given: Any
+) -> None:
+    """Find the roads of IMAGE.
+
+    Polylines, nodes and widths are in pixels: (0, 0) is the centre of the top-left pixel, y runs
+    down. Without `-o` the JSON goes to standard output.
+    """
+    from ..pipeline.writing import write_all
+    from .extraction_files import as_json, as_mask, as_overlay
+
+    begun = time.process_time()
+    picture, scale = _opened(Path(image), given["scale"])
+    found = _extracted(picture, scale, given)
+    seconds = time.process_time() - begun
+    document = as_json(picture, found, scale, seconds, _beside(mask, output))
+    files = {output: document, overlay: None, mask: None}
+    if overlay is not None:
+        files[overlay] = as_overlay(picture, found)
+    if mask is not None:
+        files[mask] = as_mask(picture, found)
+    for name, content in files.items():
+        if name is not None and content is not None:
+            write_all(Path(name).parent, {Path(name).name: content})
+    if output is None:
+        click.echo(document)
+    _tell(found, output is not None)
+
+
+def _beside(mask: str | None, output: str | None) -> str | None:
+    """The mask's path as seen from the JSON."""
+    import os
+
+    if mask is None:
+        return None
+    return os.path.relpath(mask, Path(output).parent if output else ".").replace(os.sep, "/")
+
+
+def _opened(path: Path, scale: float | None) -> tuple[Picture, float | None]:
+    from ..ir.picture import Picture
+    from ..pipeline.image_file import open_image
+
+    opened = open_image(path, str(path), None)
+    known = scale if scale is not None else opened.scale
+    return Picture(opened.pixels, known or 1.0, path=str(path)), known
+
+
+def _extracted(picture: Picture, scale: float | None, given: dict[str, Any]) -> Extraction:
+    """Run the kind with those of the options that were given. Raises DiagnosticError RL425."""
+    import dataclasses
+
+    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+    from ..plugins.discovery import load_registry
+    from ..plugins.registry import UnknownKind
+
+    registry = load_registry()
+    try:
+        kind = registry.find("extract", given["kind"]).load()
+    except UnknownKind:
+        names = registry.names("extract")
+        known = f"known are {', '.join(names)}"
+        raise DiagnosticError(
+            diagnose("RL425", kind=given["kind"], help=(*did_you_mean(given["kind"], names), known))
+        ) from None
+    options = _options(picture, scale, given)
+    fields = {field.name for field in dataclasses.fields(kind)}
+    unfit = sorted(set(options) - fields - {"resolution"})
+    if unfit:
+        raise DiagnosticError(
+            diagnose("RL426", kind=given["kind"], option=f"--{unfit[0].replace('_', '-')}")
+        )
+    extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
+    found: Extraction = extractor.extract(picture)
+    return found
+
+
+def _options(picture: Picture, scale: float | None, given: dict[str, Any]) -> dict[str, Any]:
+    options: dict[str, Any] = {}
+    if scale is None:
+        options["resolution"] = "unknown"
+    if given["width"] is not None:
+        options["width"] = given["width"] * picture.scale
+    if given["leave_out"]:
+        options["leave_out"] = tuple(((a, b), (c, d)) for a, b, c, d in given["leave_out"])
+    for name in ("threshold", "through", "only_through", "model"):
+        if given[name]:
+            options[name] = given[name]
+    return options
+
+
+def _tell(found: Extraction, wrote: bool) -> None:
+    from ..diagnostics import diagnose
+
+    if wrote:
+        count = len(found.network.edges)
+        roads = f"{count} road{'' if count == 1 else 's'}"
+        about = f"{found.remarks[0]}, " if found.remarks else ""
+        say(f"{roads} ({about}{found.confidence:.0%} sure)")
+    if not found.network.edges:
+        report([diagnose("RL427", help=found.remarks)])
+        click.get_current_context().exit(exit_codes.SCENARIO_HAS_ERRORS)

@@ -1,0 +1,139 @@
+"""What `roadlang extract` writes: JSON, a mask, and an overlay to look at."""
+
+from __future__ import annotations
+
+import base64
+import json
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import __version__
+from ..ir.picture import Extraction, Picture
+
+SCHEMA = "roadlang.extraction/1"
+_STEP = 2.0
+_OVERLAY_SIDE = 1600
+
+Floats = NDArray[np.float64]
+
+
+def as_json(
+    picture: Picture, found: Extraction, scale: float | None, seconds: float, mask: str | None
+) -> str:
+    """Polylines, nodes, widths, confidence: all in pixels."""
+    roads = []
+    for index, edge in enumerate(found.network.edges):
+        line, widths = polyline(picture, edge)
+        record = {
+            "start": edge.start,
+            "end": edge.end,
+            "closed": bool(edge.curve.closed),
+            "length": round(edge.length / picture.scale, 2),
+            "widths": widths.round(2).tolist(),
+            "confidence": round(float(edge.confidence), 4),
+        }
+        if index < len(found.width_errors) and np.isfinite(found.width_errors[index]):
+            record["width_error"] = round(found.width_errors[index] / picture.scale, 3)
+        roads.append((line.round(2).tolist(), record))
+    nodes = picture.to_pixels(np.array([n.position for n in found.network.nodes]).reshape(-1, 2))
+    document: dict[str, Any] = {
+        "schema": SCHEMA,
+        "roadlang": __version__,
+        "image": {"path": picture.path, "width": picture.width, "height": picture.height},
+        "metres_per_pixel": scale,
+        "polylines": [line for line, _ in roads],
+        "roads": [record for _, record in roads],
+        "nodes": [
+            {"id": node.id, "position": at.round(2).tolist()}
+            for node, at in zip(found.network.nodes, nodes, strict=True)
+        ],
+        "objects": [_object(picture, item) for item in found.objects],
+        "confidence": round(found.confidence, 4),
+        "remarks": list(found.remarks),
+        "time_s": round(seconds, 3),
+    }
+    if mask is not None:
+        document["mask"] = mask
+    return json.dumps(document, allow_nan=False) + "\n"
+
+
+def polyline(picture: Picture, edge: Any) -> tuple[Floats, Floats]:
+    """A road's points (n, 2) about two pixels apart, and its widths there, in pixels."""
+    stations = edge.curve.stations(spacing=_STEP * picture.scale)
+    points = picture.to_pixels(edge.curve.at(stations))
+    widths = np.asarray(edge.width.at(stations)) / picture.scale
+    if edge.curve.closed:
+        points, widths = np.vstack([points, points[:1]]), np.r_[widths, widths[:1]]
+    return points, widths
+
+
+def _object(picture: Picture, item: Any) -> dict[str, Any]:
+    x, y = picture.to_pixels(np.array([[item.x, item.y]]))[0]
+    sides = {"length": item.length / picture.scale, "width": item.width / picture.scale}
+    return {"kind": item.kind, "position": [round(x, 2), round(y, 2)], **sides}
+
+
+def as_mask(picture: Picture, found: Extraction) -> bytes:
+    """The road surface as a PNG: 255 is road."""
+    canvas = np.zeros((picture.height, picture.width), np.uint8)
+    if found.mask is not None and found.mask.shape == canvas.shape:
+        canvas[found.mask] = 255
+    else:
+        for edge in found.network.edges:
+            points, widths = polyline(picture, edge)
+            at = [np.round(points * 16).astype(np.int32)]
+            cv2.polylines(canvas, at, False, 255, max(1, round(float(np.median(widths)))), 8, 4)
+    return bytes(cv2.imencode(".png", canvas)[1].tobytes())
+
+
+def as_overlay(picture: Picture, found: Extraction) -> str:
+    """An SVG: the picture, the roads coloured by confidence, their nodes."""
+    height, width = picture.height, picture.width
+    view = f'viewBox="-0.5 -0.5 {width} {height}" width="{width}" height="{height}"'
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" {view}>', _backdrop(picture)]
+    parts.append('<g fill="none" stroke-linecap="round" stroke-linejoin="round">')
+    lines = [(polyline(picture, edge), edge.confidence) for edge in found.network.edges]
+    for (points, widths), sure in lines:
+        path = _path(points)
+        road = f"{float(np.median(widths)):.2f}"
+        parts.append(
+            f'<path d="{path}" stroke="{_colour(sure)}" stroke-opacity="0.35" stroke-width="{road}"/>'
+        )
+        parts.append(
+            f'<path d="{path}" stroke="{_colour(sure)}" stroke-width="1.6"><title>{sure:.0%} sure</title></path>'
+        )
+    parts.append('</g><g fill="#ffffff" stroke="#1a237e" stroke-width="1">')
+    for node in found.network.nodes:
+        x, y = picture.to_pixels(np.array([node.position]))[0]
+        parts.append(f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.6"/>')
+    return "\n".join([*parts, "</g>", "</svg>", ""])
+
+
+def _backdrop(picture: Picture) -> str:
+    if picture.pixels is None:
+        return ""
+    height, width = picture.height, picture.width
+    factor = min(1.0, _OVERLAY_SIDE / max(height, width))
+    size = (max(1, round(width * factor)), max(1, round(height * factor)))
+    small = cv2.resize(picture.pixels, size, interpolation=cv2.INTER_AREA)
+    code = cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 85])[1].tobytes()
+    data = base64.b64encode(code).decode("ascii")
+    place = f'x="-0.5" y="-0.5" width="{width}" height="{height}"'
+    return f'<image {place} href="data:image/jpeg;base64,{data}"/>'
+
+
+def _path(points: Floats) -> str:
+    return "M" + " L".join(f"{x:.1f},{y:.1f}" for x, y in points)
+
+
+def _colour(sure: float) -> str:
+    """From red (doubtful) over amber to cyan (sure)."""
+    stops = ((0.0, (229, 57, 53)), (0.6, (255, 179, 0)), (1.0, (0, 229, 255)))
+    for (low, a), (high, b) in zip(stops[:-1], stops[1:], strict=True):
+        if sure <= high:
+            t = (sure - low) / (high - low)
+            return "#" + "".join(f"{round(p + t * (q - p)):02x}" for p, q in zip(a, b, strict=True))
+    return "#00e5ff"
