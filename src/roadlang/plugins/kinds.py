@@ -29,7 +29,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Kind:
-    """Anything a plugin brings. The class docstring's first line is its help."""
+    """Anything a plugin brings. The class docstring's first line is its help.
+
+    A kind is a frozen dataclass; the bases of the verbs, which have no options, need not be.
+    """
 
     verb: ClassVar[str] = ""
     name: ClassVar[str] = ""
@@ -37,7 +40,6 @@ class Kind:
     """The list that takes all arguments without a name, of a kind that is written as a call."""
 
 
-@dataclass(frozen=True)
 class Adjuster(Kind):
     """`adjust with`: image to image. `is_random`: it draws from `random`, so that each scene has
     an image of its own."""
@@ -50,7 +52,6 @@ class Adjuster(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Extractor(Kind):
     """`extract with`: image to network."""
 
@@ -61,7 +62,6 @@ class Extractor(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Reader(Kind):
     """`read with`: a file to what the statement declares (`reads`), chosen by `suffixes`."""
 
@@ -74,7 +74,6 @@ class Reader(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Drawer(Kind):
     """`draw with`: nothing to a curve."""
 
@@ -85,21 +84,18 @@ class Drawer(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Piece(Kind):
     """A piece of a drawn road, written as a call: `arc(40m, 60deg)`."""
 
     verb: ClassVar[str] = "piece"
 
 
-@dataclass(frozen=True)
 class Selector(Kind):
     """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
 
     verb: ClassVar[str] = "select"
 
 
-@dataclass(frozen=True)
 class Perturber(Kind):
     """`perturb with`: a road to itself, displaced along its left normal.
 
@@ -125,7 +121,6 @@ class Perturber(Kind):
         return float("inf")
 
 
-@dataclass(frozen=True)
 class Controller(Kind):
     """`drive with`: what steers an agent. `control` is for controllers written in Python."""
 
@@ -136,7 +131,6 @@ class Controller(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Signal(Kind):
     """A road signal over arc length, written as a call: `curvature(bent)`.
 
@@ -160,7 +154,6 @@ class Signal(Kind):
         return parse_unit(cls.unit).dimension
 
 
-@dataclass(frozen=True)
 class RoadNumber(Signal):
     """A number of a road, written as a call: `length(bent)`. `values` has shape (variants, 1).
 
@@ -171,7 +164,6 @@ class RoadNumber(Signal):
     member: ClassVar[bool] = False
 
 
-@dataclass(frozen=True)
 class DriveSignal(Signal):
     """A drive signal over time. `member`: written `ego.speed`, else as a call.
 
@@ -182,7 +174,6 @@ class DriveSignal(Signal):
     member: ClassVar[bool] = True
 
 
-@dataclass(frozen=True)
 class Monitor(Kind):
     """`require/expect N with`: a judge instead of STL."""
 
@@ -198,7 +189,6 @@ class Monitor(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Distribution(Kind):
     """A random value, written as a call: `normal(1m, 0.5m)`. Options are those of the call."""
 
@@ -228,7 +218,6 @@ class DrawnValue(Protocol):
         ...
 
 
-@dataclass(frozen=True)
 class Sampler(Kind):
     """`sample with`: which points of the unit cube of all draws are tried.
 
@@ -247,8 +236,12 @@ class Sampler(Kind):
         """How many candidates there are; None: without end."""
         return None
 
+    def steer(self, known: Floats, uniform: Floats) -> Floats:
+        """(V, d) proposals in [0, 1) from points (n, d) that are good, and from random numbers
+        (V, d + 5): a sampler that has this one learns where the requirements hold."""
+        raise NotImplementedError
 
-@dataclass(frozen=True)
+
 class Simulator(Kind):
     """`simulate with`: where scenes are driven."""
 
@@ -259,14 +252,12 @@ class Simulator(Kind):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
 class Searcher(Kind):
     """`falsify with`: how scenes that break an `expect` are searched."""
 
     verb: ClassVar[str] = "falsify"
 
 
-@dataclass(frozen=True)
 class Backend(Kind):
     """`emit`: a scene to files, or to an engine."""
 
@@ -284,14 +275,12 @@ class Backend(Kind):
         """Deliver to an engine. Raises `DiagnosticError` when it cannot."""
 
 
-@dataclass(frozen=True)
 class AgentKind(Kind):
     """What may stand behind `agent N is`; fields with defaults are its size and looks."""
 
     verb: ClassVar[str] = "agent"
 
 
-@dataclass(frozen=True)
 class ObjectKind(Kind):
     """What may stand behind `object N is` and in a legend."""
 
@@ -299,24 +288,8 @@ class ObjectKind(Kind):
 
 
 BASES: tuple[type[Kind], ...] = (
-    Adjuster,
-    Extractor,
-    Reader,
-    Drawer,
-    Piece,
-    Selector,
-    Perturber,
-    Controller,
-    Signal,
-    RoadNumber,
-    DriveSignal,
-    Monitor,
-    Distribution,
-    Sampler,
-    Simulator,
-    Searcher,
-    Backend,
-    AgentKind,
-    ObjectKind,
-)
+    Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
+    Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
+    Simulator, Searcher, Backend, AgentKind, ObjectKind,
+)  # fmt: skip
 VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)
