@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Sampler, Whole, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+_JITTER = 0.01
 
 
 @dataclass(frozen=True)
@@ -17,3 +25,24 @@ class Guided(Sampler):
     attempts: Whole = option(
         10_000, minimum=1, maximum=100_000_000, help="tries for one scene before it is given up"
     )
+    pilot: Whole = option(
+        20_000, minimum=100, maximum=10_000_000, help="candidates to learn from, at most"
+    )
+
+    def steer(self, known: Floats, uniform: Floats) -> Floats:
+        """Proposals (V, d) in the unit cube from `known` (n, d) and `uniform` (V, d + 5).
+
+        The first number chooses a known point. It is moved by a multiple of the difference of two
+        others (differential evolution, Storn and Price 1997), so that moves have the directions in
+        which the known points differ.
+        """
+        import numpy as np
+
+        count = len(known)
+        lead, spread = uniform[:, :5], uniform[:, 5:]
+        parent, first, second = np.minimum((lead[:, :3] * count).astype(int), count - 1).T
+        length = 1.5 * lead[:, 3:4]
+        moved = known[parent] + length * (known[first] - known[second])
+        moved += _JITTER * (spread + np.roll(spread, 1, axis=1) - 1.0)
+        folded: Floats = 1.0 - np.abs(np.mod(moved, 2.0) - 1.0)
+        return np.clip(folded, 0.0, 1.0 - 2.0**-53)

@@ -75,9 +75,23 @@ def _check_size(header: Header, written: str, span: Span | None) -> None:
         raise _refusal("RL405", span, written, size=size)
 
 
-def _refusal(code: str, span: Span | None, written: str, **values: str) -> DiagnosticError:
+def _refusal(
+    code: str,
+    span: Span | None,
+    written: str,
+    *,
+    help: str = "",
+    reason: str = "",
+    size: str = "",
+    format: str = "",
+) -> DiagnosticError:
     path = None if span is not None else written
-    return DiagnosticError(diagnose(code, span, path=path, file=written, **values))
+    hints = (help,) if help else ()
+    return DiagnosticError(
+        diagnose(
+            code, span, help=hints, path=path, file=written, reason=reason, size=size, format=format
+        )
+    )
 
 
 def _decoded(content: bytes, header: Header) -> NDArray[np.generic] | None:
@@ -123,4 +137,4 @@ def _as_bytes(pixels: NDArray[np.generic]) -> Pixels:
     span = high - low
     if span <= 0:
         return np.full(numbers.shape, 128, np.uint8)
-    return np.rint((numbers - low) * (255.0 / span)).astype(np.uint8)
+    return np.asarray(np.rint((numbers - low) * (255.0 / span)), np.uint8)

@@ -30,7 +30,7 @@ class Judged:
 
     @property
     def accepted(self) -> NDArray[np.bool_]:
-        return self.rejected_by == ACCEPTED
+        return np.asarray(self.rejected_by == ACCEPTED)
 
 
 class Judge:
@@ -107,7 +107,7 @@ class Judge:
     def _holds_at_zero(
         self, requirement: Requirement, variants: Variants, rho: Floats
     ) -> NDArray[np.bool_]:
-        zero = rho == 0.0
+        zero = np.asarray(rho == 0.0)
         if not zero.any() or not isinstance(requirement.test, Condition):
             return zero
         for row in np.flatnonzero(zero):

@@ -148,11 +148,13 @@ def _from_file(network: Network, source: FileSource, plan: Plan) -> NetworkRoot:
         found, _ = read_by_name(source, "network", plan, network.span)
     if isinstance(found, RoadNetwork):
         return NetworkRoot(network.name, found)
-    return NetworkRoot(network.name, *_parts(found))
+    return _root_of(network.name, found)
 
 
-def _parts(found: Extraction) -> tuple[Any, ...]:
-    return (found.network, found.objects, found.confidence, found.remarks, found.mask)
+def _root_of(name: str, found: Extraction, scale: float | None = None) -> NetworkRoot:
+    return NetworkRoot(
+        name, found.network, found.objects, found.confidence, found.remarks, found.mask, scale
+    )
 
 
 def _extracted(network: Network, image: Image, variants: Variants) -> NetworkRoot:
@@ -173,7 +175,7 @@ def _extracted(network: Network, image: Image, variants: Variants) -> NetworkRoo
                 fault=f"gave a {type(found).__name__}, not an Extraction",
             )
         )
-    return NetworkRoot(network.name, *_parts(found), scale=shot.scale)
+    return _root_of(network.name, found, shot.scale)
 
 
 def _check_finite(root: NetworkRoot, network: Network) -> None:

@@ -97,7 +97,7 @@ def room(actor: Actor, variants: Variants) -> Floats:
         # The last station is the end: rounding must not put 100% beyond it.
         inside = np.where(inside > -1e-9 * road.length[:, 0], np.maximum(inside, 0.0), inside)
         least = np.minimum(least, np.where(number >= copy, inside, np.inf))
-    return np.minimum(least, 1e9)
+    return np.asarray(np.minimum(least, 1e9))
 
 
 def pose(actor: Actor, size: tuple[float, float], copy: int, variants: Variants) -> Pose:

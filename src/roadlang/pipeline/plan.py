@@ -75,7 +75,12 @@ class Plan:
         scenario = self.scenario
         for named in scenario.values:
             yield named.value
-        for thing in (*scenario.images, *scenario.networks, *scenario.roads):
+        things: tuple[Image | Network | Road, ...] = (
+            *scenario.images,
+            *scenario.networks,
+            *scenario.roads,
+        )
+        for thing in things:
             yield from (value for _, value in thing.options)
             yield from thing.passes
         for constraint in (*scenario.requirements, *scenario.expectations):

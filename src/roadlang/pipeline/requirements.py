@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError, Span, diagnose
-from ..ir.scenario import Actor, Constraint
+from ..ir.scenario import Actor, Constraint, Network, Road
 from ..ir.values import Condition, Draw, PassCall
 from .building import build
 from .dependencies import draws_in, entities_in, walk
@@ -156,7 +156,7 @@ def monitor_rho(call: PassCall, variants: Variants) -> Floats:
     """(V,) robustness that a monitor plugin gives; of networks, on their worst road."""
     worst = np.full(variants.count, np.inf)
     for axis in axes_of(call, variants):
-        built = build(call, variants, resolve=lambda e, axis=axis: axis.resolve(e, variants))
+        built = build(call, variants, resolve=partial(axis.resolve, variants=variants))
         with built.blamed:
             rho = np.asarray(built.kind.robustness(), dtype=np.float64).reshape(-1)
         if rho.shape[0] not in (1, variants.count) or np.isnan(rho).any():
@@ -256,11 +256,8 @@ def _placed(actor: Actor, plan: Plan) -> Requirement:
 
 
 def _bent_roads(plan: Plan) -> list[str]:
-    return [
-        thing.name
-        for thing in (*plan.roads.values(), *plan.networks.values())
-        if any(call.verb == "perturb" for call in thing.passes)
-    ]
+    things: tuple[Road | Network, ...] = (*plan.roads.values(), *plan.networks.values())
+    return [thing.name for thing in things if any(call.verb == "perturb" for call in thing.passes)]
 
 
 def _unfolded(name: str, plan: Plan) -> Requirement:

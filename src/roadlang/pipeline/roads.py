@@ -76,7 +76,7 @@ def lanes_of(name: str, variants: Variants) -> int:
     for link in _roads(plan.roads[name], plan):
         given = dict(link.options).get("lanes")
         if given is not None:
-            return max(1, round(scalar(evaluate(given, variants))))
+            return max(1, round(float(scalar(evaluate(given, variants)))))
     return road_root(name, variants).lanes or USUAL_LANES
 
 

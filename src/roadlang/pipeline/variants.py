@@ -40,8 +40,8 @@ class Variants:
         self.attempts = attempts
         self.given = given or {}
         self.keys = variant_keys(seed, scenes, attempts)
-        self.asked: dict[str, None] | None = None
-        """The names of all coordinates asked for, where someone wants to know."""
+        self.asked: dict[str, Floats] | None = None
+        """All coordinates asked for, (V,) by name, where someone wants to know."""
         self._kept: dict[Hashable, Any] = {}
         self._parent: tuple[Variants, NDArray[np.intp]] | None = None
 
@@ -54,7 +54,6 @@ class Variants:
         given = {name: values[rows] for name, values in self.given.items()}
         chosen = Variants(self.plan, self.seed, self.scenes[rows], self.attempts[rows], given)
         chosen._parent = (self, rows)
-        chosen.asked = self.asked
         return chosen
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
@@ -87,11 +86,13 @@ class Variants:
     def uniform(self, place: str, element: int = 0) -> Floats:
         """(V, 1) numbers in [0, 1)."""
         name = coordinate_name(place, element)
-        if self.asked is not None:
-            self.asked[name] = None
         if name in self.given:
-            return self.given[name][:, None]
-        return unit_interval(place_keys(self.keys, place, element)[:, None], 1)
+            numbers = self.given[name][:, None]
+        else:
+            numbers = unit_interval(place_keys(self.keys, place, element)[:, None], 1)
+        if self.asked is not None:
+            self.asked[name] = numbers[:, 0]
+        return numbers
 
     def random(self, place: str, element: int = 0) -> BatchRandom:
         """The randomness of a pass."""
@@ -112,10 +113,10 @@ class _PassRandom(BatchRandom):
             return numbers
         for column in range(count):
             name = f"{self._name}:{stream}:{column}"
-            if self._variants.asked is not None:
-                self._variants.asked[name] = None
             if name in self._variants.given:
                 numbers[:, column] = self._variants.given[name]
+            if self._variants.asked is not None:
+                self._variants.asked[name] = numbers[:, column]
         return numbers
 
 

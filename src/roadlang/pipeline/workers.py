@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..ir.scene import Scene
+from ..plugins.kinds import Sampler
 from .building import build
 from .judging import Judge
 from .plan import Plan
@@ -35,7 +36,7 @@ class Worker:
 
         plan = self.judge.plan
         sampler = build(sampler_call(plan), plan.fixed, single=True).kind
-        if hasattr(sampler, "steer"):
+        if is_steering(sampler):
             from .guiding import guided_search
 
             return guided_search(self, sampler, scenes)
@@ -58,11 +59,16 @@ class Worker:
 
     def coordinates(self, variants: Variants) -> dict[str, float]:
         """The draws of one candidate in the unit cube, by name."""
-        return {name: float(variants.uniform(name)[0, 0]) for name in variants.asked or {}}
+        return {name: float(values[0]) for name, values in (variants.asked or {}).items()}
 
     def realise(self, index: int, attempt: int, given: Mapping[str, Any]) -> Scene:
         """Scene `index`: candidate `attempt` of a stream."""
         return realise(self.single(0, attempt, given), index, self.overrides)
+
+
+def is_steering(sampler: Any) -> bool:
+    """Whether a sampler proposes candidates from what is known of others."""
+    return type(sampler).steer is not Sampler.steer
 
 
 class Crew:
