@@ -61,6 +61,10 @@ BROKEN = {
         GOOD.format(kind="zigzag").replace("amplitude: Length", "amplitude: complex"),
         "field `amplitude` of Zigzag",
     ),
+    "forgotten decorator": (
+        GOOD.format(kind="zigzag").replace("@dataclass(frozen=True)", ""),
+        "Zigzag is not decorated with `@dataclass(frozen=True)`",
+    ),
     "duplicate kind": (
         GOOD.format(kind="zigzag").replace("[Zigzag]", "[Zigzag, Zigzag]"),
         "brings `perturb zigzag` twice",

@@ -88,8 +88,8 @@ def schema_of(kind: type) -> tuple[OptionSchema, ...]:
 
 @cache
 def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
-    if not (isinstance(kind, type) and dataclasses.is_dataclass(kind)):
-        raise TypeError(f"{kind.__name__} is not a dataclass")
+    if not dataclasses.is_dataclass(kind) or _is_undecorated(kind):
+        raise TypeError(f"{kind.__name__} is not decorated with `@dataclass(frozen=True)`")
     hints = typing.get_type_hints(kind, include_extras=True)
     options = []
     for field in dataclasses.fields(kind):
@@ -101,6 +101,14 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
         default = REQUIRED if field.default is dataclasses.MISSING else field.default
         options.append(OptionSchema(field.name, option_type, default, constraints))
     return tuple(options)
+
+
+def _is_undecorated(kind: Any) -> bool:
+    """Whether a class adds fields that no `@dataclass` has seen: its base is a dataclass."""
+    own = vars(kind)
+    annotations = own.get("__annotations__", {}).values()
+    adds = any("ClassVar" not in str(annotation) for annotation in annotations)
+    return adds and "__dataclass_params__" not in own
 
 
 __all__ = ["REQUIRED", "Constraints", "OptionSchema", "option", "schema_of"]
