@@ -10,6 +10,8 @@ from stl_continuations import continuations
 from stl_draws import FormulaDraw, draw_trace
 
 from roadlang import stl
+from roadlang.stl.normal_form import normal_form
+from roadlang.stl.strengthening import strengthened
 
 
 def _seen(seed, samples):
@@ -59,6 +61,9 @@ def test_continuations_reach_both_ends(seed):
         ("eventually[5, 9] (x > limit and x < 4)", -math.inf, 1),
         ("(x > 0) until (y > 5)", -4, 1),
         ("x > 0 iff always (y > 0)", -1, 1),
+        ("always (x > 0) and eventually (x < -1)", -math.inf, -0.5),
+        ("eventually (x > 5) or always (x < 4)", -0.5, math.inf),
+        ("always[0, 9] (x > y) and (x < 9) until[3, 8] (x + 2 < y)", -math.inf, -1),
         ("eventually[5, 9] (x * x < 3)", -math.inf, 3),
         ("eventually[5, 9] (x ^ 2 < 3 and x * y > 5)", -math.inf, 3),
     ],
@@ -100,3 +105,12 @@ def test_numbers_per_variant_hold_for_later_samples_too():
 def test_verdicts(text, verdict):
     formula = stl.parse(text)
     assert formula.verdict([0, 1, 2], {"x": [1.0, 2.0, 2.0]}) == verdict
+
+
+@pytest.mark.parametrize("seed", range(120))
+def test_strengthening_changes_no_robustness(seed):
+    formula = normal_form(FormulaDraw(seed).formula(2 + seed % 2))
+    positions, row = _seen(seed, 9)
+    np.testing.assert_array_equal(
+        strengthened(formula).robustness(positions, row), formula.robustness(positions, row)
+    )

@@ -58,7 +58,7 @@ def command(
     for name, value in mined.values.items():
         note = "  (the end of its bounds)" if name in mined.at_bound else ""
         say(f"{name} = {value:.{digits}g}{note}")
-    say(f"{mined.formula}  holds on all {len(recordings)} traces")
+    say(f"{mined.formula}  holds on every trace")
 
 
 def _parameter(text: str) -> Parameter:

@@ -35,6 +35,7 @@ from .operations import (
     least,
     negative,
 )
+from .strengthening import strengthened
 from .trace import FloatArray, Trace
 from .unseen import unseen_range
 
@@ -50,8 +51,8 @@ def range_at_start(
         graph = Graph.of(formula, leaves)
         exact = run_at_start(graph, trace, Axis(trace.positions, trace.wrap))
         return exact, exact
-    lower = _bound_at_start(plain, trace, "lower", leaves)
-    other = normal_form(formula, greatest=True)
+    lower = _bound_at_start(strengthened(plain), trace, "lower", leaves)
+    other = strengthened(normal_form(formula, greatest=True))
     return lower, _bound_at_start(other, trace, "upper", leaves)
 
 

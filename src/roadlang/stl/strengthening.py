@@ -1,0 +1,86 @@
+"""Rewriting that leaves robustness as it is and lets its range see what two parts share.
+
+`always p and eventually q` is worth what `always p and eventually (q and p)` is worth: the witness
+of q is one of the samples that the minimum of p is over. Only the latter knows, of a later
+sample, that p and q are about the same signals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from . import formulas as f
+from .interval import UNBOUNDED, Interval
+
+_Shared = tuple[type[f.Formula], Interval, f.Formula]
+
+
+def strengthened(formula: f.Formula) -> f.Formula:
+    """A formula in normal form with what governs all samples said again where it also counts."""
+    match formula:
+        case f.And(operands):
+            parts = [strengthened(part) for part in operands]
+            return f.And(_with_shared(parts, f.And, (f.Always, f.Historically)))
+        case f.Or(operands):
+            parts = [strengthened(part) for part in operands]
+            return f.Or(_with_shared(parts, f.Or, (f.Eventually, f.Once)))
+        case f.Not(operand):
+            return f.Not(strengthened(operand))
+        case f.Always() | f.Eventually() | f.Once() | f.Historically():
+            return type(formula)(formula.interval, strengthened(formula.operand))
+        case f.Until() | f.Since():
+            sides = strengthened(formula.left), strengthened(formula.right)
+            return type(formula)(formula.interval, *sides)
+    return formula
+
+
+def _with_shared(
+    parts: Sequence[f.Formula],
+    kind: type[f.And] | type[f.Or],
+    sharing: tuple[type[f.Formula], ...],
+) -> tuple[f.Formula, ...]:
+    """Add to each part the state formulas that `always` (in `or`: `eventually`) says beside it."""
+    shared: list[_Shared] = [
+        (type(part), part.interval or UNBOUNDED, part.operand)
+        for part in parts
+        if isinstance(part, f.Always | f.Eventually | f.Once | f.Historically)
+        and isinstance(part, sharing)
+        and not part.operand.temporal
+    ]
+    return tuple(_add(part, shared, kind) for part in parts) if shared else tuple(parts)
+
+
+def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.And] | type[f.Or]) -> f.Formula:
+    match part:
+        case f.Always() | f.Eventually() | f.Once() | f.Historically():
+            interval = part.interval or UNBOUNDED
+            added = _covering(shared, isinstance(part, f.PAST), interval)
+            return type(part)(part.interval, _joined(kind, part.operand, added))
+        case f.Until() | f.Since() if kind is f.And:
+            reach = Interval(0.0, (part.interval or UNBOUNDED).hi)
+            added = _covering(shared, isinstance(part, f.PAST), reach)
+            left, right = (_joined(kind, side, added) for side in (part.left, part.right))
+            return type(part)(part.interval, left, right)
+        case _ if not part.temporal:
+            here = Interval(0.0, 0.0)
+            added = [*_covering(shared, False, here), *_covering(shared, True, here)]
+            return _joined(kind, part, added)
+    return part
+
+
+def _covering(shared: Sequence[_Shared], past: bool, interval: Interval) -> list[f.Formula]:
+    """What is said of all samples of `interval`, on the same side of the present."""
+    return [
+        state
+        for word, known, state in shared
+        if issubclass(word, f.PAST) == past and known.lo <= interval.lo and interval.hi <= known.hi
+    ]
+
+
+def _joined(
+    kind: type[f.And] | type[f.Or], formula: f.Formula, added: Iterable[f.Formula]
+) -> f.Formula:
+    flat: dict[f.Formula, None] = {}
+    for part in (formula, *added):
+        flat.update(dict.fromkeys(part.parts if isinstance(part, kind) else (part,)))
+    return next(iter(flat)) if len(flat) == 1 else kind(tuple(flat))
