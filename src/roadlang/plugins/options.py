@@ -89,7 +89,8 @@ def schema_of(kind: type) -> tuple[OptionSchema, ...]:
 @cache
 def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
     if not dataclasses.is_dataclass(kind) or _is_undecorated(kind):
-        raise TypeError(f"{kind.__name__} is not decorated with `@dataclass(frozen=True)`")
+        name = getattr(kind, "__name__", kind)
+        raise TypeError(f"{name} is not decorated with `@dataclass(frozen=True)`")
     hints = typing.get_type_hints(kind, include_extras=True)
     options = []
     for field in dataclasses.fields(kind):
