@@ -40,6 +40,7 @@ func _ready() -> void:
 	view = View.new()
 	view.setup(worlds, server, bool(_settings["still"]))
 	add_child(view)
+	simulation.while_waiting = view.draw_waiting
 	_messages = Messages.new(worlds, simulation, view, server)
 	server.handler = _messages.handle
 	server.greeter = _messages.greet

@@ -182,7 +182,7 @@ func _add_body(spec: Dictionary) -> void:
 	var given: Variant = spec.get("colour")
 	var paint := PAINTS[id % PAINTS.size()]
 	if given is String:
-		paint = Color.from_string(given, paint)
+		paint = Color.from_string(given, paint).darkened(0.35)
 	if spec.get("body", "vehicle") == "walker":
 		var walker := Walker.new()
 		walker.assemble(size.y, paint)

@@ -18,6 +18,8 @@ const FLUSH_BYTES := 7000
 const FLUSH_USEC := 50000
 const CONTROL_BYTES := 12
 
+## Called again and again while a step is waited for.
+var while_waiting: Callable
 var mode := Mode.IDLE
 var tick := 0
 
@@ -173,6 +175,7 @@ func _await_step() -> void:
 			sent = now
 		if not _server.poll(false):
 			OS.delay_usec(20)
+		while_waiting.call()
 		if not _server.connected():
 			stop("client gone")
 

@@ -13,8 +13,7 @@ var _cameras: Cameras
 var _server: Server
 var _viewport := SubViewport.new()
 var _camera := Camera3D.new()
-var _queue: Array[Dictionary] = []
-var _busy := false
+var _queue: Array[Array] = []
 
 
 func _init(cameras: Cameras, server: Server) -> void:
@@ -28,13 +27,20 @@ func _init(cameras: Cameras, server: Server) -> void:
 
 ## Takes a wish: {id, width, height, format: png or jpg}.
 func take(wish: Dictionary) -> void:
-	_queue.append(wish)
+	_queue.append([wish, Engine.get_process_frames()])
+
+
+## Draws what is wished for. In lock-step no frame comes before the client's next step, so
+## the simulation calls this while it waits.
+func draw_waiting() -> void:
+	while not _queue.is_empty():
+		_picture(_queue.pop_front()[0])
 
 
 func _process(_dt: float) -> void:
-	if not _busy and not _queue.is_empty():
-		_busy = true
-		_picture(_queue.pop_front())
+	# What was built in this frame is in its place from the next one on.
+	if not _queue.is_empty() and Engine.get_process_frames() > int(_queue[0][1]) + 1:
+		draw_waiting()
 
 
 func _picture(wish: Dictionary) -> void:
@@ -44,10 +50,12 @@ func _picture(wish: Dictionary) -> void:
 	_viewport.world_3d = get_tree().root.find_world_3d()
 	_camera.make_current()
 	_cameras.aim(_camera)
+	_camera.force_update_transform()
 	for follower: Node3D in get_tree().get_nodes_in_group("follows_camera"):
 		follower.global_position = _camera.global_position + Vector3.UP * 7.0
+		follower.force_update_transform()
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
-	await RenderingServer.frame_post_draw
+	RenderingServer.force_draw(false)
 	var image := _viewport.get_texture().get_image()
 	image.convert(Image.FORMAT_RGB8)
 	var bytes := (
@@ -56,7 +64,6 @@ func _picture(wish: Dictionary) -> void:
 		else image.save_png_to_buffer()
 	)
 	_send(int(Agent.number(wish, "id", 0.0)), bytes)
-	_busy = false
 
 
 func _send(id: int, bytes: PackedByteArray) -> void:

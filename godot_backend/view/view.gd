@@ -70,6 +70,12 @@ func take(type: int, wish: Dictionary) -> String:
 	return ""
 
 
+## Draws what waits to be drawn, in a frame that lasts until the client's next step.
+func draw_waiting() -> void:
+	if _shots != null:
+		_shots.draw_waiting()
+
+
 func _process(_dt: float) -> void:
 	if not _headless and not _still:
 		_refresh()

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 BESIDE = 150.0
 """Flat ground around everything, metres."""
-_OVERLAP = 0.3
+MOSTLY = 0.9
+"""Share of a road that lies on a network, from which on it is a way through the network."""
 _WALKERS = ("pedestrian", "animal")
 
 
@@ -84,14 +85,14 @@ def built_roads(scene: Scene, lines: Mapping[str, Line]) -> list[str]:
     driven = {actor.road for actor in scene.agents} & lines.keys()
     wanted = [one.name for one in scene.roads if one.derived or one.name in driven]
     wanted = wanted or [one.name for one in scene.roads]
-    networks = {network.name: network for network in scene.networks}
+    networks = [one for one in scene.networks if any(name in wanted for name in one.roads)]
     edges_of = {one.name: one.network for one in scene.roads}
     out = []
     for name in wanted:
         if edges_of[name] is not None:
             out.append(name)
             continue
-        covering = [n for n in networks.values() if _covers(n, lines[name], lines)]
+        covering = [n for n in networks if _covers(n, lines[name], lines)]
         out += [edge for n in covering for edge in n.roads] or [name]
     return list(dict.fromkeys(out))
 
@@ -100,13 +101,12 @@ def _covers(network: SceneNetwork, line: Line, lines: Mapping[str, Line]) -> boo
     from scipy.spatial import cKDTree
 
     edges = [lines[name] for name in network.roads if name in lines]
-    if not edges:
-        return False
     dense = [edge.at(np.linspace(edge.s[0], edge.s[-1], int(edge.length / 0.25) + 2))[0]
              for edge in edges]  # fmt: skip
     samples = line.at(np.linspace(line.s[0], line.s[-1], 200))[0]
     away, _ = cKDTree(np.vstack(dense)).query(samples)
-    return bool(np.mean(away < _OVERLAP) > 0.97)
+    widest = max(float(edge.width.max()) for edge in edges)
+    return bool(np.mean(away < 0.5 * widest) > MOSTLY)
 
 
 def _meshes(

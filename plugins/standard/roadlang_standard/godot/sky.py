@@ -10,7 +10,7 @@ NOON = 12.0
 HIGHEST_SUN = math.radians(58)
 DRY_FRICTION = 0.9
 _WEATHER: dict[str, dict[str, float]] = {
-    "clear": {"cloud": 0.0, "rain": 0.0, "visibility": 3500.0},
+    "clear": {"cloud": 0.0, "rain": 0.0, "visibility": 6000.0},
     "cloudy": {"cloud": 0.8, "rain": 0.0, "visibility": 2500.0},
     "overcast": {"cloud": 1.0, "rain": 0.0, "visibility": 1800.0},
     "rain": {"cloud": 0.9, "rain": 0.6, "visibility": 600.0, "friction": 0.6},
