@@ -88,8 +88,8 @@ def schema_of(kind: type) -> tuple[OptionSchema, ...]:
 
 @cache
 def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
+    name = getattr(kind, "__name__", kind)
     if not dataclasses.is_dataclass(kind) or _is_undecorated(kind):
-        name = getattr(kind, "__name__", kind)
         raise TypeError(f"{name} is not decorated with `@dataclass(frozen=True)`")
     hints = typing.get_type_hints(kind, include_extras=True)
     options = []
@@ -97,7 +97,7 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
         try:
             option_type = type_of(hints[field.name])
         except TypeError as error:
-            raise TypeError(f"field `{field.name}` of {kind.__name__}: {error}") from None
+            raise TypeError(f"field `{field.name}` of {name}: {error}") from None
         constraints = field.metadata.get(_KEY, Constraints())
         default = REQUIRED if field.default is dataclasses.MISSING else field.default
         options.append(OptionSchema(field.name, option_type, default, constraints))
