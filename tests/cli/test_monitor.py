@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from xml.etree import ElementTree
 
 import pytest
@@ -68,8 +69,10 @@ def test_the_plot_marks_what_is_violated(trace, tmp_path):
         (["always (e < "], 1, "RL0"),
         (["e"], 1, "RL320"),
         (["e < 6", "--wrap", "1"], 1, "RL306"),
+        (["e < 6", "--plot", "drive.csv/plot.svg"], 1, "RL460"),
     ],
 )
-def test_faults_are_explained(trace, capsys, arguments, code, told):
+def test_faults_are_explained(trace, capsys, monkeypatch, arguments, code, told):
+    monkeypatch.chdir(os.path.dirname(trace))
     assert run(["monitor", arguments[0], trace, *arguments[1:]]) == code
     assert told in capsys.readouterr().err

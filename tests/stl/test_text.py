@@ -49,14 +49,17 @@ def test_printed_formulas_read_back(seed):
         ("always clearance", "RL320", 8, "(clearance > 0)"),
         ("x", "RL320", 1, "(x > 0)"),
         ("(a < b) + 1 > 0", "RL321", 2, None),
-        ("abbs(x) < 1", "RL322", 1, None),
+        ("abbs(x) < 1", "RL322", 1, "abs"),
+        ("next (x < 1)", "RL322", 1, None),
+        ('"x" < 1', "RL323", 1, "x"),
         ("x < 1..2", "RL323", 5, None),
-        ("x < 5mtr", "RL324", 5, None),
+        ("x < 5mtr", "RL324", 5, "5"),
         ("always[0m, 5m] F[0s, 2s] (e < 1)", "RL325", 18, None),
         ("always[0, x] (e < 1)", "RL326", 11, None),
         ("abs(x, y) < 1", "RL327", 1, None),
         ("always[50, 0] (e < 1)", "RL305", 7, "[0, 50]"),
-        ("always[-1, 0] (e < 1)", "RL305", 7, None),
+        ("always[-1, 0] (e < 1)", "RL305", 7, "[0, 0]"),
+        ("always[-9, -1] (e < 1)", "RL305", 7, None),
     ],
 )
 def test_nonsense_is_refused_at_its_place(text, code, column, fix):
@@ -65,6 +68,7 @@ def test_nonsense_is_refused_at_its_place(text, code, column, fix):
     (found,) = refusal.value.diagnostics
     assert (found.code, found.span.column) == (code, column)
     assert [edit.replacement for edit in found.fixes] == ([fix] if fix else [])
+    assert found.help
 
 
 def test_all_faults_are_told_at_once():
@@ -96,3 +100,10 @@ def test_intervals_are_closed_and_ahead(bounds):
 def test_json_that_is_no_formula_is_refused(value):
     with pytest.raises(DiagnosticError, match="RL3"):
         stl.from_json(value)
+
+
+@pytest.mark.parametrize("text", ["alw_[0, 5] (x[t] < 1)", "x[t] < 1", "ev_[0, 2] (x < 1)"])
+def test_formulas_of_breach_are_recognised(text):
+    with pytest.raises(DiagnosticError) as refusal:
+        stl.parse(text)
+    assert any("read_breach" in hint for hint in refusal.value.diagnostics[0].help)

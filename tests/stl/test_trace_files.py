@@ -14,7 +14,7 @@ from roadlang.stl.trace_files import read_trace
     ("name", "text"),
     [
         ("a.csv", "s,x\n0,1\n2,3\n"),
-        ("b.csv", "s; x\n0; 1\n\n2; 3\n"),
+        ("b.csv", "s; x\n0; 1,0\n\n2; 3\n"),
         ("c.tsv", "\ufeffs\tx\n0\t1\n2\t3\n"),
         ("d.json", '{"s": [0, 2], "x": [1, 3]}'),
         ("e.json", '[{"s": 0, "x": 1}, {"s": 2, "x": 3}]'),

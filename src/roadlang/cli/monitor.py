@@ -53,10 +53,11 @@ def _finding(formula: Formula, path: str, wrap: float | None, plot: str | None) 
     why = formula.explain(positions, signals, wrap=wrap)
     explanation = why.to_json()
     if plot:
+        from ..pipeline.writing import write_all
         from ..stl.plot import plot_svg
 
         drawn = plot_svg(formula, positions, signals, axis=axis, wrap=wrap)
-        Path(plot).write_text(drawn, encoding="utf-8")
+        write_all(Path(plot).parent, {Path(plot).name: drawn})
     trace = formula.robustness(positions, signals, wrap=wrap)
     return {
         "file": path,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, cast, get_args
 
-from ..diagnostics import Diagnostic, DiagnosticError, Fix, Span, diagnose, did_you_mean
+from ..diagnostics import Diagnostic, DiagnosticError, Fix, Span, diagnose, did_you_mean, nearest
 from ..syntax import ast
 from . import formulas as f
 from . import terms as t
@@ -53,6 +53,9 @@ class Reader:
                 if word in ("and", "or"):
                     return f.And(formulas) if word == "and" else f.Or(formulas)
                 return cast(f.Formula, _PAIRS[word](*formulas))
+        if isinstance(node, ast.Call) and _dotted(node.function) not in get_args(t.FunctionName):
+            self._unknown_function(node.function)
+            return _NOTHING
         if isinstance(node, _NUMBER_NODES):
             text = " ".join(node.span.text.split())
             self._fault(
@@ -88,7 +91,8 @@ class Reader:
             case ast.Call():
                 return self._call(node)
         if isinstance(node, _FORMULA_NODES):
-            self._fault("RL321", node.span, text=" ".join(node.span.text.split()))
+            hint = "for two formulas that hold together write `iff`, for exactly one `xor`"
+            self._fault("RL321", node.span, help=hint, text=" ".join(node.span.text.split()))
         else:
             self._unfit(node)
         return _ZERO
@@ -107,22 +111,37 @@ class Reader:
         known = get_args(t.FunctionName)
         arguments = [self.term(argument.value) for argument in node.arguments]
         if name not in known:
-            hints = (*did_you_mean(name, known), f"the functions are {', '.join(known)}")
-            self._fault("RL322", node.function.span, help=hints, name=name)
+            self._unknown_function(node.function)
             return _ZERO
         fits = len(arguments) == 1 if name == "abs" else len(arguments) >= 2
         if not fits or any(argument.key for argument in node.arguments):
             due = "one number" if name == "abs" else "two numbers or more, without names"
-            self._fault("RL327", node.span, name=name, due=due)
+            hint = "write `abs(x)`" if name == "abs" else f"write `{name}(x, y)`"
+            self._fault("RL327", node.span, help=hint, name=name, due=due)
             return _ZERO
         return t.Apply(cast(t.FunctionName, name), tuple(arguments))
+
+    def _unknown_function(self, node: ast.Name | ast.Member) -> None:
+        name, known = _dotted(node), get_args(t.FunctionName)
+        if name in ("next", "nxt", "X", "Y", "prev"):
+            hint = "samples have no `next`: write `eventually[d, d] (...)` with a distance d"
+            self._fault("RL322", node.span, help=hint, name=name)
+            return
+        found = nearest(name, known)
+        hints = (*did_you_mean(name, known), f"the functions are {', '.join(known)}")
+        fixes = (Fix(node.span, found),) if found else ()
+        self._fault("RL322", node.span, help=hints, fixes=fixes, name=name)
 
     def _number(self, node: ast.Number) -> float:
         try:
             return node.value * units.factor(node.unit)
         except KeyError:
-            hints = did_you_mean(node.unit, units.known_units())
-            self._fault("RL324", node.span, help=hints, unit=node.unit)
+            hints = (
+                *did_you_mean(node.unit, units.known_units()),
+                f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
+            )
+            fixes = (Fix(node.span, node.digits),)
+            self._fault("RL324", node.span, help=hints, fixes=fixes, unit=node.unit)
             return 0.0
 
     def _interval(self, node: ast.Interval | None) -> Interval | None:
@@ -137,22 +156,20 @@ class Reader:
             return Interval(low, high)
         except DiagnosticError:
             lo, hi = (" ".join(bound.span.text.split()) for bound in (node.low, node.high))
-            swap = low > high >= 0
-            self._fault(
-                "RL305",
-                node.span,
-                help=f"write `[{hi}, {lo}]`" if swap else "bounds begin at 0: 0 <= lo <= hi",
-                fixes=(Fix(node.span, f"[{hi}, {lo}]"),) if swap else (),
-                lo=lo,
-                hi=hi,
-            )
+            mended = f"[{hi}, {lo}]" if low > high >= 0 else f"[0, {hi}]" if high >= 0 else None
+            hints = [f"write `{mended}`"] if mended else []
+            if low < 0:
+                hints.append("to look back, use `once`, `historically` or `since`")
+            fixes = (Fix(node.span, mended),) if mended else ()
+            self._fault("RL305", node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
             return None
 
     def _bound(self, node: ast.Expression) -> float:
         term = self.term(node)
         if isinstance(term, t.Constant):
             return term.value
-        self._fault("RL326", node.span, text=" ".join(node.span.text.split()))
+        hint = "write a number or `inf`; `roadlang mine` finds a number for a name"
+        self._fault("RL326", node.span, help=hint, text=" ".join(node.span.text.split()))
         return 0.0
 
     def _check_axis(self, node: ast.Interval) -> None:
@@ -164,11 +181,20 @@ class Reader:
             self._axes.setdefault(axis, bound.span)
             if len(self._axes) == 2:
                 other = next(span for known, span in self._axes.items() if known != axis)
-                self._fault("RL325", bound.span, here=bound.span.text, there=other.text)
+                hint = "write one formula for the road and one for the drive"
+                self._fault("RL325", bound.span, help=hint, here=bound.span.text, there=other.text)
                 return
 
     def _unfit(self, node: ast.Expression) -> None:
-        self._fault("RL323", node.span, text=" ".join(node.span.text.split()))
+        fixes: tuple[Fix, ...] = ()
+        hint = "a formula has numbers, signals, comparisons and operators"
+        if isinstance(node, ast.String) and node.value.isidentifier():
+            hint, fixes = f"a signal has no quotes: `{node.value}`", (Fix(node.span, node.value),)
+        elif isinstance(node, ast.Draw):
+            low, high = node.low.span.text, node.high.span.text
+            hint = f"draws belong to scene files; between two bounds is `{low} < x < {high}`"
+        text = " ".join(node.span.text.split())
+        self._fault("RL323", node.span, help=hint, fixes=fixes, text=text)
 
     def _fault(self, code: str, span: Span, **values: Any) -> None:
         self.faults.append(diagnose(code, span, **values))

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from ..diagnostics import DiagnosticError, Source
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..diagnostics import Diagnostic, DiagnosticError, Source
 from . import formulas as f
 from .reading import Reader
+
+_BREACH = re.compile(r"\b(?:alw|ev|until|once|hist)_\s*\[|\b\w+\s*\[\s*t\s*[-+\]]|\balw\b")
 
 
 def parse(text: str, *, path: str = "<formula>") -> f.Formula:
@@ -20,9 +26,17 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
     expression, diagnostics = parse_formula(source)
     errors = [diagnostic for diagnostic in diagnostics if diagnostic.is_error]
     if expression is None or errors:
-        raise DiagnosticError(*errors)
+        raise DiagnosticError(*_with_origin(text, errors))
     reader = Reader()
     formula = reader.formula(expression)
     if reader.faults:
         raise DiagnosticError(*reader.faults)
     return formula
+
+
+def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
+    """Formulas of Breach are told how they can be read."""
+    if not errors or not _BREACH.search(text):
+        return errors
+    hint = "this looks like Breach: `roadlang.stl.read_breach` reads it"
+    return [replace(errors[0], help=(*errors[0].help, hint)), *errors[1:]]

@@ -17,8 +17,9 @@ def read_trace(path: str | Path) -> Columns:
     """(name of the axis, positions, signals by name) of a .csv, .tsv or .json file.
 
     JSON is `{"positions": [...], "signals": {"x": [...]}}`, or columns `{"s": [...], "x": [...]}`,
-    or records `[{"s": 0, "x": 1}, ...]`; in the latter two the first key holds the positions. Empty
-    cells become NaN, which a formula that reads the signal refuses. Raises DiagnosticError RL340.
+    or records `[{"s": 0, "x": 1}, ...]`; in the latter two the first key holds the positions. Where
+    semicolons part the cells, numbers may have decimal commas. Empty cells become NaN, which a
+    formula that reads the signal refuses. Raises DiagnosticError RL340.
     """
     path = Path(path)
     try:
@@ -36,6 +37,8 @@ def _from_csv(path: Path, text: str) -> Columns:
     lines = text.splitlines()
     header = lines[0] if lines else ""
     delimiter = max(",;\t", key=header.count)
+    if delimiter == ";":
+        lines[1:] = [line.replace(",", ".") for line in lines[1:]]
     rows = list(csv.reader(lines, delimiter=delimiter))
     if not header.strip():
         raise _unreadable(path, "it is empty; a first line names the columns")
