@@ -32,7 +32,7 @@ class Scale(Perturber):
         return np.atleast_2d((self.factor - 1.0) * (lever * roads.normal).sum(axis=-1))
 
     def _from_foot(self, roads: RoadBatch) -> Floats:
-        """(V, S, 2) to the road from its foot on the chord of the stretch (closed: the centroid)."""
+        """(V, S, 2) from the foot on the chord of the stretch, or the centroid, to the road."""
         import numpy as np
 
         points = roads.points
