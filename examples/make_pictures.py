@@ -25,7 +25,7 @@ def hairpin() -> Rendering:
 
 def village() -> Rendering:
     """A few streets that meet: 320 m, half a metre a pixel."""
-    return render_aerial("village", seed=4, size=640, metres_per_pixel=0.5)
+    return render_aerial("village", seed=8, size=640, metres_per_pixel=0.5)
 
 
 PHOTOS = {"hairpin": hairpin, "village": village}

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -54,9 +56,9 @@ def test_the_wheel_ships_grammar_catalogue_templates_and_the_godot_project(wheel
     } <= names
 
 
-def test_the_wheel_ships_neither_caches_nor_tests(wheel):
+def test_the_wheel_ships_no_caches(wheel):
     names = zipfile.ZipFile(wheel).namelist()
-    strays = ("__pycache__", ".godot/", "/tests/")
+    strays = ("__pycache__", ".godot/")
     assert not [name for name in names if any(stray in name for stray in strays)]
 
 
@@ -76,3 +78,22 @@ def test_the_grammar_and_the_godot_project_are_found_in_an_install(site, tmp_pat
     code = "from roadlang.syntax.grammar import grammar_path\nprint(grammar_path())\n"
     done = run(site, tmp_path, "-c", code)
     assert done.stdout.strip().startswith(str(site)), done.stdout + done.stderr
+
+
+def test_the_dependencies_are_those_that_are_imported():
+    tomllib = pytest.importorskip("tomllib")
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    declared = {re.split(r"[<>=]", name)[0] for name in project["dependencies"]}
+    packages = {"cv2": "opencv-python-headless"}
+    used = set()
+    for folder in (ROOT / "src", ROOT / "plugins/standard"):
+        for path in folder.rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                names = []
+                if isinstance(node, ast.Import):
+                    names = [alias.name for alias in node.names]
+                elif isinstance(node, ast.ImportFrom) and not node.level:
+                    names = [node.module or ""]
+                used |= {name.partition(".")[0] for name in names}
+    ours = {"roadlang", "roadlang_standard", *sys.stdlib_module_names}
+    assert {packages.get(name, name) for name in used - ours} == declared

@@ -10,7 +10,7 @@ from roadlang.api import Extractor, Flag, Length, Number, PixelPoint, Scale, lis
 from .extract_contour import in_pixels
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Extraction, Picture
+    from roadlang.api import Extraction, Picture
 
     from .extraction.evidence import Net
 

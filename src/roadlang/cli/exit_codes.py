@@ -20,7 +20,9 @@ _BY_PREFIX = (
     ("RL900", BUG),
     ("RL92", WRONG_USE),
     ("RL93", WRONG_USE),
+    ("RL460", WRONG_USE),
     ("RL470", OUTSIDE_PART_FAILED),
+    ("RL474", OUTSIDE_PART_FAILED),
     ("RL5", OUTSIDE_PART_FAILED),
     ("RL60", NO_SCENE),
 )
