@@ -69,7 +69,7 @@ def test_the_plot_marks_what_is_violated(trace, tmp_path):
         (["always (e < "], 1, "RL0"),
         (["e"], 1, "RL320"),
         (["e < 6", "--wrap", "1"], 1, "RL306"),
-        (["e < 6", "--plot", "drive.csv/plot.svg"], 1, "RL460"),
+        (["e < 6", "--plot", "drive.csv/plot.svg"], 2, "RL460"),
     ],
 )
 def test_faults_are_explained(trace, capsys, monkeypatch, arguments, code, told):

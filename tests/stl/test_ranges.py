@@ -47,6 +47,22 @@ def test_continuations_reach_both_ends(seed):
     assert greatest >= min(hi - 1e-9, 1e5)
 
 
+@pytest.mark.parametrize("seed", [*range(40), *MANY])
+def test_verdicts_hold_for_every_continuation(seed):
+    """Signals and bounds are whole numbers, so that robustness is often zero."""
+    formula = FormulaDraw(seed, bounded=True).formula(1 + seed % 3)
+    positions, row = _seen(seed, (1, 3, 6)[seed % 3])
+    row = {name: np.round(values) for name, values in row.items()}
+    verdict = formula.verdict(positions, row)
+    whole = np.arange(-4.0, 5.0)
+    for later, signals in continuations(
+        seed, positions, row, choices=10, variants=60, values=whole
+    ):
+        satisfied = formula.satisfied(later, signals)
+        assert verdict != "satisfied" or satisfied.all()
+        assert verdict != "violated" or not satisfied.any()
+
+
 @pytest.mark.parametrize(
     ("text", "lo", "hi"),
     [
