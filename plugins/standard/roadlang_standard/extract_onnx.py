@@ -10,7 +10,7 @@ from roadlang.api import File, option
 from .extract_aerial import Aerial
 
 if TYPE_CHECKING:
-    from roadlang.ir.picture import Extraction, Picture
+    from roadlang.api import Extraction, Picture
 
 
 @dataclass(frozen=True, kw_only=True)

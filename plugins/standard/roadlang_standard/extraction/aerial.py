@@ -9,7 +9,7 @@ import numpy as np
 
 from .clean import contract, join, prune
 from .drafting import Draft, draft, usual_width_of
-from .evidence import Evidence, Net, evidence, road_net
+from .evidence import Net, evidence, road_net
 from .found import FoundNetwork
 from .graph import Graph, trace
 from .hints import leave_out, paint, way_through
@@ -18,13 +18,15 @@ from .linking import link
 from .masks import without_specks
 from .scale import resized, start_scale
 from .skeleton import skeleton
-from .tones import Image
+from .tones import Image, Layer
 from .worth import drop_unworthy, prune_by_worth
 
 _COARSE = 0.35
 """Share of the half-size view in the evidence."""
 _WIDE, _HANDY = 17.0, 8.0
 """Roads wider than the first, in working pixels, are looked at again so that they are the second."""
+_EDGE_LEVEL, _EDGE_BLUR = 0.7, 4.2
+"""Evidence at the road's edge, and the blur in pixels that widens narrow roads: on renderings."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,14 @@ class Request:
 
 
 @dataclass(frozen=True)
+class Seen:
+    """Road surface (h, w), 0..1: as seen at full size, and blended with the view at half size."""
+
+    surface: Layer
+    blend: Layer
+
+
+@dataclass(frozen=True)
 class Cutoffs:
     """Where evidence counts: strong starts a road, weak carries it on; lengths in working pixels."""
 
@@ -88,20 +98,17 @@ def roads_of_photo(
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
 
 
-def look(image: Image, net: Net) -> Evidence:
-    """Evidence at the picture's size, blended with that of a half-size view."""
-    fine = evidence(image, net)
+def look(image: Image, net: Net) -> Seen:
+    """Evidence at the picture's size, and its blend with that of a half-size view."""
+    fine = evidence(image, net).surface
     if min(image.shape[:2]) < 96:
-        return fine
-    coarse = evidence(resized(image, 0.5), net)
+        return Seen(fine, fine)
+    coarse = evidence(resized(image, 0.5), net).surface
     size = image.shape[1::-1]
-    both = []
-    for near, far in ((fine.surface, coarse.surface), (fine.line, coarse.line)):
-        both.append(cv2.addWeighted(near, 1 - _COARSE, cv2.resize(far, size), _COARSE, 0))
-    return Evidence(both[0], both[1])
+    return Seen(fine, cv2.addWeighted(fine, 1 - _COARSE, cv2.resize(coarse, size), _COARSE, 0))
 
 
-def _usual(seen: Evidence) -> float:
+def _usual(seen: Seen) -> float:
     """Usual width of what is surely road, in pixels."""
     mask = without_specks(seen.surface > 0.8, 40)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
@@ -110,7 +117,7 @@ def _usual(seen: Evidence) -> float:
 
 
 def roads_of_evidence(
-    seen: Evidence, request: Request = Request(), cutoffs: Cutoffs = Cutoffs()
+    seen: Seen, request: Request = Request(), cutoffs: Cutoffs = Cutoffs()
 ) -> FoundNetwork:
     """Trace, tidy, link and draw what the net saw; the hints are those of `request`."""
     if request.threshold is not None:
@@ -121,7 +128,7 @@ def roads_of_evidence(
     if request.min_length is not None:
         cutoffs = replace(cutoffs, spur=request.min_length)
     surface = seen.surface.copy()
-    score = cv2.GaussianBlur(surface, (0, 0), 1.0)
+    score = cv2.GaussianBlur(seen.blend, (0, 0), 1.0)
     leave_out([surface, score], request.leave_out)
     if len(request.through) > 1:
         way = way_through(score, np.array(request.through, float))
@@ -132,7 +139,8 @@ def roads_of_evidence(
     graph = trace(skeleton(mask))
     usual = usual_width_of(graph, mask)
     _tidy(graph, score, usual, cutoffs)
-    return draft(graph, surface, score, Draft(usual, fixed_width=request.width), "aerial")
+    manner = Draft(usual, fixed_width=request.width, level=_EDGE_LEVEL, blur=_EDGE_BLUR)
+    return draft(graph, surface, score, manner, "aerial")
 
 
 def _forget_others(surface: np.ndarray, score: np.ndarray, way: np.ndarray, weak: float) -> None:

@@ -30,6 +30,10 @@ class Draft:
     tolerance: float = 0.15
     fixed_width: float | None = None
     recentre: bool = True
+    level: float = 0.5
+    """surface at the edge of a road"""
+    blur: float = 0.0
+    """pixels by which the surface is blurred: widths are taken to add to it in squares"""
 
     @property
     def waves(self) -> float:
@@ -49,7 +53,7 @@ def draft(graph: Graph, surface: Layer, score: Layer, manner: Draft, method: str
     roads = tuple(
         _road(line, curves[id(line)], index, surface, score, manner) for line in graph.lines
     )
-    return FoundNetwork(nodes, roads, surface >= 0.5, method)
+    return FoundNetwork(nodes, roads, surface >= manner.level, method)
 
 
 def _draw(
@@ -90,7 +94,7 @@ def _open_curve(points: Floats, through: list[Floats], surface: Layer, manner: D
     curve = smooth(points, manner.waves, tolerance, tightest, weights)
     if manner.recentre and len(points) > manner.width:
         curve = resample(curve)
-        seen = sides(curve, surface, 1.1 * manner.width + 3)
+        seen = sides(curve, surface, 1.1 * manner.width + 3, manner.level)
         curve = recentred(curve, seen, 0.8 * manner.waves, closed=False)
         curve = smooth(resample(curve), 0.6 * manner.waves, tolerance, tightest)
     return curve
@@ -101,7 +105,7 @@ def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
     curve = smooth(points[:-1], manner.waves, tolerance, tightest, closed=True)
     if manner.recentre:
         curve = resample(np.vstack([curve, curve[:1]]))[:-1]
-        seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3)
+        seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3, manner.level)
         whole = recentred(
             np.vstack([curve, curve[:1]]), seen, 0.8 * manner.waves, False, keep_ends=False
         )
@@ -151,12 +155,13 @@ def _road(
     line: Line, curve: Floats, index: dict[int, int], surface: Layer, score: Layer, manner: Draft
 ) -> FoundRoad:
     points = resample(curve, 2.0)
-    seen = sides(points, surface, 1.2 * manner.width + 3)
+    seen = sides(points, surface, 1.2 * manner.width + 3, manner.level)
     closed = line.closed
     if manner.fixed_width is not None:
         wide, spread = np.full(len(points), manner.fixed_width), 0.0
     else:
         wide, spread = widths(seen, manner.width, 4 * manner.waves / 2, closed)
+        wide = np.sqrt(np.maximum(wide**2 - manner.blur**2, (0.4 * wide) ** 2))
     at = points.astype(np.float32).reshape(1, -1, 2)
     evidence = cv2.remap(
         score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE

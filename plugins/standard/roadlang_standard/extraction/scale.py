@@ -18,7 +18,7 @@ def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
         wanted = metres_per_pixel / _GROUND
         return float(np.clip(wanted if wanted < 0.72 else 1.0, max(0.1, smallest), 1.0))
     fine = fine_share(image)
-    scale = 1 / 3 if fine < 0.0025 else 1 / 2 if fine < 0.015 else 1.0
+    scale = 1 / 3 if fine < 0.002 else 1 / 2 if fine < 0.008 else 1.0
     return max(scale, smallest)
 
 
