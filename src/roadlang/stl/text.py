@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ..diagnostics import Diagnostic, DiagnosticError, Source
+from ..syntax.parser import parse_formula
 from . import formulas as f
 from .reading import Reader
 
@@ -20,8 +21,6 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
     see; numbers with one are converted to SI. Raises DiagnosticError with all faults found:
     RL0xx where the text is no formula, RL305 and RL320 to RL326 where it makes no sense.
     """
-    from ..syntax import parse_formula
-
     source = Source(path, text)
     expression, diagnostics = parse_formula(source)
     errors = [diagnostic for diagnostic in diagnostics if diagnostic.is_error]
