@@ -1,0 +1,72 @@
+"""Tables of points as they are found in the wild."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roadlang.diagnostics import DiagnosticError
+from roadlang.geometry import Curve, Road
+from roadlang_standard.read_csv import Csv
+
+RING = [(50 * np.cos(a), 50 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 40, endpoint=False)]
+
+
+def read(folder: Path, text: str, **options: str) -> Curve | Road:
+    path = folder / "road.csv"
+    path.write_text(text)
+    return Csv(**options).read(path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x,y\n0,0\n50,0\n100,0\n",
+        "0,0\n50,0\n100,0\n",
+        "# x_m, y_m\n0,0\n50,0\n100,0\n",
+        "x;y\n0;0\n50;0\n100;0\n",
+        "x\ty\n0\t0\n50\t0\n100\t0\n",
+        "0 0\n50 0\n100 0\n",
+        "\ufeffy,x\n0,0\n0,50\n0,100\n",
+    ],
+)
+def test_separators_and_heads_are_found_out(tmp_path: Path, text: str) -> None:
+    curve = read(tmp_path, text)
+    assert isinstance(curve, Curve)
+    assert curve.length == pytest.approx(100)
+    assert not curve.closed
+
+
+def test_widths_make_a_road(tmp_path: Path) -> None:
+    road = read(tmp_path, "x,y,width\n0,0,6\n50,0,7\n100,0,8\n")
+    assert isinstance(road, Road)
+    assert road.width.at(75.0) == pytest.approx(7.5)
+
+
+def test_racetracks_have_a_width_on_either_side(tmp_path: Path) -> None:
+    rows = "\n".join(f"{x},{y},4.5,5.5" for x, y in RING)
+    road = read(tmp_path, "# x_m,y_m,w_tr_right_m,w_tr_left_m\n" + rows)
+    assert isinstance(road, Road)
+    assert road.closed
+    assert road.width.at(10.0) == pytest.approx(10)
+    assert road.length == pytest.approx(2 * np.pi * 50, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("x,z\n0,0\n1,1\n", "no column `y`"),
+        ("x,y\n0,0\n1,one\n", "line 3"),
+        ("x,y\n0,0\n1\n", "line 3 has 1 columns"),
+        ("x,y\n0,0\n", "fewer than two rows"),
+        ("x,y\n0,0\nnan,1\n", "not finite"),
+        ("", "fewer than two rows"),
+    ],
+)
+def test_what_is_no_table_is_refused(tmp_path: Path, text: str, says: str) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        read(tmp_path, text)
+    assert caught.value.diagnostics[0].code == "RL477"
+    assert says in caught.value.diagnostics[0].message
