@@ -137,3 +137,8 @@ def test_importing_and_parsing_is_light():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split("\n")[:2] == ["[]", "[]"]
+
+
+def test_all_public_names_are_there():
+    assert all(getattr(stl, name) is not None for name in stl.__all__)
+    assert set(stl.__all__) == set(dir(stl))
