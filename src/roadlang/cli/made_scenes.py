@@ -26,15 +26,23 @@ class MadeScenes:
 
 
 def make_scenes(
-    file: str, overrides: dict[str, str], count: int | None = None, seed: int = 0
+    file: str,
+    overrides: dict[str, str],
+    count: int | None = None,
+    seed: int = 0,
+    text: str | None = None,
 ) -> MadeScenes:
-    """Check a file and make its scenes. Raises `DiagnosticError` where there is none to have."""
+    """Check a file, or `text` in its place, and make its scenes.
+
+    Raises `DiagnosticError` where there is none to have.
+    """
     from ..pipeline.sampling import sample_scenes
     from ..plugins.discovery import load_registry
     from ..semantics import check_text
 
     registry = load_registry()
-    scenario, found = check_text(read_scene_file(file), Path(file), overrides, registry)
+    written = read_scene_file(file) if text is None else text
+    scenario, found = check_text(written, Path(file), overrides, registry)
     if scenario is None or any(diagnostic.is_error for diagnostic in found):
         raise DiagnosticError(*found)
     result = sample_scenes(scenario, registry, count, seed, 1, None, overrides)

@@ -48,8 +48,10 @@ class Layout:
         return {"name": name, "extent": round(self.extent + BESIDE, 1), "ticks": ticks}
 
 
-def layout_of(scene: Scene, road: str = "mesh") -> Layout:
+def layout_of(scene: Scene, road: str = "mesh", frame: Frame | None = None) -> Layout:
     """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
+
+    A `frame` that is given stays: what did not move is then not sent again.
 
     Raises `EngineError` RL509 where there is no road, RL514 where tiles have no pixels.
     """
@@ -61,7 +63,8 @@ def layout_of(scene: Scene, road: str = "mesh") -> Layout:
     placed = [(actor.x, actor.y) for actor in (*scene.agents, *scene.objects)]
     if placed:
         everything.append(np.array(placed, dtype=float))
-    frame, extent = frame_around(np.vstack(everything))
+    middle, extent = frame_around(np.vstack(everything))
+    frame = frame or middle
     tiled = road == "tiles"
     things = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
     paths = {name: i + 1 for i, name in enumerate(_driven_roads(scene, lines))}

@@ -1,0 +1,52 @@
+"""The Godot project itself: its own tests, its style, and that it opens."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from conftest import _started
+from roadlang_standard.godot import engine as engines
+
+PROJECT = engines.project()
+
+
+@pytest.mark.godot
+def test_the_projects_own_tests_pass() -> None:
+    _started().stop()
+    command = [
+        str(engines.find()),
+        "--headless",
+        "--path",
+        str(PROJECT),
+        "-s",
+        "res://tests/run.gd",
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert ", 0 failed" in done.stdout
+    assert "SCRIPT ERROR" not in done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    "tool", [["gdlint", "."], ["gdformat", "--check", "."]], ids=lambda t: t[0]
+)
+def test_the_project_is_clean_under(tool: list[str]) -> None:
+    beside = Path(sys.executable).with_name(tool[0])
+    program = str(beside) if beside.exists() else shutil.which(tool[0])
+    if program is None:
+        pytest.skip(f"no {tool[0]} here: pip install gdtoolkit")
+    done = subprocess.run([program, *tool[1:]], cwd=PROJECT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_every_script_says_what_it_is() -> None:
+    for script in PROJECT.rglob("*.gd"):
+        lines = script.read_text(encoding="utf-8").splitlines()
+        assert lines[0].startswith("extends"), script
+        assert lines[1].startswith("## "), script
+        assert len(lines) <= 300, script

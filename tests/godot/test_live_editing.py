@@ -1,0 +1,87 @@
+"""A scene that is changed while it is driven: soon felt by physics, and the car drives on."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from godot_scenes import call, car, pieces, road, scene, straight, thing
+
+from roadlang_standard.godot.engine import Engine
+from roadlang_standard.godot.frame import Frame
+from roadlang_standard.godot.line import polyline
+from roadlang_standard.godot.live import LiveScene
+from roadlang_standard.godot.protocol import Message
+from roadlang_standard.godot.road_mesh import SURFACE_MARKED, strip_thing
+from roadlang_standard.godot.session import Session
+from roadlang_standard.godot.thing import Thing
+
+pytestmark = pytest.mark.godot
+
+
+@pytest.fixture
+def live_session(fresh_engine: Engine) -> Iterator[Session]:
+    with fresh_engine.connect("live") as session:
+        yield session
+
+
+def raised(height: float) -> Thing:
+    """100 m of road at a height."""
+    s = np.linspace(0, 100, 41)
+    left, right = polyline("main", pieces(straight(100)), 7.0).edges(s)
+    strip = np.stack([Frame().ground(left, height), Frame().ground(right, height)], axis=1)
+    return strip_thing("main", strip, s, 2, 1, SURFACE_MARKED)
+
+
+def test_physics_feels_a_change_within_milliseconds(live_session: Session) -> None:
+    live_session.begin({"name": "live", "extent": 200.0}, clear=True)
+    live_session.update([raised(0.0)])
+    took = []
+    for turn in range(1, 31):
+        height = 0.1 * turn
+        began = time.monotonic()
+        live_session.update([raised(height)])
+        while abs((live_session.probe(50.0, 0.0) or 0.0) - height) > 1e-3:
+            assert time.monotonic() - began < 2.0
+        took.append(time.monotonic() - began)
+    assert statistics.median(took) <= 0.030
+
+
+def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
+    def shifted(by: float) -> object:
+        points = pieces(straight(120))
+        points[:, 1] += by * np.clip((points[:, 0] - 40) / 40, 0, 1)
+        main = road("main", points)
+        ego = car("ego", main, 5.0, call("pure_pursuit", speed=7.0, lookahead=5.0))
+        return scene(main, agents=[ego], objects=[thing("tree", 30.0, 20.0, name="oak")])
+
+    live = LiveScene(live_session, shifted(0.0))  # type: ignore[arg-type]
+    began = time.monotonic()
+    for step in range(1, 6):
+        while time.monotonic() - began < 0.4 * step:
+            live.listen(0.02)
+        assert live.change(shifted(0.4 * step)) < 12  # type: ignore[arg-type]
+    while time.monotonic() - began < 4.0:
+        live.listen(0.02)
+    trace = live.trace()
+    assert trace is not None
+    ego = trace.agents["ego"]
+    assert ego.x[-1] > 12.0
+    assert np.diff(ego.x).max() < 1.0
+    assert np.abs(ego.cross_track).max() < 1.0
+    assert live_session.prove().things == len(live.layout.things)
+
+
+def test_a_move_in_the_window_is_told_by_name(live_session: Session) -> None:
+    main = road("main", pieces(straight(80)))
+    made = scene(main, objects=[thing("tree", 30.0, 20.0, name="oak")])
+    live = LiveScene(live_session, made)
+    number = next(t.id for t in live.layout.things if t.kind == Message.OBJECTS)
+    edit = f'{{"what":"object","id":{number},"index":0,"from":[0,0],"to":[3,4],"done":true}}'
+    live_session._inbox.append((Message.EDIT, edit.encode()))
+    (move,) = live.listen(0.01)
+    assert (move.name, move.done) == ("oak", True)
+    assert move.end == (live.layout.frame.x + 3, live.layout.frame.y + 4)

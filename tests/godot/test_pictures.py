@@ -1,0 +1,82 @@
+"""Pictures of scenes, drawn in software: what should be seen is there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from godot_scenes import bend, car, pieces, road, scene, straight
+
+from roadlang.api import Scene
+from roadlang.cli import main as cli
+from roadlang_standard.godot.engine import Engine
+from roadlang_standard.godot.line import line_of
+from roadlang_standard.godot.pictures import Shot, build, metres_a_pixel, take
+
+pytestmark = pytest.mark.godot
+
+
+def curved() -> Scene:
+    main = road("main", pieces(straight(60), bend(50, 120), straight(60)))
+    return scene(main, agents=[car("ego", main, 30.0)])
+
+
+def drawn(engine: Engine, shot: Shot) -> tuple[np.ndarray, object]:
+    with engine.connect("pictures") as session:
+        layout = build(session, curved())
+        picture = np.frombuffer(take(session, layout, shot), np.uint8)
+        return cv2.imdecode(picture, cv2.IMREAD_COLOR), layout
+
+
+def test_a_top_view_shows_the_road_where_it_is(drawing_engine: Engine) -> None:
+    shot = Shot("top", 640, 640)
+    picture, layout = drawn(drawing_engine, shot)
+    scale = metres_a_pixel(layout, shot)  # type: ignore[arg-type]
+    frame = layout.frame  # type: ignore[attr-defined]
+    line = line_of(curved().roads[0])
+    s = np.linspace(2, line.length - 2, 60)
+    points, heading, _ = line.at(s)
+    side = np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
+
+    def colours(at: np.ndarray) -> np.ndarray:
+        column = np.round((at[:, 0] - frame.x) / scale + 319.5).astype(int)
+        row = np.round((frame.y - at[:, 1]) / scale + 319.5).astype(int)
+        return picture[row, column].astype(int)
+
+    asphalt = colours(points + 1.5 * side)
+    grass = colours(points + 6.0 * side)
+    saturation = np.ptp(asphalt, axis=1), np.ptp(grass, axis=1)
+    assert np.median(saturation[0]) < 25
+    assert np.median(saturation[1]) > 40
+    assert (saturation[0] < saturation[1]).mean() > 0.9
+
+
+def test_the_chase_view_shows_sky_above_and_a_car_in_the_middle(drawing_engine: Engine) -> None:
+    picture, _ = drawn(drawing_engine, Shot("chase", 480, 270))
+    sky = picture[:40].reshape(-1, 3).mean(axis=0)
+    assert sky[0] > sky[2] + 20
+    centre, edge = picture[170:230, 210:270], picture[170:230, 5:65]
+    assert np.abs(centre.mean(axis=(0, 1)) - edge.mean(axis=(0, 1))).max() > 15
+
+
+def test_the_commands_picture_and_clip(tmp_path: Path) -> None:
+    from conftest import _started
+
+    _started(draw=True).stop()
+    file = tmp_path / "scene.rl"
+    file.write_text(
+        "road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] }, width: 8m }\n"
+        "agent ego is car on main at 5m { drive with pure_pursuit { speed: 8m/s } }\n",
+        encoding="utf-8",
+    )
+    size = ["--size", "160x90"]
+    for name, more in (("a.png", ["--at", "1"]), ("b.avi", ["--duration", "1", "--fps", "4"])):
+        code = cli.run(["render", str(file), "-o", str(tmp_path / name), *size, *more])
+        assert code == 0
+    assert cv2.imread(str(tmp_path / "a.png")).shape == (90, 160, 3)
+    clip = cv2.VideoCapture(str(tmp_path / "b.avi"))
+    frames = [frame for good, frame in iter(clip.read, (False, None)) if good]
+    assert len(frames) == 4
+    assert np.abs(frames[0].astype(int) - frames[-1].astype(int)).mean() > 1
