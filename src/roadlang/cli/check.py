@@ -15,7 +15,7 @@ from .scene_files import parse_overrides, read_scene_file
 
 
 @click.command("check")
-@click.argument("files", nargs=-1, required=True, metavar="FILE...")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path())
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
 @click.option("--json", "as_json", is_flag=True, help="Print the diagnostics as a JSON list.")
 @click.option(

@@ -22,8 +22,10 @@ if TYPE_CHECKING:
 
 
 @click.command("compile")
-@click.argument("file")
-@click.option("-o", "--output", "folder", default="out", show_default=True, metavar="DIR")
+@click.argument("file", type=click.Path())
+@click.option(
+    "-o", "--output", "folder", default="out", show_default=True, metavar="DIR", type=click.Path()
+)
 @click.option(
     "-n",
     "count",
@@ -144,9 +146,13 @@ class _Run:
         for remark in result.remarks if result is not None else ():
             click.echo(f"note: {remark}", err=True)
         if self.manifest is not None and result is not None:
-            scenes = "1 scene" if result.accepted == 1 else f"{result.accepted} scenes"
-            tried = f"{result.candidates:,} candidates" if result.candidates != 1 else "1 candidate"
-            say(f"{scenes} of {tried}, {len(self.manifest.files)} files in {self.folder}")
+            scenes = _count(result.accepted, "scene")
+            tried = _count(result.candidates, "candidate")
+            say(f"{scenes} of {tried}, {_count(len(self.manifest.files), 'file')} in {self.folder}")
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
 def _check_emits(scenario: Scenario, registry: Registry, names: Sequence[str] | None) -> None:

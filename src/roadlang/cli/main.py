@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import os
+import signal
 import sys
 from collections.abc import Iterator, Sequence
+from types import FrameType
+from typing import NoReturn
 
 import click
 
@@ -55,11 +58,17 @@ def _plugins_refused(names: tuple[str, ...]) -> Iterator[None]:
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """The console script."""
+    # As Ctrl-C does, so that what is half written is removed before the process ends.
+    signal.signal(signal.SIGTERM, _terminate)
     code = run(arguments)
     with contextlib.suppress(OSError, ValueError):
         sys.stdout.flush()
         sys.stderr.flush()
     sys.exit(code)
+
+
+def _terminate(number: int, frame: FrameType | None) -> NoReturn:
+    raise SystemExit(128 + number)
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
