@@ -248,9 +248,11 @@ def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
         words = ", ".join(f"`{word}`" for word in context.words)
         help_ = f"the words are {words}"
         return checker.report("RL223", name.span, word=name.text, help=help_, meant=word)
-    if context.verbs and not declared:
-        find_kind(checker, context.verbs[0], name.text, name.span)
-        return unknown(name.span)
+    if context.verbs:
+        verb = context.verbs[0]
+        if not declared or nearest(name.text, checker.registry.names(verb)):
+            find_kind(checker, verb, name.text, name.span)
+            return unknown(name.span)
     meant = declared or _FLAGS.get(name.text.lower())
     help_ = "" if meant else _about_functions(checker, name.text)
     return checker.report(
