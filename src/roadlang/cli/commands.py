@@ -10,7 +10,7 @@ import click
 COMMANDS: dict[str, tuple[str, str]] = {
     "compile": ("compile", "Make scenes of a scene file and write them."),
     "check": ("check", "Report every fault of scene files; write nothing."),
-    "fmt": ("fmt", "Print scene files in the one layout; comments stay."),
+    "fmt": ("fmt", "Put scene files into the one layout; comments stay."),
     "init": ("init", "Write a starter scene that compiles."),
     "explain": ("explain", "Explain a diagnostic code."),
     "plugins": ("plugins", "List plugins and their kinds; show a kind's options."),

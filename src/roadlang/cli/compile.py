@@ -121,11 +121,13 @@ class _Run:
         from ..ir.encoding import to_json
         from ..pipeline.emitting import backends_of, outputs, send
         from ..pipeline.writing import write_all
+        from .progress import ProgressBar
         from .provenance import manifest_of
 
         assert self.result is not None
         backends = backends_of(scenario, registry, names)
-        written = outputs(backends, self.result.scenes)
+        with ProgressBar("files") as progress:
+            written = outputs(backends, self.result.scenes, progress)
         manifest = manifest_of(
             scenario, self.result, written, self.file, seed, self.overrides, backends
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -46,11 +46,17 @@ def _call(scenario: Scenario, name: str) -> PassCall:
     return PassCall("emit", name, (), f"--emit {name}")
 
 
-def outputs(backends: Iterable[Built], scenes: Sequence[Scene]) -> list[Output]:
+def outputs(
+    backends: Sequence[Built],
+    scenes: Sequence[Scene],
+    progress: Callable[[int, int], None] | None = None,
+) -> list[Output]:
     """All files of all backends. Raises `DiagnosticError` RL931 where two have one name."""
     found: dict[str, Output] = {}
-    for backend in backends:
+    for number, backend in enumerate(backends):
         for output in _outputs_of(backend, scenes):
+            if progress is not None and output.scene is not None:
+                progress(number * len(scenes) + output.scene, len(backends) * len(scenes))
             other = found.setdefault(output.path, output)
             if other is not output:
                 raise DiagnosticError(
