@@ -98,7 +98,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
     for end in ends:
         if not isinstance(end.type, Quantity):
             return checker.report("RL206", end.span, what="`..`", due="a number", found=end.type)
-    dimension = common_dimension(checker, ends, "`..` goes")
+    dimension = common_dimension(checker, ends, "the two ends of a range")
     if dimension is None:
         return unknown(draw.span)
     low, high = ends

@@ -170,7 +170,7 @@ def _count(checker: Checker, typed: Typed, what: str, due: str, found: int) -> T
 def _in_order(checker: Checker, ends: list[Typed], whole: Typed) -> bool:
     if not all(isinstance(end.type, ty.Quantity) for end in ends):
         return True
-    if common_dimension(checker, ends, "an interval goes") is None:
+    if common_dimension(checker, ends, "the two ends of an interval") is None:
         return False
     low, high = ends[0].constant, ends[1].constant
     if low is not None and high is not None and low > high:
