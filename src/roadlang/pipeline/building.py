@@ -12,6 +12,7 @@ import numpy as np
 
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.values import Entity, PassCall
+from ..plugins.kinds import Kind
 from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
 from ..plugins.options import OptionSchema, schema_of
 from ..plugins.registry import KindEntry
@@ -60,13 +61,22 @@ def build(
 
 
 def one_of_batch(kind: Any, row: int) -> Any:
-    """The kind of one candidate of a batch: its columns become plain numbers."""
+    """The kind of one candidate of a batch: its columns become plain numbers and words."""
     picked = {
-        field.name: value[row if value.shape[0] > 1 else 0, 0].item()
-        for field in dataclasses.fields(kind)
-        if isinstance(value := getattr(kind, field.name), np.ndarray) and value.ndim == 2
+        field.name: _at_row(getattr(kind, field.name), row) for field in dataclasses.fields(kind)
     }
     return dataclasses.replace(kind, **picked)
+
+
+def _at_row(value: Any, row: int) -> Any:
+    """The value of one candidate, also of columns inside lists, points, maps and calls."""
+    if isinstance(value, np.ndarray) and value.ndim == 2:
+        return scalar(value[row : row + 1] if value.shape[0] > 1 else value)
+    if isinstance(value, tuple):
+        return tuple(_at_row(item, row) for item in value)
+    if isinstance(value, dict):
+        return {key: _at_row(item, row) for key, item in value.items()}
+    return one_of_batch(value, row) if isinstance(value, Kind) else value
 
 
 def _converted(

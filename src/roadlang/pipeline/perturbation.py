@@ -57,42 +57,49 @@ def _displacements(
     built: Built, road: RoadBatch, random: BatchRandom, variants: Variants
 ) -> Floats:
     kind = built.kind
-    with built.blamed:
-        if type(kind).displacements is not Perturber.displacements:
+    stations = len(road.stations)
+    if type(kind).displacements is not Perturber.displacements:
+        with built.blamed:
             moves = np.asarray(kind.displacements(road, random), dtype=np.float64)
-        else:
-            moves = _one_by_one(kind, road, random, variants.count)
-    _check(moves, built, road, variants.count)
+        if moves.shape == (stations,):  # no option is random: alike in all variants
+            moves = moves[None, :]
+        if moves.shape not in ((1, stations), (variants.count, stations)):
+            raise _wrong(
+                f"gave displacements of shape {moves.shape}, not ({variants.count}, {stations})",
+                built,
+            )
+    else:
+        moves = np.stack([_displacement(built, road, random, i) for i in range(variants.count)])
+    if not np.isfinite(moves).all():
+        raise _wrong("gave displacements that are not finite numbers", built)
+    if np.abs(moves).max(initial=0.0) > FARTHEST:
+        raise _wrong(f"moved `{road.name}` by more than {FARTHEST:g} m", built)
     return moves
 
 
-def _one_by_one(kind: Any, road: RoadBatch, random: BatchRandom, count: int) -> Floats:
-    rows = []
-    for row in range(count):
-        one = road.take(np.array([row if road.variants > 1 else 0]))
-        rows.append(one_of_batch(kind, row).displacement(one, random.generator(row)))
-    return np.asarray(rows, dtype=np.float64)
-
-
-def _check(moves: Floats, built: Built, road: RoadBatch, count: int) -> None:
+def _displacement(built: Built, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
+    """(S,) metres of one variant."""
+    one = road.take(np.array([row if road.variants > 1 else 0]))
+    kind = one_of_batch(built.kind, row)
+    with built.blamed:
+        moves = np.asarray(kind.displacement(one, random.generator(row)), dtype=np.float64)
     stations = len(road.stations)
-    fault = None
-    if moves.ndim != 2 or moves.shape[0] not in (1, count) or moves.shape[1] != stations:
-        fault = f"gave displacements of shape {moves.shape}, not ({count}, {stations})"
-    elif not np.isfinite(moves).all():
-        fault = "gave displacements that are not finite numbers"
-    elif np.abs(moves).max(initial=0.0) > FARTHEST:
-        fault = f"moved `{road.name}` by more than {FARTHEST:g} m"
-    if fault is not None:
-        raise DiagnosticError(
-            diagnose(
-                "RL474",
-                built.call.span,
-                kind=f"perturb {built.entry.qualified}",
-                plugin=str(built.entry.origin),
-                fault=fault,
-            )
+    # What is computed of `road.length` or `road.curvature` has the one row of the road.
+    if moves.shape not in ((stations,), (1, stations)):
+        raise _wrong(f"gave displacements of shape {moves.shape}, not ({stations},)", built)
+    return moves.reshape(stations)
+
+
+def _wrong(fault: str, built: Built) -> DiagnosticError:
+    return DiagnosticError(
+        diagnose(
+            "RL474",
+            built.call.span,
+            kind=f"perturb {built.entry.qualified}",
+            plugin=str(built.entry.origin),
+            fault=fault,
         )
+    )
 
 
 def _stretch(call: PassCall, variants: Variants, element: int) -> tuple[Any, Any] | None:

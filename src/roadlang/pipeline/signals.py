@@ -65,13 +65,23 @@ def signal(call: PassCall, axis: Axis, variants: Variants) -> Floats:
         built = build(call, variants, resolve=lambda entity: axis.resolve(entity, variants))
         with built.blamed:
             values = np.asarray(built.kind.values(), dtype=np.float64)
-        if values.ndim != 2 or values.shape[0] not in (1, variants.count):
-            raise _wrong(call, built, f"gave values of shape {values.shape}")
+        if values.ndim < 2:  # alike in all variants
+            values = values.reshape(1, -1)
+        rows, columns = (1, variants.count), (1, *_stations_of(built.kind))
+        if values.ndim != 2 or values.shape[0] not in rows or values.shape[1] not in columns:
+            fault = f"gave values of shape {values.shape}, not ({rows[-1]}, {columns[-1]})"
+            raise _wrong(call, built, fault)
         if not np.isfinite(values).all():
             raise _wrong(call, built, "gave values that are not finite numbers")
         return values
 
     return variants.once(("signal", call_key(call), axis.edge), make)
+
+
+def _stations_of(kind: Any) -> set[int]:
+    """How many stations the roads have that a signal is about."""
+    roads = (value for value in vars(kind).values() if isinstance(value, RoadBatch))
+    return {len(road.stations) for road in roads}
 
 
 def measured(call: PassCall, variants: Variants, element: int = 0) -> Floats:
@@ -86,7 +96,13 @@ def measured(call: PassCall, variants: Variants, element: int = 0) -> Floats:
     def make() -> Floats:
         built = build(call, variants, resolve=resolve)
         with built.blamed:
-            return np.asarray(built.kind.values(), dtype=np.float64).reshape(-1, 1)
+            values = np.asarray(built.kind.values(), dtype=np.float64)
+        if values.size not in (1, variants.count):
+            fault = f"gave values of shape {values.shape}, not ({variants.count}, 1)"
+            raise _wrong(call, built, fault)
+        if not np.isfinite(values).all():
+            raise _wrong(call, built, "gave values that are not finite numbers")
+        return values.reshape(-1, 1)
 
     return variants.once(("number", call_key(call), element), make)
 
