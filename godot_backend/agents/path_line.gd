@@ -4,7 +4,7 @@ extends RefCounted
 const PathLine := preload("res://agents/path_line.gd")
 
 ## Segments looked at on each side of the last foot point.
-const REACH := 24
+const REACH := 6
 
 var closed := false
 var length := 0.0

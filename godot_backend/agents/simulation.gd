@@ -16,7 +16,10 @@ const Weather := preload("res://build/weather.gd")
 const DEFAULT_FRICTION := 0.9
 const FLUSH_BYTES := 7000
 const FLUSH_USEC := 50000
-const CONTROL_BYTES := 12
+## A state is told again this often while no step comes: either may have been lost.
+const STATE_EVERY_USEC := 20000
+## A step that comes this soon is not slept through.
+const SPIN_USEC := 400
 
 ## Called again and again while a step is waited for.
 var while_waiting: Callable
@@ -168,13 +171,14 @@ func _gather() -> void:
 
 func _await_step() -> void:
 	var sent := 0
+	var began := Time.get_ticks_usec()
 	while mode == Mode.LOCKSTEP and tick >= _hold_until:
 		var now := Time.get_ticks_usec()
-		if now - sent > 20000:
+		if now - sent > STATE_EVERY_USEC:
 			_server.send_once(Protocol.STATE, _header() + _records())
 			sent = now
-		if not _server.poll(false):
-			OS.delay_usec(20)
+		if not _server.poll(false) and now - began > SPIN_USEC:
+			OS.delay_usec(50)
 		while_waiting.call()
 		if not _server.connected():
 			stop("client gone")

@@ -1,0 +1,164 @@
+"""Measures the engine against its bars: `python benchmarks/godot/measure.py [NAME ...]`.
+
+Needs a Godot engine; prints one line a bar. Numbers depend on what else the machine does.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import statistics
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "godot"))
+
+from godot_proxy import Proxy, Weather
+from godot_scenes import bend, bends, call, car, pieces, road, scene, straight
+from test_live_editing import raised
+
+from roadlang_standard.godot import driving, engine
+from roadlang_standard.godot.frame import Frame
+from roadlang_standard.godot.layout import layout_of
+from roadlang_standard.godot.line import polyline
+from roadlang_standard.godot.road_mesh import road_things
+from roadlang_standard.godot.simulate import Settings, drive_in
+from roadlang_standard.godot.telemetry import of_agent
+
+
+def long_road() -> None:
+    """100 km of road, sent, built and proven."""
+    x = np.arange(0, 100_001, 20.0)
+    line = polyline("long", np.stack([x, 60 * np.sin(x / 150)], axis=-1), 7.0)
+    things = road_things(line, 1, Frame(50_000.0, 0.0))
+    for transport in ("udp", "websocket"):
+        with engine.start(transport=transport) as running, running.connect() as session:
+            session.begin({"name": "long", "extent": 50_000.0}, clear=True)
+            began = time.monotonic()
+            session.update(things)
+            acknowledged = time.monotonic() - began
+            session.prove()
+            proven = time.monotonic() - began
+        rate = len(things) / acknowledged
+        print(f"{transport}: {len(things)} segments of 100 m: {rate:,.0f}/s", end="; ")
+        print(f"{line.length / 1000:.0f} km proven built in {proven:.2f} s")
+
+
+def storms() -> None:
+    """Scenes through 30 % loss both ways, doubles, reordering and corruption."""
+    line = polyline("main", pieces(straight(2000), bend(200, 150), straight(2000)), 7.0)
+    things = road_things(line, 1, Frame())
+    weather = Weather(loss=0.3, double=0.15, reorder=0.2, corrupt=0.05)
+    whole, runs = 0, 20
+    with engine.start() as running:
+        for seed in range(runs):
+            with (
+                Proxy(running.host, running.port, weather, seed) as proxy,
+                engine.connect(running.host, proxy.port, patience=20.0) as session,
+            ):
+                session.begin({"name": "storm", "extent": 5000.0}, clear=True)
+                session.update(things)
+                proof = session.prove()
+                whole += proof.things == proof.builds == len(things)
+    print(f"storms: {whole} of {runs} scenes digest-equal, nothing built twice")
+
+
+def live_edits() -> None:
+    """From sending an edit to its effect in physics, in real time."""
+    took = []
+    with engine.start() as running, running.connect() as session:
+        session.begin({"name": "live", "extent": 200.0}, clear=True)
+        session.update([raised(0.0)])
+        for turn in range(1, 301):
+            height = 0.1 * (turn % 40) + 0.1
+            began = time.monotonic()
+            session.update([raised(height)])
+            while abs((session.probe(50.0, 0.0) or 0.0) - height) > 1e-3:
+                pass
+            took.append(1000 * (time.monotonic() - began))
+            time.sleep(0.003 * (turn % 7))
+    p95 = statistics.quantiles(took, n=20)[-1]
+    print(
+        f"live edit to physical effect: median {statistics.median(took):.1f} ms, p95 {p95:.1f} ms"
+    )
+
+
+def speed() -> None:
+    """Simulated seconds a second: one car and fifty in the engine, one in lock-step."""
+    bent = bends()
+    ego = car("ego", bent, 5.0, call("pure_pursuit", speed=13.0, lookahead=6.0))
+    crowd = [
+        car(f"car[{i}]", bent, 5.0 + 9.0 * i, call("lane_follow", speed=9.0)) for i in range(50)
+    ]
+    with engine.start(fixed_fps=60) as running, running.connect() as session:
+        for name, agents in (("1 car", [ego]), ("50 cars", crowd)):
+            _build(session, scene(bent, agents=agents))
+            began = time.monotonic()
+            ticks = driving.run(session, 60 * 50).ticks
+            rate = len(agents) * ticks / 60 / (time.monotonic() - began)
+            print(f"{name}: {rate:.0f} car-seconds per second")
+        _build(session, scene(bent, agents=[ego]))
+        with driving.LockStep(session) as lock:
+            began = time.monotonic()
+            while lock.tick < 60 * 40:
+                row = of_agent(lock.state, 1)[-1]
+                lock.step({(0, 1): (0.0, 2.0 * (8.0 - float(row["speed"])))})
+            print(f"lock-step from Python: {40 / (time.monotonic() - began):.0f} s per second")
+
+
+def repeats() -> None:
+    """Digests of the telemetry of repeated drives, in one engine and in a fresh one."""
+    bent = bends()
+    cars = [car(f"car[{i}]", bent, 5.0 + 9.0 * i, call("car_follow", speed=12.0)) for i in range(5)]
+    digests = []
+    for _ in range(2):
+        with engine.start(fixed_fps=60) as running, running.connect() as session:
+            for _ in range(2):
+                _build(session, scene(bent, agents=cars))
+                trace = driving.run(session, 60 * 30).trace
+                digests.append(hashlib.md5(trace.tobytes()).hexdigest())
+    print(f"repeats: {len(set(digests))} digest in {len(digests)} drives of 2 engines")
+
+
+def grip() -> None:
+    """Cross-track error at 15 m/s on bends of 37 m; the speed at which a car slides out."""
+    bent = bends()
+    with engine.start(fixed_fps=60) as running, running.connect() as session:
+        for kind in ("pure_pursuit", "stanley", "lane_follow", "car_follow"):
+            ahead = {"lookahead": 1.0, "lookahead_time": 0.4} if kind == "pure_pursuit" else {}
+            ego = car("ego", bent, 5.0, call(kind, speed=15.0, **ahead))
+            trace = drive_in(session, scene(bent, agents=[ego]), Settings(duration=80), {})
+            worst = np.abs(trace.agents["ego"].cross_track).max()
+            print(f"{kind} at 15 m/s, R 37 m: cross-track error {worst:.2f} m")
+        for friction in (0.5, 0.9, 1.2):
+            ring = road("ring", pieces(straight(220), bend(60, 350)), width=9.0)
+            limit = math.sqrt(friction * 9.81 * 60)
+            for share in np.arange(0.85, 1.21, 0.025):
+                fast = call("pure_pursuit", speed=share * limit, lookahead=1.0, lookahead_time=0.4)
+                made = scene(
+                    ring, agents=[car("ego", ring, 3.0, fast)], world={"friction": friction}
+                )
+                ego_trace = drive_in(session, made, Settings(duration=45), {}).agents["ego"]
+                if np.abs(ego_trace.cross_track).max() > 3.0:
+                    break
+            print(f"friction {friction}: slides out at {share:.3f} of sqrt(mu g R)")
+
+
+def _build(session: object, made: object) -> None:
+    layout = layout_of(made)  # type: ignore[arg-type]
+    session.begin(layout.settings(), clear=True)  # type: ignore[attr-defined]
+    session.update(layout.things)  # type: ignore[attr-defined]
+    session.prove()  # type: ignore[attr-defined]
+
+
+BARS: dict[str, Callable[[], None]] = {
+    one.__name__: one for one in (long_road, storms, live_edits, speed, repeats, grip)
+}
+
+if __name__ == "__main__":
+    for wanted in sys.argv[1:] or BARS:
+        BARS[wanted]()
