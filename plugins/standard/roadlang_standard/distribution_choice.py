@@ -35,8 +35,10 @@ class Choice(Distribution):
         """The item whose share of the unit interval holds the number."""
         import numpy as np
 
-        ends = np.cumsum(self._shares())[:-1]
-        index = np.searchsorted(ends, uniform, side="right")
+        ends = np.cumsum(self._shares(), axis=0)[:-1]
+        index = np.zeros(uniform.shape, dtype=np.int64)
+        for end in ends:
+            index += uniform >= end
         items = self.items
         if all(isinstance(item, bool | int | float | np.ndarray) for item in items):
             columns = [np.broadcast_to(np.asarray(item), uniform.shape) for item in items]
@@ -54,20 +56,24 @@ class Choice(Distribution):
     def levels(self, steps: int) -> list[float]:
         """Each item once, whatever `steps` says."""
         ends, levels = 0.0, []
-        for share in self._shares():
+        for share in map(float, self._shares()):
             if share > 0:
                 levels.append(ends + share / 2)
             ends += share
         return levels
 
-    def _shares(self) -> list[float]:
+    def _shares(self) -> list[Any]:
+        """A number for each item, or a column where weights are random. Raises RL476."""
+        import numpy as np
+
         weights = self.weights
         if weights is None:
             return [1.0 / len(self.items)] * len(self.items)
-        total = float(sum(weights))
-        if len(weights) != len(self.items) or min(weights) < 0 or not total > 0:
+        total = sum(weights)
+        least = min(float(np.min(weight)) for weight in weights)
+        if len(weights) != len(self.items) or least < 0 or not np.all(np.asarray(total) > 0):
             raise DiagnosticError(diagnose("RL476", items=len(self.items), weights=len(weights)))
-        return [float(weight) / total for weight in weights]
+        return [weight / total for weight in weights]
 
 
 def _pick(columns: list[Floats], index: Any) -> Floats:

@@ -23,7 +23,10 @@ class Guided(Sampler):
     name: ClassVar[str] = "guided"
     sequential: ClassVar[bool] = False
     attempts: Whole = option(
-        10_000, minimum=1, maximum=100_000_000, help="tries for one scene before it is given up"
+        None,
+        minimum=1,
+        maximum=100_000_000,
+        help="tries before a scene is given up; about five seconds' worth",
     )
     pilot: Whole = option(
         20_000, minimum=100, maximum=10_000_000, help="candidates to learn from, at most"

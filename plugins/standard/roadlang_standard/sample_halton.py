@@ -24,10 +24,10 @@ class Halton(Sampler):
 
     name: ClassVar[str] = "halton"
     attempts: Whole = option(
-        1_000_000,
+        None,
         minimum=1,
         maximum=100_000_000,
-        help="candidates in all before the search is given up",
+        help="candidates in all before the search is given up; about five seconds' worth",
     )
 
     def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:

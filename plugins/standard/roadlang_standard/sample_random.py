@@ -15,5 +15,8 @@ class Random(Sampler):
     name: ClassVar[str] = "random"
     sequential: ClassVar[bool] = False
     attempts: Whole = option(
-        10_000, minimum=1, maximum=100_000_000, help="tries for one scene before it is given up"
+        None,
+        minimum=1,
+        maximum=100_000_000,
+        help="tries before a scene is given up; about five seconds' worth",
     )

@@ -29,7 +29,7 @@ class Clearance(Signal):
 
     name: ClassVar[str] = "clearance"
     unit: ClassVar[str] = "m"
-    cost: ClassVar[float] = 400.0
+    cost: ClassVar[float] = 3000.0
     road: RoadOrNetwork = option(help="the road")
 
     def values(self) -> Floats:

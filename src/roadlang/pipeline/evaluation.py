@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..diagnostics import DiagnosticError, diagnose
 from ..ir.values import (
     Condition,
     Constant,
@@ -46,8 +47,7 @@ def evaluate(value: Value, variants: Variants, element: int = 0) -> Any:
     if isinstance(value, Constant | Flag | Text):
         return value.value
     if isinstance(value, Reference):
-        named = variants.plan.values[value.name]
-        return variants.once(("value", value.name), lambda: evaluate(named.value, variants))
+        return named(value.name, variants)
     if isinstance(value, Draw):
         return drawn(value, variants, element)
     if isinstance(value, Operation):
@@ -62,6 +62,20 @@ def evaluate(value: Value, variants: Variants, element: int = 0) -> Any:
         return {key: evaluate(item, variants, element) for key, item in value.entries}
     assert isinstance(value, Entity | PassCall | Condition)
     return value
+
+
+def named(name: str, variants: Variants) -> Any:
+    """What a `param` or `let` is. Raises RL478 where it is no number, as after 0 / 0."""
+
+    def make() -> Any:
+        found = evaluate(declared.value, variants)
+        numbers = np.asarray(found) if isinstance(found, float | np.ndarray) else np.zeros(1)
+        if numbers.dtype.kind == "f" and np.isnan(numbers).any():
+            raise DiagnosticError(diagnose("RL478", declared.span, name=name))
+        return found
+
+    declared = variants.plan.values[name]
+    return variants.once(("value", name), make)
 
 
 def drawn(draw: Draw, variants: Variants, element: int = 0) -> Any:

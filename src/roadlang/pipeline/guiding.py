@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..ir.batch import BatchRandom
+from .effort import attempts_of
 from .judging import Judge
 from .realising import realise
 from .surrogate import Surrogate
@@ -161,7 +162,7 @@ def first_accepted(
     judge: Judge, sampler: Any, pilot: Pilot, seed: int, scene: int, tally: Tally
 ) -> tuple[int, Mapping[str, Floats]] | None:
     """The first accepted attempt of a scene and the coordinates that it was given."""
-    for attempt in range(int(sampler.attempts)):
+    for attempt in range(attempts_of(sampler, judge)):
         variants = _candidates(judge, seed, scene, attempt, 1)
         if len(pilot.known):
             proposed = pilot.choose(sampler, variants.random(_PLACE))

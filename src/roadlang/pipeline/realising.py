@@ -9,7 +9,7 @@ import numpy as np
 
 from ..ir.scene import Provenance, Scene
 from ..ir.values import PassCall
-from .evaluation import evaluate
+from .evaluation import evaluate, named
 from .scene_actors import call_of, concrete, legend_objects, scene_actors
 from .scene_roads import scene_networks, scene_roads
 from .variants import Variants
@@ -27,9 +27,7 @@ def realise(variants: Variants, index: int, overrides: dict[str, str] | None = N
     roads, networks = scene_roads(variants), scene_networks(variants)
     agents = scene_actors(scenario.agents, variants)
     objects = (*scene_actors(scenario.objects, variants), *legend_objects(variants))
-    values = {
-        item.name: _plain(evaluate(item.value, variants), variants) for item in scenario.values
-    }
+    values = {item.name: _plain(named(item.name, variants), variants) for item in scenario.values}
     world = {name: _plain(evaluate(value, variants), variants) for name, value in scenario.world}
     simulate = None if scenario.simulate is None else call_of(scenario.simulate, variants)
     return Scene(

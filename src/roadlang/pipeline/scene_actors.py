@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import math
+import sys
 from typing import Any
 
 from ..ir.scenario import Actor, Network
@@ -78,7 +80,7 @@ def condition_json(condition: Condition, variants: Variants, element: int = 0) -
     """A formula with its signals and numbers: what judges it later needs nothing else."""
     return {
         "text": condition.text,
-        "formula": to_json(condition.formula),
+        "formula": _finite(to_json(condition.formula)),
         "signals": {
             binding.variable: {
                 "kind": binding.call.kind.rpartition(".")[2],
@@ -90,10 +92,21 @@ def condition_json(condition: Condition, variants: Variants, element: int = 0) -
             for binding in condition.signals
         },
         "numbers": {
-            binding.variable: float(scalar(evaluate(binding.value, variants, element)))
+            binding.variable: _finite(float(scalar(evaluate(binding.value, variants, element))))
             for binding in condition.numbers
         },
     }
+
+
+def _finite(value: Any) -> Any:
+    """JSON has no infinity: the greatest number compares as it does."""
+    if isinstance(value, float) and math.isinf(value):
+        return math.copysign(sys.float_info.max, value)
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    return value
 
 
 def _placed(name: str, actor: Actor, copy: int, variants: Variants) -> SceneActor:
@@ -144,6 +157,8 @@ def concrete(value: Any, variants: Variants | None = None, element: int = 0) -> 
         call = call_of(value, variants, element)
         return {"kind": call.kind, "options": dict(call.options)}
     value = scalar(value)
+    if isinstance(value, float) and math.isinf(value):
+        return "inf" if value > 0 else "-inf"
     if isinstance(value, tuple):
         return [concrete(item, variants, element) for item in value]
     if isinstance(value, dict):

@@ -13,6 +13,7 @@ from ..diagnostics import DiagnosticError, diagnose
 from ..ir.scene import Scene
 from ..ir.values import Draw
 from .building import Built, build
+from .effort import attempts_of
 from .judging import Judge
 from .plan import Plan
 from .table import Tally
@@ -26,8 +27,6 @@ BATCH = 512
 """Candidates judged at once: a signal of 500 stations then fits the second cache."""
 BLOCK = 16
 """Scenes searched for together; the blocks are the same however many workers there are."""
-FEW = 1_000
-"""Attempts for a scene where candidates cannot be judged together."""
 
 
 @dataclass
@@ -84,8 +83,6 @@ def accepted_attempts(
     tally = Tally.empty(len(judge.requirements))
     accepted: dict[int, int] = {}
     pending, start = list(scenes), 0
-    if judge.one_by_one:
-        attempts = min(attempts, FEW)
     while pending and start < attempts:
         width = 1 if judge.one_by_one else max(1, BATCH // len(pending))
         width = min(width, attempts - start, 4 * start + 4)
@@ -121,7 +118,7 @@ def _search_stream(
         size = sampler.kind.size(draws)
     wanted = n if n is not None else (size or 1)
     found = Found(wanted, Tally.empty(len(judge.requirements)))
-    limit = size if size is not None else int(getattr(sampler.kind, "attempts", 1_000_000))
+    limit = size if size is not None else attempts_of(sampler.kind, judge)
     picked: list[tuple[int, Mapping[str, Any]]] = []
     for variants in _stream(judge, sampler, draws, seed, limit):
         judged = judge.judge(variants)

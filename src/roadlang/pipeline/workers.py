@@ -12,6 +12,7 @@ import numpy as np
 from ..ir.scene import Scene
 from ..plugins.kinds import Sampler
 from .building import build
+from .effort import attempts_of
 from .judging import Judge
 from .plan import Plan
 from .realising import realise
@@ -42,7 +43,7 @@ class Worker:
             return guided_search(self, sampler, scenes)
         from .searching import accepted_attempts
 
-        attempts = int(getattr(sampler, "attempts", 10_000))
+        attempts = attempts_of(sampler, self.judge)
         accepted, tally = accepted_attempts(self.judge, self.seed, scenes, attempts)
         made, points = [], []
         for scene, attempt in sorted(accepted.items()):
