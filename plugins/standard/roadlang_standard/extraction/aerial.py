@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
-from .clean import contract, join, prune
+from .clean import contract, extend_to_border, join, prune
 from .drafting import Draft, draft, usual_width_of
 from .evidence import Net, evidence, road_net
 from .found import FoundNetwork
@@ -25,6 +26,9 @@ _COARSE = 0.35
 """Share of the half-size view in the evidence."""
 _WIDE, _HANDY = 17.0, 8.0
 """Roads wider than the first, in working pixels, are looked at again so that they are the second."""
+_LITTLE = 0.4
+"""Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
+_RELAXED = (0.7, 0.45)
 _EDGE_LEVEL, _EDGE_BLUR = 0.7, 4.2
 """Evidence at the road's edge, and the blur in pixels that widens narrow roads: on renderings."""
 
@@ -81,6 +85,11 @@ class Cutoffs:
     reach: float = 50.0
     dear: float = 0.8
 
+    def relaxed(self, share: float) -> Cutoffs:
+        """The same with all cutoffs on evidence lowered to a share."""
+        strong, weak, floor = (share * x for x in (self.strong, self.weak, self.floor))
+        return replace(self, strong=strong, weak=weak, floor=floor, dear=self.dear / share)
+
 
 def roads_of_photo(
     image: Image, request: Request = Request(), net: Net | None = None
@@ -135,12 +144,23 @@ def roads_of_evidence(
         paint(surface, score, way, request.width or max(5.0, _usual(seen)))
         if request.only_through:
             _forget_others(surface, score, way, cutoffs.weak)
-    mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
-    graph = trace(skeleton(mask))
+    graph, mask = _traced(score, cutoffs)
+    for share in _RELAXED if request.threshold is None else ():
+        if sum(line.length for line in graph.lines) >= _LITTLE * max(score.shape):
+            break
+        graph, mask = _traced(score, cutoffs.relaxed(share))
     usual = usual_width_of(graph, mask)
-    _tidy(graph, score, usual, cutoffs)
+    extend_to_border(graph, (score.shape[0], score.shape[1]), 0.7 * usual + 3)
     manner = Draft(usual, fixed_width=request.width, level=_EDGE_LEVEL, blur=_EDGE_BLUR)
     return draft(graph, surface, score, manner, "aerial")
+
+
+def _traced(score: Layer, cutoffs: Cutoffs) -> tuple[Graph, NDArray[np.bool_]]:
+    """The tidy graph of the evidence, and the mask that it was traced from."""
+    mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
+    graph = trace(skeleton(mask))
+    _tidy(graph, score, usual_width_of(graph, mask), cutoffs)
+    return graph, mask
 
 
 def _forget_others(surface: np.ndarray, score: np.ndarray, way: np.ndarray, weak: float) -> None:

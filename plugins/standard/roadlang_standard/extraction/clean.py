@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .chains import direction
 from .graph import Floats, Graph, Line
 
 
@@ -98,6 +99,26 @@ def join(graph: Graph) -> None:
                 line for line in at.get(other, []) if line is not first and line is not second
             ] + [whole]
     graph.drop_lonely()
+
+
+def extend_to_border(graph: Graph, shape: tuple[int, int], reach: float) -> None:
+    """Carry dead ends within `reach` pixels of the picture's edge straight on to it, in place."""
+    degree = graph.degree()
+    corner = np.array([shape[1], shape[0]]) - 0.5
+    for line in graph.lines:
+        for side, node in ((0, line.start), (-1, line.end)):
+            if degree[node] != 1 or not at_border(graph.nodes[node], shape, reach):
+                continue
+            ahead = -direction(line, 0 if side == 0 else 1, 2 * reach + 4)
+            here = line.points[side]
+            with np.errstate(divide="ignore", invalid="ignore"):
+                steps = np.where(ahead > 0, (corner - here) / ahead, (-0.5 - here) / ahead)
+            step = float(np.nanmin(np.where(np.abs(ahead) < 1e-6, np.inf, steps)))
+            if 0.5 < step <= 2.5 * reach:
+                goal = here + step * ahead
+                ends = (goal[None], line.points) if side == 0 else (line.points, goal[None])
+                line.points = np.vstack(ends)
+                graph.nodes[node] = goal
 
 
 def components(graph: Graph) -> list[list[Line]]:

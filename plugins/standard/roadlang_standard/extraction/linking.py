@@ -19,7 +19,23 @@ from .smoothing import stations
 Layer = NDArray[np.float32]
 _RADIUS = 28
 _SIDE = 2 * _RADIUS + 1
+_CENTRE = _RADIUS * _SIDE + _RADIUS
 _FLOOR = 0.05
+_FACING = 0.6
+"""Least cosine between a dead end's direction and the way to what it faces."""
+_TRUST = 0.4
+"""Share of its cost that a bridge between facing ends counts."""
+
+
+@dataclass(frozen=True)
+class DeadEnd:
+    """Where a line ends: node, place, direction onwards, the line's index and its side there."""
+
+    node: int
+    place: Floats
+    ahead: Floats
+    line: int
+    side: int
 
 
 @dataclass(frozen=True)
@@ -43,11 +59,11 @@ def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
     price = np.pad(-np.log(np.clip(coarse, 1e-3, 1)) + _FLOOR, _RADIUS, constant_values=9.0)
     for _ in range(3):
         owner = _owners(graph, coarse.shape, step)
-        bridges = [
-            b
-            for node in _dead_ends(graph, score.shape)
-            if (b := _bridge(graph, node, price, owner, step, worst))
-        ]
+        ends = _dead_ends(graph, score.shape)
+        found = (
+            _bridge(graph, end, _faced(end, ends, reach), price, owner, step, worst) for end in ends
+        )
+        bridges = [bridge for bridge in found if bridge is not None]
         if not bridges:
             return
         for bridge in sorted(bridges, key=lambda item: item.cost):
@@ -55,13 +71,27 @@ def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
         join(graph)
 
 
-def _dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[int]:
+def _dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[DeadEnd]:
     degree = graph.degree()
     return [
-        node
-        for node, count in degree.items()
-        if count == 1 and not at_border(graph.nodes[node], (shape[0], shape[1]), 6.0)
+        DeadEnd(node, graph.nodes[node], -direction(line, side, 16.0), index, side)
+        for index, line in enumerate(graph.lines)
+        for side, node in ((0, line.start), (1, line.end))
+        if degree[node] == 1 and not at_border(graph.nodes[node], (shape[0], shape[1]), 6.0)
     ]
+
+
+def _faced(end: DeadEnd, ends: list[DeadEnd], reach: float) -> list[Floats]:
+    """Places of other dead ends that this one runs towards, and that run towards it."""
+    places = []
+    for other in ends:
+        step = other.place - end.place
+        away = float(np.hypot(*step))
+        if other.node == end.node or not 0 < away <= reach:
+            continue
+        if end.ahead @ step > _FACING * away and other.ahead @ -step > _FACING * away:
+            places.append(other.place)
+    return places
 
 
 def _owners(graph: Graph, shape: tuple[int, ...], step: float) -> NDArray[np.int32]:
@@ -77,55 +107,61 @@ def _owners(graph: Graph, shape: tuple[int, ...], step: float) -> NDArray[np.int
 
 def _bridge(
     graph: Graph,
-    node: int,
+    end: DeadEnd,
+    faced: list[Floats],
     price: NDArray[np.float64],
     owner: NDArray[np.int32],
     step: float,
     worst: float,
 ) -> Bridge | None:
-    index, side = next(
-        (i, s)
-        for i, line in enumerate(graph.lines)
-        for s, n in ((0, line.start), (1, line.end))
-        if n == node
-    )
-    line = graph.lines[index]
-    x, y = np.round((graph.nodes[node] + 0.5) / step - 0.5).astype(int)
+    line = graph.lines[end.line]
+    x, y = _cell(end.place, step)
     window = (slice(y, y + _SIDE), slice(x, x + _SIDE))
     if price[window].shape != (_SIDE, _SIDE):
         return None
-    ahead = -direction(line, side, 10.0 * step)
-    costs = price[window] * _backwards(ahead)
+    costs = price[window] * _backwards(end.ahead)
     there = owner[window].ravel().copy()
-    there[_near_own(line, side, index, there, step)] = 0
-    centre = _RADIUS * _SIDE + _RADIUS
+    there[_near_own(line, end.line, there, step)] = 0
     far, before = dijkstra(
-        _grid(costs), indices=centre, limit=worst * _RADIUS, return_predecessors=True
+        _grid(costs), indices=_CENTRE, limit=worst * _RADIUS / _TRUST, return_predecessors=True
     )
+    share = _shares(faced, (x, y), step)
     goals = np.flatnonzero((there > 0) & np.isfinite(far))
     if not len(goals):
         return None
-    goal = int(goals[np.argmin(far[goals])])
-    way = [goal]
-    while way[-1] != centre:
-        way.append(int(before[way[-1]]))
-    cells = np.array(
-        [(cell % _SIDE + x - _RADIUS, cell // _SIDE + y - _RADIUS) for cell in reversed(way)]
-    )
+    goal = int(goals[np.argmin((far * share)[goals])])
+    cells = _way(before, goal) + (x - _RADIUS, y - _RADIUS)
     length = float(stations(cells.astype(float))[-1])
-    if length < 1 or far[goal] / length > worst:
+    cost = float(far[goal] * share[goal]) / max(length, 1e-9)
+    if length < 1 or cost > worst:
         return None
-    return Bridge(
-        node,
-        graph.lines[int(there[goal]) - 1],
-        (cells + 0.5) * step - 0.5,
-        float(far[goal] / length),
-    )
+    return Bridge(end.node, graph.lines[int(there[goal]) - 1], (cells + 0.5) * step - 0.5, cost)
 
 
-def _near_own(
-    line: Line, side: int, index: int, there: NDArray[np.int32], step: float
-) -> NDArray[np.bool_]:
+def _cell(place: Floats, step: float) -> tuple[int, int]:
+    x, y = np.round((place + 0.5) / step - 0.5).astype(int)
+    return int(x), int(y)
+
+
+def _way(before: NDArray[np.int32], goal: int) -> NDArray[np.intp]:
+    """Cells (x, y) of the window from its middle to the goal."""
+    way = [goal]
+    while way[-1] != _CENTRE:
+        way.append(int(before[way[-1]]))
+    return np.array([(cell % _SIDE, cell // _SIDE) for cell in reversed(way)])
+
+
+def _shares(faced: list[Floats], at: tuple[int, int], step: float) -> NDArray[np.float64]:
+    """Which share of its cost a goal counts: less where a dead end comes the other way."""
+    share = np.ones((_SIDE, _SIDE))
+    for place in faced:
+        x, y = _cell(place, step)
+        column, row = x - at[0] + _RADIUS, y - at[1] + _RADIUS
+        share[max(0, row - 1) : max(0, row + 2), max(0, column - 1) : max(0, column + 2)] = _TRUST
+    return share.ravel()
+
+
+def _near_own(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
     """The line's own pixels near its end: it may meet itself only after a long way round."""
     own = there == index + 1
     return own if line.length < 6 * _RADIUS * step else own & _close(own)

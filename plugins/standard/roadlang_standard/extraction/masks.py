@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .clean import contract, drop_crumbs, join, prune
+from .clean import contract, drop_crumbs, extend_to_border, join, prune
 from .drafting import Draft, draft, usual_width_of
 from .found import FoundNetwork
 from .graph import trace
@@ -38,6 +38,7 @@ def roads_of_surface(
     join(graph)
     drop_crumbs(graph, min(2 * usual, 0.5 * max(mask.shape)))
     usual = usual_width_of(graph, mask)
+    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * usual + 2)
     manner = Draft(usual, waves if spline else 0.5, tolerance, width)
     score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
     return draft(graph, surface, score, manner, method)

@@ -9,6 +9,8 @@ from .tones import Image
 
 _GROUND = 0.9
 """Metres per pixel at which the net sees best."""
+_ENLARGED = 0.002
+"""Photos enlarged three times have less fine detail than this."""
 
 
 def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
@@ -17,9 +19,8 @@ def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
     if metres_per_pixel is not None:
         wanted = metres_per_pixel / _GROUND
         return float(np.clip(wanted if wanted < 0.72 else 1.0, max(0.1, smallest), 1.0))
-    fine = fine_share(image)
-    scale = 1 / 3 if fine < 0.002 else 1 / 2 if fine < 0.008 else 1.0
-    return max(scale, smallest)
+    enlarged = fine_share(image) < _ENLARGED
+    return max(1 / 3 if enlarged else 1.0, smallest)
 
 
 def fine_share(image: Image) -> float:

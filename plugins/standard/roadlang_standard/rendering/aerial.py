@@ -81,9 +81,10 @@ def _paint(
     picture = (np.clip(image, 0, 1) * 255).astype(np.uint8)
     park(rng, setting, picture, roads)
     image = picture.astype(np.float32) / 255
+    height = rng.uniform(4, 11)
     if hidden is not None:
-        _hide(rng, setting, canopy, roads, hidden)
-    shadow = thrown(canopy.shade, setting, rng.uniform(4, 11))
+        _hide(rng, setting, canopy, roads, hidden, height)
+    shadow = thrown(canopy.shade, setting, height)
     for tall, height in ((True, 12.0), (False, 5.0)):
         roofs = footprints(setting, buildings, tall).astype(np.float32) / 255
         shadow = np.maximum(shadow, thrown(roofs, setting, height))
@@ -112,6 +113,7 @@ def _hide(
     canopy: Canopy,
     roads: list[PlannedRoad],
     share: float,
+    height: float,
 ) -> None:
     """Plant crowns over and beside the road until `share` of its length is hidden, a clump at a time."""
     frame = setting.frame
@@ -120,7 +122,7 @@ def _hide(
     at = np.clip(frame.pixels(line).round().astype(int), 0, frame.size - 1)
     stamps = [stamp(rng, setting, frame.length(radius)) for radius in rng.uniform(3.0, 5.0, 8)]
     for _ in range(4 * len(line)):
-        shadow = thrown(canopy.shade, setting, 8.0)
+        shadow = thrown(canopy.shade, setting, height)
         if (
             len(line) == 0
             or (np.maximum(shadow, canopy.cover)[at[:, 1], at[:, 0]] > 0.5).mean() >= share
