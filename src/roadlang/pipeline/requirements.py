@@ -21,6 +21,8 @@ from .signals import Axis, axes_of, signal
 from .variants import Variants
 
 Floats = NDArray[np.float64]
+_PROJECTION = 4000.0
+"""Work of finding the nearest point of another road, beside that of comparing stations."""
 
 
 @dataclass(frozen=True)
@@ -177,10 +179,24 @@ def _cost(test: Condition | PassCall, plan: Plan) -> float:
     """Signals cost what their kinds say, temporal operators about what two displacements do."""
     inside = (v for v in walk(test, plan.values) if isinstance(v, PassCall))
     calls = [call for call in inside if call.verb in ("signal", "number", "monitor")]
-    work = sum(getattr(plan.kind(call)[1], "cost", 0.0) for call in calls)
+    work = sum(
+        getattr(plan.kind(call)[1], "cost", 0.0) * (_PROJECTION if _is_apart(call, plan) else 1.0)
+        for call in calls
+    )
     if isinstance(test, Condition):
         return work + 4.0 * sum(node.temporal for node in test.formula.walk())
     return work + 100.0
+
+
+def _is_apart(call: PassCall, plan: Plan) -> bool:
+    """Whether a call compares roads of different roots, by the nearest point."""
+    roots = set()
+    for entity in entities_in(call, plan.values):
+        thing: Any = plan.roads.get(entity.name) or plan.networks.get(entity.name)
+        if thing is not None:
+            links = [link for link in plan.chain(thing) if link.name not in plan.images]
+            roots.add((links[-1].name, any(link.name in plan.roads for link in links)))
+    return len(roots) > 1
 
 
 def _names(test: Condition | PassCall, plan: Plan) -> frozenset[str]:
