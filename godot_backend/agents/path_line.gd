@@ -66,11 +66,14 @@ func station(segment: int, x: float, y: float) -> float:
 	return lerpf(_s[segment], _s[segment + 1], _along(segment, x, y))
 
 
-## How far a point is to the left of a segment.
+## How far a point is to the left of a segment; past an open end, of its straight continuation.
 func offset(segment: int, x: float, y: float) -> float:
 	var dx := _x[segment + 1] - _x[segment]
 	var dy := _y[segment + 1] - _y[segment]
 	var t := _along(segment, x, y)
+	var last := segment == _x.size() - 2 and t >= 1.0
+	if not closed and (last or (segment == 0 and t <= 0.0)):
+		return (dx * (y - _y[segment]) - dy * (x - _x[segment])) / sqrt(dx * dx + dy * dy)
 	var to_x := x - _x[segment] - t * dx
 	var to_y := y - _y[segment] - t * dy
 	var side := 1.0 if dx * to_y - dy * to_x >= 0.0 else -1.0

@@ -14,6 +14,7 @@ const Telemetry := preload("res://agents/telemetry.gd")
 const Weather := preload("res://build/weather.gd")
 
 const DEFAULT_FRICTION := 0.9
+const END_BRAKING := 4.0
 const FLUSH_BYTES := 7000
 const FLUSH_USEC := 50000
 ## A state is told again this often while no step comes: either may have been lost.
@@ -190,6 +191,9 @@ func _act(dt: float) -> void:
 		var one: Agent = part[1]
 		var signals: Signals = part[2]
 		var wanted := one.driver.controls(one, signals.value, time, dt)
+		# There is no road any more.
+		if one.at_end() and not one.path.closed:
+			wanted.y = minf(wanted.y, -END_BRAKING)
 		one.body.command(wanted.x, wanted.y, dt)
 		part.resize(6)
 		part[5] = wanted

@@ -1,0 +1,55 @@
+"""Scene to top view to extraction to road: the truth is known, so the error is measured."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from godot_scenes import bend, pieces, road, scene, straight
+from scipy.spatial import cKDTree
+
+from roadlang.cli.made_scenes import make_scenes
+from roadlang_standard.godot.engine import Engine
+from roadlang_standard.godot.line import line_of
+from roadlang_standard.godot.pictures import Shot, build, take
+
+pytestmark = pytest.mark.godot
+
+PIXELS, SCALE = 800, 0.35
+
+
+def dense(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    return np.stack([x, y], axis=-1)
+
+
+def test_a_road_found_in_its_own_picture_is_where_it_was(
+    drawing_engine: Engine, tmp_path: Path
+) -> None:
+    truth = road(
+        "main", pieces(straight(50), bend(45, 110), straight(40), bend(-35, 80), straight(30))
+    )
+    with drawing_engine.connect("round trip") as session:
+        layout = build(session, scene(truth))
+        picture = take(session, layout, Shot("top", PIXELS, PIXELS, SCALE))
+    (tmp_path / "top.png").write_bytes(picture)
+    file = tmp_path / "again.rl"
+    file.write_text(
+        f'image photo from "top.png" {{ scale: {SCALE}m/px }}\n'
+        "network found from photo\n"
+        "road main from found { select: longest }\n",
+        encoding="utf-8",
+    )
+    made = make_scenes(str(file), {}, 1).scenes[0]
+    found = next(one for one in made.roads if one.name == "main")
+    # The picture's bottom left corner is the origin of what is read from it.
+    corner = np.array([layout.frame.x, layout.frame.y]) - 0.5 * PIXELS * SCALE
+    line = line_of(found)
+    points = line.at(np.linspace(line.s[0], line.s[-1], 800))[0] + corner
+    tree = cKDTree(dense(np.array(truth.x), np.array(truth.y)))
+    away, _ = tree.query(points)
+    assert away.mean() < 0.5
+    # All of it was found, but for a dozen metres at both ends, which thinning shortens.
+    back, _ = cKDTree(points).query(dense(np.array(truth.x), np.array(truth.y)))
+    assert (back < 1.5).mean() > 0.85
+    print(f"mean distance {away.mean():.3f} m")
