@@ -102,23 +102,39 @@ def join(graph: Graph) -> None:
 
 
 def extend_to_border(graph: Graph, shape: tuple[int, int], reach: float) -> None:
-    """Carry dead ends within `reach` pixels of the picture's edge straight on to it, in place."""
+    """Carry dead ends within `reach` pixels of the picture's edge straight on to it, in place.
+
+    Near the edge a skeleton turns towards the corner of its mask: that bit is cut off first.
+    """
     degree = graph.degree()
-    corner = np.array([shape[1], shape[0]]) - 0.5
     for line in graph.lines:
-        for side, node in ((0, line.start), (-1, line.end)):
+        for side, node in ((0, line.start), (1, line.end)):
             if degree[node] != 1 or not at_border(graph.nodes[node], shape, reach):
                 continue
-            ahead = -direction(line, 0 if side == 0 else 1, 2 * reach + 4)
-            here = line.points[side]
-            with np.errstate(divide="ignore", invalid="ignore"):
-                steps = np.where(ahead > 0, (corner - here) / ahead, (-0.5 - here) / ahead)
-            step = float(np.nanmin(np.where(np.abs(ahead) < 1e-6, np.inf, steps)))
-            if 0.5 < step <= 2.5 * reach:
-                goal = here + step * ahead
-                ends = (goal[None], line.points) if side == 0 else (line.points, goal[None])
-                line.points = np.vstack(ends)
-                graph.nodes[node] = goal
+            points = line.points if side == 0 else line.points[::-1]
+            points = _without_hook(points, reach)
+            straight = Line(line.start, line.end, points)
+            goal = _border_ahead(points[0], -direction(straight, 0, 2 * reach + 4), shape)
+            if np.hypot(*(goal - points[0])) <= 3.5 * reach:
+                points = np.vstack([goal, points])
+            line.points = points if side == 0 else points[::-1]
+            graph.nodes[node] = points[0]
+
+
+def _without_hook(points: Floats, reach: float) -> Floats:
+    """The line from where it is `reach` away from its start, if that leaves most of it."""
+    away = np.hypot(*(points - points[0]).T)
+    beyond = int(np.argmax(away >= reach))
+    return points[beyond:] if 0 < beyond < len(points) / 2 else points
+
+
+def _border_ahead(here: Floats, ahead: Floats, shape: tuple[int, int]) -> Floats:
+    """Where a ray leaves the picture."""
+    corner = np.array([shape[1], shape[0]]) - 0.5
+    with np.errstate(divide="ignore", invalid="ignore"):
+        steps = np.where(ahead > 0, (corner - here) / ahead, (-0.5 - here) / ahead)
+    step = float(np.nanmin(np.where(np.abs(ahead) < 1e-6, np.inf, steps)))
+    return np.asarray(here + max(step, 0.0) * ahead)
 
 
 def components(graph: Graph) -> list[list[Line]]:
