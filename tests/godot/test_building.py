@@ -112,10 +112,10 @@ def test_a_car_at_a_junction_finds_road_under_every_wheel(session: Session) -> N
 
 
 def test_the_websocket_carries_the_same_messages() -> None:
-    from conftest import _started
+    from godot_engines import started
 
     things = everything()
-    with _started(transport="websocket") as engine, engine.connect("test") as session:
+    with started(transport="websocket") as engine, engine.connect("test") as session:
         begin(session, things)
         assert session.prove().things == len(things)
 

@@ -8,8 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
+from godot_engines import started
 
-from conftest import _started
 from roadlang_standard.godot import engine as engines
 
 PROJECT = engines.project()
@@ -17,7 +17,7 @@ PROJECT = engines.project()
 
 @pytest.mark.godot
 def test_the_projects_own_tests_pass() -> None:
-    _started().stop()
+    started().stop()
     command = [
         str(engines.find()),
         "--headless",

@@ -62,9 +62,9 @@ def test_the_chase_view_shows_sky_above_and_a_car_in_the_middle(drawing_engine: 
 
 
 def test_the_commands_picture_and_clip(tmp_path: Path) -> None:
-    from conftest import _started
+    from godot_engines import started
 
-    _started(draw=True).stop()
+    started(draw=True).stop()
     file = tmp_path / "scene.rl"
     file.write_text(
         "road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] }, width: 8m }\n"

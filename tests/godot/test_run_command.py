@@ -7,8 +7,8 @@ import json
 from pathlib import Path
 
 import pytest
+from godot_engines import started
 
-from conftest import _started
 from roadlang.cli import main as cli
 from roadlang.drive.trace_files import from_json
 
@@ -25,7 +25,7 @@ expect arrives: eventually[0s, 60s] (ego.progress > 95%)
 
 
 def run(folder: Path, limit: str) -> int:
-    _started().stop()
+    started().stop()
     file = folder / "scene.rl"
     file.write_text(SCENE.format(limit=limit), encoding="utf-8")
     code = cli.run(["run", str(file), "--engine", "godot", "-o", str(folder / "out")])

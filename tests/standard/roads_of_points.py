@@ -1,0 +1,15 @@
+"""Roads for kinds tested by themselves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from roadlang.api import RoadBatch
+from roadlang.geometry import Curve, Frame
+from roadlang.pipeline.stations import still
+
+
+def road_of(points: list[tuple[float, float]], closed: bool = False) -> RoadBatch:
+    curve = Curve.through(points, closed)
+    frame = Frame.of(curve, curve.stations(spacing=1.0))
+    return still("main", "main", frame, np.full((1, 1), 8.0))
