@@ -1,0 +1,56 @@
+"""Which agents Python drives: those whose last unconditional controller implements `control`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from roadlang.api import Call, Control, Controller, Observation, Scene, SceneActor, Speed, option
+from roadlang.drive.controllers import python_controllers
+from roadlang.ir.scene import Provenance
+from roadlang.plugins.registry import Origin, Registry, entries_of
+
+
+@dataclass(frozen=True)
+class Steady(Controller):
+    """Straight on."""
+
+    name: ClassVar[str] = "steady"
+    speed: Speed = option(5.0, help="kept")
+
+    def control(self, observation: Observation) -> Control:
+        return Control(0.0, self.speed - observation.speed)
+
+
+@dataclass(frozen=True)
+class Elsewhere(Controller):
+    """Built into engines."""
+
+    name: ClassVar[str] = "elsewhere"
+
+
+REGISTRY = Registry(tuple(entries_of([Steady, Elsewhere], Origin("acme", "acme", "1"))))
+
+
+def driven(*drive: Call) -> dict[str, Any]:
+    actor = SceneActor("ego", "ego", "car", 0, 0, 0, 4.5, 1.8, 1.5, drive=drive)
+    scene = Scene("s", "", 0, Provenance("0", 1, 0, 0), agents=(actor,))
+    return dict(python_controllers(scene, REGISTRY))
+
+
+def test_a_controller_in_python_gets_its_options() -> None:
+    assert driven(Call("steady", {"speed": 7.0})) == {"ego": Steady(7.0)}
+
+
+def test_a_controller_of_the_engine_is_left_to_it() -> None:
+    assert driven(Call("elsewhere")) == {}
+    assert driven(Call("steady"), Call("elsewhere")) == {}
+
+
+def test_a_conditional_controller_is_not_the_steady_one() -> None:
+    found = driven(Call("steady"), Call("elsewhere", {}, {"formula": True}))
+    assert found == {"ego": Steady()}
+
+
+def test_nobody_drives_what_does_not_drive() -> None:
+    assert driven() == {}
