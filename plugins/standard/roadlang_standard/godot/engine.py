@@ -222,7 +222,7 @@ def _await_port(engine: Engine, name: str) -> int:
         heard = _LISTENING.search(engine.output())
         if heard:
             return int(heard[2])
-        if engine.process.poll() is not None:
+        if engine.process.poll() is not None or "SCRIPT ERROR" in engine.output():
             break
         time.sleep(0.02)
     last = engine.output().strip().splitlines()[-3:]

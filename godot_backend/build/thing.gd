@@ -1,0 +1,37 @@
+extends Node3D
+## Something that a client has sent and this engine has built: known by kind and id, at a revision.
+
+const Reader := preload("res://net/reader.gd")
+
+var kind := 0
+var id := 0
+var revision := 0
+
+
+## Builds from the message's body; returns "" or what is wrong with it.
+func build(_reader: Reader) -> String:
+	return "cannot be built"
+
+
+## The bytes that prove what was built, read back from meshes and nodes, not from the message.
+func content() -> PackedByteArray:
+	return PackedByteArray()
+
+
+## Adds a still body with one shape of triangles, three corners each.
+func add_body(faces: PackedVector3Array) -> void:
+	var shape := ConcavePolygonShape3D.new()
+	shape.set_faces(faces)
+	var collision := CollisionShape3D.new()
+	collision.shape = shape
+	var body := StaticBody3D.new()
+	body.add_child(collision)
+	add_child(body)
+
+
+static func md5(bytes: PackedByteArray) -> PackedByteArray:
+	var context := HashingContext.new()
+	context.start(HashingContext.HASH_MD5)
+	if not bytes.is_empty():
+		context.update(bytes)
+	return context.finish()
