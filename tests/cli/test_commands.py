@@ -137,6 +137,17 @@ def test_emit_on_the_command_line_replaces_the_files(folder):
     assert sorted(files_of(folder / "out")) == ["manifest.json", "scene-0000.svg"]
 
 
+def test_a_file_without_emit_gets_json_and_svg(folder):
+    (folder / "scene.rl").write_text(SCENE.replace("emit json\nemit svg\n", ""))
+    assert roadlang("compile", "scene.rl", cwd=folder).returncode == 0
+    assert set(files_of(folder / "out")) == {"manifest.json", "scene-0000.json", "scene-0000.svg"}
+
+
+def test_emitting_nothing_is_refused(folder):
+    done = roadlang("compile", "scene.rl", "--emit", "", cwd=folder)
+    assert (done.returncode, "RL928" in done.stderr) == (2, True)
+
+
 def test_compile_json_prints_manifest_and_diagnostics(folder):
     done = roadlang("compile", "scene.rl", "-o", "out", "--json", cwd=folder)
     record = json.loads(done.stdout)

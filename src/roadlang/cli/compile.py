@@ -55,8 +55,9 @@ def command(
 ) -> None:
     """Check FILE, draw scenes that satisfy its requirements, and write them to DIR.
 
-    DIR gets scene-0000.json, scene-0000.svg, ... as the file's `emit`s say, and manifest.json
-    with the digests of all of them. The same file, inputs and seed give the same bytes.
+    DIR gets scene-0000.json, scene-0000.svg, ... as the file's `emit`s say (JSON and SVG if it has
+    none), and manifest.json with the digests of all of them. The same file, inputs and seed give
+    the same bytes.
     """
     run = _Run(file, parse_overrides(settings), as_json)
     try:
@@ -66,6 +67,10 @@ def command(
         run.found += error.diagnostics
     run.report()
     click.get_current_context().exit(exit_codes.exit_code_of(run.found))
+
+
+_USUAL_EMITS = ("json", "svg")
+"""What a file without an `emit` is taken to mean."""
 
 
 class _Run:
@@ -90,6 +95,8 @@ class _Run:
         scenario = self._checked(registry)
         if scenario is None:
             return
+        if names is None and not scenario.emits:
+            names = _USUAL_EMITS
         _check_emits(scenario, registry, names)
         self._sample(scenario, registry, count, seed, jobs)
         if self.result is not None and self.result.scenes:
