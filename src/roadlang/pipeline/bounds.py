@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..diagnostics import DiagnosticError
 from ..ir.scenario import Road
 from ..ir.values import (
     Condition,
@@ -25,8 +26,10 @@ from ..ir.values import (
     Reference,
     Value,
 )
+from ..plugins.registry import KindEntry
 from ..stl import formulas as f
 from ..stl import terms as t
+from .blame import blaming, wrong_result
 from .building import build
 from .evaluation import evaluate
 from .plan import Plan
@@ -39,6 +42,7 @@ Range = tuple[Any, Any]
 _UNKNOWN: Range = (-math.inf, math.inf)
 _DISPLACED = ("deviation", "distance")
 _ROUNDING = 1e-9
+_FROM_LOW_TO_HIGH = ("standard.uniform", "standard.integer")
 
 
 def settled_rows(requirement: Requirement, variants: Variants) -> NDArray[np.bool_]:
@@ -74,7 +78,9 @@ class _Candidates:
         variants = self._variants
         built = build(call, variants)
         with built.blamed:
-            return np.asarray(built.kind.reach(), dtype=float).reshape(-1)
+            reach = np.asarray(built.kind.reach(), dtype=float).reshape(-1)
+        _check_reach(reach, variants.count, built.entry, call)
+        return reach
 
 
 class _Anything:
@@ -102,9 +108,17 @@ class _Anything:
         reach = 0.0
         for given in ends:
             fields = {k: round(v) if k in whole else v for k, v in given.items()}
-            made: Any = kind(**fields)
-            reach = max(reach, float(np.max(made.reach())))
+            with blaming(entry, call.span):
+                made: Any = kind(**fields)
+                found = np.asarray(made.reach(), dtype=float).reshape(-1)
+            _check_reach(found, 1, entry, call)
+            reach = max(reach, float(found[0]))
         return reach
+
+
+def _check_reach(reach: Floats, count: int, entry: KindEntry, call: PassCall) -> None:
+    if reach.size not in (1, count) or not (reach >= 0.0).all():
+        raise wrong_result(entry, call.span, f"gave a reach that is no bound: {reach[:3]}")
 
 
 def formula_range(condition: Condition, known: _Candidates | _Anything) -> Range:
@@ -134,18 +148,22 @@ def value_range(value: Value, plan: Plan) -> tuple[float, float]:
 
 def _support(draw: Draw, plan: Plan) -> tuple[float, float]:
     ranges = dict(draw.call.options)
-    if "low" in ranges and "high" in ranges:
+    if draw.call.kind in _FROM_LOW_TO_HIGH:
         return value_range(ranges["low"], plan)[0], value_range(ranges["high"], plan)[1]
     from .dependencies import draws_in
 
     if any(True for _, v in draw.call.options for _ in draws_in(v, plan.values)):
         return -math.inf, math.inf
     try:
-        built: Any = build(draw.call, plan.fixed, single=True).kind
-        support = built.support()
-    except Exception:  # bounds are a convenience: who is to blame shows when it is drawn
+        built = build(draw.call, plan.fixed, single=True)
+    except DiagnosticError:  # bounds are a convenience: what is wrong shows when it is drawn
         return -math.inf, math.inf
-    return (-math.inf, math.inf) if support is None else (float(support[0]), float(support[1]))
+    with built.blamed:
+        support = built.kind.support()
+        low, high = (-math.inf, math.inf) if support is None else map(float, support)
+    if not low <= high:
+        raise wrong_result(built.entry, draw.call.span, f"gave the support ({low:g}, {high:g})")
+    return low, high
 
 
 def _operation(operator: str, parts: list[tuple[float, float]]) -> tuple[float, float]:

@@ -143,7 +143,7 @@ def _root(network: Network, variants: Variants) -> NetworkRoot:
 def _from_file(network: Network, source: FileSource, plan: Plan) -> NetworkRoot:
     reading = [call for call in network.passes if call.verb == "read"]
     if reading:
-        found: Any = read_with(reading[0], source, plan, network.span)
+        found: Any = read_with(reading[0], source, "network", plan, network.span)
     else:
         found, _ = read_by_name(source, "network", plan, network.span)
     if isinstance(found, RoadNetwork):

@@ -13,6 +13,7 @@ from ..geometry import Window, displace, over
 from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.kinds import Perturber
+from .blame import wrong_result
 from .building import Built, build, one_of_batch
 from .evaluation import evaluate
 from .stations import is_still
@@ -64,16 +65,18 @@ def _displacements(
         if moves.shape == (stations,):  # no option is random: alike in all variants
             moves = moves[None, :]
         if moves.shape not in ((1, stations), (variants.count, stations)):
-            raise _wrong(
-                f"gave displacements of shape {moves.shape}, not ({variants.count}, {stations})",
-                built,
-            )
+            fault = f"gave displacements of shape {moves.shape}, not ({variants.count}, {stations})"
+            raise wrong_result(built.entry, built.call.span, fault)
     else:
         moves = np.stack([_displacement(built, road, random, i) for i in range(variants.count)])
     if not np.isfinite(moves).all():
-        raise _wrong("gave displacements that are not finite numbers", built)
+        raise wrong_result(
+            built.entry, built.call.span, "gave displacements that are not finite numbers"
+        )
     if np.abs(moves).max(initial=0.0) > FARTHEST:
-        raise _wrong(f"moved `{road.name}` by more than {FARTHEST:g} m", built)
+        raise wrong_result(
+            built.entry, built.call.span, f"moved `{road.name}` by more than {FARTHEST:g} m"
+        )
     return moves
 
 
@@ -86,20 +89,12 @@ def _displacement(built: Built, road: RoadBatch, random: BatchRandom, row: int) 
     stations = len(road.stations)
     # What is computed of `road.length` or `road.curvature` has the one row of the road.
     if moves.shape not in ((stations,), (1, stations)):
-        raise _wrong(f"gave displacements of shape {moves.shape}, not ({stations},)", built)
-    return moves.reshape(stations)
-
-
-def _wrong(fault: str, built: Built) -> DiagnosticError:
-    return DiagnosticError(
-        diagnose(
-            "RL474",
+        raise wrong_result(
+            built.entry,
             built.call.span,
-            kind=f"perturb {built.entry.qualified}",
-            plugin=str(built.entry.origin),
-            fault=fault,
+            f"gave displacements of shape {moves.shape}, not ({stations},)",
         )
-    )
+    return moves.reshape(stations)
 
 
 def _stretch(call: PassCall, variants: Variants, element: int) -> tuple[Any, Any] | None:

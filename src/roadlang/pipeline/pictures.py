@@ -114,7 +114,7 @@ def _opened(source: FileSource, image: Image, plan: Plan) -> OpenedImage:
 def _read(source: FileSource, call: PassCall, image: Image, plan: Plan) -> OpenedImage:
     from .reading import read_with
 
-    found = read_with(call, source, plan, image.span)
+    found = read_with(call, source, "image", plan, image.span)
     pixels = np.asarray(found, np.uint8)
     if pixels.ndim == 2:
         pixels = np.repeat(pixels[..., None], 3, axis=2)

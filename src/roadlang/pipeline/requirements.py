@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..diagnostics import DiagnosticError, Span, diagnose
 from ..ir.scenario import Actor, Constraint, Network, Road
 from ..ir.values import Condition, Draw, PassCall
+from .blame import wrong_result
 from .building import build
 from .dependencies import draws_in, entities_in, walk
 from .evaluation import evaluate
@@ -161,16 +162,11 @@ def monitor_rho(call: PassCall, variants: Variants) -> Floats:
         built = build(call, variants, resolve=partial(axis.resolve, variants=variants))
         with built.blamed:
             rho = np.asarray(built.kind.robustness(), dtype=np.float64).reshape(-1)
-        if rho.shape[0] not in (1, variants.count) or np.isnan(rho).any():
-            raise DiagnosticError(
-                diagnose(
-                    "RL474",
-                    call.span,
-                    kind=f"monitor {built.entry.qualified}",
-                    plugin=str(built.entry.origin),
-                    fault=f"gave a robustness of shape {rho.shape}, not ({variants.count},)",
-                )
-            )
+        if rho.shape[0] not in (1, variants.count):
+            fault = f"gave a robustness of shape {rho.shape}, not ({variants.count},)"
+            raise wrong_result(built.entry, call.span, fault)
+        if np.isnan(rho).any():
+            raise wrong_result(built.entry, call.span, "gave a robustness that is no number")
         worst = np.minimum(worst, rho)
     return worst
 

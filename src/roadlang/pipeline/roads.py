@@ -15,6 +15,7 @@ from ..geometry import Road as RoadShape
 from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, Network, Road
 from ..ir.values import PassCall
+from .blame import wrong_result
 from .building import build
 from .evaluation import evaluate, scalar
 from .networks import edge_batch, network_root
@@ -185,6 +186,9 @@ def _drawn(road: Road, variants: Variants) -> Curve:
     built = build(calls[0], variants, single=True)
     with built.blamed:
         curve = built.kind.draw(closed)
+    if not isinstance(curve, Curve):
+        fault = f"gave a {type(curve).__name__}, not a Curve"
+        raise wrong_result(built.entry, calls[0].span, fault)
     return _checked(curve, road, calls[0])
 
 
@@ -192,7 +196,7 @@ def _from_file(road: Road, source: FileSource, variants: Variants) -> RoadRoot:
     plan = variants.plan
     reading = [call for call in road.passes if call.verb == "read"]
     if reading:
-        found = read_with(reading[0], source, plan, road.span)
+        found = read_with(reading[0], source, "road", plan, road.span)
     else:
         found, _ = read_by_name(source, "road", plan, road.span)
     curve = found.curve if isinstance(found, RoadShape) else found

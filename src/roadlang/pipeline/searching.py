@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -9,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, diagnose
 from ..ir.scene import Scene
 from ..ir.values import Draw
+from .blame import wrong_result
 from .building import Built, build
 from .effort import attempts_of
 from .judging import Judge
@@ -115,7 +116,7 @@ def _search_stream(
     """Scene i is the i-th accepted candidate of one stream."""
     draws = drawn_values(judge.plan)
     with sampler.blamed:
-        size = sampler.kind.size(draws)
+        size = _size(sampler.kind.size(draws))
     wanted = n if n is not None else (size or 1)
     found = Found(wanted, Tally.empty(len(judge.requirements)))
     limit = size if size is not None else attempts_of(sampler.kind, judge)
@@ -141,6 +142,14 @@ def _search_stream(
     if not picked:
         found.missing = [0]
     return found
+
+
+def _size(given: object) -> int | None:
+    """A count or None. Raises `TypeError` for anything else, `ValueError` below 0."""
+    size = None if given is None else operator.index(given)  # type: ignore[arg-type]
+    if size is not None and size < 0:
+        raise ValueError(f"its size is {size}")
+    return size
 
 
 def _stream(
@@ -176,7 +185,10 @@ class DrawnPlace:
             return [(step + 0.5) / steps for step in range(steps)]
         built = build(self.draw.call, self.plan.fixed, single=True)
         with built.blamed:
-            return [float(level) for level in built.kind.levels(steps)]
+            levels = [float(level) for level in built.kind.levels(steps)]
+        if not levels or not all(0.0 <= level <= 1.0 for level in levels):
+            raise wrong_result(built.entry, built.call.span, "gave no levels within [0, 1]")
+        return levels
 
 
 def drawn_values(plan: Plan) -> tuple[DrawnPlace, ...]:
@@ -187,12 +199,8 @@ def drawn_values(plan: Plan) -> tuple[DrawnPlace, ...]:
 
 def _check_points(points: NDArray[np.float64], sampler: Built, count: int, dimensions: int) -> None:
     if points.shape != (count, dimensions) or not ((points >= 0) & (points <= 1)).all():
-        raise DiagnosticError(
-            diagnose(
-                "RL474",
-                sampler.call.span,
-                kind=f"sample {sampler.entry.qualified}",
-                plugin=str(sampler.entry.origin),
-                fault=f"gave points of shape {points.shape} or beyond [0, 1]",
-            )
+        raise wrong_result(
+            sampler.entry,
+            sampler.call.span,
+            f"gave points of shape {points.shape} or beyond [0, 1]",
         )

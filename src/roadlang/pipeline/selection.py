@@ -8,6 +8,7 @@ from ..diagnostics import DiagnosticError, diagnose
 from ..geometry import GeometryError, Path, Step
 from ..ir.scenario import Road
 from ..ir.values import PassCall
+from .blame import wrong_result
 from .building import build
 from .evaluation import evaluate, scalar
 from .networks import NetworkRoot
@@ -34,7 +35,10 @@ def selected(road: Road, root: NetworkRoot, variants: Variants) -> Path:
 def _called(call: PassCall, root: NetworkRoot, variants: Variants) -> Path:
     built = build(call, variants, single=True)
     with built.blamed:
-        path: Path = built.kind.select(root.network)
+        path = built.kind.select(root.network)
+    if not isinstance(path, Path):
+        fault = f"gave a {type(path).__name__}, not a Path of the network"
+        raise wrong_result(built.entry, call.span, fault)
     return path
 
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, diagnose
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Network
 from ..ir.values import Entity, PassCall, Value
+from .blame import wrong_result
 from .building import build
 from .dependencies import entities_in
 from .networks import edge_batch, network_root
@@ -70,9 +70,9 @@ def signal(call: PassCall, axis: Axis, variants: Variants) -> Floats:
         rows, columns = (1, variants.count), (1, *_stations_of(built.kind))
         if values.ndim != 2 or values.shape[0] not in rows or values.shape[1] not in columns:
             fault = f"gave values of shape {values.shape}, not ({rows[-1]}, {columns[-1]})"
-            raise _wrong(call, built, fault)
+            raise wrong_result(built.entry, call.span, fault)
         if not np.isfinite(values).all():
-            raise _wrong(call, built, "gave values that are not finite numbers")
+            raise wrong_result(built.entry, call.span, "gave values that are not finite numbers")
         return values
 
     return variants.once(("signal", call_key(call), axis.edge), make)
@@ -99,9 +99,9 @@ def measured(call: PassCall, variants: Variants, element: int = 0) -> Floats:
             values = np.asarray(built.kind.values(), dtype=np.float64)
         if values.size not in (1, variants.count):
             fault = f"gave values of shape {values.shape}, not ({variants.count}, 1)"
-            raise _wrong(call, built, fault)
+            raise wrong_result(built.entry, call.span, fault)
         if not np.isfinite(values).all():
-            raise _wrong(call, built, "gave values that are not finite numbers")
+            raise wrong_result(built.entry, call.span, "gave values that are not finite numbers")
         return values.reshape(-1, 1)
 
     return variants.once(("number", call_key(call), element), make)
@@ -110,15 +110,3 @@ def measured(call: PassCall, variants: Variants, element: int = 0) -> Floats:
 def call_key(call: PassCall) -> Hashable:
     """Calls that say the same are computed once."""
     return (call.verb, call.kind, call.options)
-
-
-def _wrong(call: PassCall, built: Any, fault: str) -> DiagnosticError:
-    return DiagnosticError(
-        diagnose(
-            "RL474",
-            call.span,
-            kind=f"{call.verb} {built.entry.qualified}",
-            plugin=str(built.entry.origin),
-            fault=fault,
-        )
-    )
