@@ -18,7 +18,7 @@ Case = tuple[np.ndarray, np.ndarray]
 
 
 def photos(folder: Path) -> list[Case]:
-    """Aerial photos with masks, listed by a manifest; enlarged ones are brought back to their scale."""
+    """Aerial photos with masks, listed by a manifest; enlarged ones at their own scale again."""
     cases = []
     for entry in json.loads((folder / "manifest.json").read_text())["images"]:
         if entry["kind"] == "track-drawing":
@@ -48,7 +48,7 @@ def renderings(folder: Path, count: int) -> list[Case]:
 
 
 def relaxed_f1(net: RoadNet, cases: list[Case], radius: float = 3.0) -> float:
-    """Mean over cases of the relaxed F1 of {surface and line > 0.5}'s ridge against the centre lines."""
+    """Mean relaxed F1 of the ridge of {surface and line > 0.5} against the centre lines."""
     net.eval()
     scores = []
     for image, line in cases:

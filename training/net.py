@@ -28,7 +28,7 @@ class Residual(nn.Module):
 
 
 class RoadNet(nn.Module):
-    """RGB in 0..255 (n, 3, h, w), sides multiples of 32, to (n, 2, h/2, w/2): surface, centre line."""
+    """RGB 0..255 (n, 3, h, w), sides multiples of 32, to (n, 2, h/2, w/2): surface, line."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -67,7 +67,7 @@ def _twice(x: Tensor) -> Tensor:
 
 
 def loss(logits: Tensor, target: Tensor, weight: Tensor) -> Tensor:
-    """2 BCE + soft Dice for each map, the centre line at half weight; all (n, 2, h, w), weight (n, 1, h, w)."""
+    """2 BCE + soft Dice for each map, the line at half weight; (n, 2, h, w), weight (n, 1, h, w)"""
     total = logits.new_zeros(())
     for channel, share in ((0, 1.0), (1, 0.5)):
         z, t, w = logits[:, channel], target[:, channel], weight[:, 0]

@@ -53,7 +53,7 @@ def _render_one(folder: Path, seed: int, index: int) -> None:
     low, high, _ = _RESOLUTIONS[rng.choice(3, p=[share for *_, share in _RESOLUTIONS])]
     drawn = render_aerial(plan, int(rng.integers(2**31)), SIZE, float(rng.uniform(low, high)))
     roads = drawn.truth.roads
-    ok, code = cv2.imencode(".png", drawn.image)
+    _, code = cv2.imencode(".png", drawn.image)
     partial = _path(folder, index).with_suffix(".part.npz")
     np.savez(
         partial,

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..ir.picture import Extraction, Picture
 
 
-class _Numbers(click.ParamType):
+class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
     """Numbers with commas between them: `120,80`."""
 
     def __init__(self, count: int, name: str) -> None:
@@ -74,7 +74,7 @@ def command(
     found = _extracted(picture, scale, given)
     seconds = time.process_time() - begun
     document = as_json(picture, found, scale, seconds, _beside(mask, output))
-    files = {output: document, overlay: None, mask: None}
+    files: dict[str | None, str | bytes | None] = {output: document, overlay: None, mask: None}
     if overlay is not None:
         files[overlay] = as_overlay(picture, found)
     if mask is not None:

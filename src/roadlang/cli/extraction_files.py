@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from itertools import pairwise
 from typing import Any
 
 import cv2
@@ -99,11 +100,13 @@ def as_overlay(picture: Picture, found: Extraction) -> str:
     for (points, widths), sure in lines:
         path = _path(points)
         road = f"{float(np.median(widths)):.2f}"
+        colour = _colour(sure)
         parts.append(
-            f'<path d="{path}" stroke="{_colour(sure)}" stroke-opacity="0.35" stroke-width="{road}"/>'
+            f'<path d="{path}" stroke="{colour}" stroke-opacity="0.35" stroke-width="{road}"/>'
         )
         parts.append(
-            f'<path d="{path}" stroke="{_colour(sure)}" stroke-width="1.6"><title>{sure:.0%} sure</title></path>'
+            f'<path d="{path}" stroke="{colour}" stroke-width="1.6">'
+            f"<title>{sure:.0%} sure</title></path>"
         )
     parts.append('</g><g fill="#ffffff" stroke="#1a237e" stroke-width="1">')
     for node in found.network.nodes:
@@ -132,7 +135,7 @@ def _path(points: Floats) -> str:
 def _colour(sure: float) -> str:
     """From red (doubtful) over amber to cyan (sure)."""
     stops = ((0.0, (229, 57, 53)), (0.6, (255, 179, 0)), (1.0, (0, 229, 255)))
-    for (low, a), (high, b) in zip(stops[:-1], stops[1:], strict=True):
+    for (low, a), (high, b) in pairwise(stops):
         if sure <= high:
             t = (sure - low) / (high - low)
             return "#" + "".join(f"{round(p + t * (q - p)):02x}" for p, q in zip(a, b, strict=True))

@@ -25,7 +25,7 @@ from .worth import drop_unworthy, prune_by_worth
 _COARSE = 0.35
 """Share of the half-size view in the evidence."""
 _WIDE, _HANDY = 17.0, 8.0
-"""Roads wider than the first, in working pixels, are looked at again so that they are the second."""
+"""Roads wider than the first, in working pixels, are looked at again as wide as the second."""
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
 _RELAXED = (0.7, 0.45)
@@ -75,7 +75,7 @@ class Seen:
 
 @dataclass(frozen=True)
 class Cutoffs:
-    """Where evidence counts: strong starts a road, weak carries it on; lengths in working pixels."""
+    """Where evidence counts: strong starts a road, weak carries it on; lengths in pixels."""
 
     strong: float = 0.9
     weak: float = 0.6

@@ -61,9 +61,9 @@ def _code() -> str:
 
 
 def _read(place: Path) -> FoundNetwork | None:
-    with contextlib.suppress(OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-        with np.load(place, allow_pickle=False) as stored:
-            return _unpacked(dict(stored))
+    unusable = contextlib.suppress(OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
+    with unusable, np.load(place, allow_pickle=False) as stored:
+        return _unpacked(dict(stored))
     return None
 
 

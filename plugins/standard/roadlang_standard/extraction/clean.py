@@ -42,7 +42,7 @@ def _merge(graph: Graph, bridge: Line) -> None:
 def prune(
     graph: Graph, least: float, shape: tuple[int, int] | None = None, margin: float = 4.0
 ) -> None:
-    """Cut dead ends shorter than `least` pixels, shortest first; those at the border stay. In place."""
+    """Cut dead ends below `least` pixels, shortest first, but at the border. In place."""
     while True:
         degree = graph.degree()
         spurs = [

@@ -1,4 +1,4 @@
-"""The paper's chain for clean pictures: grey, blur, threshold, contours, spline; each step optional."""
+"""The paper's chain for clean pictures: grey, blur, threshold, contours, spline."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def roads_by_contour(image: Image, chain: Chain) -> FoundNetwork:
 
 
 def _grey(image: Image, chain: Chain) -> Layer:
-    """Grey; or, without a threshold and where grey does not part the tones, distance to the paper."""
+    """Grey; or, where no threshold is given and grey parts no tones, distance to the paper."""
     grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.float32)
     if chain.threshold is not None or chain.road != "auto":
         return grey
@@ -67,7 +67,7 @@ def _otsu(grey: Layer) -> float:
 
 
 def _soft(grey: Layer, level: float) -> Layer | None:
-    """Lightness in 0..1 with the level at one half, linear between the usual tones of both sides."""
+    """Lightness in 0..1, the level at one half, linear between the usual tones of both sides."""
     step = max(1, int(np.sqrt(grey.size / 400_000)))
     sample = grey[::step, ::step]
     low, high = sample[sample < level], sample[sample >= level]

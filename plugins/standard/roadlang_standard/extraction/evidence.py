@@ -1,4 +1,4 @@
-"""What the net says about a picture: maps of road surface and centre line, by tiles without seams."""
+"""What the net says about a picture: road surface and centre line, by tiles without seams."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ _CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
 
 
 def roads_of_cells(road: NDArray[np.bool_], thickness: float = 1.0) -> FoundNetwork:
-    """The network of a boolean grid (h, w): side neighbours join, corner neighbours where no side does."""
+    """The network of a boolean grid (h, w): neighbours join by sides, else by corners."""
     links = _links(road)
     ends = {cell for cell, near in links.items() if len(near) != 2}
     roads, used = [], set()

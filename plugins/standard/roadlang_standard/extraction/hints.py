@@ -1,6 +1,8 @@
-"""A user's strokes: points that roads pass through, boxes without roads; written into the evidence."""
+"""A user's strokes, written into the evidence: points on roads, boxes without roads."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -40,7 +42,7 @@ def way_through(score: Layer, points: Floats) -> Floats:
     cells = np.clip(np.round((points + 0.5) / scale - 0.5).astype(int), 0, np.array(size) - 1)
     graph = _grid(price)
     way: list[tuple[int, int]] = []
-    for start, goal in zip(cells[:-1], cells[1:], strict=True):
+    for start, goal in pairwise(cells):
         way += _shortest(graph, start, goal, size[0])[bool(way) :]
     line = (np.array(way, float) + 0.5) * scale - 0.5
     line[0], line[-1] = points[0], points[-1]

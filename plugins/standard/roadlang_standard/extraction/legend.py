@@ -33,12 +33,12 @@ class Thing:
 def read_text(
     rows: Sequence[str], legend: Mapping[str, str], thickness: float = 1.0
 ) -> tuple[FoundNetwork, tuple[Thing, ...]]:
-    """Roads between the centres of road characters, and one thing per other character of the legend."""
+    """Roads between the centres of road characters, and a thing for each other character."""
     width = max((len(row) for row in rows), default=0)
     cells = np.array([list(row.ljust(width)) for row in rows], dtype="<U1").reshape(
         len(rows), width
     )
-    kinds = {character: kind for character, kind in legend.items()}
+    kinds = dict(legend)
     road = np.isin(cells, [c for c, kind in kinds.items() if kind == ROAD])
     things = tuple(
         Thing(kinds[str(cells[y, x])], float(x), float(y), 1.0, 1.0)

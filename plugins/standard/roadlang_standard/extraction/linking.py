@@ -130,7 +130,7 @@ def _bridge(
     if not len(goals):
         return None
     goal = int(goals[np.argmin((far * share)[goals])])
-    cells = _way(before, goal) + (x - _RADIUS, y - _RADIUS)
+    cells = np.add(_way(before, goal), (x - _RADIUS, y - _RADIUS))
     length = float(stations(cells.astype(float))[-1])
     cost = float(far[goal] * share[goal]) / max(length, 1e-9)
     if length < 1 or cost > worst:

@@ -1,4 +1,4 @@
-"""What the extract kinds ask of a picture: its pixels, or its legend; told in diagnostics if lacking."""
+"""What the extract kinds ask of a picture, its pixels or its legend; diagnostics if lacking."""
 
 from __future__ import annotations
 

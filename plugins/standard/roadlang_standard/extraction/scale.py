@@ -24,7 +24,7 @@ def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
 
 
 def fine_share(image: Image) -> float:
-    """Share of the spectral energy above a quarter of the sampling rate: tiny in enlarged photos."""
+    """Share of spectral energy above a quarter of the sampling rate: tiny in enlarged photos."""
     grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
     height, width = (min(1024, side) for side in grey.shape)
     top, left = (grey.shape[0] - height) // 2, (grey.shape[1] - width) // 2

@@ -1,4 +1,4 @@
-"""Thinning of a mask to lines one pixel wide (Guo and Hall 1989), by looking at border pixels only."""
+"""Thinning of a mask to lines one pixel wide (Guo and Hall 1989), border pixels only."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _alive(
 
 @cache
 def _tables() -> tuple[Mask, Mask]:
-    """For each of the two half steps: may a pixel with these neighbours go? Bit 0 is north, clockwise."""
+    """For both half steps: may a pixel with these neighbours go? Bit 0 is north, clockwise."""
     code = np.arange(256)
     p2, p3, p4, p5, p6, p7, p8, p9 = ((code >> bit) & 1 for bit in range(8))
     crossings = ((1 - p2) & (p3 | p4)) + ((1 - p4) & (p5 | p6))

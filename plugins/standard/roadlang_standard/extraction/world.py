@@ -21,7 +21,7 @@ _DOUBTFUL = 0.5
 def extraction(
     picture: Picture, found: FoundNetwork, things: Sequence[Thing] = (), remarks: Sequence[str] = ()
 ) -> Extraction:
-    """The found roads as splines in metres, joined at their nodes; doubtful ones are remarked on."""
+    """The found roads as splines in metres, joined at nodes; doubtful ones are remarked on."""
     from roadlang.api import Extraction
     from roadlang.geometry import Edge, Node, RoadNetwork
 

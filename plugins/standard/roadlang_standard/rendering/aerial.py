@@ -115,7 +115,7 @@ def _hide(
     share: float,
     height: float,
 ) -> None:
-    """Plant crowns over and beside the road until `share` of its length is hidden, a clump at a time."""
+    """Plant clumps of crowns over and beside the road until `share` of its length is hidden."""
     frame = setting.frame
     line = np.vstack([road.points[1:-1] for road in roads if len(road.points) > 8])
     line = line[((line > 0) & (line < frame.extent)).all(axis=1)]

@@ -18,7 +18,7 @@ _SHIFT = 4
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A square picture of `size` pixels at `metres_per_pixel`; metres run right and down from its corner."""
+    """A square picture of `size` pixels; metres run right and down from its corner."""
 
     size: int
     metres_per_pixel: float

@@ -1,4 +1,4 @@
-"""Buildings beside the roads: houses with drives, blocks, parking lots; planned first, painted later."""
+"""Buildings beside the roads: houses with drives, blocks, parking lots; planned, then painted."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from roadlang_standard.rendering.setting import Setting
 
 @dataclass(frozen=True, slots=True)
 class Building:
-    """A footprint in metres: centre, half sides, heading; its height; where its drive meets the road."""
+    """A footprint in metres: centre, half sides, heading, height; where its drive meets a road."""
 
     centre: Floats
     half: Floats
@@ -38,7 +38,7 @@ class Lot:
 def settle(
     rng: np.random.Generator, setting: Setting, plan: list[PlannedRoad], near: Layer, water: Layer
 ) -> tuple[list[Building], list[Lot]]:
-    """Choose places for buildings and parking lots along the streets, clear of roads and of each other."""
+    """Choose places for buildings and lots along the streets, clear of roads and each other."""
     taken = np.zeros(setting.frame.shape, np.uint8)
     buildings: list[Building] = []
     lots: list[Lot] = []

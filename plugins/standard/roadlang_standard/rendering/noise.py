@@ -40,7 +40,7 @@ def streaks(rng: np.random.Generator, frame: Frame, length: float, angle: float)
 
 def line_kernel(length: float, angle: float) -> Layer:
     """A centred line of `length` pixels, summing to one."""
-    reach = max(1, int(round(length / 2)))
+    reach = max(1, round(length / 2))
     kernel = np.zeros((2 * reach + 1, 2 * reach + 1), np.float32)
     dx, dy = np.cos(angle) * reach, np.sin(angle) * reach
     ends = np.round(np.array([[reach - dx, reach - dy], [reach + dx, reach + dy]]) * 16).astype(int)

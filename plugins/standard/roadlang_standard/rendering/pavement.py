@@ -79,7 +79,7 @@ def _surface(
 def _markings(rng: np.random.Generator, setting: Setting, image: Layer, road: PlannedRoad) -> None:
     white, yellow = np.array([0.9, 0.92, 0.92]), np.array([0.25, 0.75, 0.9])
     paint = rng.uniform(0.35, 0.95)
-    lanes = max(1, int(round(road.width / 3.6)))
+    lanes = max(1, round(road.width / 3.6))
     two_way = road.manner == "street"
     if road.width > 7 and rng.random() < 0.6:
         for side in (-1, 1):

@@ -40,7 +40,7 @@ _PALETTES: dict[str, dict[str, Colour]] = {
 
 @dataclass(frozen=True)
 class Setting:
-    """What every painter of one scene shares. Angles in radians in picture axes, lengths in metres."""
+    """What every painter of one scene shares. Angles in picture axes, lengths in metres."""
 
     frame: Frame
     palette: dict[str, Colour]

@@ -14,7 +14,7 @@ from roadlang_standard.rendering.setting import Setting
 
 @dataclass
 class Canopy:
-    """Crowns seen from above: colour (h, w, 3), cover (h, w) and how much shade they throw (h, w)."""
+    """Crowns from above: colour (h, w, 3), cover (h, w), how much shade they throw (h, w)."""
 
     colour: Layer
     cover: Layer
@@ -146,5 +146,5 @@ def thrown(mask: Layer, setting: Setting, height: float) -> Layer:
     reach = max(1, int(np.ceil(length)))
     kernel = np.zeros((2 * reach + 1, 2 * reach + 1), np.uint8)
     tip = (reach - length * np.cos(setting.sun), reach - length * np.sin(setting.sun))
-    cv2.line(kernel, (reach, reach), (int(round(tip[0])), int(round(tip[1]))), 1)
+    cv2.line(kernel, (reach, reach), (round(float(tip[0])), round(float(tip[1]))), 1)
     return cv2.dilate(mask, kernel)

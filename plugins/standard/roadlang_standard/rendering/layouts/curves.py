@@ -15,7 +15,7 @@ def even(points: Floats, step: float = STEP) -> Floats:
     points = np.asarray(points, float)
     lengths = np.hypot(*np.diff(points, axis=0).T)
     station = np.r_[0, np.cumsum(lengths)]
-    at = np.linspace(0, station[-1], max(2, int(round(station[-1] / step)) + 1))
+    at = np.linspace(0, station[-1], max(2, round(float(station[-1]) / step) + 1))
     return np.c_[np.interp(at, station, points[:, 0]), np.interp(at, station, points[:, 1])]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -18,8 +19,10 @@ def bend(rng: np.random.Generator, extent: float) -> Plan:
     turn = rng.uniform(0, 2 * np.pi)
     tip, gap = rng.uniform(0.16, 0.3), rng.uniform(0.1, 0.16)
     shape = np.array(
-        [[-0.8, -gap - 0.22], [-0.35, -gap - 0.08], [tip - 0.1, -gap], [tip + 0.02, 0.0]]
-        + [[tip - 0.1, gap], [-0.35, gap + 0.05], [-0.8, gap + 0.3]]
+        [
+            *([-0.8, -gap - 0.22], [-0.35, -gap - 0.08], [tip - 0.1, -gap], [tip + 0.02, 0.0]),
+            *([tip - 0.1, gap], [-0.35, gap + 0.05], [-0.8, gap + 0.3]),
+        ]
     )
     shape[1:-1] += rng.normal(0, 0.012, (5, 2))
     rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
@@ -83,7 +86,7 @@ def grid(rng: np.random.Generator, extent: float) -> Plan:
 
 def _kept_blocks(rng: np.random.Generator, cuts: Floats, loss: float) -> list[tuple[float, float]]:
     runs, start = [], cuts[0]
-    for here, after in zip(cuts[:-1], cuts[1:], strict=True):
+    for here, after in pairwise(cuts):
         if rng.random() < loss:
             if here > start:
                 runs.append((start, here))
