@@ -73,7 +73,10 @@ def _draw(
     if free_loop:
         curve = _closed_curve(points, surface, manner)
     else:
-        curve = _open_curve(points, [graph.nodes[node] for node in nodes[1:-1]], surface, manner)
+        through = [graph.nodes[node] for node in nodes[1:-1]]
+        degree = graph.degree()
+        free = (degree[nodes[0]] == 1, degree[nodes[-1]] == 1)
+        curve = _open_curve(points, through, free, surface, manner)
     placed.setdefault(nodes[0], curve[0])
     placed.setdefault(nodes[-1], curve[-1])
     _split(chain, nodes, graph, curve, placed, curves)
@@ -84,19 +87,26 @@ def _concatenated(chain: Chain) -> Floats:
     return resample(np.vstack([pieces[0], *[piece[1:] for piece in pieces[1:]]]))
 
 
-def _open_curve(points: Floats, through: list[Floats], surface: Layer, manner: Draft) -> Floats:
+def _open_curve(
+    points: Floats,
+    through: list[Floats],
+    free: tuple[bool, bool],
+    surface: Layer,
+    manner: Draft,
+) -> Floats:
     weights = np.ones(len(points))
     for place in [points[0], points[-1], *through]:
         near = np.hypot(*(points - place).T) < 0.6 * manner.width
         if near.sum() < 0.5 * len(points):
             weights[near] = 0.02
     tolerance, tightest = max(0.8, manner.tolerance * manner.width), 0.5 * manner.width
-    curve = smooth(points, manner.waves, tolerance, tightest, weights)
+    curve = smooth(points, manner.waves, tolerance, tightest, weights, free=free)
     if manner.recentre and len(points) > manner.width:
         curve = resample(curve)
         seen = sides(curve, surface, 1.1 * manner.width + 3, manner.level)
-        curve = recentred(curve, seen, 0.8 * manner.waves, closed=False)
-        curve = smooth(resample(curve), 0.6 * manner.waves, tolerance, tightest)
+        held = (not free[0], not free[1])
+        curve = recentred(curve, seen, 0.8 * manner.waves, False, held)
+        curve = smooth(resample(curve), 0.6 * manner.waves, tolerance, tightest, free=free)
     return curve
 
 
@@ -106,9 +116,8 @@ def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
     if manner.recentre:
         curve = resample(np.vstack([curve, curve[:1]]))[:-1]
         seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3, manner.level)
-        whole = recentred(
-            np.vstack([curve, curve[:1]]), seen, 0.8 * manner.waves, False, keep_ends=False
-        )
+        whole = np.vstack([curve, curve[:1]])
+        whole = recentred(whole, seen, 0.8 * manner.waves, False, held=(False, False))
         curve = smooth(resample(whole)[:-1], 0.6 * manner.waves, tolerance, tightest, closed=True)
     return np.vstack([curve, curve[:1]])
 
@@ -181,7 +190,7 @@ def usual_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:
     x, y = np.vstack(samples).T
     inside = (x >= 0) & (y >= 0) & (x < mask.shape[1]) & (y < mask.shape[0])
     radii = inner[y[inside], x[inside]]
-    radii = radii[radii > 0]
+    radii = np.minimum(radii[radii > 0], max(mask.shape) / 2)
     return float(max(1.0, 2 * np.median(radii) - 1)) if len(radii) else 1.0
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from .found import FoundNetwork
 from .masks import roads_of_surface, without_specks
+from .skeleton import skeleton
 from .tones import Image, Layer, layer, tones
 
 Mask = NDArray[np.bool_]
@@ -58,7 +59,7 @@ def _rest(others: NDArray[np.float64], index: int) -> list[NDArray[np.float64]]:
 
 
 def likeness(surface: Layer) -> float:
-    """How much a surface (h, w) looks like roads: long for its width, of even width, not too little."""
+    """How much a surface (h, w) looks like roads: long, of even width, not too little."""
     mask = without_specks(surface >= 0.5, 12)
     if not mask.any():
         return 0.0
@@ -84,7 +85,7 @@ def between_lines(ink: Mask) -> Layer | None:
             closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0
         ribbons = _ribbons(closed)
         if ribbons and _edged(ribbons, ink, pen):
-            return _surface(ribbons, ink, pen)
+            return _surface(ribbons, ink, float(ink.sum() / max(1, skeleton(ink).sum())))
     return None
 
 
@@ -118,6 +119,8 @@ def _ribbons(ink: Mask) -> list[Ribbon]:
         inner = cv2.distanceTransform(part.astype(np.uint8), cv2.DIST_L2, 5)[1:-1, 1:-1]
         ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & part[1:-1, 1:-1]]
         width = 2 * float(np.quantile(ridge, 0.9))
+        if _rim(labels, key) > 4 * width:
+            continue
         mask = np.zeros(ink.shape, bool)
         mask[y : y + h, x : x + w] = part[1:-1, 1:-1]
         found.append(Ribbon(mask, width, float(area) / max(width, 1.0) ** 2))
@@ -126,6 +129,12 @@ def _ribbons(ink: Mask) -> list[Ribbon]:
         return []
     main = max(long, key=lambda ribbon: ribbon.elongation * ribbon.width)
     return [r for r in found if r.elongation > 1.2 and 0.6 < r.width / main.width < 1.6]
+
+
+def _rim(labels: NDArray[np.int32], key: int) -> int:
+    """How many pixels of a region lie on the picture's edge: what surrounds a circuit has many."""
+    edges = (labels[0], labels[-1], labels[:, 0], labels[:, -1])
+    return int(sum((edge == key).sum() for edge in edges))
 
 
 def _surface(ribbons: list[Ribbon], ink: Mask, pen: float) -> Layer:

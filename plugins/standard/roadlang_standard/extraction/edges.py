@@ -75,9 +75,13 @@ def usual_width(found: Sides) -> float:
 
 
 def recentred(
-    points: Floats, found: Sides, wavelength: float, closed: bool, keep_ends: bool = True
+    points: Floats,
+    found: Sides,
+    wavelength: float,
+    closed: bool,
+    held: tuple[bool, bool] = (True, True),
 ) -> Floats:
-    """The line moved half-way between its edges, by offsets that vary slowly."""
+    """The line moved half-way between its edges, by offsets that vary slowly; held ends stay."""
     width = usual_width(found)
     good = found.seen & (np.abs(found.left + found.right - width) < 0.35 * width)
     if good.sum() < max(5, 0.1 * len(points)):
@@ -85,9 +89,10 @@ def recentred(
     offset = np.where(good, (found.left - found.right) / 2, 0.0)
     offset = smooth_values(offset, wavelength, closed, np.where(good, 1.0, 1e-3))
     offset = np.clip(offset, -0.35 * width, 0.35 * width)
-    if keep_ends and not closed:
-        ramp = np.minimum(np.arange(len(points)), np.arange(len(points))[::-1])
-        offset = offset * np.clip(ramp / max(1.0, 0.75 * width), 0, 1)
+    from_end = np.arange(len(points)) / max(1.0, 0.75 * width)
+    for is_held, away in zip(held, (from_end, from_end[::-1]), strict=True):
+        if is_held and not closed:
+            offset = offset * np.clip(away, 0, 1)
     return points + offset[:, None] * normals(points)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .drawing import between_lines
 from .tones import Image, flatness, tones
@@ -45,7 +46,26 @@ def picture_kind(image: Image) -> PictureKind:
         marked = np.abs(image.astype(np.int16) - paper.astype(np.int16)).max(axis=2) > 30
     if between_lines(marked) is not None:
         return PictureKind(EDGES, flat)
-    black_and_white = all(min(c.max(), 255 - c.min()) < 40 for c in plan.colours[:2])
-    if black_and_white and len(plan.colours) <= 2 and paper.mean() < 40:
+    colours = plan.colours[np.argsort(-plan.shares)]
+    pure = _unmixed(colours)
+    black_and_white = len(pure) <= 2 and all(min(c.max(), 255 - c.min()) < 40 for c in pure)
+    if black_and_white and paper.mean() < 40:
         return PictureKind(MASK, flat)
-    return PictureKind(MAP if len(plan.colours) > 3 else FILLED, flat)
+    return PictureKind(MAP if len(pure) > 3 else FILLED, flat)
+
+
+def _unmixed(colours: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Those of the colours, most frequent first, that are no mixture of two earlier ones."""
+    pure: list[NDArray[np.float64]] = []
+    for colour in colours:
+        pairs = [(a, b) for i, a in enumerate(pure) for b in pure[:i]]
+        if not any(_between(colour, a, b) < 25 for a, b in pairs):
+            pure.append(colour)
+    return pure
+
+
+def _between(colour: NDArray[np.float64], a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
+    """Distance of a colour from the mixtures of two others."""
+    axis = b - a
+    share = float(np.clip((colour - a) @ axis / max(float(axis @ axis), 1e-9), 0, 1))
+    return float(np.abs(colour - a - share * axis).max())

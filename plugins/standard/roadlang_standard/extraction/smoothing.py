@@ -16,7 +16,7 @@ _PIN = 1e6
 def resample(points: Floats, step: float = 1.0) -> Floats:
     """The polyline (n, 2) with points about every `step`, ends kept."""
     station = stations(points)
-    count = max(2, int(round(station[-1] / step)) + 1)
+    count = max(2, round(station[-1] / step) + 1)
     at = np.linspace(0, station[-1], count)
     return np.c_[np.interp(at, station, points[:, 0]), np.interp(at, station, points[:, 1])]
 
@@ -33,8 +33,9 @@ def smooth(
     tightest: float = 0.0,
     weights: Floats | None = None,
     closed: bool = False,
+    free: tuple[bool, bool] = (False, False),
 ) -> Floats:
-    """Points (n, 2), a pixel apart, rid of waves shorter than `wavelength`; open ends stay put.
+    """Points (n, 2), a pixel apart, without waves below `wavelength`; ends stay unless `free`.
 
     The curve stays within `tolerance` of points of full weight: the wavelength shrinks until it
     does. Then, where the radius is below `tightest`, the points' pull is eased until it is not.
@@ -45,7 +46,7 @@ def smooth(
     if len(points) < 5:
         return points
     for _ in range(6):
-        curve = _solve(points, pull, stiffness, closed)
+        curve = _solve(points, pull, stiffness, closed, free)
         away = np.hypot(*(curve - points).T)[pull >= 1]
         if not len(away) or away.max() <= tolerance:
             break
@@ -56,7 +57,7 @@ def smooth(
             break
         near = maximum_filter1d(sharp, 2 * int(tightest) + 3)
         pull = np.where(near & (pull <= 1), pull / 4, pull)
-        curve = _solve(points, pull, max(stiffness, 1.0), closed)
+        curve = _solve(points, pull, max(stiffness, 1.0), closed, free)
     return curve
 
 
@@ -80,13 +81,16 @@ def smooth_values(
     return _system(values[:, None], pull, (wavelength / (2 * np.pi)) ** 4, closed)[:, 0]
 
 
-def _solve(points: Floats, pull: Floats, stiffness: float, closed: bool) -> Floats:
+def _solve(
+    points: Floats, pull: Floats, stiffness: float, closed: bool, free: tuple[bool, bool]
+) -> Floats:
     if closed:
         return _system(points, pull, stiffness, True)
+    ends = [end for end, is_free in zip((0, -1), free, strict=True) if not is_free]
     pinned = pull.copy()
-    pinned[[0, -1]] = _PIN
+    pinned[ends] = _PIN
     curve = _system(points, pinned, stiffness, False)
-    curve[[0, -1]] = points[[0, -1]]
+    curve[ends] = points[ends]
     return curve
 
 

@@ -1,0 +1,71 @@
+"""Photos: rendered scenes with known truth, shaded and covered; light, hints, tiles."""
+
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.aerial import Request, roads_of_photo
+from roadlang_standard.extraction.evidence import evidence, road_net
+from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.rendering.aerial import render_aerial
+
+
+def main_road(found):
+    return max(found.roads, key=lambda road: road.length)
+
+
+def inner(points, size, margin=8):
+    return points[(points > margin).all(axis=1) & (points < size - margin).all(axis=1)]
+
+
+@pytest.mark.parametrize("seed", [901, 903, 904])
+def test_a_road_that_is_30_percent_hidden_is_found(seed, distance_to):
+    scene = render_aerial("curve", seed, size=320, hidden=0.3)
+    (true,) = scene.truth.roads
+    road = main_road(roads_of_photo(scene.image))
+    assert distance_to(inner(road.points, 320), true.points).mean() < 1.0
+    assert distance_to(inner(true.points, 320), road.points).max() < 12
+    assert abs(np.median(road.widths) / true.width - 1) < 0.2
+
+
+@pytest.mark.parametrize("asphalt", [0.2, 0.35])
+def test_a_dark_road_is_found(asphalt, distance_to):
+    scene = render_aerial("bend", 12, size=320, asphalt=asphalt)
+    (true,) = scene.truth.roads
+    road = main_road(roads_of_photo(scene.image))
+    assert distance_to(inner(true.points, 320), road.points).mean() < 3
+
+
+def test_brightness_and_contrast_do_not_matter():
+    scene = render_aerial("suburb", 21, size=256).image
+    dim = np.clip(scene * 0.6, 0, 255).astype(np.uint8)
+    difference = even_exposure(scene).astype(int) - even_exposure(dim)
+    assert np.abs(difference).mean() < 2.5
+
+
+def test_tiles_leave_no_seam():
+    scene = render_aerial("suburb", 8, size=1100).image
+    net = road_net()
+    whole = evidence(scene, net, mirrored=False).surface
+    part = evidence(np.ascontiguousarray(scene[300:900, 300:900]), net, mirrored=False).surface
+    gap = np.abs(whole[400:800, 400:800] - part[100:500, 100:500])
+    assert gap.mean() < 0.02
+
+
+def test_two_clicks_draw_a_road_where_none_is_seen():
+    rng = np.random.default_rng(0)
+    meadow = rng.integers(90, 110, (200, 260, 3)).astype(np.uint8)
+    assert not any(road.confidence > 0.9 for road in roads_of_photo(meadow).roads)
+    clicks = ((20.0, 100.0), (240.0, 120.0))
+    found = roads_of_photo(meadow, Request(through=clicks, width=8.0, only_through=True))
+    (road,) = found.roads
+    ends = sorted([tuple(road.points[0]), tuple(road.points[-1])])
+    assert np.hypot(*(np.array(ends) - clicks).T).max() < 12
+    assert (road.widths == 8).all()
+
+
+def test_what_is_boxed_out_stays_out():
+    scene = render_aerial("grid", 5, size=256)
+    box = ((0.0, 0.0), (128.0, 255.0))
+    found = roads_of_photo(scene.image, Request(leave_out=(box,)))
+    assert found.roads
+    assert min(road.points[:, 0].min() for road in found.roads) > 110

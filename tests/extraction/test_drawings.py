@@ -1,0 +1,62 @@
+"""Clean drawings give exact roads: circuits between edge lines, filled roads, masks."""
+
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.contour import Chain, roads_by_contour
+from roadlang_standard.extraction.picture_kind import picture_kind
+from roadlang_standard.rendering.drawings import as_jpeg, draw_circuit, draw_filled
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("change", ["as drawn", "inverted", "jpeg"])
+def test_a_circuit_is_one_closed_road_between_its_lines(seed, change, distance_to):
+    drawn = draw_circuit(seed, size=500)
+    changed = {"as drawn": drawn.image, "inverted": 255 - drawn.image}
+    image = changed.get(change, as_jpeg(drawn.image, 60))
+    found = roads_by_contour(image, Chain())
+    (road,) = found.roads
+    assert found.method == "edge lines"
+    assert road.closed
+    (true,) = drawn.truth.roads
+    assert distance_to(road.points, np.vstack([true.points, true.points[:1]])).max() < 1.5
+    assert distance_to(true.points, road.points).max() < 2.5
+    assert abs(np.median(road.widths) / true.width - 1) < 0.15
+
+
+@pytest.mark.parametrize("plan", ["curve", "suburb", "roundabout"])
+@pytest.mark.parametrize(("ground", "ink"), [((255,) * 3, (60,) * 3), ((30, 90, 30), (200,) * 3)])
+def test_filled_roads_are_found_to_the_pixel(plan, ground, ink, distance_to):
+    drawn = draw_filled(plan, 3, 400, ground, ink)
+    found = roads_by_contour(drawn.image, Chain())
+    seen = np.vstack([road.points for road in found.roads])
+    true = [np.asarray(line) for line in drawn.truth.polylines()]
+    away = np.min([distance_to(seen, line) for line in true], axis=0)
+    assert np.quantile(away, 0.9) < 1.0
+    nearest = np.argmin([distance_to(seen, road.points) for road in drawn.truth.roads], axis=0)
+    true_widths = np.array([road.width for road in drawn.truth.roads])[nearest]
+    widths = np.concatenate([road.widths for road in found.roads])
+    assert np.median(np.abs(widths / true_widths - 1)) < 0.1
+
+
+def test_the_threshold_can_be_given():
+    image = np.full((60, 200, 3), 200, np.uint8)
+    image[20:30] = 150
+    image[40:50] = 20
+    both = roads_by_contour(image, Chain(threshold=0.7, road="dark", between=False))
+    dark = roads_by_contour(image, Chain(threshold=0.3, road="dark", between=False))
+    assert (len(both.roads), len(dark.roads)) == (2, 1)
+
+
+def test_a_blank_picture_has_no_road():
+    found = roads_by_contour(np.full((50, 50, 3), 128, np.uint8), Chain())
+    assert found.roads == ()
+    assert found.remarks
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_kinds_of_drawings_are_told_apart(seed):
+    assert picture_kind(draw_circuit(seed).image).name == "edge-line drawing"
+    assert picture_kind(draw_filled("suburb", seed).image).name == "filled drawing"
+    mask = draw_filled("grid", seed, ground=(0, 0, 0), road=(255, 255, 255)).image
+    assert picture_kind(mask).name == "mask"

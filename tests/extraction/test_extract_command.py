@@ -1,0 +1,61 @@
+"""`roadlang extract`: JSON in pixels, an overlay, a mask."""
+
+import json
+
+import cv2
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from roadlang.cli.extract import command
+from roadlang.diagnostics import DiagnosticError
+from roadlang_standard.rendering.drawings import draw_circuit
+
+
+@pytest.fixture
+def circuit(tmp_path):
+    drawn = draw_circuit(3, 400)
+    cv2.imwrite(str(tmp_path / "circuit.png"), drawn.image)
+    return drawn, tmp_path
+
+
+def run(*words):
+    return CliRunner().invoke(command, [str(word) for word in words])
+
+
+def test_roads_are_written_in_pixels(circuit, distance_to):
+    drawn, folder = circuit
+    names = [folder / name for name in ("roads.json", "roads.svg", "mask.png")]
+    done = run(folder / "circuit.png", "-o", names[0], "--overlay", names[1], "--mask", names[2])
+    assert done.exit_code == 0, done.output
+    document = json.loads(names[0].read_text())
+    (line,) = document["polylines"]
+    assert line[0] == line[-1]
+    assert distance_to(np.array(line), drawn.truth.roads[0].points).max() < 1.5
+    assert document["mask"] == "mask.png"
+    assert document["roads"][0]["closed"]
+    assert cv2.imread(str(names[2]), 0).shape == (400, 400)
+    assert names[1].read_text().startswith("<svg")
+
+
+def test_without_an_output_the_json_goes_to_standard_output(circuit):
+    _, folder = circuit
+    assert json.loads(run(folder / "circuit.png").output)["schema"] == "roadlang.extraction/1"
+
+
+def test_a_picture_without_a_road_is_an_error(tmp_path):
+    cv2.imwrite(str(tmp_path / "blank.png"), np.full((80, 80, 3), 200, np.uint8))
+    done = run(tmp_path / "blank.png", "-o", tmp_path / "roads.json")
+    assert done.exit_code == 1
+    assert "RL427" in done.output
+
+
+def test_unknown_kinds_and_unfit_options_are_explained(circuit):
+    _, folder = circuit
+    for words, code in (
+        (["--with", "ariel"], "RL425"),
+        (["--with", "pixels", "--through", "1,2"], "RL426"),
+    ):
+        done = run(folder / "circuit.png", *words)
+        assert isinstance(done.exception, DiagnosticError)
+        assert done.exception.diagnostics[0].code == code

@@ -1,0 +1,98 @@
+"""The extract kinds on pictures, as the compiler calls them."""
+
+import shutil
+from importlib.resources import files
+
+import numpy as np
+import pytest
+
+from roadlang.diagnostics import DiagnosticError
+from roadlang.ir.picture import Picture
+from roadlang_standard.extract_aerial import Aerial
+from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extract_contour import Contour
+from roadlang_standard.extract_onnx import Onnx
+from roadlang_standard.extract_pixels import Pixel
+from roadlang_standard.rendering.aerial import render_aerial
+from roadlang_standard.rendering.drawings import draw_circuit
+
+WEIGHTS = files("roadlang_standard.extraction") / "weights" / "roads.onnx"
+
+
+def test_auto_says_what_it_took_the_picture_for():
+    drawing = Auto().extract(Picture(draw_circuit(1, 400).image, 0.5))
+    typed = Auto().extract(Picture(None, 8.0, {"#": "road"}, ("###", "#..")))
+    photo = Auto().extract(Picture(render_aerial("curve", 901, 256).image, 1.0))
+    assert drawing.remarks[0] == "read as an edge-line drawing"
+    assert typed.remarks[0] == "read as a typed grid"
+    assert photo.remarks[0] == "read as a photo"
+
+
+def test_a_circuit_comes_out_closed_and_in_metres():
+    drawn = draw_circuit(2, 400)
+    found = Contour().extract(Picture(drawn.image, 0.5))
+    (edge,) = found.network.edges
+    assert edge.curve.closed
+    true = drawn.truth.roads[0]
+    assert edge.length == pytest.approx(
+        0.5 * np.hypot(*np.diff(true.points, axis=0).T).sum(), rel=0.02
+    )
+
+
+def test_the_world_has_y_up_and_its_origin_at_the_lower_left():
+    found = Pixel().extract(Picture(None, 10.0, {"#": "road"}, ("###", "...")))
+    (edge,) = found.network.edges
+    assert edge.curve.points.tolist() == [[5, 15], [15, 15], [25, 15]]
+
+
+@pytest.mark.parametrize(
+    ("kind", "picture", "code"),
+    [
+        (Contour(), Picture(None, 1.0, {"#": "road"}, ("##",)), "RL420"),
+        (Pixel(), Picture(None, 1.0, {"T": "tree"}, ("T#",)), "RL421"),
+        (Pixel(), Picture(None, 1.0, {"##": "road"}, ("##",)), "RL422"),
+        (Pixel(), Picture(np.zeros((9, 9, 3), np.uint8), 1.0, {"gren": "road"}), "RL423"),
+    ],
+)
+def test_wrong_pictures_are_explained(kind, picture, code):
+    with pytest.raises(DiagnosticError) as raised:
+        kind.extract(picture)
+    assert [d.code for d in raised.value.diagnostics] == [code]
+
+
+def test_a_net_of_ones_own_is_used_like_the_shipped_one(tmp_path):
+    shutil.copy(str(WEIGHTS), tmp_path / "mine.onnx")
+    picture = Picture(render_aerial("curve", 902, 256).image, 1.0)
+    ours, theirs = (
+        Aerial().extract(picture),
+        Onnx(model=str(tmp_path / "mine.onnx")).extract(picture),
+    )
+    assert [e.length for e in ours.network.edges] == [e.length for e in theirs.network.edges]
+
+
+def test_what_is_no_net_is_refused(tmp_path):
+    (tmp_path / "not.onnx").write_bytes(b"not a net at all")
+    picture = Picture(np.zeros((64, 64, 3), np.uint8), 1.0)
+    with pytest.raises(DiagnosticError) as raised:
+        Onnx(model=str(tmp_path / "not.onnx")).extract(picture)
+    assert raised.value.diagnostics[0].code == "RL424"
+
+
+def test_photos_are_read_once(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROADLANG_CACHE", str(tmp_path))
+    picture = Picture(render_aerial("curve", 902, 200).image, 1.0)
+    first = Aerial().extract(picture)
+    assert len(list(tmp_path.iterdir())) == 1
+    monkeypatch.setattr("roadlang_standard.extraction.cache.roads_of_photo", None)
+    again = Aerial().extract(picture)
+    assert [e.curve.points.tolist() for e in first.network.edges] == [
+        e.curve.points.tolist() for e in again.network.edges
+    ]
+
+
+@pytest.mark.parametrize("shape", [(2, 2), (1, 300), (40, 3)])
+@pytest.mark.parametrize("kind", [Auto(), Contour(), Aerial()])
+def test_absurd_pictures_do_no_harm(shape, kind):
+    rng = np.random.default_rng(1)
+    for pixels in (np.zeros((*shape, 3), np.uint8), rng.integers(0, 256, (*shape, 3), np.uint8)):
+        kind.extract(Picture(pixels, 1.0))

@@ -1,0 +1,39 @@
+"""The renderer of truth: the same seed gives the same bytes, and the truth is what is painted."""
+
+import numpy as np
+import pytest
+
+from roadlang_standard.rendering.aerial import render_aerial
+from roadlang_standard.rendering.frame import ribbon
+from roadlang_standard.rendering.layouts.plans import PLANS
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_every_plan_renders_and_repeats(plan):
+    first, again = (render_aerial(plan, 3, size=192, metres_per_pixel=1.5) for _ in range(2))
+    assert (first.image == again.image).all()
+    assert first.image.shape == (192, 192, 3)
+    assert first.truth.roads
+    assert (render_aerial(plan, 4, size=192, metres_per_pixel=1.5).image != first.image).any()
+
+
+def test_a_ribbon_covers_its_length_times_its_width():
+    line = np.array([[10.3, 20.0], [80.3, 20.0]])
+    _, cover = ribbon(line, 6.4, (40, 100))
+    assert cover.sum() == pytest.approx(70 * 6.4, rel=0.03)
+    rows = cover.sum(axis=1) @ np.arange(len(cover)) / cover.sum()
+    window, _ = ribbon(line, 6.4, (40, 100))
+    assert rows + window[0].start == pytest.approx(20.0, abs=0.1)
+
+
+@pytest.mark.parametrize("share", [0.1, 0.3])
+def test_as_much_is_hidden_as_is_asked_for(share):
+    scene = render_aerial("bend", 7, size=256, hidden=share)
+    assert scene.truth.hidden_share() == pytest.approx(share, abs=0.1)
+
+
+def test_a_bright_road_is_brighter_where_the_truth_says():
+    scene = render_aerial("curve", 5, size=256, asphalt=0.85)
+    road = (scene.truth.mask() > 0) & ~scene.truth.hidden
+    grey = scene.image.mean(axis=2)
+    assert grey[road].mean() > grey[scene.truth.mask() == 0].mean() + 30
