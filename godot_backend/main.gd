@@ -1,7 +1,8 @@
 extends Node3D
 ## The whole program: listens, builds what it is sent, drives it, shows it.
 ##
-## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still.
+## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still,
+## --quit-idle SECONDS without a client.
 
 const Protocol := preload("res://net/protocol.gd")
 const Server := preload("res://net/server.gd")
@@ -22,6 +23,7 @@ var view: View
 
 var _messages: Messages
 var _settings: Dictionary = {}
+var _last_client := 0
 
 
 func _ready() -> void:
@@ -56,8 +58,19 @@ func _process(_dt: float) -> void:
 	if server == null:
 		return
 	var busy := server.poll(true)
+	_quit_when_forgotten()
 	if not busy and not simulation.running() and DisplayServer.get_name() == "headless":
 		OS.delay_msec(IDLE_MSEC)
+
+
+## Whoever started this engine may be gone without a goodbye.
+func _quit_when_forgotten() -> void:
+	var now := Time.get_ticks_msec()
+	var patience := float(_settings["quit-idle"])
+	if server.connected():
+		_last_client = now
+	elif patience > 0.0 and now - _last_client > patience * 1000.0:
+		get_tree().quit()
 
 
 func _physics_process(dt: float) -> void:
@@ -66,7 +79,9 @@ func _physics_process(dt: float) -> void:
 
 
 static func read_arguments(given: PackedStringArray) -> Dictionary:
-	var settings := {"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false}
+	var settings := {
+		"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false, "quit-idle": "0"
+	}
 	var i := 0
 	while i < given.size():
 		var key := given[i].trim_prefix("--")

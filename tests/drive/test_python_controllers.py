@@ -32,6 +32,9 @@ class Elsewhere(Controller):
 REGISTRY = Registry(tuple(entries_of([Steady, Elsewhere], Origin("acme", "acme", "1"))))
 
 
+SEEN = Observation(0, 0.02, "ego", 0, 0, 0, 2.0, 0, 0, 0, 0, 2.7, lambda d: (d, 0, 0, 0))
+
+
 def driven(*drive: Call) -> dict[str, Any]:
     actor = SceneActor("ego", "ego", "car", 0, 0, 0, 4.5, 1.8, 1.5, drive=drive)
     scene = Scene("s", "", 0, Provenance("0", 1, 0, 0), agents=(actor,))
@@ -39,7 +42,8 @@ def driven(*drive: Call) -> dict[str, Any]:
 
 
 def test_a_controller_in_python_gets_its_options() -> None:
-    assert driven(Call("steady", {"speed": 7.0})) == {"ego": Steady(7.0)}
+    controller = driven(Call("steady", {"speed": 7.0}))["ego"]
+    assert controller.control(SEEN) == Control(0.0, 5.0)
 
 
 def test_a_controller_of_the_engine_is_left_to_it() -> None:
@@ -49,7 +53,7 @@ def test_a_controller_of_the_engine_is_left_to_it() -> None:
 
 def test_a_conditional_controller_is_not_the_steady_one() -> None:
     found = driven(Call("steady"), Call("elsewhere", {}, {"formula": True}))
-    assert found == {"ego": Steady()}
+    assert found["ego"].control(SEEN) == Control(0.0, 3.0)
 
 
 def test_nobody_drives_what_does_not_drive() -> None:

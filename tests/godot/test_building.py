@@ -8,6 +8,7 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
+from godot_engines import started
 from godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
 from roadlang_standard.godot.engine import Engine
@@ -112,12 +113,17 @@ def test_a_car_at_a_junction_finds_road_under_every_wheel(session: Session) -> N
 
 
 def test_the_websocket_carries_the_same_messages() -> None:
-    from godot_engines import started
-
     things = everything()
     with started(transport="websocket") as engine, engine.connect("test") as session:
         begin(session, things)
         assert session.prove().things == len(things)
+
+
+def test_an_engine_that_is_forgotten_ends_by_itself() -> None:
+    with started(quit_idle=0.5) as engine:
+        with engine.connect("brief") as session:
+            session.flush()
+        assert engine.process.wait(timeout=20) == 0
 
 
 def test_a_second_client_is_refused_while_the_first_is_there(fast_engine: Engine) -> None:

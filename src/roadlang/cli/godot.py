@@ -28,7 +28,9 @@ def command(headless: bool, host: str, port: int, transport: str, where: bool) -
         say(f"project  {engine.project()}")
         return
     engine.version_of(engine.find())
-    running = engine.start(window=not headless, host=host, port=port, transport=transport)
+    running = engine.start(
+        window=not headless, host=host, port=port, transport=transport, quit_idle=None
+    )
     with running:
         say(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C ends it")
         running.process.wait()

@@ -178,12 +178,14 @@ def start(
     host: str = "127.0.0.1",
     port: int = 0,
     transport: str = "udp",
+    quit_idle: float | None = 60.0,
     extra: Sequence[str] = (),
 ) -> Engine:
     """Start an engine: headless, or with `draw` to take pictures, or with `window` to be looked at.
 
     `fixed_fps` makes it run as fast as it can, each frame that part of a second; `port` 0 takes
-    a free one. Raises `EngineError` RL500, RL501, RL508.
+    a free one; after `quit_idle` seconds without a client it ends by itself, so that nothing is
+    left behind by whoever was killed. Raises `EngineError` RL500, RL501, RL508.
     """
     draws = draw or window
     command = find_drawing() if draws else [str(find()), "--headless"]
@@ -193,6 +195,8 @@ def start(
     command += [*extra, "--", "--host", host, "--port", str(port), "--transport", transport]
     if draw and not window:
         command.append("--still")
+    if quit_idle is not None:
+        command += ["--quit-idle", str(quit_idle)]
     log = Path(tempfile.mkdtemp(prefix="roadlang-godot-")) / "engine.log"
     engine = Engine(_spawn(command, log), host, port, transport, log, draws)
     engine.port = _await_port(engine, command[0])
