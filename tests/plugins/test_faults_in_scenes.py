@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from installed import install
 from test_discovery import ACME, GOOD
 
@@ -47,6 +48,25 @@ def roadlang_kinds():
     [fault] = faults("road bent from main { perturb with zigzag { amplitude: 3m } }", site)
     assert fault.code == "RL211"
     assert "roadlang_not_there" in fault.message
+
+
+@pytest.mark.parametrize(
+    ("key", "says"),
+    [
+        ("emit zigzag", "is `perturb zigzag`, not `emit zigzag`"),
+        ("perturb zag", "is `perturb zigzag`, not `perturb zag`"),
+    ],
+)
+def test_a_map_that_names_another_kind(site: Path, key: str, says: str) -> None:
+    listed = GOOD.format(kind="zigzag").replace(
+        "return [Zigzag]", f"return {{'{key}': 'roadlang_late:Zigzag'}}"
+    )
+    install(site, "late", listed)
+    verb, name = key.split()
+    text = f"emit {name}" if verb == "emit" else f"road bent from main {{ perturb with {name} }}"
+    [fault] = faults(text, site)
+    assert fault.code == "RL211"
+    assert says in fault.message
 
 
 def test_a_name_that_two_plugins_bring_has_to_be_qualified(site: Path) -> None:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..ir.scene import Scene, Verdict
     from ..ir.trace import Trace
     from ..plugins.kinds import Simulator
+    from ..plugins.registry import KindEntry
     from .made_scenes import MadeScenes
 
 
@@ -57,8 +58,8 @@ def command(
         changes["duration"] = duration
     if window:
         changes["headless"] = False
-    simulator = simulator_of(made, engine, changes)
-    driven = [(scene, *_drive(scene, simulator, made)) for scene in made.scenes]
+    simulator, entry = simulator_of(made, engine, changes)
+    driven = [(scene, *_drive(scene, simulator, entry, made)) for scene in made.scenes]
     _write(Path(folder), driven)
     if as_json:
         click.echo(
@@ -72,29 +73,42 @@ def command(
     click.get_current_context().exit(code)
 
 
-def simulator_of(made: MadeScenes, engine: str | None, changes: dict[str, Any]) -> Simulator:
+def simulator_of(
+    made: MadeScenes, engine: str | None, changes: dict[str, Any]
+) -> tuple[Simulator, KindEntry]:
     """The simulator that the command line or the file names, with the file's options."""
+    from ..pipeline.blame import blaming
+
     call = made.scenes[0].simulate
     names = made.registry.names("simulate")
     name = engine or (call.kind if call is not None else names[0])
     if not made.registry.has("simulate", name):
         hints = did_you_mean(name, names) or (f"there are {', '.join(names)}",)
         raise DiagnosticError(diagnose("RL930", what="engine", name=name, help=hints))
-    kind: Any = made.registry.find("simulate", name).load()
+    entry = made.registry.find_recorded("simulate", name)
+    with blaming(entry, None):
+        kind: Any = entry.load()
     options = dict(call.options) if call is not None and call.kind == name else {}
     known = {field.name for field in dataclasses.fields(kind)}
     options |= {key: value for key, value in changes.items() if key in known}
-    simulator: Simulator = kind(**options)
-    return simulator
+    with blaming(entry, None):
+        simulator: Simulator = kind(**options)
+    return simulator, entry
 
 
 def _drive(
-    scene: Scene, simulator: Simulator, made: MadeScenes
+    scene: Scene, simulator: Simulator, entry: KindEntry, made: MadeScenes
 ) -> tuple[Trace, tuple[Verdict, ...]]:
     from ..drive.controllers import python_controllers
     from ..drive.judging import judge
+    from ..ir.trace import Trace
+    from ..pipeline.blame import blaming, wrong_result
 
-    trace = simulator.drive(scene, python_controllers(scene, made.registry))
+    controllers = python_controllers(scene, made.registry)
+    with blaming(entry, None):
+        trace = simulator.drive(scene, controllers)
+    if not isinstance(trace, Trace):
+        raise wrong_result(entry, None, f"gave a {type(trace).__name__}, not a Trace")
     return trace, judge(scene, trace, made.registry)
 
 

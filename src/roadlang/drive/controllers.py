@@ -2,9 +2,35 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 from ..ir.scene import Scene, SceneActor
+from ..pipeline.blame import blaming, wrong_result
 from ..plugins.kinds import Controller
-from ..plugins.registry import Registry
+from ..plugins.registry import KindEntry, Registry
+from .contract import Control, Observation
+
+
+class Guarded(Controller):
+    """A controller that is named with its plugin where it fails, wherever it drives."""
+
+    def __init__(self, controller: Controller, entry: KindEntry) -> None:
+        self._controller = controller
+        self._entry = entry
+
+    def control(self, observation: Observation) -> Control:
+        """What the controller decides. Raises DiagnosticError RL470, RL474."""
+        with blaming(self._entry, None):
+            decision: Any = self._controller.control(observation)
+        if not isinstance(decision, Control):
+            fault = f"gave a {type(decision).__name__}, not a Control"
+            raise wrong_result(self._entry, None, fault)
+        with blaming(self._entry, None):
+            control = Control(float(decision.steering), float(decision.acceleration))
+        if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
+            raise wrong_result(self._entry, None, f"gave {control}, which is not finite")
+        return control
 
 
 def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller]:
@@ -21,8 +47,11 @@ def _controller(actor: SceneActor, registry: Registry) -> Controller | None:
     steady = [call for call in actor.drive if call.when is None]
     if not steady or not registry.has("drive", steady[-1].kind):
         return None
-    kind = registry.find("drive", steady[-1].kind).load()
-    if not issubclass(kind, Controller) or kind.control is Controller.control:
-        return None
-    names = kind.__dataclass_fields__
-    return kind(**{key: value for key, value in steady[-1].options.items() if key in names})
+    entry = registry.find_recorded("drive", steady[-1].kind)
+    with blaming(entry, None):
+        kind = entry.load()
+        if not issubclass(kind, Controller) or kind.control is Controller.control:
+            return None
+        names = kind.__dataclass_fields__
+        options = {key: value for key, value in steady[-1].options.items() if key in names}
+        return Guarded(kind(**options), entry)

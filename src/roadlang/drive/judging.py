@@ -13,6 +13,7 @@ import numpy as np
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
+from ..pipeline.blame import blaming, wrong_result
 from ..plugins.kinds import DriveSignal
 from ..plugins.registry import Registry
 from ..stl import from_json
@@ -95,22 +96,34 @@ def _values(
             options[key] = chosen[value]
         else:
             options[key] = members
-    values = np.asarray(kind(**options).values() if kind.name != "time" else trace.time)
+    if kind.name == "time":
+        return trace.time
+    entry = registry.find_recorded("drive_signal", str(call["kind"]))
+    with blaming(entry, None):
+        values = np.asarray(kind(**options).values(), dtype=float)
+    if values.shape != trace.time.shape and entry.origin.plugin != "standard":
+        fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
+        raise wrong_result(entry, None, fault)
     if values.shape != trace.time.shape or not np.isfinite(values).all():
         raise DiagnosticError(diagnose("RL701", signal=shown, engine=trace.engine))
     return values
 
 
 def _kind(call: Mapping[str, Any], registry: Registry) -> type[DriveSignal]:
-    kind = registry.find("drive_signal", str(call["kind"])).load()
+    kind = registry.find_recorded("drive_signal", str(call["kind"])).load()
     assert issubclass(kind, DriveSignal)
     return kind
 
 
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
-    kind: Any = registry.find("monitor", str(call["monitor"])).load()
+    entry = registry.find("monitor", str(call["monitor"]))
     options = {
         key: (group(value, trace) or (value,))[0] if isinstance(value, str) else value
         for key, value in call.get("options", {}).items()
     }
-    return float(kind(**options).judge(trace))
+    with blaming(entry, None):
+        kind: Any = entry.load()
+        rho = float(kind(**options).judge(trace))
+    if math.isnan(rho):
+        raise wrong_result(entry, None, "gave a robustness that is no number")
+    return rho

@@ -81,7 +81,7 @@ def send(backends: Iterable[Built], scenes: Iterable[Scene]) -> None:
 
 
 def _outputs_of(backend: Built, scenes: Sequence[Scene]) -> Iterator[Output]:
-    name = backend.entry.qualified if _is_foreign(backend) else backend.entry.name
+    name = backend.entry.recorded
     for scene in scenes:
         with backend.blamed:
             files = backend.kind.files(scene)
@@ -91,10 +91,6 @@ def _outputs_of(backend: Built, scenes: Sequence[Scene]) -> Iterator[Output]:
         files = backend.kind.collection(scenes)
     for path, content in _checked(files, backend).items():
         yield Output(path, content, name, None)
-
-
-def _is_foreign(backend: Built) -> bool:
-    return backend.entry.origin.plugin != "standard"
 
 
 def _checked(files: Any, backend: Built) -> Mapping[str, bytes]:

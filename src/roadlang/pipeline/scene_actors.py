@@ -73,7 +73,7 @@ def call_of(call: PassCall, variants: Variants, element: int = 0) -> Call:
             options[name] = concrete(evaluate(value, variants, element), variants, element)
     conditions = [v for _, v in (*call.options, *call.common) if isinstance(v, Condition)]
     when = condition_json(conditions[0], variants, element) if conditions else None
-    return Call(entry.name, options, when)
+    return Call(entry.recorded, options, when)
 
 
 def condition_json(condition: Condition, variants: Variants, element: int = 0) -> dict[str, Any]:
@@ -83,7 +83,7 @@ def condition_json(condition: Condition, variants: Variants, element: int = 0) -
         "formula": _finite(to_json(condition.formula)),
         "signals": {
             binding.variable: {
-                "kind": binding.call.kind.rpartition(".")[2],
+                "kind": variants.plan.kind(binding.call)[0].recorded,
                 "options": {
                     name: concrete(evaluate(value, variants, element), variants, element)
                     for name, value in binding.call.options

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from .. import geometry
     from ..geometry import Curve
     from ..ir.batch import BatchRandom, RoadBatch
     from ..ir.picture import Extraction, Picture
@@ -89,11 +90,19 @@ class Piece(Kind):
 
     verb: ClassVar[str] = "piece"
 
+    def laid(self, curvature: float) -> geometry.Straight | geometry.Arc | geometry.Clothoid:
+        """The piece as it goes on from a road of this curvature (1/m, left positive)."""
+        raise NotImplementedError
+
 
 class Selector(Kind):
     """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
 
     verb: ClassVar[str] = "select"
+
+    def select(self, network: geometry.RoadNetwork) -> geometry.Path:
+        """The way through the network."""
+        raise NotImplementedError
 
 
 class Perturber(Kind):
@@ -167,7 +176,8 @@ class RoadNumber(Signal):
 class DriveSignal(Signal):
     """A drive signal over time. `member`: written `ego.speed`, else as a call.
 
-    Fields that name agents hold their `AgentTrace`s; `values` has shape (steps,).
+    A field that names an agent holds its `AgentTrace`; of a signal written as a call, a tuple of
+    them, as the name may stand for a group. `values` has shape (steps,).
     """
 
     verb: ClassVar[str] = "drive_signal"

@@ -9,6 +9,9 @@ from dataclasses import dataclass, field
 from .kinds import VERBS, Kind
 from .options import OptionSchema, schema_of
 
+STANDARD = "standard"
+"""The entry point of the kinds that ship."""
+
 
 @dataclass(frozen=True, slots=True)
 class Origin:
@@ -35,13 +38,24 @@ class KindEntry:
     def qualified(self) -> str:
         return f"{self.origin.plugin}.{self.name}"
 
+    @property
+    def recorded(self) -> str:
+        """The name in scenes and manifests: plain for standard kinds, whatever else there is."""
+        return self.name if self.origin.plugin == STANDARD else self.qualified
+
     def load(self) -> type[Kind]:
-        """The class. Raises what importing raises; the caller blames `origin`."""
+        """The class. Raises what importing raises, and `TypeError` for what is no such kind; the
+        caller blames `origin`."""
         if not isinstance(self.target, str):
             return self.target
         module, _, attribute = self.target.partition(":")
-        loaded: type[Kind] = getattr(importlib.import_module(module), attribute)
-        return loaded
+        loaded = getattr(importlib.import_module(module), attribute)
+        _check_class(loaded)
+        if (loaded.verb, loaded.name) != (self.verb, self.name):
+            found = f"`{loaded.verb} {loaded.name}`"
+            raise TypeError(f"{self.target} is {found}, not `{self.verb} {self.name}`")
+        kind: type[Kind] = loaded
+        return kind
 
     @property
     def options(self) -> tuple[OptionSchema, ...]:
@@ -100,6 +114,11 @@ class Registry:
             raise AmbiguousKind(found)
         return found[0]
 
+    def find_recorded(self, verb: str, name: str) -> KindEntry:
+        """The kind that a scene names (`KindEntry.recorded`). Raises as `find` does."""
+        standard = f"{STANDARD}.{name}"
+        return self.find(verb, standard if self.has(verb, standard) else name)
+
     def has(self, verb: str, name: str) -> bool:
         return (verb, name) in self._by_name
 
@@ -145,6 +164,12 @@ def _entry_of_target(key: str, target: str, origin: Origin) -> KindEntry:
 
 
 def _entry_of_class(kind: object, origin: Origin) -> KindEntry:
+    checked = _check_class(kind)
+    return KindEntry(checked.verb, checked.name, origin, checked)
+
+
+def _check_class(kind: object) -> type[Kind]:
+    """Raises `TypeError` with what keeps a class from being a kind."""
     if not (isinstance(kind, type) and issubclass(kind, Kind)):
         raise TypeError(f"{kind!r} does not derive from a kind of roadlang.api")
     if not isinstance(kind.name, str) or not kind.name.isidentifier():
@@ -152,4 +177,4 @@ def _entry_of_class(kind: object, origin: Origin) -> KindEntry:
     if kind.verb not in VERBS:
         raise TypeError(f"{kind.__name__} has no verb: derive from `Perturber` or another base")
     schema_of(kind)
-    return KindEntry(kind.verb, kind.name, origin, kind)
+    return kind
