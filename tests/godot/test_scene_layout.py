@@ -103,6 +103,19 @@ def test_the_sun_is_in_the_south_at_noon_and_in_the_east_at_six() -> None:
     assert sun_at(0.0)["sun_elevation"] < 0
 
 
+def test_rain_is_measured_in_millimetres_an_hour() -> None:
+    drizzle, downpour = (world_settings({"rain": mm / 3.6e6})["rain"] for mm in (1, 40))
+    assert 0.05 < drizzle < 0.2
+    assert downpour > 0.95
+    assert world_settings({})["rain"] == 0
+
+
+def test_a_sun_that_is_given_stands_where_it_is_put() -> None:
+    settings = world_settings({"time_of_day": 12 * 3600.0, "sun": {"azimuth": 0.5}})
+    assert settings["sun_azimuth"] == 0.5
+    assert settings["sun_elevation"] == sun_at(12.0)["sun_elevation"]
+
+
 def test_what_a_scene_says_goes_before_what_its_weather_implies() -> None:
     assert world_settings({"weather": "rain"})["friction"] < world_settings({})["friction"]
     assert world_settings({"weather": "rain", "friction": 0.5})["friction"] == 0.5

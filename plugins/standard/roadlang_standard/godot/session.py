@@ -25,11 +25,10 @@ _NAMED = 8
 _GOODBYES = 12
 _GOODBYE_WAIT = 0.05
 
-_BEGIN = struct.Struct("<HH")
+_BEGIN, _PART = struct.Struct("<HH"), struct.Struct("<IHH")
 _COMMIT = struct.Struct("<HHI")
 _BUILT = struct.Struct("<HHIII16s")
 _PROBE = struct.Struct("<IHHff")
-_PART = struct.Struct("<IHH")
 
 
 class Link(Protocol):
@@ -164,7 +163,7 @@ class Session:
         self._channel.offer(type, payload, label)
 
     def send_json(self, type: Message, value: Mapping[str, Any], label: str = "") -> None:
-        """Queue a message whose payload is a JSON object."""
+        """Queue a JSON object."""
         self.send(type, _json(value), label)
 
     def send_once(self, type: Message, payload: bytes) -> None:
