@@ -45,6 +45,10 @@ BROKEN = {
         "from roadlang.api import hookimpl\n@hookimpl\ndef roadlang_kinds(): return 1 / 0",
         "ZeroDivisionError",
     ),
+    "hook that returns nothing": (
+        "from roadlang.api import hookimpl\n@hookimpl\ndef roadlang_kinds(): return []",
+        "returned no kinds",
+    ),
     "hook that returns nonsense": (
         "from roadlang.api import hookimpl\n@hookimpl\ndef roadlang_kinds(): return 3",
         "TypeError",

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 from installed import install
 from test_discovery import ACME, GOOD
 
+from roadlang.cli.main import run
 from roadlang.diagnostics import Diagnostic
+from roadlang.pipeline import sample_scenes
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 
@@ -96,3 +99,89 @@ expect comfort with acme.ride_comfort { agent: main, limit: 2.5m/s^2 }
         ("RL228", 5, 48),
         ("RL201", 5, 61),
     ]
+
+
+WAVES = """
+from dataclasses import dataclass
+from typing import ClassVar
+from roadlang.api import Distribution, Extractor, Like, Sampler, hookimpl, option
+
+@dataclass(frozen=True)
+class Uniform(Distribution):
+    '''Always the least.'''
+    name: ClassVar[str] = "uniform"
+    low: Like = option()
+    high: Like = option()
+
+@dataclass(frozen=True)
+class Auto(Extractor):
+    '''Finds nothing.'''
+    name: ClassVar[str] = "auto"
+
+@dataclass(frozen=True)
+class Random(Sampler):
+    '''Draws nothing.'''
+    name: ClassVar[str] = "random"
+
+@hookimpl
+def roadlang_kinds():
+    return [Uniform, Auto, Random]
+"""
+
+
+def test_what_goes_without_saying_stays_the_standard_kind(site: Path) -> None:
+    install(site, "waves", WAVES)
+    registry = load_registry()
+    text = (
+        ROAD
+        + "road bent from main { perturb with sine { amplitude: 0m..3m, wavelength: 80m } }\n"
+        + 'image plan from """\n####\n""" { scale: 8m/px, legend: { "#": road } }\n'
+        + "network town from plan\n"
+    )
+    scenario, found = check_text(text, site / "scene.rl", {}, registry)
+    assert found == []
+    assert scenario is not None
+    assert sample_scenes(scenario, registry, 1).accepted == 1
+
+
+LATE = """
+from roadlang.api import hookimpl
+
+@hookimpl
+def roadlang_kinds():
+    return {"read xyz": "roadlang_not_there:Xyz"}
+"""
+
+
+def test_a_broken_reader_leaves_the_other_readers_working(site: Path) -> None:
+    install(site, "late", LATE)
+    (site / "points.csv").write_text("x,y\n0,0\n80,0\n160,10\n")
+    assert faults('road spa from "points.csv"', site) == []
+
+
+def test_a_broken_reader_is_named_where_no_other_reads_the_file(site: Path) -> None:
+    install(site, "late", LATE)
+    (site / "points.xyz").write_text("0 0")
+    [fault] = faults('road spa from "points.xyz"', site)
+    assert fault.code == "RL211"
+    assert "late-plugin 1.2" in fault.message
+
+
+def test_a_broken_plugin_is_an_outside_failure(site: Path) -> None:
+    install(site, "late", LATE)
+    (site / "points.xyz").write_text("0 0")
+    scene = site / "scene.rl"
+    scene.write_text('road spa from "points.xyz"\n')
+    assert run(["check", str(scene)]) == 5
+
+
+def test_what_a_plugin_prints_stays_out_of_the_json(
+    site: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    install(site, "loud", "print('Thank you for choosing Loud.')\n" + GOOD.format(kind="zigzag"))
+    scene = site / "scene.rl"
+    scene.write_text(ROAD)
+    assert run(["check", str(scene), "--json"]) == 0
+    captured = capsys.readouterr()
+    assert json.loads(captured.out) == []
+    assert "Thank you" in captured.err

@@ -159,7 +159,9 @@ def _root_of(name: str, found: Extraction, scale: float | None = None) -> Networ
 
 def _extracted(network: Network, image: Image, variants: Variants) -> NetworkRoot:
     calls = [call for call in network.passes if call.verb == "extract"]
-    call = calls[0] if calls else PassCall("extract", "auto", (), f"{network.name}/extract")
+    call = (
+        calls[0] if calls else PassCall("extract", "standard.auto", (), f"{network.name}/extract")
+    )
     plan = variants.plan
     shot = picture(image.name, variants if is_drawn(image, plan) else plan.fixed)
     built = build(call, variants, single=True)

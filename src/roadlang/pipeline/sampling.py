@@ -91,7 +91,7 @@ def remarks_of(plan: Plan) -> tuple[str, ...]:
 
 def sampler_call(plan: Plan) -> PassCall:
     """The `sample with` of the file, or `random`."""
-    return plan.scenario.sample or PassCall("sample", "random", (), "sample")
+    return plan.scenario.sample or PassCall("sample", "standard.random", (), "sample")
 
 
 def _impossible(judge: Judge, seed: int) -> frozenset[int]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterable
+from contextlib import redirect_stdout
 from importlib.metadata import Distribution, EntryPoint, entry_points
 from typing import Any
 
@@ -69,7 +71,8 @@ def collect(candidates: Iterable[_Candidate]) -> Registry:
     for candidate in candidates:
         origin = candidate.origin
         try:
-            found, planned = _load(candidate, origin)
+            with redirect_stdout(sys.stderr):  # standard output is for the JSON of commands
+                found, planned = _load(candidate, origin)
         except (KeyboardInterrupt, MemoryError):
             raise
         except BaseException as error:  # a plugin may even call sys.exit on import
@@ -94,6 +97,8 @@ def _load(candidate: _Candidate, origin: Origin) -> tuple[list[KindEntry], list[
         entries.extend(entries_of(kinds, origin))
     _refuse_duplicates(entries)
     planned = [text for announced in manager.hook.roadlang_announced() for text in announced]
+    if not (entries or planned):
+        raise TypeError("its hook `roadlang_kinds` returned no kinds")
     return entries, planned
 
 

@@ -108,7 +108,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
     if low.constant is not None and high.constant is not None and low.constant > high.constant:
         text = f"{draw.high.span.text}..{draw.low.span.text}"
         return checker.report("RL207", draw.span, what="range", help=f"write `{text}`")
-    found = find_kind(checker, "distribution", "uniform", draw.span)
+    found = find_kind(checker, "distribution", "standard.uniform", draw.span)
     if found is None or low.value is None or high.value is None:
         return unknown(draw.span)
     place = checker.draw_place(context)

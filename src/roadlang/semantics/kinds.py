@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 
 from ..diagnostics import Span, nearest
@@ -52,18 +54,29 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> Found | Non
 
 
 def _load(checker: Checker, entry: KindEntry, span: Span) -> Found | None:
+    found = loaded(entry)
+    if isinstance(found, Found):
+        return found
+    kind_name = spoken(entry.verb, entry.name)
+    checker.report("RL211", span, kind=kind_name, plugin=entry.origin, reason=found)
+    return None
+
+
+def loaded(entry: KindEntry) -> Found | str:
+    """The kind, or why it cannot be had: a plugin may do anything when it is imported."""
     try:
-        kind = entry.load()
-        if not (isinstance(kind, type) and issubclass(kind, Kind)):
-            raise TypeError(f"{kind!r} does not derive from a kind of roadlang.api")
+        with redirect_stdout(sys.stderr):
+            kind = entry.load()
         return Found(entry, kind, schema_of(kind))
     except (KeyboardInterrupt, MemoryError):
         raise
     except BaseException as error:
-        reason = f"{type(error).__name__}: {' '.join(str(error).split())}"
-        kind_name = spoken(entry.verb, entry.name)
-        checker.report("RL211", span, kind=kind_name, plugin=entry.origin, reason=reason)
-        return None
+        return reason_of(error)
+
+
+def reason_of(error: BaseException) -> str:
+    """An exception in one line."""
+    return f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
 def spoken(verb: str, name: str) -> str:

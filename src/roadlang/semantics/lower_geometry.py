@@ -157,7 +157,7 @@ def _with_default(
     name = statement.name.text
     if isinstance(source, ir.NameSource) and source.role == "image" and statement.word != "image":
         assert statement.source is not None
-        found = find_kind(checker, "extract", "auto", statement.source.span)
+        found = find_kind(checker, "extract", "standard.auto", statement.source.span)
         if found is None:
             return None
         return (PassCall("extract", found.entry.qualified, (), f"{name}/extract 1"), *passes)

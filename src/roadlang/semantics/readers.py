@@ -6,16 +6,19 @@ from pathlib import PurePath
 
 from ..diagnostics import Span
 from .checker import Checker
-from .kinds import find_kind, spoken
+from .kinds import loaded, spoken
 
 
 def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
     """The qualified name of the reader of a file, or None, reported."""
     suffix = PurePath(path).suffix.lower()
-    fitting, suffixes = [], set()
+    fitting, suffixes, broken = [], set(), []
     for entry in checker.registry.of("read"):
-        found = find_kind(checker, "read", entry.qualified, span)
-        if found is None or role not in found.kind.reads:  # type: ignore[attr-defined]
+        found = loaded(entry)
+        if isinstance(found, str):  # it may not be the reader that is wanted
+            broken.append((entry, found))
+            continue
+        if role not in found.kind.reads:  # type: ignore[attr-defined]
             continue
         suffixes.update(found.kind.suffixes)  # type: ignore[attr-defined]
         if suffix in found.kind.suffixes:  # type: ignore[attr-defined]
@@ -31,6 +34,11 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
     planned = checker.registry.announced_reader(suffix)
     if planned is not None:
         checker.report("RL212", span, kind=spoken("read", planned))
+        return None
+    for entry, reason in broken:
+        kind = spoken("read", entry.name)
+        checker.report("RL211", span, kind=kind, plugin=entry.origin, reason=reason)
+    if broken:
         return None
     known = ", ".join(sorted(suffixes)) or "none"
     shown = f"`{suffix}`" if suffix else "no ending"

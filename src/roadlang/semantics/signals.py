@@ -8,7 +8,7 @@ from ..ir.values import Measure, PassCall, SignalBinding
 from .arguments import Bound
 from .checker import Checker
 from .draws import constant_of
-from .kinds import Found
+from .kinds import Found, reason_of
 from .terms import call_text
 from .types import Evidence, Quantity, SignalType, Typed, unknown
 
@@ -52,7 +52,7 @@ def _dimension(checker: Checker, span: Span, found: Found, bound: Bound) -> Dime
             raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
         return dimension
     except Exception as error:
-        plugin, reason = found.entry.origin, f"{type(error).__name__}: {error}"
+        plugin, reason = found.entry.origin, reason_of(error)
         kind = found.entry.name
         checker.report("RL211", span, kind=kind, plugin=plugin, reason=reason)
         return None
