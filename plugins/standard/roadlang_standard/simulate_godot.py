@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Duration, Flag, Simulator, Word, option
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from roadlang.api import Controller, Scene, Trace
 
@@ -26,7 +26,14 @@ class Godot(Simulator):
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Start an engine, build the scene, drive it, and end the engine."""
-        from .godot.simulate import Settings, drive_scene
+        (trace,) = self.drive_all([scene], [controllers])
+        return trace
+
+    def drive_all(
+        self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
+    ) -> Iterable[Trace]:
+        """The same with one engine for all scenes; each has a world without a past."""
+        from .godot.simulate import Settings, drive_scenes
 
         settings = Settings(self.duration, self.step, self.headless, self.road)
-        return drive_scene(scene, settings, controllers)
+        yield from drive_scenes(scenes, settings, controllers)

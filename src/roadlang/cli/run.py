@@ -59,7 +59,7 @@ def command(
     if window:
         changes["headless"] = False
     simulator, entry = simulator_of(made, engine, changes)
-    driven = [(scene, *_drive(scene, simulator, entry, made)) for scene in made.scenes]
+    driven = _driven(simulator, entry, made)
     _write(Path(folder), driven)
     if as_json:
         click.echo(
@@ -96,20 +96,24 @@ def simulator_of(
     return simulator, entry
 
 
-def _drive(
-    scene: Scene, simulator: Simulator, entry: KindEntry, made: MadeScenes
-) -> tuple[Trace, tuple[Verdict, ...]]:
+def _driven(
+    simulator: Simulator, entry: KindEntry, made: MadeScenes
+) -> list[tuple[Scene, Trace, tuple[Verdict, ...]]]:
     from ..drive.controllers import python_controllers
     from ..drive.judging import judge
     from ..ir.trace import Trace
     from ..pipeline.blame import blaming, wrong_result
 
-    controllers = python_controllers(scene, made.registry)
+    controllers = [python_controllers(scene, made.registry) for scene in made.scenes]
     with blaming(entry, None):
-        trace = simulator.drive(scene, controllers)
-    if not isinstance(trace, Trace):
-        raise wrong_result(entry, None, f"gave a {type(trace).__name__}, not a Trace")
-    return trace, judge(scene, trace, made.registry)
+        traces = list(simulator.drive_all(made.scenes, controllers))
+    for trace in traces:
+        if not isinstance(trace, Trace):
+            raise wrong_result(entry, None, f"gave a {type(trace).__name__}, not a Trace")
+    return [
+        (scene, trace, judge(scene, trace, made.registry))
+        for scene, trace in zip(made.scenes, traces, strict=True)
+    ]
 
 
 def _write(folder: Path, driven: Sequence[tuple[Scene, Trace, tuple[Verdict, ...]]]) -> None:

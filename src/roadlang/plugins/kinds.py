@@ -261,6 +261,13 @@ class Simulator(Kind):
         """What happened. `controllers` are those written in Python, by the agents they drive."""
         raise NotImplementedError
 
+    def drive_all(
+        self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
+    ) -> Iterable[Trace]:
+        """Drive several scenes; an engine that takes long to start is started once for all."""
+        for scene, own in zip(scenes, controllers, strict=True):
+            yield self.drive(scene, own)
+
 
 class Searcher(Kind):
     """`falsify with`: how scenes that break an `expect` are searched."""

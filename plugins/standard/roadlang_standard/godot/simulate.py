@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -52,14 +52,17 @@ Controllers = Mapping[str, "Controller"]
 """Agent to the controller, written in Python, that drives it."""
 
 
-def drive_scene(scene: Scene, settings: Settings, controllers: Controllers | None = None) -> Trace:
-    """Start an engine, build one scene, drive it, end the engine."""
+def drive_scenes(
+    scenes: Sequence[Scene], settings: Settings, controllers: Sequence[Controllers]
+) -> Iterator[Trace]:
+    """Drive scenes one after the other in one engine, each in a fresh world."""
     fixed = settings.rate if settings.headless else None
     with (
         engine.start(fixed_fps=fixed, window=not settings.headless) as running,
-        running.connect(scene.name) as session,
+        running.connect(scenes[0].name) as session,
     ):
-        return drive_in(session, scene, settings, controllers or {})
+        for scene, own in zip(scenes, controllers, strict=True):
+            yield drive_in(session, scene, settings, own)
 
 
 def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Controllers) -> Trace:
@@ -131,4 +134,4 @@ def _name(session: Session) -> str:
     return f"Godot {welcome.get('godot')} with {welcome.get('physics')}"
 
 
-__all__ = ["Controllers", "Settings", "drive_batch", "drive_in", "drive_scene", "of_agent"]
+__all__ = ["Controllers", "Settings", "drive_batch", "drive_in", "drive_scenes", "of_agent"]
