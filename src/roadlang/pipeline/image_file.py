@@ -99,7 +99,8 @@ def _decoded(content: bytes, header: Header) -> NDArray[np.generic] | None:
     mode = cv2.IMREAD_COLOR if header.format == "JPEG" else cv2.IMREAD_UNCHANGED
     level = _set_log_level(_SILENT)
     try:
-        return cv2.imdecode(np.frombuffer(content, np.uint8), mode)
+        pixels: NDArray[np.generic] | None = cv2.imdecode(np.frombuffer(content, np.uint8), mode)
+        return pixels
     except cv2.error:
         return None
     finally:
