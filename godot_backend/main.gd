@@ -28,6 +28,7 @@ var _last_client := 0
 
 func _ready() -> void:
 	_settings = read_arguments(OS.get_cmdline_user_args())
+	_last_client = Time.get_ticks_msec()
 	var link: RefCounted = (
 		WebSocketLink.new() if _settings["transport"] == "websocket" else UdpLink.new()
 	)

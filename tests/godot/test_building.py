@@ -120,7 +120,7 @@ def test_the_websocket_carries_the_same_messages() -> None:
 
 
 def test_an_engine_that_is_forgotten_ends_by_itself() -> None:
-    with started(quit_idle=0.5) as engine:
+    with started(quit_idle=3.0) as engine:
         with engine.connect("brief") as session:
             session.flush()
         assert engine.process.wait(timeout=20) == 0
