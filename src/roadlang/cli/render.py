@@ -17,7 +17,11 @@ CLIPS = (".avi",)
 @click.command("render")
 @click.argument("file")
 @click.option("-o", "--output", required=True, metavar="FILE", help="`.png`, `.jpg` or `.avi`.")
-@click.option("--view", type=click.Choice(["chase", "top", "free"]), default="chase")
+@click.option(
+    "--view",
+    type=click.Choice(["chase", "top", "free"]),
+    help="By default chase, or top where no agent is.",
+)
 @click.option("--size", default="1280x720", show_default=True, metavar="WxH", help="Pixels.")
 @click.option("--scale", type=float, help="Metres a pixel, of the top view.")
 @click.option("--at", "time", type=float, help="Seconds of driving before the picture.")
@@ -32,7 +36,7 @@ CLIPS = (".avi",)
 def command(
     file: str,
     output: str,
-    view: str,
+    view: str | None,
     size: str,
     scale: float | None,
     time: float | None,
@@ -52,6 +56,7 @@ def command(
     """
     from roadlang_standard.godot.pictures import Shot, render_clip, render_picture
 
+    from ..pipeline.writing import write_all
     from .made_scenes import make_scenes
 
     path = Path(output)
@@ -64,13 +69,14 @@ def command(
     scene = made.scenes[-1]
     width, height = _size(size)
     pose = _numbers(camera) if camera else None
+    view = view or ("chase" if scene.agents else "top")
     shot = Shot(view, width, height, scale, agent, pose, PICTURES.get(suffix, "jpg"), road)
     moment = time if time is not None else (0.0 if view == "top" else 4.0)
     if suffix in CLIPS:
         frames = render_clip(scene, shot, path, duration, fps, time or 0.0)
         say(f"{path}: {frames} frames")
         return
-    path.write_bytes(render_picture(scene, shot, moment))
+    write_all(path.parent, {path.name: render_picture(scene, shot, moment)})
     say(f"{path}: {width} x {height}")
 
 
