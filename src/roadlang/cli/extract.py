@@ -110,18 +110,22 @@ def _extracted(picture: Picture, scale: float | None, given: dict[str, Any]) -> 
     import dataclasses
 
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+    from ..ir.picture import Extraction
+    from ..pipeline.blame import blaming, wrong_result
     from ..plugins.discovery import load_registry
     from ..plugins.registry import UnknownKind
 
     registry = load_registry()
     try:
-        kind = registry.find("extract", given["kind"]).load()
+        entry = registry.find("extract", given["kind"])
     except UnknownKind:
         names = registry.names("extract")
         known = f"known are {', '.join(names)}"
         raise DiagnosticError(
             diagnose("RL425", kind=given["kind"], help=(*did_you_mean(given["kind"], names), known))
         ) from None
+    with blaming(entry, None):
+        kind = entry.load()
     options = _options(picture, scale, given)
     fields = {field.name for field in dataclasses.fields(kind)}
     unfit = sorted(set(options) - fields - {"resolution"})
@@ -129,8 +133,11 @@ def _extracted(picture: Picture, scale: float | None, given: dict[str, Any]) -> 
         raise DiagnosticError(
             diagnose("RL426", kind=given["kind"], option=f"--{unfit[0].replace('_', '-')}")
         )
-    extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
-    found: Extraction = extractor.extract(picture)
+    with blaming(entry, None):
+        extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
+        found = extractor.extract(picture)
+    if not isinstance(found, Extraction):
+        raise wrong_result(entry, None, f"gave a {type(found).__name__}, not an Extraction")
     return found
 
 

@@ -51,9 +51,13 @@ def _complete(
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def show(words: tuple[str, ...], as_json: bool) -> None:
     """Show the options of a kind: `roadlang plugins show sine`, `... show emit svg`."""
+    from ..pipeline.blame import blaming
     from ..plugins.discovery import load_registry
 
     entries = _find(load_registry(), words)
+    for entry in entries:
+        with blaming(entry, None):
+            entry.load()
     if as_json:
         click.echo(json.dumps([_kind_record(entry) for entry in entries], indent=2))
         return

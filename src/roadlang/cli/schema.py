@@ -45,16 +45,17 @@ def _scenario() -> dict[str, Any]:
 
 def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+    from ..pipeline.blame import blaming
     from ..plugins.discovery import load_registry
     from ..plugins.json_schema import schema_of_kind
 
     verb, name = (words[0], words[1]) if len(words) > 1 else (None, words[0])
     entries = load_registry().entries
-    found = [
-        schema_of_kind(entry)
-        for entry in entries
-        if name in (entry.name, entry.qualified) and verb in (None, entry.verb)
-    ]
+    found = []
+    for entry in entries:
+        if name in (entry.name, entry.qualified) and verb in (None, entry.verb):
+            with blaming(entry, None):
+                found.append(schema_of_kind(entry))
     if not found:
         hints = did_you_mean(name, [*schemas, *(entry.name for entry in entries)])
         raise DiagnosticError(diagnose("RL930", what="schema", name=" ".join(words), help=hints))

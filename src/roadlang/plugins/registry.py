@@ -5,6 +5,8 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from operator import attrgetter
+from typing import Any
 
 from .kinds import VERBS, Kind
 from .options import OptionSchema, schema_of
@@ -49,13 +51,20 @@ class KindEntry:
         if not isinstance(self.target, str):
             return self.target
         module, _, attribute = self.target.partition(":")
-        loaded = getattr(importlib.import_module(module), attribute)
+        loaded = attrgetter(attribute)(importlib.import_module(module))
         _check_class(loaded)
         if (loaded.verb, loaded.name) != (self.verb, self.name):
             found = f"`{loaded.verb} {loaded.name}`"
             raise TypeError(f"{self.target} is {found}, not `{self.verb} {self.name}`")
         kind: type[Kind] = loaded
         return kind
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # By its name: a process imports only what it uses, and what nobody uses may be anything.
+        target = self.target
+        if not isinstance(target, str):
+            target = f"{target.__module__}:{target.__qualname__}"
+        return KindEntry, (self.verb, self.name, self.origin, target)
 
     @property
     def options(self) -> tuple[OptionSchema, ...]:
