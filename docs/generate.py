@@ -10,6 +10,7 @@ from __future__ import annotations
 import inspect
 import sys
 from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 
 from roadlang import api
@@ -157,7 +158,39 @@ def api_page() -> str:
         for name, member in vars(base).items():
             if callable(getattr(base, name)) and not name.startswith("_"):
                 lines += _member(name, member)
+    lines += ["## What methods get and give", ""]
+    for name in _DATA:
+        lines += _data(name, getattr(api, name))
     return "\n".join(lines).rstrip() + "\n"
+
+
+_DATA = (
+    "RoadBatch", "BatchRandom", "Picture", "Extraction", "FoundObject", "Observation", "Control",
+    "Trace", "AgentTrace", "Scene", "SceneRoad", "SceneActor", "SceneNetwork", "SceneNode",
+    "Verdict", "Call",
+)  # fmt: skip
+
+
+def _data(name: str, kind: type) -> Iterator[str]:
+    """A class that methods get or give: its fields, properties and methods."""
+    yield f"### {name}"
+    yield ""
+    yield inspect.getdoc(kind) or ""
+    yield ""
+    fields = getattr(kind, "__dataclass_fields__", {})
+    if fields:
+        yield ", ".join(f"`{field}: {fields[field].type}`" for field in fields)
+        yield ""
+    for member, value in vars(kind).items():
+        if member.startswith("_") or member in fields:
+            continue
+        if isinstance(value, property | cached_property):
+            text = inspect.getdoc(value)
+            yield f"- `{member}`: {text}" if text else f"- `{member}`"
+        elif inspect.isfunction(value):
+            text = " ".join((inspect.getdoc(value) or "").split())
+            yield f"- `{member}{_signature(value)}`: {text}"
+    yield ""
 
 
 _ANNOTATION_MAKERS = ("quantity", "list_of", "map_of", "call_of", "kind_of", "record_of", "one_of")

@@ -52,6 +52,17 @@ def test_an_extractor_on_the_command_line(
     assert "acme-plugin 1.2" in said
 
 
+def test_the_author_of_a_plugin_can_see_where_it_raised(
+    site: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    install(site, "acme", PLUGIN.replace("RESULT", "return 1 / 0"))
+    monkeypatch.setenv("ROADLANG_TRACEBACK", "1")
+    assert run(["extract", str(PICTURE), "--with", "odd"]) == 5
+    said = capsys.readouterr().err
+    assert "roadlang_acme.py" in said
+    assert "ZeroDivisionError" in said
+
+
 @pytest.mark.parametrize("command", [["plugins", "show", "zigzag"], ["schema", "zigzag"]])
 def test_a_kind_that_cannot_be_shown(
     site: Path, capsys: pytest.CaptureFixture[str], command: list[str]

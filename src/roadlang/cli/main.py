@@ -6,6 +6,7 @@ import contextlib
 import os
 import signal
 import sys
+import traceback
 from collections.abc import Iterator, Sequence
 from types import FrameType
 from typing import NoReturn
@@ -102,6 +103,8 @@ def _explain(error: Exception) -> int:
         if os.environ.get("ROADLANG_TRACEBACK"):
             raise error
         error = DiagnosticError(describe_bug(error))
+    elif os.environ.get("ROADLANG_TRACEBACK") and error.__cause__ is not None:
+        traceback.print_exception(error.__cause__)
     report(error.diagnostics)
     return exit_codes.exit_code_of(error.diagnostics) or exit_codes.SCENARIO_HAS_ERRORS
 
