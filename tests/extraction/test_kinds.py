@@ -67,7 +67,9 @@ def test_a_net_of_ones_own_is_used_like_the_shipped_one(tmp_path):
         Aerial().extract(picture),
         Onnx(model=str(tmp_path / "mine.onnx")).extract(picture),
     )
-    assert [e.length for e in ours.network.edges] == [e.length for e in theirs.network.edges]
+    lengths = [edge.length for edge in ours.network.edges]
+    # OpenCV 4 lays out a net that it has not yet run otherwise, which moves the last bits.
+    assert [edge.length for edge in theirs.network.edges] == pytest.approx(lengths, rel=1e-6)
 
 
 def test_what_is_no_net_is_refused(tmp_path):
