@@ -39,9 +39,15 @@ def fit(
     folder: Path,
     validate: Callable[[RoadNet], dict[str, float]],
     every: int = 250,
+    start: Path | None = None,
 ) -> tuple[RoadNet, list[dict[str, float]]]:
-    """The averaged net and the history of its scores; a checkpoint every `every` steps."""
+    """The averaged net and the history of its scores; a checkpoint every `every` steps.
+
+    `start` are weights to go on from.
+    """
     net = RoadNet().to(memory_format=torch.channels_last)
+    if start is not None:
+        net.load_state_dict(torch.load(start))
     average = copy.deepcopy(net)
     optimiser = torch.optim.AdamW(net.parameters(), lr=schedule.rate, weight_decay=schedule.decay)
     history: list[dict[str, float]] = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Extractor, Flag, Length, Number, PixelPoint, Scale, list_of, option
+from roadlang.api import Extractor, Flag, Length, Number, PixelPoint, Scale, Word, list_of, option
 
 from .extract_contour import in_pixels
 
@@ -32,6 +32,9 @@ class Aerial(Extractor):
     )
     only_through: Flag = option(False, help="keep only the roads that `through` points lie on")
     min_length: Length = option(None, minimum=0, help="shortest dead end that is kept")
+    method: Word = option(
+        "learned", words=("learned", "classical"), help="the shipped net, or ribbon filters alone"
+    )
     resolution: Scale = option(
         "auto",
         words=("auto", "unknown"),
@@ -46,9 +49,12 @@ class Aerial(Extractor):
         """Extract with a net, by default the shipped one."""
         from .extraction.aerial import Request
         from .extraction.cache import remembered
+        from .extraction.classical import roads_by_ribbons
         from .extraction.pixels import pixels_of
         from .extraction.world import extraction
 
+        if self.method == "classical":
+            return extraction(picture, roads_by_ribbons(pixels_of(picture, self.name)))
         resolution = {"auto": picture.scale, "unknown": None}.get(
             str(self.resolution), self.resolution
         )

@@ -13,12 +13,13 @@ from .drafting import Draft, draft, usual_width_of
 from .evidence import Net, evidence, road_net
 from .found import FoundNetwork
 from .graph import Graph, trace
-from .hints import leave_out, paint, way_through
+from .hints import leave_out, paint, ways_through
 from .hysteresis import hysteresis
 from .linking import link
-from .masks import without_specks
+from .masks import without_holes, without_specks
 from .scale import resized, start_scale
 from .skeleton import skeleton
+from .smoothing import Floats, stations
 from .tones import Image, Layer
 from .worth import drop_unworthy, prune_by_worth
 
@@ -85,6 +86,11 @@ class Cutoffs:
     reach: float = 50.0
     dear: float = 0.8
 
+    def choosy(self, shown: float) -> Cutoffs:
+        """For a picture of which the user has shown roads, the shortest of `shown` pixels."""
+        spur, crumb = min(2.5 * self.spur, 0.8 * shown), min(4 * self.crumb, 0.8 * shown)
+        return replace(self, spur=spur, crumb=crumb, floor=0.75)
+
     def relaxed(self, share: float) -> Cutoffs:
         """The same with all cutoffs on evidence lowered to a share."""
         strong, weak, floor = (share * x for x in (self.strong, self.weak, self.floor))
@@ -139,11 +145,13 @@ def roads_of_evidence(
     surface = seen.surface.copy()
     score = cv2.GaussianBlur(seen.blend, (0, 0), 1.0)
     leave_out([surface, score], request.leave_out)
-    if len(request.through) > 1:
-        way = way_through(score, np.array(request.through, float))
-        paint(surface, score, way, request.width or max(5.0, _usual(seen)))
+    if request.through:
+        ways = ways_through(score, _at_least_two(request.through, score > cutoffs.strong))
         if request.only_through:
-            _forget_others(surface, score, way, cutoffs.weak)
+            _forget_others([surface, score], score, ways, cutoffs.weak)
+        for way in ways:
+            paint(surface, score, way, request.width or max(5.0, _usual(seen)))
+        cutoffs = cutoffs.choosy(min(float(stations(way)[-1]) for way in ways))
     graph, mask = _traced(score, cutoffs)
     for share in _RELAXED if request.threshold is None else ():
         if sum(line.length for line in graph.lines) >= _LITTLE * max(score.shape):
@@ -159,24 +167,33 @@ def _traced(score: Layer, cutoffs: Cutoffs) -> tuple[Graph, NDArray[np.bool_]]:
     """The tidy graph of the evidence, and the mask that it was traced from."""
     mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
     graph = trace(skeleton(mask))
-    _tidy(graph, score, usual_width_of(graph, mask), cutoffs)
+    usual = usual_width_of(graph, mask)
+    filled = without_holes(mask, usual**2)
+    if filled is not mask:
+        mask, graph = filled, trace(skeleton(filled))
+    _tidy(graph, score, usual, cutoffs)
     return graph, mask
 
 
-def _forget_others(surface: np.ndarray, score: np.ndarray, way: np.ndarray, weak: float) -> None:
-    """Clear all evidence that lies off the way, in place."""
-    width = max(5.0, 2.0 * _reach_of(score, way, weak))
-    near = np.zeros_like(score)
-    paint(near, near, way, width)
-    surface[near <= 0] = 0
-    score[near <= 0] = 0
+def _at_least_two(points: tuple[tuple[float, float], ...], road: NDArray[np.bool_]) -> Floats:
+    """The points; of one alone, also the nearest that is surely road."""
+    given = np.array(points, float)
+    if len(given) > 1 or not road.any():
+        return given
+    seen = np.argwhere(road)[:, ::-1]
+    return np.vstack([given, seen[np.argmin(np.hypot(*(seen - given[0]).T))]])
 
 
-def _reach_of(score: np.ndarray, way: np.ndarray, weak: float) -> float:
-    """Usual distance from the way to the edge of the evidence about it."""
+def _forget_others(layers: list[Layer], score: Layer, ways: list[Floats], weak: float) -> None:
+    """Clear all evidence that lies off the ways, in place."""
     inner = cv2.distanceTransform((score > weak).astype(np.uint8), cv2.DIST_L2, 5)
-    x, y = np.clip(np.round(way).astype(int), 0, np.array(score.shape[::-1]) - 1).T
-    return float(np.median(inner[y, x]))
+    x, y = np.clip(np.round(np.vstack(ways)).astype(int), 0, np.array(score.shape[::-1]) - 1).T
+    width = max(5.0, 2.0 * float(np.median(inner[y, x])))
+    near = np.zeros_like(score)
+    for way in ways:
+        paint(near, near, way, width)
+    for layer in layers:
+        layer[near <= 0] = 0
 
 
 def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> None:

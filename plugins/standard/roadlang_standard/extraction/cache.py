@@ -8,12 +8,15 @@ import io
 import os
 import tempfile
 import zipfile
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import cv2
 import numpy as np
 
 from .aerial import Request, roads_of_photo
+from .classical import roads_by_ribbons
 from .evidence import Net, road_net
 from .found import FoundNetwork, FoundRoad
 from .tones import Image
@@ -25,7 +28,12 @@ def remembered(image: Image, request: Request, net: Net | None = None) -> FoundN
     `ROADLANG_CACHE` names the folder, or is `off`; by default it is in the user's cache folder.
     A cache that cannot be read or written is done without.
     """
-    net = net or road_net()
+    if net is None:
+        try:
+            net = road_net()
+        except (OSError, cv2.error) as error:
+            reason = f"the net cannot be read ({error}): ribbons were sought instead"
+            return replace(roads_by_ribbons(image), remarks=(reason,))
     folder = _folder()
     if folder is None:
         return roads_of_photo(image, request, net)
@@ -48,7 +56,8 @@ def _folder() -> Path | None:
 
 
 def _digest(image: Image, request: Request, net: Net) -> str:
-    whole = hashlib.sha256(f"{image.shape} {request} {net.digest} {_code()}".encode())
+    makers = f"{net.digest} {_code()} {cv2.__version__}"
+    whole = hashlib.sha256(f"{image.shape} {request} {makers}".encode())
     whole.update(memoryview(image).cast("B") if image.flags.c_contiguous else image.tobytes())
     return whole.hexdigest()
 

@@ -7,36 +7,60 @@ import numpy as np
 from .chains import direction
 from .graph import Floats, Graph, Line
 
+_ROUNDS = 12
+
 
 def contract(graph: Graph, reach: float) -> None:
-    """Make one node of junctions joined by a line shorter than `reach` pixels, in place."""
-    merged = True
-    while merged:
-        merged = False
+    """Make one node of junctions joined by a line shorter than `reach` pixels, in place.
+
+    Shortest lines first, each node once a round, so that the cost stays that of a few passes.
+    """
+    for _ in range(_ROUNDS):
         degree = graph.degree()
-        for line in sorted(graph.lines, key=lambda item: item.length):
-            if line.length >= reach:
-                break
-            if not line.closed and degree[line.start] > 2 and degree[line.end] > 2:
-                _merge(graph, line)
-                merged = True
-                break
+        short = [
+            (line.length, index)
+            for index, line in enumerate(graph.lines)
+            if not line.closed and degree[line.start] > 2 and degree[line.end] > 2
+        ]
+        bridges = _apart(graph, [item for item in short if item[0] < reach])
+        if not bridges:
+            return
+        _merge(graph, bridges)
 
 
-def _merge(graph: Graph, bridge: Line) -> None:
-    graph.lines = [line for line in graph.lines if line is not bridge]
-    kept, lost = bridge.start, bridge.end
-    graph.nodes[kept] = (graph.nodes[kept] + graph.nodes[lost]) / 2
-    del graph.nodes[lost]
+def _apart(graph: Graph, lines: list[tuple[float, int]]) -> list[Line]:
+    """Of lines given as (value, index) those of least value that share no node."""
+    chosen: list[Line] = []
+    touched: set[int] = set()
+    for _, index in sorted(lines):
+        line = graph.lines[index]
+        if not {line.start, line.end} & touched:
+            touched |= {line.start, line.end}
+            chosen.append(line)
+    return chosen
+
+
+def _merge(graph: Graph, bridges: list[Line]) -> None:
+    """Contract lines that share no node; what becomes a small loop by it goes as well."""
+    gone = {id(line) for line in bridges}
+    into: dict[int, int] = {}
+    spans: dict[int, float] = {}
+    for bridge in bridges:
+        kept, lost = bridge.start, bridge.end
+        graph.nodes[kept] = (graph.nodes[kept] + graph.nodes[lost]) / 2
+        del graph.nodes[lost]
+        into[lost] = kept
+        spans[kept] = bridge.length
+    left = []
     for line in graph.lines:
-        line.start = kept if line.start == lost else line.start
-        line.end = kept if line.end == lost else line.end
-        for end, node in ((0, line.start), (-1, line.end)):
-            if node == kept:
-                line.points[end] = graph.nodes[kept]
-    graph.lines = [
-        line for line in graph.lines if not (line.closed and line.length < 3 * bridge.length + 6)
-    ]
+        if id(line) in gone:
+            continue
+        line.start, line.end = into.get(line.start, line.start), into.get(line.end, line.end)
+        if line.closed and line.length < 3 * spans.get(line.start, 0.0) + 6:
+            continue
+        line.points[0], line.points[-1] = graph.nodes[line.start], graph.nodes[line.end]
+        left.append(line)
+    graph.lines = left
 
 
 def prune(
@@ -46,19 +70,18 @@ def prune(
     while True:
         degree = graph.degree()
         spurs = [
-            line
-            for line in graph.lines
+            (line.length, index)
+            for index, line in enumerate(graph.lines)
             if not line.closed
-            and line.length < least
             and (degree[line.start] == 1) != (degree[line.end] == 1)
             and not at_border(
                 graph.nodes[line.start if degree[line.start] == 1 else line.end], shape, margin
             )
         ]
-        if not spurs:
+        doomed = {id(line) for line in _apart(graph, [s for s in spurs if s[0] < least])}
+        if not doomed:
             break
-        shortest = min(spurs, key=lambda line: line.length)
-        graph.lines = [line for line in graph.lines if line is not shortest]
+        graph.lines = [line for line in graph.lines if id(line) not in doomed]
         join(graph)
     graph.drop_lonely()
 
@@ -73,32 +96,33 @@ def at_border(point: Floats, shape: tuple[int, int] | None, margin: float) -> bo
 
 def join(graph: Graph) -> None:
     """Make one line of two that meet at a node where nothing else does, in place."""
-    degree = graph.degree()
-    at: dict[int, list[Line]] = {}
+    at: dict[int, dict[int, Line]] = {node: {} for node in graph.nodes}
     for line in graph.lines:
-        at.setdefault(line.start, []).append(line)
-        if not line.closed:
-            at.setdefault(line.end, []).append(line)
-    for node, count in degree.items():
-        pair = at.get(node, [])
-        if count != 2 or len(pair) != 2 or pair[0] is pair[1]:
+        at[line.start][id(line)] = line
+        at[line.end][id(line)] = line
+    left = {id(line): line for line in graph.lines}
+    for node, count in graph.degree().items():
+        if count != 2 or len(at[node]) != 2:
             continue
-        first, second = pair
-        a = first.points if first.end == node else first.points[::-1]
-        b = second.points if second.start == node else second.points[::-1]
-        start = first.start if first.end == node else first.end
-        end = second.end if second.start == node else second.start
-        share = (first.linked * first.length + second.linked * second.length) / max(
-            1e-9, first.length + second.length
-        )
-        whole = Line(start, end, np.vstack([a, b[1:]]), share)
-        graph.lines = [line for line in graph.lines if line is not first and line is not second]
-        graph.lines.append(whole)
-        for other in {start, end}:
-            at[other] = [
-                line for line in at.get(other, []) if line is not first and line is not second
-            ] + [whole]
+        first, second = at[node].values()
+        whole = _joined(first, second, node)
+        for old in (first, second):
+            for end in (old.start, old.end):
+                at[end].pop(id(old), None)
+            del left[id(old)]
+        left[id(whole)] = at[whole.start][id(whole)] = at[whole.end][id(whole)] = whole
+    graph.lines = list(left.values())
     graph.drop_lonely()
+
+
+def _joined(first: Line, second: Line, node: int) -> Line:
+    a = first.points if first.end == node else first.points[::-1]
+    b = second.points if second.start == node else second.points[::-1]
+    start = first.start if first.end == node else first.end
+    end = second.end if second.start == node else second.start
+    bridged = first.linked * first.length + second.linked * second.length
+    share = bridged / max(1e-9, first.length + second.length)
+    return Line(start, end, np.vstack([a, b[1:]]), share)
 
 
 def extend_to_border(graph: Graph, shape: tuple[int, int], reach: float) -> None:

@@ -14,7 +14,7 @@ from .smoothing import Floats, resample, smooth
 
 Layer = NDArray[np.float32]
 _MOST_CELLS = 120_000
-_SURE = 0.97
+_SURE = 1.0
 
 
 def leave_out(layers: list[Layer], boxes: tuple[tuple[tuple[float, float], ...], ...]) -> None:
@@ -27,27 +27,24 @@ def leave_out(layers: list[Layer], boxes: tuple[tuple[tuple[float, float], ...],
             layer[rows, columns] = 0
 
 
-def way_through(score: Layer, points: Floats) -> Floats:
-    """The cheapest way (n, 2) over the evidence through points (k, 2) in pixels, in their order.
+def ways_through(score: Layer, points: Floats) -> list[Floats]:
+    """The cheapest ways (n, 2) over the evidence from each of the points (k, 2) to the next.
 
-    It follows roads where they are seen and goes straight where they are not. Beyond the first and
-    the last point it goes on to the edge of the picture while the evidence lasts.
+    They follow roads where they are seen and go straight where they are not; pixels throughout.
     """
     height, width = score.shape
     step = max(1.0, float(np.sqrt(height * width / _MOST_CELLS)))
     size = (max(2, round(width / step)), max(2, round(height / step)))
     coarse = cv2.resize(score, size, interpolation=cv2.INTER_AREA)
-    price = -np.log(np.clip(coarse, 0.02, 1)) + 0.08
     scale = np.array([width / size[0], height / size[1]])
     cells = np.clip(np.round((points + 0.5) / scale - 0.5).astype(int), 0, np.array(size) - 1)
-    graph = _grid(price)
-    way: list[tuple[int, int]] = []
-    for start, goal in pairwise(cells):
-        way += _shortest(graph, start, goal, size[0])[bool(way) :]
-    line = (np.array(way, float) + 0.5) * scale - 0.5
-    line[0], line[-1] = points[0], points[-1]
-    dense = resample(line)
-    return smooth(dense, 8 * step, 2 * step) if len(dense) > 8 else dense
+    graph = _grid(-np.log(np.clip(coarse, 0.02, 1)) + 0.08)
+    ways = []
+    for (start, goal), ends in zip(pairwise(cells), pairwise(points), strict=True):
+        way = (np.array(_shortest(graph, start, goal, size[0]), float) + 0.5) * scale - 0.5
+        line = resample(np.vstack([ends[0], way[1:-1], ends[1]]))
+        ways.append(smooth(line, 8 * step, 2 * step) if len(line) > 8 else line)
+    return ways
 
 
 def _grid(price: NDArray[np.float64]) -> csr_matrix:

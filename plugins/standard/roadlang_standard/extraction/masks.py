@@ -13,6 +13,7 @@ from .graph import trace
 from .skeleton import skeleton
 
 Layer = NDArray[np.float32]
+Mask = NDArray[np.bool_]
 
 
 def roads_of_surface(
@@ -31,7 +32,13 @@ def roads_of_surface(
     of fewer than `specks` square pixels.
     """
     mask = without_specks(surface >= 0.5, specks)
-    graph = trace(skeleton(mask))
+    thin = skeleton(mask)
+    while _is_noise(thin) and specks < 1e4:
+        specks *= 4
+        surface = cv2.GaussianBlur(surface, (0, 0), 2.0)
+        mask = without_specks(surface >= 0.5, specks)
+        thin = skeleton(mask)
+    graph = trace(thin)
     usual = usual_width_of(graph, mask)
     contract(graph, 1.2 * usual)
     prune(graph, least if least is not None else 1.1 * usual, mask.shape, margin=0.6 * usual + 2)
@@ -44,16 +51,21 @@ def roads_of_surface(
     return draft(graph, surface, score, manner, method)
 
 
-def without_specks(mask: NDArray[np.bool_], least: float) -> NDArray[np.bool_]:
+def _is_noise(thin: Mask) -> bool:
+    """Whether a skeleton fills a large picture more than roads do: it is smoothed first."""
+    return bool(thin.size > 100_000 and thin.mean() > 0.03)
+
+
+def without_specks(mask: Mask, least: float) -> Mask:
     """The mask without parts and without holes of fewer than `least` pixels."""
-    for value in (True, False):
-        seek = (mask if value else ~mask).astype(np.uint8)
-        connectivity = 8 if value else 4
-        count, labels, stats, _ = cv2.connectedComponentsWithStats(seek, connectivity=connectivity)
-        small = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] < least)
-        small = small[small > 0]
-        if len(small):
-            flip = np.zeros(count, bool)
-            flip[small] = True
-            mask = mask ^ flip[labels]
-    return mask
+    return without_holes(~without_holes(~mask, least, 8), least)
+
+
+def without_holes(mask: Mask, least: float, connectivity: int = 4) -> Mask:
+    """The mask with holes of fewer than `least` pixels filled; itself if there are none."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(
+        (~mask).astype(np.uint8), connectivity=connectivity
+    )
+    small = stats[:, cv2.CC_STAT_AREA] < least
+    small[0] = False
+    return mask | small[labels] if small.any() else mask
