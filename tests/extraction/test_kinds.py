@@ -1,8 +1,11 @@
 """The extract kinds on pictures, as the compiler calls them."""
 
 import shutil
+import subprocess
+import sys
 from importlib.resources import files
 
+import cv2
 import numpy as np
 import pytest
 
@@ -14,7 +17,7 @@ from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extract_onnx import Onnx
 from roadlang_standard.extract_pixels import Pixel
 from roadlang_standard.rendering.aerial import render_aerial
-from roadlang_standard.rendering.drawings import draw_circuit
+from roadlang_standard.rendering.drawings import draw_circuit, draw_filled
 
 WEIGHTS = files("roadlang_standard.extraction") / "weights" / "roads.onnx"
 
@@ -98,3 +101,16 @@ def test_absurd_pictures_do_no_harm(shape, kind):
     rng = np.random.default_rng(1)
     for pixels in (np.zeros((*shape, 3), np.uint8), rng.integers(0, 256, (*shape, 3), np.uint8)):
         kind.extract(Picture(pixels, 1.0))
+
+
+@pytest.mark.parametrize(("share", "code"), [("60%", 0), ("100%", 3)])
+def test_a_requirement_can_ask_for_confidence(tmp_path, share, code):
+    cv2.imwrite(str(tmp_path / "plan.png"), draw_filled("curve", 1, 200).image)
+    scene = f"""
+image plan from "plan.png" {{ scale: 1m/px }}
+network town from plan
+require sure: confidence(town) > {share}
+"""
+    (tmp_path / "town.rl").write_text(scene)
+    command = [sys.executable, "-m", "roadlang", "compile", "town.rl", "-n", "1", "-o", "out"]
+    assert subprocess.run(command, cwd=tmp_path, capture_output=True).returncode == code

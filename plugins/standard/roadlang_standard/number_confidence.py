@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Confidence(RoadNumber):
-    """How sure the extractor is of the road, 0 to 1; of a network: of each of its roads."""
+    """How sure the extractor is of the road, or of the whole network, 0 to 1."""
 
     name: ClassVar[str] = "confidence"
     cost: ClassVar[float] = 1.0

@@ -15,7 +15,7 @@ from ..ir.values import Entity, PassCall, Value
 from .blame import wrong_result
 from .building import build
 from .dependencies import entities_in
-from .networks import edge_batch, network_root
+from .networks import NetworkRoot, edge_batch, network_root
 from .roads import road_batch
 from .variants import Variants
 
@@ -28,12 +28,13 @@ class Axis:
 
     edge: int | None = None
 
-    def resolve(self, entity: Entity, variants: Variants) -> RoadBatch:
-        """The road that a name stands for on this axis."""
+    def resolve(self, entity: Entity, variants: Variants) -> RoadBatch | NetworkRoot:
+        """The road that a name stands for on this axis; the whole network off all axes."""
         if entity.role == "road":
             return road_batch(entity.name, variants)
         network = variants.plan.networks[entity.name]
-        assert self.edge is not None
+        if self.edge is None:
+            return network_root(network, variants)
         return edge_with_others(network, self.edge, variants)
 
 
