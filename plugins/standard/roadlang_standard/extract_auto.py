@@ -40,9 +40,11 @@ class Auto(Extractor):
         from dataclasses import replace
 
         from .extract_aerial import Aerial
-        from .extract_contour import Contour
+        from .extract_contour import Contour, in_pixels
         from .extract_pixels import Pixel
-        from .extraction.picture_kind import picture_kind
+        from .extraction.drawing import roads_of_drawing
+        from .extraction.picture_kind import MAP, picture_kind
+        from .extraction.world import extraction
 
         if picture.characters is not None or picture.legend:
             kind = "typed grid" if picture.characters is not None else "drawing with a legend"
@@ -51,7 +53,10 @@ class Auto(Extractor):
             assert picture.pixels is not None
             seen = picture_kind(picture.pixels)
             kind = seen.name
-            if seen.drawn and not self.through:
+            if seen.name == MAP and self.threshold == "auto":
+                drawn = roads_of_drawing(picture.pixels, width=in_pixels(self.width, picture))
+                found = extraction(picture, drawn)
+            elif seen.drawn and not self.through:
                 found = Contour(threshold=self.threshold, width=self.width).extract(picture)
             else:
                 found = self._aerial(Aerial).extract(picture)

@@ -10,7 +10,7 @@ import numpy as np
 from .drawing import between_lines, likeness
 from .found import FoundNetwork
 from .masks import roads_of_surface
-from .tones import Image, Layer, tones
+from .tones import Image, Layer, away_from, tones
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def _grey(image: Image, chain: Chain) -> Layer:
     paper, other = (plan.colours[i] for i in (plan.paper, 1 if plan.paper == 0 else 0))
     if abs(float((paper - other) @ weights)) > 40:
         return grey
-    return np.asarray(np.abs(image.astype(np.float32) - paper.astype(np.float32)).max(axis=2))
+    return away_from(image, paper).astype(np.float32)
 
 
 def _otsu(grey: Layer) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .found import FoundNetwork
 from .masks import roads_of_surface, without_specks
 from .skeleton import skeleton
-from .tones import Image, Layer, layer, tones
+from .tones import Image, Layer, away_from, layer, tones
 
 Mask = NDArray[np.bool_]
 
@@ -25,7 +25,7 @@ class Ribbon:
     elongation: float
 
 
-def roads_of_drawing(image: Image, spline: bool = True) -> FoundNetwork:
+def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
     """The roads of a clean drawing; says in `method` which manner of drawing it took it for."""
     plan = tones(image)
     paper = plan.colours[plan.paper]
@@ -36,18 +36,18 @@ def roads_of_drawing(image: Image, spline: bool = True) -> FoundNetwork:
         return FoundNetwork(np.zeros((0, 2)), (), empty, "drawing", ("the picture has one colour",))
     between = between_lines(ink >= 0.5)
     if between is not None:
-        found = roads_of_surface(between, "edge lines", spline)
+        found = roads_of_surface(between, "edge lines", width=width)
         return replace(found, mask=between >= 0.5)
     layers = [
         layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
     ]
     best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
-    return roads_of_surface(best, "filled road", spline)
+    return roads_of_surface(best, "filled road", width=width)
 
 
 def _ink(image: Image, paper: NDArray[np.float64]) -> Layer:
     """How far each pixel is from the paper, 0 (paper) to 1 (full ink)."""
-    away = np.abs(image.astype(np.float32) - paper.astype(np.float32)).max(axis=2)
+    away = away_from(image, paper).astype(np.float32)
     marked = away[away > 30]
     if not len(marked):
         return np.zeros(image.shape[:2], np.float32)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .drawing import between_lines
-from .tones import Image, flatness, tones
+from .tones import Image, away_from, flatness, tones
 
 PHOTO, MASK, FILLED, EDGES, MAP = (
     "photo",
@@ -41,9 +41,8 @@ def picture_kind(image: Image) -> PictureKind:
     if flat < 0.55 or few < 0.85:
         return PictureKind(PHOTO, flat)
     paper = plan.colours[plan.paper]
-    marked = np.abs(image.astype(np.int16) - paper.astype(np.int16)).max(axis=2) > 100
-    if not marked.any():
-        marked = np.abs(image.astype(np.int16) - paper.astype(np.int16)).max(axis=2) > 30
+    away = away_from(image, paper)
+    marked = away > (100 if away.max() > 100 else 30)
     if between_lines(marked) is not None:
         return PictureKind(EDGES, flat)
     colours = plan.colours[np.argsort(-plan.shares)]

@@ -31,7 +31,7 @@ class Tones:
 
 def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0) -> Tones:
     """The dominant colours of a picture (h, w, 3), found in a coarse colour histogram."""
-    sample = thinned(image, 400_000).reshape(-1, 3)
+    sample = thinned(image, 120_000).reshape(-1, 3)
     coarse = (sample >> _BINS).astype(np.int64)
     cell = (coarse[:, 0] << 6) | (coarse[:, 1] << 3) | coarse[:, 2]
     counts = np.bincount(cell, minlength=512)
@@ -54,6 +54,13 @@ def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0)
     nearest = np.abs(rim[:, None] - stacked[None]).max(axis=2).argmin(axis=1)
     votes = np.bincount(nearest, minlength=len(stacked)) / len(rim) + 0.5 * np.array(shares)
     return Tones(stacked, np.array(shares), int(np.argmax(votes)))
+
+
+def away_from(image: Image, colour: NDArray[np.float64]) -> Image:
+    """How far each pixel (h, w) is from a colour, in its worst channel, 0..255."""
+    flat = np.full(image.shape, np.clip(colour, 0, 255).round(), np.uint8)
+    blue, green, red = cv2.split(cv2.absdiff(image, flat))
+    return np.asarray(cv2.max(cv2.max(blue, green), red))
 
 
 def thinned(image: Image, most: int) -> Image:
