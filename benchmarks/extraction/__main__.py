@@ -18,7 +18,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 from benchmarks.extraction.baselines import Lines, best_threshold, classical, paper_chain
-from benchmarks.extraction.scores import COLUMNS, Case, score
+from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
 
 from roadlang_standard.extraction.aerial import roads_of_photo
 from roadlang_standard.extraction.contour import Chain, roads_by_contour
@@ -53,7 +53,7 @@ def _methods(only: str) -> dict[str, Callable[[Case], Lines]]:
         methods["paper's chain"] = lambda case: paper_chain(case.image)
         methods["classical"] = lambda case: classical(case.image)
         methods["best threshold"] = lambda case: best_threshold(
-            case.image, lambda lines: score(case, lines)["F1@3"]
+            case.image, lambda lines: relaxed_f1(case, lines)
         )
     return methods
 

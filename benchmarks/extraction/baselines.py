@@ -8,7 +8,10 @@ import cv2
 import numpy as np
 
 from roadlang_standard.extraction.classical import roads_by_ribbons
-from roadlang_standard.extraction.masks import roads_of_surface
+from roadlang_standard.extraction.clean import prune
+from roadlang_standard.extraction.graph import trace
+from roadlang_standard.extraction.masks import without_specks
+from roadlang_standard.extraction.skeleton import skeleton
 
 Lines = list[np.ndarray]
 
@@ -33,8 +36,9 @@ def best_threshold(image: np.ndarray, score: Callable[[Lines], float]) -> Lines:
 def _thresholded(grey: np.ndarray, levels: np.ndarray) -> Iterable[Lines]:
     for level in levels:
         for surface in (grey > level, grey <= level):
-            found = roads_of_surface(surface.astype(np.float32), "threshold", specks=200)
-            yield [road.points for road in found.roads]
+            graph = trace(skeleton(without_specks(surface, 200)))
+            prune(graph, 20)
+            yield [line.points for line in graph.lines]
 
 
 def classical(image: np.ndarray) -> Lines:

@@ -64,6 +64,13 @@ def score(case: Case, lines: list[np.ndarray]) -> dict[str, float]:
     return {**scores, "path": _harmonic(there, back)}
 
 
+def relaxed_f1(case: Case, lines: list[np.ndarray], radius: float = 3.0) -> float:
+    """F1 at one radius alone: what a threshold is chosen by."""
+    found = raster(lines, case.line.shape)
+    p = _share(found, _distance(case.line) <= radius * case.scale)
+    return _harmonic(p, _share(case.line, _distance(found) <= radius * case.scale))
+
+
 def _distance(line: np.ndarray) -> np.ndarray:
     return ndimage.distance_transform_edt(~line) if line.any() else np.full(line.shape, 1e6)
 
