@@ -1,6 +1,6 @@
 """One command: render, train, validate, export, write the model card.
 
-    python -m training --folder work/roadnet --photos FOLDER_WITH_MANIFEST
+python -m training --folder work/roadnet --photos FOLDER_WITH_MANIFEST
 """
 
 from __future__ import annotations
