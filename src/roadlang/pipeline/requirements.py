@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError, Span, diagnose
+from ..ir.batch import RoadBatch
 from ..ir.scenario import Actor, Constraint, Network, Road
 from ..ir.values import Condition, Draw, PassCall
 from .blame import wrong_result
@@ -80,6 +81,8 @@ def axis_signals(
         values[binding.variable] = array = signal(binding.call, axis, variants)
         for entity in _roads_named(binding.call, variants):
             road = axis.resolve(entity, variants)
+            if not isinstance(road, RoadBatch):  # a number of a whole network has no axis
+                break
             if array.shape[1] == len(road.stations) and len(road.stations) > longest:
                 positions, wrap, longest = road.stations, road.period, len(road.stations)
             break
