@@ -74,11 +74,11 @@ def find_drawing() -> list[str]:
     """
     engine = find()
     drawing = ["--audio-driver", "Dummy", "--rendering-method", "gl_compatibility"]
+    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or os.name == "nt":
+        return [str(engine), *drawing]
     beside = engine.with_name(engine.name + "-render")
     if beside.exists():
         return [str(beside)]
-    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or os.name == "nt":
-        return [str(engine), *drawing]
     virtual = shutil.which("xvfb-run")
     if virtual is None:
         raise fault("RL508", "run on a desktop, or install xvfb for a virtual screen")
