@@ -21,11 +21,13 @@ from godot_proxy import Proxy, Weather
 from godot_scenes import bend, bends, call, car, pieces, road, scene, straight
 from test_live_editing import raised
 
+from roadlang.api import Scene
 from roadlang_standard.godot import driving, engine
 from roadlang_standard.godot.frame import Frame
 from roadlang_standard.godot.layout import layout_of
 from roadlang_standard.godot.line import polyline
 from roadlang_standard.godot.road_mesh import road_things
+from roadlang_standard.godot.session import Session
 from roadlang_standard.godot.simulate import Settings, drive_in
 from roadlang_standard.godot.telemetry import of_agent
 
@@ -148,11 +150,11 @@ def grip() -> None:
             print(f"friction {friction}: slides out at {share:.3f} of sqrt(mu g R)")
 
 
-def _build(session: object, made: object) -> None:
-    layout = layout_of(made)  # type: ignore[arg-type]
-    session.begin(layout.settings(), clear=True)  # type: ignore[attr-defined]
-    session.update(layout.things)  # type: ignore[attr-defined]
-    session.prove()  # type: ignore[attr-defined]
+def _build(session: Session, made: Scene) -> None:
+    layout = layout_of(made)
+    session.begin(layout.settings(), clear=True)
+    session.update(layout.things)
+    session.prove()
 
 
 BARS: dict[str, Callable[[], None]] = {

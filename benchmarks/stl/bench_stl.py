@@ -16,6 +16,7 @@ import time
 import tracemalloc
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,8 +90,8 @@ def against_a_copy(report: Report, positions: Floats, signals: dict[str, Floats]
     print(f"one copy of {VARIANTS} x {SAMPLES}: {copy * 1e3:.2f} ms")
     for name, text in FORMULAS.items():
         formula = stl.parse(text)
-        start = cpu_seconds(lambda: formula.rho(positions, signals)) / copy  # noqa: B023
-        trace = cpu_seconds(lambda: formula.robustness(positions, signals), 3) / copy  # noqa: B023
+        start = cpu_seconds(partial(formula.rho, positions, signals)) / copy
+        trace = cpu_seconds(partial(formula.robustness, positions, signals), 3) / copy
         report.line(f"{name} at start", start, "copies", START_BARS.get(name, np.inf))
         report.line(f"{name} full trace", trace, "copies", TRACE_BARS.get(name, np.inf))
 
@@ -100,7 +101,7 @@ def window_independence(report: Report, positions: Floats, signals: dict[str, Fl
         times = []
         for width in (5, 500):
             formula = stl.parse(text.format(width))
-            times.append(cpu_seconds(lambda: formula.robustness(positions, signals), 3))  # noqa: B023
+            times.append(cpu_seconds(partial(formula.robustness, positions, signals), 3))
         report.line(f"w = 500 against w = 5: {text}", times[1] / times[0], "times", 2.5)
 
 
@@ -119,7 +120,7 @@ def memory(report: Report, positions: Floats, signals: dict[str, Floats]) -> Non
 def parsing(report: Report) -> None:
     stl.parse("true")
     for name, text in FORMULAS.items():
-        taken = cpu_seconds(lambda: stl.parse(text)) * 1e3  # noqa: B023
+        taken = cpu_seconds(partial(stl.parse, text)) * 1e3
         report.line(f"parse {name}", taken, "ms", 5.0)
 
 
@@ -129,7 +130,7 @@ def long_traces() -> None:
     signals = {name: values[0] for name, values in walks(1, 1_000_000).items()}
     for name, text in FORMULAS.items():
         formula = stl.parse(text)
-        taken = cpu_seconds(lambda: formula.robustness(positions, signals), 2)  # noqa: B023
+        taken = cpu_seconds(partial(formula.robustness, positions, signals), 2)
         print(f"{name + ', one trace of 1e6 samples':44s} {1 / taken:10.2f} MS/s")
 
 
@@ -146,7 +147,7 @@ def against_rtamt(report: Report, positions: Floats, signals: dict[str, Floats])
             for k in range(count)
         ]
         theirs = cpu_seconds(lambda: [evaluate(row) for row in rows], 1) / count * VARIANTS  # noqa: B023
-        ours = cpu_seconds(lambda: formula.robustness(positions, signals), 3)  # noqa: B023
+        ours = cpu_seconds(partial(formula.robustness, positions, signals), 3)
         expected = [value for _, value in evaluate(rows[0])]
         own = formula.robustness(positions, {key: values[0] for key, values in signals.items()})
         np.testing.assert_allclose(own, expected, atol=1e-9)
