@@ -9,6 +9,8 @@ from roadlang_standard.extraction.exposure import even_exposure
 from training.pool import Scene
 
 CROP = 256
+_PEN = 1.4
+"""Pixels by which OpenCV draws an anti-aliased thick line wider than told: measured."""
 
 
 def crop(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -25,7 +27,7 @@ def crop(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray
         image, at, (CROP, CROP), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT
     )
     inside = cv2.warpAffine(np.ones(scene.image.shape[:2], np.float32), matrix, (CROP, CROP))
-    targets = _targets(scene, matrix, zoom)
+    targets = _targets(rng, scene, matrix, zoom)
     shot = _light(rng, shot, targets[0])
     return shot, targets, inside[None, ::2, ::2]
 
@@ -45,8 +47,11 @@ def _placement(rng: np.random.Generator, scene: Scene, zoom: float) -> np.ndarra
     return np.c_[linear, CROP / 2 - linear @ centre]
 
 
-def _targets(scene: Scene, matrix: np.ndarray, zoom: float) -> np.ndarray:
-    """Surface and centre line (2, 128, 128); the line is exp(-d^2 / 4.5), d in input pixels."""
+def _targets(rng: np.random.Generator, scene: Scene, matrix: np.ndarray, zoom: float) -> np.ndarray:
+    """Surface and centre line (2, 128, 128); the line is exp(-d^2 / 4.5), d in input pixels.
+
+    Thickness is whole pixels, so it is rounded up or down at random: right on average.
+    """
     surface = np.zeros((CROP, CROP), np.uint8)
     away = np.full((CROP, CROP), 255, np.uint8)
     for line, width in zip(scene.lines, scene.widths, strict=True):
@@ -55,7 +60,8 @@ def _targets(scene: Scene, matrix: np.ndarray, zoom: float) -> np.ndarray:
         if (at < -reach).all(axis=0).any() or (at > CROP + reach).all(axis=0).any():
             continue
         fixed = [np.round(at * 16).astype(np.int32)]
-        cv2.polylines(surface, fixed, False, 255, max(1, round(width * zoom)), cv2.LINE_AA, 4)
+        thickness = max(1, int(width * zoom - _PEN + rng.random()))
+        cv2.polylines(surface, fixed, False, 255, thickness, cv2.LINE_AA, 4)
         cv2.polylines(away, fixed, False, 0, 1, cv2.LINE_8, 4)
     distance = cv2.distanceTransform(away, cv2.DIST_L2, 5)
     heat = np.exp(-(np.minimum(distance, 30) ** 2) / 4.5)

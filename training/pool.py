@@ -12,17 +12,20 @@ import numpy as np
 from roadlang_standard.rendering.aerial import render_aerial
 
 _PLANS = {
-    "suburb": 0.30,
-    "grid": 0.18,
-    "village": 0.12,
+    "suburb": 0.25,
+    "city": 0.18,
+    "grid": 0.12,
     "motorway": 0.12,
-    "rural": 0.10,
-    "curve": 0.08,
-    "roundabout": 0.06,
-    "bend": 0.04,
+    "village": 0.10,
+    "rural": 0.09,
+    "curve": 0.06,
+    "roundabout": 0.05,
+    "bend": 0.03,
 }
 _RESOLUTIONS = ((0.8, 1.25, 0.55), (0.4, 0.7, 0.25), (0.25, 0.38, 0.20))
 SIZE = 640
+_HIDDEN = 0.2
+"""Share of the scenes whose roads lie under crowns and shadows more than they would by chance."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,9 @@ def _render_one(folder: Path, seed: int, index: int) -> None:
     rng = np.random.default_rng([seed, index])
     plan = str(rng.choice(list(_PLANS), p=list(_PLANS.values())))
     low, high, _ = _RESOLUTIONS[rng.choice(3, p=[share for *_, share in _RESOLUTIONS])]
-    drawn = render_aerial(plan, int(rng.integers(2**31)), SIZE, float(rng.uniform(low, high)))
+    scene, resolution = int(rng.integers(2**31)), float(rng.uniform(low, high))
+    hidden = float(rng.uniform(0.1, 0.4)) if rng.random() < _HIDDEN else None
+    drawn = render_aerial(plan, scene, SIZE, resolution, hidden)
     roads = drawn.truth.roads
     _, code = cv2.imencode(".png", drawn.image)
     partial = _path(folder, index).with_suffix(".part.npz")

@@ -8,14 +8,15 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .clean import contract, extend_to_border, join, prune
+from .clean import contract, drop_loops, extend_to_border, join, prune
+from .continuing import carry_on
 from .drafting import Draft, draft, usual_width_of
 from .evidence import Net, evidence, road_net
 from .found import FoundNetwork
 from .graph import Graph, trace
 from .hints import leave_out, paint, ways_through
 from .hysteresis import hysteresis
-from .linking import link
+from .linking import dead_ends, link
 from .masks import without_holes, without_specks
 from .scale import resized, start_scale
 from .skeleton import skeleton
@@ -25,13 +26,20 @@ from .worth import drop_unworthy, prune_by_worth
 
 _COARSE = 0.35
 """Share of the half-size view in the evidence."""
-_WIDE, _HANDY = 17.0, 8.0
+_WIDE, _HANDY = 11.0, 9.0
 """Roads wider than the first, in working pixels, are looked at again as wide as the second."""
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
 _RELAXED = (0.7, 0.45)
-_EDGE_LEVEL, _EDGE_BLUR = 0.7, 4.2
-"""Evidence at the road's edge, and the blur in pixels that widens narrow roads: on renderings."""
+_ONWARD = 0.45
+"""Share of the cutoffs that counts where a road may go on."""
+_FAINTER = (0.8, 0.6, 0.45)
+"""Shares of the cutoffs that are tried for the whole picture."""
+_GAP = 6.0
+"""Gaps of so many widths are bridged where the evidence lets them."""
+_EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.0
+"""Evidence at the road's edge, in its middle where its width is measured, and the blur in pixels
+that widens narrow roads: on renderings."""
 
 
 @dataclass(frozen=True)
@@ -153,13 +161,17 @@ def roads_of_evidence(
             paint(surface, score, way, request.width or max(5.0, _usual(seen)))
         cutoffs = cutoffs.choosy(min(float(stations(way)[-1]) for way in ways))
     graph, mask = _traced(score, cutoffs)
+    for share in _FAINTER if request.threshold is None else ():
+        fainter = _traced(score, cutoffs.relaxed(share))
+        if _is_tidier(fainter[0], graph, score):
+            graph, mask = fainter
     for share in _RELAXED if request.threshold is None else ():
-        if sum(line.length for line in graph.lines) >= _LITTLE * max(score.shape):
+        if _length(graph) >= _LITTLE * max(score.shape):
             break
         graph, mask = _traced(score, cutoffs.relaxed(share))
     usual = usual_width_of(graph, mask)
     extend_to_border(graph, (score.shape[0], score.shape[1]), 0.7 * usual + 3)
-    manner = Draft(usual, fixed_width=request.width, level=_EDGE_LEVEL, blur=_EDGE_BLUR)
+    manner = Draft(usual, fixed_width=request.width, level=_EDGE_LEVEL, sure=_SURE, blur=_EDGE_BLUR)
     return draft(graph, surface, score, manner, "aerial")
 
 
@@ -173,6 +185,20 @@ def _traced(score: Layer, cutoffs: Cutoffs) -> tuple[Graph, NDArray[np.bool_]]:
         mask, graph = filled, trace(skeleton(filled))
     _tidy(graph, score, usual, cutoffs)
     return graph, mask
+
+
+def _is_tidier(fainter: Graph, graph: Graph, score: Layer) -> bool:
+    """Whether fainter evidence gives more road without more loose ends or junctions.
+
+    Then it closes gaps and lengthens roads; drives and noise would add stubs.
+    """
+    loose, fewer = (len(dead_ends(g, score.shape)) for g in (graph, fainter))
+    meet, less = (sum(degree > 2 for degree in g.degree().values()) for g in (graph, fainter))
+    return fewer <= loose and less <= meet and _length(fainter) > _length(graph)
+
+
+def _length(graph: Graph) -> float:
+    return sum(line.length for line in graph.lines)
 
 
 def _at_least_two(points: tuple[tuple[float, float], ...], road: NDArray[np.bool_]) -> Floats:
@@ -202,7 +228,11 @@ def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> No
     prune(graph, 1.2 * usual, shape)
     join(graph)
     drop_unworthy(graph, score, cutoffs.crumb / 3, cutoffs.floor)
-    link(graph, score, cutoffs.reach, cutoffs.dear)
+    reach = max(cutoffs.reach, _GAP * usual)
+    faint = (_ONWARD * cutoffs.strong, _ONWARD * cutoffs.weak)
+    carry_on(graph, score, faint, usual, reach)
+    link(graph, score, reach, cutoffs.dear)
+    drop_loops(graph, 6 * usual)
     prune_by_worth(graph, score, cutoffs.spur, cutoffs.floor)
     drop_unworthy(graph, score, cutoffs.crumb, cutoffs.floor)
     contract(graph, 1.2 * usual)

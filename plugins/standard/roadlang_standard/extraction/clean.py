@@ -86,6 +86,17 @@ def prune(
     graph.drop_lonely()
 
 
+def drop_loops(graph: Graph, least: float) -> None:
+    """Forget loops from a junction back to itself below `least` pixels, in place."""
+    degree = graph.degree()
+    graph.lines = [
+        line
+        for line in graph.lines
+        if not (line.closed and degree[line.start] > 2 and line.length < least)
+    ]
+    join(graph)
+
+
 def at_border(point: Floats, shape: tuple[int, int] | None, margin: float) -> bool:
     """Whether a point lies within `margin` pixels of the picture's edge."""
     if shape is None:

@@ -32,6 +32,8 @@ class Draft:
     recentre: bool = True
     level: float = 0.5
     """surface at the edge of a road"""
+    sure: float = 0.0
+    """surface on the centre line from which on a width counts, where a tenth of the line has it"""
     blur: float = 0.0
     """pixels by which the surface is blurred: widths are taken to add to it in squares"""
 
@@ -164,21 +166,29 @@ def _road(
     line: Line, curve: Floats, index: dict[int, int], surface: Layer, score: Layer, manner: Draft
 ) -> FoundRoad:
     points = resample(curve, 2.0)
+    at = points.astype(np.float32).reshape(1, -1, 2)
     seen = sides(points, surface, 1.2 * manner.width + 3, manner.level)
+    solid = _along(surface, at) >= manner.sure
+    if solid.mean() > 0.1:
+        seen = seen.where(solid)
     closed = line.closed
     if manner.fixed_width is not None:
         wide, spread = np.full(len(points), manner.fixed_width), 0.0
     else:
         wide, spread = widths(seen, manner.width, 4 * manner.waves / 2, closed)
         wide = np.sqrt(np.maximum(wide**2 - manner.blur**2, (0.4 * wide) ** 2))
-    at = points.astype(np.float32).reshape(1, -1, 2)
-    evidence = cv2.remap(
-        score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
-    )
-    confidence = float(np.clip(evidence.mean(), 0, 1)) * (1 - 0.5 * line.linked)
+    confidence = float(np.clip(_along(score, at).mean(), 0, 1)) * (1 - 0.5 * line.linked)
     return FoundRoad(
         index[line.start], index[line.end], points, wide, spread, round(confidence, 4), line.linked
     )
+
+
+def _along(layer: Layer, at: Layer) -> Layer:
+    """The layer (h, w) at points (1, n, 2), (n,)."""
+    found = cv2.remap(
+        layer, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
+    )
+    return np.asarray(found[0], np.float32)
 
 
 def usual_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:

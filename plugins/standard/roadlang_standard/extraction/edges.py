@@ -25,6 +25,10 @@ class Sides:
         """Where both edges are seen."""
         return np.isfinite(self.left) & np.isfinite(self.right)
 
+    def where(self, good: NDArray[np.bool_]) -> Sides:
+        """The same, seen only where `good` (n,)."""
+        return Sides(np.where(good, self.left, np.nan), np.where(good, self.right, np.nan))
+
 
 def sides(points: Floats, surface: NDArray[np.float32], reach: float, level: float = 0.5) -> Sides:
     """Look along the normals for where the surface (h, w), 0..1, falls through `level`."""

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .exposure import even_exposure
+from .nodata import nodata
 from .tones import Image
 
 Layer = NDArray[np.float32]
@@ -85,6 +86,10 @@ def evidence(image: Image, net: Net, mirrored: bool = True) -> Evidence:
     height, width = image.shape[:2]
     size = (2 * maps.shape[2], 2 * maps.shape[1])
     full = [cv2.resize(m, size, interpolation=cv2.INTER_LINEAR)[:height, :width] for m in maps]
+    nothing = nodata(image)
+    if nothing is not None:
+        for layer in full:
+            layer[nothing] = 0
     return Evidence(np.ascontiguousarray(full[0]), np.ascontiguousarray(full[1]))
 
 

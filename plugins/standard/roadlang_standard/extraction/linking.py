@@ -1,4 +1,4 @@
-"""Bridge gaps: the cheapest way through the evidence from a dead end to another road."""
+"""Bridge gaps: the cheapest way through the evidence from a dead end to a road or the rim."""
 
 from __future__ import annotations
 
@@ -20,11 +20,15 @@ Layer = NDArray[np.float32]
 _RADIUS = 28
 _SIDE = 2 * _RADIUS + 1
 _CENTRE = _RADIUS * _SIDE + _RADIUS
+_OUTSIDE = np.iinfo(np.int32).max
+"""Owner of the picture's rim: a road may leave there."""
 _FLOOR = 0.05
 _FACING = 0.6
 """Least cosine between a dead end's direction and the way to what it faces."""
-_TRUST = 0.4
-"""Share of its cost that a bridge between facing ends counts."""
+_STRAIGHT = 0.9
+"""Least cosine between a dead end's direction and the way to where it leaves the picture."""
+_TRUST, _TRUST_ALIGNED, _LEAVING = 0.4, 0.15, 0.8
+"""Shares of its cost that a bridge counts: between facing ends, ends in one line, to the rim."""
 
 
 @dataclass(frozen=True)
@@ -40,10 +44,10 @@ class DeadEnd:
 
 @dataclass(frozen=True)
 class Bridge:
-    """A way from a dead end to a line, with its mean cost per pixel."""
+    """A way from a dead end to a line, or out of the picture, with its mean cost per pixel."""
 
     node: int
-    goal: Line
+    goal: Line | None
     path: Floats
     cost: float
 
@@ -59,7 +63,7 @@ def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
     price = np.pad(-np.log(np.clip(coarse, 1e-3, 1)) + _FLOOR, _RADIUS, constant_values=9.0)
     for _ in range(3):
         owner = _owners(graph, coarse.shape, step)
-        ends = _dead_ends(graph, score.shape)
+        ends = dead_ends(graph, score.shape)
         found = (
             _bridge(graph, end, _faced(end, ends, reach), price, owner, step, worst) for end in ends
         )
@@ -71,7 +75,8 @@ def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
         join(graph)
 
 
-def _dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[DeadEnd]:
+def dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[DeadEnd]:
+    """Where roads end within the picture (h, w)."""
     degree = graph.degree()
     return [
         DeadEnd(node, graph.nodes[node], -direction(line, side, 16.0), index, side)
@@ -81,34 +86,39 @@ def _dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[DeadEnd]:
     ]
 
 
-def _faced(end: DeadEnd, ends: list[DeadEnd], reach: float) -> list[Floats]:
-    """Places of other dead ends that this one runs towards, and that run towards it."""
-    places = []
+def _faced(end: DeadEnd, ends: list[DeadEnd], reach: float) -> list[tuple[Floats, float]]:
+    """Dead ends that this one runs towards and that run towards it, and the share they count."""
+    faced = []
     for other in ends:
         step = other.place - end.place
         away = float(np.hypot(*step))
         if other.node == end.node or not 0 < away <= reach:
             continue
-        if end.ahead @ step > _FACING * away and other.ahead @ -step > _FACING * away:
-            places.append(other.place)
-    return places
+        aligned = min(end.ahead @ step, other.ahead @ -step) / away
+        if aligned > _FACING:
+            faced.append((other.place, _TRUST_ALIGNED if aligned > _STRAIGHT else _TRUST))
+    return faced
 
 
 def _owners(graph: Graph, shape: tuple[int, ...], step: float) -> NDArray[np.int32]:
-    """Which line (index + 1) lies on each coarse pixel, padded as the prices are."""
+    """Which line (index + 1) lies on each coarse pixel, or `_OUTSIDE`; padded as the prices are."""
     canvas = np.zeros(shape, np.float32)
     for index, line in enumerate(graph.lines):
         at = (line.points + 0.5) / step - 0.5
         cv2.polylines(
             canvas, [np.round(at * 16).astype(np.int32)], False, index + 1, 1, cv2.LINE_8, 4
         )
-    return np.pad(canvas.astype(np.int32), _RADIUS)
+    owner = np.pad(canvas.astype(np.int32), _RADIUS)
+    inner = owner[_RADIUS : _RADIUS + shape[0], _RADIUS : _RADIUS + shape[1]]
+    for rim in (inner[0], inner[-1], inner[:, 0], inner[:, -1]):
+        rim[rim == 0] = _OUTSIDE
+    return owner
 
 
 def _bridge(
     graph: Graph,
     end: DeadEnd,
-    faced: list[Floats],
+    faced: list[tuple[Floats, float]],
     price: NDArray[np.float64],
     owner: NDArray[np.int32],
     step: float,
@@ -123,9 +133,13 @@ def _bridge(
     there = owner[window].ravel().copy()
     there[_near_own(line, end.line, there, step)] = 0
     far, before = dijkstra(
-        _grid(costs), indices=_CENTRE, limit=worst * _RADIUS / _TRUST, return_predecessors=True
+        _grid(costs),
+        indices=_CENTRE,
+        limit=worst * _RADIUS / _TRUST_ALIGNED,
+        return_predecessors=True,
     )
     share = _shares(faced, (x, y), step)
+    share[(there == _OUTSIDE) & _ahead(end.ahead).ravel()] = _LEAVING
     goals = np.flatnonzero((there > 0) & np.isfinite(far))
     if not len(goals):
         return None
@@ -135,7 +149,9 @@ def _bridge(
     cost = float(far[goal] * share[goal]) / max(length, 1e-9)
     if length < 1 or cost > worst:
         return None
-    return Bridge(end.node, graph.lines[int(there[goal]) - 1], (cells + 0.5) * step - 0.5, cost)
+    owned = int(there[goal])
+    line_there = None if owned == _OUTSIDE else graph.lines[owned - 1]
+    return Bridge(end.node, line_there, (cells + 0.5) * step - 0.5, cost)
 
 
 def _cell(place: Floats, step: float) -> tuple[int, int]:
@@ -151,14 +167,22 @@ def _way(before: NDArray[np.int32], goal: int) -> NDArray[np.intp]:
     return np.array([(cell % _SIDE, cell // _SIDE) for cell in reversed(way)])
 
 
-def _shares(faced: list[Floats], at: tuple[int, int], step: float) -> NDArray[np.float64]:
+def _shares(
+    faced: list[tuple[Floats, float]], at: tuple[int, int], step: float
+) -> NDArray[np.float64]:
     """Which share of its cost a goal counts: less where a dead end comes the other way."""
     share = np.ones((_SIDE, _SIDE))
-    for place in faced:
+    for place, trust in faced:
         x, y = _cell(place, step)
         column, row = x - at[0] + _RADIUS, y - at[1] + _RADIUS
-        share[max(0, row - 1) : max(0, row + 2), max(0, column - 1) : max(0, column + 2)] = _TRUST
+        share[max(0, row - 1) : max(0, row + 2), max(0, column - 1) : max(0, column + 2)] = trust
     return share.ravel()
+
+
+def _ahead(ahead: Floats) -> NDArray[np.bool_]:
+    """Which cells (side, side) of a window lie in the cone straight ahead of its middle."""
+    y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
+    return np.asarray(x * ahead[0] + y * ahead[1] > _STRAIGHT * np.hypot(x, y))
 
 
 def _near_own(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
@@ -205,9 +229,14 @@ def _grid(costs: NDArray[np.float64]) -> csr_matrix:
 
 def _build(graph: Graph, bridge: Bridge) -> None:
     """Add the bridge if its end is still open and its goal still there; split the goal."""
-    if graph.degree().get(bridge.node) != 1 or not any(line is bridge.goal for line in graph.lines):
+    if graph.degree().get(bridge.node) != 1:
         return
-    node = attach(graph, bridge.goal, bridge.path[-1])
+    if bridge.goal is None:
+        node = graph.add_node(bridge.path[-1])
+    elif any(line is bridge.goal for line in graph.lines):
+        node = attach(graph, bridge.goal, bridge.path[-1])
+    else:
+        return
     if node == bridge.node:
         return
     path = bridge.path.copy()

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .drawing import between_lines
+from .nodata import nodata
 from .tones import Image, away_from, flatness, tones
 
 PHOTO, MASK, FILLED, EDGES, MAP = (
@@ -17,6 +18,9 @@ PHOTO, MASK, FILLED, EDGES, MAP = (
     "edge-line drawing",
     "colour map",
 )
+
+_FLAT = 0.55
+"""Photos have less than this share of pixels without texture."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +42,7 @@ def picture_kind(image: Image) -> PictureKind:
     flat = flatness(image)
     plan = tones(image, most=12)
     few = float(np.sort(plan.shares)[::-1][:6].sum())
-    if flat < 0.55 or few < 0.85:
+    if flat < _FLAT or few < 0.85 or _photo_with_margins(image):
         return PictureKind(PHOTO, flat)
     paper = plan.colours[plan.paper]
     away = away_from(image, paper)
@@ -51,6 +55,14 @@ def picture_kind(image: Image) -> PictureKind:
     if black_and_white and paper.mean() < 40:
         return PictureKind(MASK, flat)
     return PictureKind(MAP if len(pure) > 3 else FILLED, flat)
+
+
+def _photo_with_margins(image: Image) -> bool:
+    """Whether what lies within margins of pure black or white has the texture of a photo."""
+    margins = nodata(image)
+    if margins is None or margins.mean() > 0.75:
+        return False
+    return flatness(image, ~margins) < _FLAT
 
 
 def _unmixed(colours: NDArray[np.float64]) -> list[NDArray[np.float64]]:

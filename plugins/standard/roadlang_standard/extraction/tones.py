@@ -69,21 +69,23 @@ def thinned(image: Image, most: int) -> Image:
     return image[::step, ::step]
 
 
-def flatness(image: Image, spread: int = 10) -> float:
-    """Share of pixels whose 3x3 neighbourhood varies by at most `spread` in every channel."""
-    rows = max(1, image.shape[0] // 700)
-    columns = max(1, image.shape[1] // 700)
-    height, width = image.shape[0] // rows, image.shape[1] // columns
-    patches = image[: min(image.shape[0], 700), : min(image.shape[1], 700)]
-    if rows > 1 or columns > 1:
-        corner = (
-            (image.shape[0] - min(700, height * rows)) // 2,
-            (image.shape[1] - min(700, width * columns)) // 2,
-        )
-        patches = image[corner[0] : corner[0] + 700, corner[1] : corner[1] + 700]
+def flatness(image: Image, within: NDArray[np.bool_] | None = None) -> float:
+    """Share of pixels, of those `within` (h, w), whose 3x3 neighbourhood hardly varies.
+
+    Hardly is a fifth of the picture's own deviation and at most 10 grey levels, so that a photo
+    dimmed or washed out stays as it is.
+    """
+    height, width = image.shape[:2]
+    top, left = max(0, height - 700) // 2, max(0, width - 700) // 2
+    window = (slice(top, top + 700), slice(left, left + 700))
+    patch = image[window]
+    inner = np.ones(patch.shape[:2], bool) if within is None else within[window]
+    if not inner.any():
+        return 1.0
+    spread = min(10.0, 0.2 * float(patch[inner].mean(axis=1).std()))
     kernel = np.ones((3, 3), np.uint8)
-    spreads = cv2.subtract(cv2.dilate(patches, kernel), cv2.erode(patches, kernel)).max(axis=2)
-    return float((spreads <= spread).mean())
+    spreads = cv2.subtract(cv2.dilate(patch, kernel), cv2.erode(patch, kernel)).max(axis=2)
+    return float((spreads[inner] <= spread).mean())
 
 
 def layer(image: Image, colour: NDArray[np.float64], others: NDArray[np.float64]) -> Layer:

@@ -8,6 +8,8 @@ import cv2
 import numpy as np
 
 from roadlang_standard.rendering.camera import expose
+from roadlang_standard.rendering.carparks import fill_lots, lay_lots, lay_yards
+from roadlang_standard.rendering.footways import lay_footways
 from roadlang_standard.rendering.frame import (
     Floats,
     Frame,
@@ -22,6 +24,7 @@ from roadlang_standard.rendering.frame import (
 from roadlang_standard.rendering.ground import ground
 from roadlang_standard.rendering.houses import build, footprints, lay_drives, settle
 from roadlang_standard.rendering.layouts.plans import PLANS
+from roadlang_standard.rendering.leisure import lay_grounds
 from roadlang_standard.rendering.noise import blend
 from roadlang_standard.rendering.pavement import park, pave
 from roadlang_standard.rendering.setting import Setting, setting_of
@@ -69,6 +72,7 @@ def _paint(
     hidden: float | None,
 ) -> tuple[Layer, Layer, Canopy]:
     image, water = ground(rng, setting, near)
+    lay_grounds(rng, setting, image)
     buildings, lots = settle(rng, setting, roads, near, water)
     canopy = woods(rng, setting, near, water)
     plant(rng, setting, canopy, near, water, roads)
@@ -76,7 +80,12 @@ def _paint(
     _clear(
         setting, canopy, footprints(setting, buildings, True), footprints(setting, buildings, False)
     )
-    lay_drives(rng, setting, image, buildings, lots)
+    if setting.dense:
+        lay_yards(rng, setting, image, near)
+    lay_lots(rng, setting, image, lots)
+    lay_drives(rng, setting, image, buildings)
+    if setting.footways:
+        lay_footways(rng, setting, image, roads)
     pave(rng, setting, image, roads)
     picture = (np.clip(image, 0, 1) * 255).astype(np.uint8)
     park(rng, setting, picture, roads)
@@ -92,7 +101,8 @@ def _paint(
     blue = np.array([0.92, 1.0, 1.05], np.float32)
     image *= 1 - setting.dusk * shadow[..., None] * blue
     picture = (np.clip(image, 0, 1) * 255).astype(np.uint8)
-    build(rng, setting, picture, buildings, lots)
+    fill_lots(rng, setting, picture, lots)
+    build(rng, setting, picture, buildings)
     return picture.astype(np.float32) / 255, shadow, canopy
 
 

@@ -71,7 +71,7 @@ def polygon(frame: Frame, corners: np.ndarray) -> Layer:
 
 def _water(rng: np.random.Generator, setting: Setting, image: Layer, near: Layer) -> Layer:
     frame = setting.frame
-    if rng.random() > 0.28 - 0.12 * setting.homes:
+    if rng.random() > 0.36 - 0.12 * setting.homes:
         return np.zeros(frame.shape, np.float32)
     level = fractal(rng, frame, rng.uniform(150, 600)) + np.clip(12 - near, 0, 40) * 0.2
     depth = -(level + rng.uniform(0.6, 1.6))
@@ -81,9 +81,28 @@ def _water(rng: np.random.Generator, setting: Setting, image: Layer, near: Layer
         sand = np.clip(1.5 - np.abs(depth + rim) / rim * rng.uniform(1, 1.6), 0, 1)
         tone = np.clip(np.array(setting.palette["soil"]) * rng.uniform(0.9, 1.5), 0, 1)
         blend(image, tuple(tone), (sand * rng.uniform(0.5, 1)).astype(np.float32))
+    if rng.random() < 0.5:
+        _shore(rng, setting, image, water)
     ripple = 1 + 0.06 * streaks(rng, frame, 6, rng.uniform(0, np.pi)) + 0.1 * smooth(rng, frame, 90)
     blend(image, np.array(setting.palette["water"], np.float32) * ripple[..., None], water)
     return water
+
+
+def _shore(rng: np.random.Generator, setting: Setting, image: Layer, water: Layer) -> None:
+    """A pale strip of even width along the water, which looks like a road from above."""
+    frame = setting.frame
+    dry = (water < 0.5).astype(np.uint8)
+    if dry.all() or not dry.any():
+        return
+    away = cv2.distanceTransform(dry, cv2.DIST_L2, 5) * frame.metres_per_pixel
+    ragged = 1 + 0.25 * smooth(rng, frame, rng.uniform(10, 40))
+    gap, width = rng.choice([0.0, rng.uniform(0, 8)]), rng.uniform(2.5, 14) * ragged
+    strip = np.clip((away - gap) * 0.8 + 0.5, 0, 1) * np.clip(
+        (gap + width - away) * 0.8 + 0.5, 0, 1
+    )
+    grey, sand = np.full(3, rng.uniform(0.4, 0.8)), np.array(setting.palette["soil"])
+    tone = np.clip(grey if rng.random() < 0.5 else sand * rng.uniform(0.9, 1.5), 0, 1)
+    blend(image, tuple(tone), (strip * rng.uniform(0.4, 1)).astype(np.float32))
 
 
 def _line(

@@ -1,17 +1,19 @@
-"""Buildings beside the roads: houses with drives, blocks, parking lots; planned, then painted."""
+"""Buildings beside the roads: houses with drives, blocks; planned, then painted."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 
+from roadlang_standard.rendering.carparks import Lot
 from roadlang_standard.rendering.frame import Floats, Image, Layer, PlannedRoad, ribbon
 from roadlang_standard.rendering.layouts.curves import spline
 from roadlang_standard.rendering.noise import blend
 from roadlang_standard.rendering.pavement import car, quad
 from roadlang_standard.rendering.setting import Setting
+
+_LARGE = (np.array([9.0, 8.0]), np.array([32.0, 22.0]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,50 +29,80 @@ class Building:
 
 
 @dataclass(frozen=True, slots=True)
-class Lot:
-    """A parking lot: centre, half sides, heading."""
+class Habit:
+    """How a town builds, in metres: distance of neighbours, setback, sizes of houses and lots."""
 
-    centre: Floats
-    half: Floats
-    heading: float
+    pitch: float
+    setback: float
+    stray: float
+    clearance: float
+    house: tuple[Floats, Floats]
+    lot: tuple[Floats, Floats]
+
+
+def _habit(rng: np.random.Generator, setting: Setting) -> Habit:
+    if setting.dense:
+        house = np.array([3.2, 4.5]), np.array([5.5, 9.0])
+        lot = np.array([10.0, 9.0]), np.array([55.0, 35.0])
+        return Habit(rng.uniform(9, 15), rng.uniform(1.5, 7), 0.6, 0.8, house, lot)
+    house = np.array([4.5, 3.5]), np.array([9.0, 6.5])
+    setback = rng.uniform(3, 12) if rng.random() < 0.65 else rng.uniform(10, 45)
+    lot = np.array([9.0, 8.0]), np.array([42.0, 30.0])
+    return Habit(rng.uniform(14, 28), setback, 3.0, 2.5, house, lot)
 
 
 def settle(
     rng: np.random.Generator, setting: Setting, plan: list[PlannedRoad], near: Layer, water: Layer
 ) -> tuple[list[Building], list[Lot]]:
     """Choose places for buildings and lots along the streets, clear of roads and each other."""
-    taken = np.zeros(setting.frame.shape, np.uint8)
+    taken = np.zeros((*setting.frame.shape, 3), np.uint8)
+    taken[..., 0] = np.where((near < 0.8) | (water > 0), 255, 0)
     buildings: list[Building] = []
     lots: list[Lot] = []
-    pitch = rng.uniform(14, 28)
-    setback = rng.uniform(3, 12) if rng.random() < 0.65 else rng.uniform(10, 45)
+    habit = _habit(rng, setting)
     for road in plan:
         if road.manner != "street":
             continue
         for side in (-1, 1):
-            station = rng.uniform(0, pitch)
+            station = rng.uniform(0, habit.pitch)
             while station < 2 * len(road.points) - 6:
                 large = rng.random() < setting.city * 0.5
-                half = _footprint(rng, large)
+                park = large and rng.random() < 0.4
+                sizes = habit.lot if park else _LARGE if large else habit.house
+                half = rng.uniform(*sizes)
                 index = int(station / 2)
-                station += max(pitch, 2 * half[0] + 3) * rng.uniform(0.85, 1.3)
+                station += max(habit.pitch, 2 * half[0] + habit.clearance) * rng.uniform(0.95, 1.25)
                 if rng.random() > setting.homes:
                     continue
-                back = setback * rng.uniform(0.7, 1.3) + rng.exponential(3)
+                back = habit.setback * rng.uniform(0.7, 1.3) + rng.exponential(habit.stray)
                 place = _place(rng, road, index, side, half, back)
-                if large and rng.random() < 0.4:
-                    lot = Lot(place.centre, place.half, place.heading)
-                    if _free(setting, lot, near, water, taken):
-                        lots.append(lot)
-                elif _free(setting, place, near, water, taken):
+                if not _free(setting, place, habit.clearance, taken):
+                    continue
+                if park:
+                    lots.append(Lot(place.centre, place.half, place.heading, place.door))
+                else:
                     buildings.append(place)
+                    _behind(rng, setting, place, taken, buildings)
     return buildings, lots
 
 
-def _footprint(rng: np.random.Generator, large: bool) -> Floats:
-    if large:
-        return rng.uniform([9, 8], [32, 22])
-    return rng.uniform([4.5, 3.5], [9, 6.5])
+def _behind(
+    rng: np.random.Generator, setting: Setting, front: Building, taken: Image, to: list[Building]
+) -> None:
+    """In dense towns, garages and more houses in the yard."""
+    if not setting.dense:
+        return
+    inward = front.centre - front.door
+    inward = inward / max(1e-9, float(np.hypot(*inward)))
+    depth = float(front.half[1])
+    for _ in range(3):
+        half = rng.uniform([2, 2], [5.5, 6])
+        depth += half[1] + rng.uniform(1.5, 10)
+        centre = front.centre + inward * depth + rng.normal(0, 1.5, 2)
+        yard = Building(centre, half, front.heading, rng.uniform(2.5, 7), centre, False)
+        if rng.random() < 0.65 and _free(setting, yard, 0.5, taken):
+            to.append(yard)
+        depth += half[1]
 
 
 def _place(
@@ -92,15 +124,22 @@ def _place(
     )
 
 
-def _free(setting: Setting, it: Building | Lot, near: Layer, water: Layer, taken: Image) -> bool:
-    frame, reach = setting.frame, 1.15 * float(np.hypot(*it.half)) / 1.3
+def _free(setting: Setting, it: Building, clearance: float, taken: Image) -> bool:
+    """Whether the footprint lies clear of all that is taken; if so it is taken too."""
+    frame = setting.frame
+    reach = frame.length(float(np.hypot(*(it.half + clearance)))) + 2
     x, y = frame.pixels(it.centre)
     if not (0 <= x < frame.size and 0 <= y < frame.size):
         return False
-    at = (int(y), int(x))
-    if near[at] < reach + 1.0 or water[at] > 0 or taken[at]:
+    low = np.maximum(0, np.floor((x - reach, y - reach)).astype(int))
+    high = np.ceil((x + reach, y + reach)).astype(int) + 1
+    window = (slice(low[1], high[1]), slice(low[0], high[0]))
+    spot = np.zeros_like(taken[window])
+    local = it.centre - low * frame.metres_per_pixel
+    quad(setting, spot, local, it.half + clearance, it.heading, np.ones(3))
+    if (taken[window][spot[..., 0] > 127, 0] > 0).any():
         return False
-    cv2.circle(taken, (int(x), int(y)), int(frame.length(1.7 * float(it.half.max()))) + 1, 255, -1)
+    quad(setting, taken, it.centre, it.half + 0.5 * clearance, it.heading, np.array([1.0, 0, 0]))
     return True
 
 
@@ -109,18 +148,10 @@ def lay_drives(
     setting: Setting,
     image: Layer,
     buildings: list[Building],
-    lots: list[Lot],
 ) -> None:
-    """Paint drives and the surfaces of parking lots, in place."""
-    frame = setting.frame
-    for lot in lots:
-        tone = np.clip(setting.asphalt * rng.uniform(0.7, 1.3), 0.15, 0.8)
-        cover = np.zeros(frame.shape, np.uint8)
-        quad3 = cv2.cvtColor(cover, cv2.COLOR_GRAY2BGR)
-        quad(setting, quad3, lot.centre, lot.half, lot.heading, np.ones(3))
-        blend(image, (tone,) * 3, quad3[..., 0].astype(np.float32) / 255)
+    """Paint drives and service lanes, in place."""
     for house in buildings:
-        if rng.random() < 0.75:
+        if (house.door != house.centre).any() and rng.random() < 0.75:
             _drive(rng, setting, image, house)
         if house.large and rng.random() < 0.4:
             _way_round(rng, setting, image, house)
@@ -166,11 +197,8 @@ def build(
     setting: Setting,
     image: Image,
     buildings: list[Building],
-    lots: list[Lot],
 ) -> None:
     """Paint roofs, pools and parked cars, in place."""
-    for lot in lots:
-        _fill(rng, setting, image, lot)
     for house in buildings:
         _roof(rng, setting, image, house)
         if not house.large and rng.random() < 0.08:
@@ -198,19 +226,6 @@ def build(
             )
 
 
-def _fill(rng: np.random.Generator, setting: Setting, image: Image, lot: Lot) -> None:
-    u, v = (np.array([np.cos(lot.heading + a), np.sin(lot.heading + a)]) for a in (0, np.pi / 2))
-    full = rng.uniform(0, 0.9)
-    for row in np.arange(-lot.half[1] + 3, lot.half[1] - 2, 8.5):
-        for place in np.arange(-lot.half[0] + 2, lot.half[0] - 1.5, 2.7):
-            at = lot.centre + place * u + row * v
-            quad(
-                setting, image, at + 1.35 * u, np.array([0.08, 2.4]), lot.heading, np.full(3, 0.85)
-            )
-            if rng.random() < full:
-                car(rng, setting, image, at, lot.heading + np.pi / 2)
-
-
 def _roof(rng: np.random.Generator, setting: Setting, image: Image, house: Building) -> None:
     kind = rng.random()
     if kind < 0.5:
@@ -222,6 +237,10 @@ def _roof(rng: np.random.Generator, setting: Setting, image: Image, house: Build
     quad(setting, image, house.centre, house.half, house.heading, colour)
     across = np.array([-np.sin(house.heading), np.cos(house.heading)])
     if house.large:
+        if rng.random() < 0.5:
+            rim = np.clip(colour * rng.uniform(0.6, 1.5), 0, 1)
+            quad(setting, image, house.centre, house.half, house.heading, rim)
+            quad(setting, image, house.centre, house.half - 0.6, house.heading, colour)
         for _ in range(int(rng.integers(0, 6))):
             at = house.centre + rng.uniform(-0.7, 0.7, 2) * house.half.min()
             quad(

@@ -23,7 +23,8 @@ def pave(rng: np.random.Generator, setting: Setting, image: Layer, plan: list[Pl
     grain = 0.03 * fractal(rng, frame, 15) + 0.02 * fractal(rng, frame, 1.5, 2)
     shoulder = rng.uniform(0.5, 3.0) if rng.random() < 0.6 else 0.0
     kerb = np.clip(np.array([0.62, 0.65, 0.67]) * rng.uniform(0.7, 1.25), 0, 1)
-    ordered = sorted(plan, key=lambda road: (road.manner == "motorway", road.width))
+    above = rng.random() < 0.5
+    ordered = sorted(plan, key=lambda road: ((road.manner == "motorway") == above, road.width))
     if shoulder:
         for road in ordered:
             _lay(

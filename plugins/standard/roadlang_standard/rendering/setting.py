@@ -37,6 +37,9 @@ _PALETTES: dict[str, dict[str, Colour]] = {
     },
 }
 
+_DENSE = {"city": 1.0, "grid": 0.5, "village": 0.3, "suburb": 0.25, "roundabout": 0.3}
+"""Chance that the houses of a plan stand close together."""
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -66,6 +69,10 @@ class Setting:
     asphalt_spread: float
     cars: float
     """Cars per 100 m of lane."""
+    dense: bool
+    """Houses stand close together and near the street, with yards behind."""
+    footways: bool
+    """Footways run beside the streets."""
 
 
 def setting_of(rng: np.random.Generator, frame: Frame, plan: str) -> Setting:
@@ -80,21 +87,24 @@ def setting_of(rng: np.random.Generator, frame: Frame, plan: str) -> Setting:
     }
     wild = plan in ("rural", "curve", "bend", "motorway")
     dark = rng.random() < 0.3
+    dense = bool(rng.random() < _DENSE.get(plan, 0.0))
     return Setting(
         frame=frame,
         palette=palette,
         sun=rng.uniform(0, 2 * np.pi),
         slant=rng.uniform(0.3, 1.1),
         dusk=rng.uniform(0.35, 0.75),
-        woods=rng.normal(0.3 if wild else -0.1, 0.7),
+        woods=rng.normal(0.3 if wild else -0.9 if dense else -0.1, 0.7),
         leafless=season == "bare",
         trees=rng.uniform(0, 8) if wild else rng.uniform(0, 40),
         overhang=rng.normal(-1.5, 1.5),
-        homes=rng.uniform(0.02, 0.35) if wild else rng.uniform(0.35, 0.98),
+        homes=rng.uniform(0.02, 0.35) if wild else rng.uniform(0.8 if dense else 0.35, 0.98),
         city=float(rng.choice([0.0, 0.1, 0.5], p=[0.45, 0.35, 0.2]))
-        if plan != "grid"
+        if plan not in ("grid", "city")
         else rng.uniform(0, 0.8),
         asphalt=rng.uniform(0.18, 0.42) if dark else rng.uniform(0.42, 0.8),
         asphalt_spread=rng.uniform(0.01, 0.09),
         cars=rng.uniform(0, 1.5) if wild else rng.uniform(0, 3),
+        dense=dense,
+        footways=bool(not wild and rng.random() < (0.7 if dense else 0.35)),
     )

@@ -84,6 +84,17 @@ def grid(rng: np.random.Generator, extent: float) -> Plan:
     return plan
 
 
+def city(rng: np.random.Generator, extent: float) -> Plan:
+    """Dense blocks: a close grid, or old streets, with wide avenues between."""
+    if rng.random() < 0.35:
+        spacing = rng.uniform(45, 75)
+        count = int((extent / spacing) ** 2 * rng.uniform(0.7, 1.1)) + 3
+        style = Style(spacing, 3e-3, 250, count, (5.5, 9.0), int(rng.integers(2, 4)), 0.03)
+        avenue = PlannedRoad(crossing(rng, extent, 8e-4), rng.uniform(11, 22))
+        return grown(rng, extent, style, (avenue,))
+    return grid(rng, extent)
+
+
 def _kept_blocks(rng: np.random.Generator, cuts: Floats, loss: float) -> list[tuple[float, float]]:
     runs, start = [], cuts[0]
     for here, after in pairwise(cuts):
@@ -165,4 +176,5 @@ PLANS: dict[str, Callable[[np.random.Generator, float], Plan]] = {
     "grid": grid,
     "motorway": motorway,
     "roundabout": roundabout,
+    "city": city,
 }

@@ -1,0 +1,59 @@
+"""Margins without data: turned orthophotos read as the photos they are."""
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.aerial import roads_of_photo
+from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.extraction.nodata import nodata
+from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
+from roadlang_standard.rendering.aerial import render_aerial
+from roadlang_standard.rendering.drawings import draw_circuit
+
+
+def turned(image, margin, degrees=37):
+    height, width = image.shape[:2]
+    matrix = cv2.getRotationMatrix2D((width / 2, height / 2), degrees, 1)
+    return cv2.warpAffine(image, matrix, (width, height), borderValue=(margin,) * 3), matrix
+
+
+@pytest.mark.parametrize("margin", [0, 255])
+def test_the_corners_of_a_turned_photo_are_margins(margin):
+    scene = render_aerial("suburb", 21, size=256).image
+    image, matrix = turned(scene, margin)
+    inside = cv2.warpAffine(np.ones((256, 256), np.uint8), matrix, (256, 256)) > 0
+    assert nodata(scene) is None
+    assert (nodata(image) != inside).mean() > 0.98
+    assert picture_kind(image).name == PHOTO
+
+
+def test_what_lies_beyond_the_margin_does_not_change_the_light():
+    scene = render_aerial("suburb", 21, size=256).image
+    wide = cv2.copyMakeBorder(scene, 64, 64, 64, 64, cv2.BORDER_CONSTANT)
+    plain, beside = even_exposure(scene), even_exposure(wide)[64:-64, 64:-64]
+    assert np.abs(plain.astype(int) - beside)[64:-64, 64:-64].mean() < 6
+
+
+def test_roads_are_found_between_margins_and_none_in_them():
+    scene = render_aerial("curve", 904, size=320)
+    image, _ = turned(scene.image, 0)
+    margin = nodata(image)
+    deep = cv2.erode(margin.astype(np.uint8), np.ones((25, 25), np.uint8)) > 0
+    found = roads_of_photo(image)
+    assert sum(road.length for road in found.roads) > 150
+    for road in found.roads:
+        x, y = np.clip(road.points.round().astype(int), 0, 319).T
+        assert not deep[y, x].any()
+
+
+def test_paper_is_no_margin_of_a_photo():
+    assert picture_kind(draw_circuit(3, 400).image).drawn
+
+
+@pytest.mark.parametrize("gain", [0.35, 0.6, 1.5])
+def test_a_dim_or_soft_photo_stays_a_photo(gain):
+    scene = render_aerial("rural", 5, size=200).image
+    soft = cv2.resize(scene, None, fx=3, fy=3, interpolation=cv2.INTER_CUBIC)
+    dim = np.clip((soft.astype(float) - 128) * gain + 128, 0, 255).astype(np.uint8)
+    assert picture_kind(dim).name == PHOTO
