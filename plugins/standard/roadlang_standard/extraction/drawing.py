@@ -18,9 +18,10 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Ribbon:
-    """A road-like region: its mask, its usual width in pixels, and length over width."""
+    """A road-like region: its mask in a window, its usual width in pixels, length over width."""
 
-    mask: Mask
+    window: tuple[slice, slice]
+    part: Mask
     width: float
     elongation: float
 
@@ -93,9 +94,15 @@ def _edged(ribbons: list[Ribbon], ink: Mask, pen: float) -> bool:
     """Whether the ink is mostly the edge of the ribbons: not so between two filled roads."""
     if pen > 0.6 * max(ribbon.width for ribbon in ribbons):
         return False
-    union = np.any([ribbon.mask for ribbon in ribbons], axis=0)
-    near = cv2.distanceTransform(1 - union.astype(np.uint8), cv2.DIST_L2, 5) <= pen + 2
+    near = cv2.distanceTransform(1 - _union(ribbons, ink.shape), cv2.DIST_L2, 5) <= pen + 2
     return bool(near[ink].mean() > 0.5)
+
+
+def _union(ribbons: list[Ribbon], shape: tuple[int, ...]) -> NDArray[np.uint8]:
+    union = np.zeros(shape, np.uint8)
+    for ribbon in ribbons:
+        union[ribbon.window] |= ribbon.part.astype(np.uint8)
+    return union
 
 
 def _pen_width(ink: Mask) -> float:
@@ -121,9 +128,9 @@ def _ribbons(ink: Mask) -> list[Ribbon]:
         width = 2 * float(np.quantile(ridge, 0.9))
         if _rim(labels, key) > 4 * width:
             continue
-        mask = np.zeros(ink.shape, bool)
-        mask[y : y + h, x : x + w] = part[1:-1, 1:-1]
-        found.append(Ribbon(mask, width, float(area) / max(width, 1.0) ** 2))
+        window = (slice(y, y + h), slice(x, x + w))
+        elongation = float(area) / max(width, 1.0) ** 2
+        found.append(Ribbon(window, part[1:-1, 1:-1], width, elongation))
     long = [ribbon for ribbon in found if ribbon.elongation > 12]
     if not long:
         return []
@@ -139,9 +146,7 @@ def _rim(labels: NDArray[np.int32], key: int) -> int:
 
 def _surface(ribbons: list[Ribbon], ink: Mask, pen: float) -> Layer:
     """The ribbons grown to the middle of the lines around them; thin lines across them vanish."""
-    union = np.zeros(ink.shape, np.uint8)
-    for ribbon in ribbons:
-        union |= ribbon.mask.astype(np.uint8)
+    union = _union(ribbons, ink.shape)
     if len(ribbons) > 1:
         reach = 2 * int(np.ceil(pen + 1)) + 1
         closed = cv2.morphologyEx(union, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
