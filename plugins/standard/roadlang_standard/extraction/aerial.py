@@ -34,7 +34,8 @@ _RELAXED = (0.7, 0.45)
 _ONWARD = 0.45
 """Share of the cutoffs that counts where a road may go on."""
 _FAINTER = (0.8, 0.6, 0.45)
-"""Shares of the cutoffs that are tried for the whole picture."""
+_FEW = 12
+"""Shares of the cutoffs that are tried for the whole picture, where it has so few roads."""
 _GAP = 6.0
 """Gaps of so many widths are bridged where the evidence lets them."""
 _EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.0
@@ -161,7 +162,8 @@ def roads_of_evidence(
             paint(surface, score, way, request.width or max(5.0, _usual(seen)))
         cutoffs = cutoffs.choosy(min(float(stations(way)[-1]) for way in ways))
     graph, mask = _traced(score, cutoffs)
-    for share in _FAINTER if request.threshold is None else ():
+    few = request.threshold is None and len(graph.lines) <= _FEW
+    for share in _FAINTER if few else ():
         fainter = _traced(score, cutoffs.relaxed(share))
         if _is_tidier(fainter[0], graph, score):
             graph, mask = fainter

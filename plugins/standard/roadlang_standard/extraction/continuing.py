@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from heapq import heapify, heappop, heappush
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from .clean import join, prune
 from .graph import Floats, Graph, Line, trace
 from .hysteresis import hysteresis
-from .linking import DeadEnd, dead_ends
+from .linking import DeadEnd, dead_end, dead_ends
 from .skeleton import skeleton
 
 Layer = NDArray[np.float32]
@@ -19,14 +21,28 @@ _ONWARD = 0.7
 """Least cosine between a dead end, the way to a fainter line, and that line."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, order=True)
 class Onward:
     """A fainter line that goes on from a dead end; `side` is its near end; pixels between."""
 
-    end: DeadEnd
-    line: Line
-    side: int
     gap: float
+    end: DeadEnd = field(compare=False)
+    line: Line = field(compare=False)
+    side: int = field(compare=False)
+
+    @classmethod
+    def of(cls, end: DeadEnd, line: Line, side: int) -> Onward:
+        """With its gap measured."""
+        return cls(float(np.hypot(*(_tip(line, side) - end.place))), end, line, side)
+
+    def straight(self, width: float) -> bool:
+        """Whether the dead end, the way across the gap and the line have one direction."""
+        into = _into(self.line, self.side, 2 * width)
+        turns = [self.end.ahead @ into]
+        if self.gap > 2 * width:
+            across = (_tip(self.line, self.side) - self.end.place) / self.gap
+            turns += [self.end.ahead @ across, into @ across]
+        return bool(min(turns) > _ONWARD)
 
 
 def carry_on(
@@ -40,17 +56,17 @@ def carry_on(
     ends = dead_ends(graph, score.shape)
     if not ends:
         return
-    faint = _fainter(graph, score, levels, width)
-    while ends:
-        found = [onward for end in ends for onward in _onwards(end, faint, width, reach)]
-        if not found:
-            break
-        chosen = min(found, key=lambda onward: onward.gap)
-        faint.lines = [line for line in faint.lines if line is not chosen.line]
-        ends = [end for end in ends if end.node != chosen.end.node]
-        _add(graph, chosen)
-        last = graph.lines[-1]
-        ends += [end for end in dead_ends(graph, score.shape) if end.node == last.end]
+    faint = _Faint(_fainter(graph, score, levels, width), width, reach)
+    waiting = [onward for end in ends for onward in faint.onwards(end)]
+    heapify(waiting)
+    gone: set[int] = set()
+    while waiting:
+        chosen = heappop(waiting)
+        if chosen.end.node in gone or id(chosen.line) in gone:
+            continue
+        gone |= {chosen.end.node, id(chosen.line)}
+        for onward in faint.onwards(_added(graph, chosen)):
+            heappush(waiting, onward)
     join(graph)
 
 
@@ -69,21 +85,23 @@ def _fainter(graph: Graph, score: Layer, levels: tuple[float, float], width: flo
     return faint
 
 
-def _onwards(end: DeadEnd, faint: Graph, width: float, reach: float) -> list[Onward]:
-    found = []
-    for line in faint.lines:
-        for side, node in ((0, line.start), (1, line.end)):
-            step = faint.nodes[node] - end.place
-            gap = float(np.hypot(*step))
-            if gap > reach:
-                continue
-            into = _into(line, side, 2 * width)
-            turns = [end.ahead @ into]
-            if gap > 2 * width:
-                turns += [end.ahead @ step / gap, into @ step / gap]
-            if min(turns) > _ONWARD:
-                found.append(Onward(end, line, side, gap))
-    return found
+class _Faint:
+    """The fainter lines, found by where their ends lie."""
+
+    def __init__(self, graph: Graph, width: float, reach: float) -> None:
+        self.width, self.reach = width, reach
+        self.tips = [(line, side) for line in graph.lines for side in (0, 1)]
+        self.tree = cKDTree(np.array([_tip(*tip) for tip in self.tips]).reshape(-1, 2))
+
+    def onwards(self, end: DeadEnd) -> list[Onward]:
+        """Those that go straight on from a dead end."""
+        near = self.tree.query_ball_point(end.place, self.reach)
+        found = (Onward.of(end, *self.tips[index]) for index in sorted(near))
+        return [onward for onward in found if onward.straight(self.width)]
+
+
+def _tip(line: Line, side: int) -> Floats:
+    return line.points[0] if side == 0 else line.points[-1]
 
 
 def _into(line: Line, side: int, look: float) -> Floats:
@@ -95,11 +113,11 @@ def _into(line: Line, side: int, look: float) -> Floats:
     return np.asarray(step / max(1e-9, float(np.hypot(*step))))
 
 
-def _add(graph: Graph, onward: Onward) -> None:
-    """The gap and the fainter line as one line from the dead end on."""
+def _added(graph: Graph, onward: Onward) -> DeadEnd:
+    """Where the road ends now that the gap and the fainter line are one line of the graph."""
     points = onward.line.points if onward.side == 0 else onward.line.points[::-1]
     points = np.vstack([onward.end.place, points])
-    far = graph.add_node(points[-1])
-    whole = Line(onward.end.node, far, points)
+    whole = Line(onward.end.node, graph.add_node(points[-1]), points)
     whole.linked = onward.gap / max(1e-9, whole.length)
     graph.lines.append(whole)
+    return dead_end(graph, len(graph.lines) - 1, 1)

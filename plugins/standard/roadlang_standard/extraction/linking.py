@@ -79,11 +79,18 @@ def dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[DeadEnd]:
     """Where roads end within the picture (h, w)."""
     degree = graph.degree()
     return [
-        DeadEnd(node, graph.nodes[node], -direction(line, side, 16.0), index, side)
+        dead_end(graph, index, side)
         for index, line in enumerate(graph.lines)
         for side, node in ((0, line.start), (1, line.end))
         if degree[node] == 1 and not at_border(graph.nodes[node], (shape[0], shape[1]), 6.0)
     ]
+
+
+def dead_end(graph: Graph, index: int, side: int) -> DeadEnd:
+    """The start (side 0) or end (1) of a line as a dead end."""
+    line = graph.lines[index]
+    node = line.start if side == 0 else line.end
+    return DeadEnd(node, graph.nodes[node], -direction(line, side, 16.0), index, side)
 
 
 def _faced(end: DeadEnd, ends: list[DeadEnd], reach: float) -> list[tuple[Floats, float]]:
