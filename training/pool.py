@@ -24,8 +24,9 @@ _PLANS = {
 }
 _RESOLUTIONS = ((0.8, 1.25, 0.55), (0.4, 0.7, 0.25), (0.25, 0.38, 0.20))
 SIZE = 640
-_HIDDEN = 0.2
-"""Share of the scenes whose roads lie under crowns and shadows more than they would by chance."""
+_HIDDEN, _PLAIN = 0.2, 0.1
+"""Shares of the scenes whose roads lie under crowns and shadows more than they would by chance,
+and that show nothing but roads on open ground."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,8 @@ def _render_one(folder: Path, seed: int, index: int) -> None:
     low, high, _ = _RESOLUTIONS[rng.choice(3, p=[share for *_, share in _RESOLUTIONS])]
     scene, resolution = int(rng.integers(2**31)), float(rng.uniform(low, high))
     hidden = float(rng.uniform(0.1, 0.4)) if rng.random() < _HIDDEN else None
-    drawn = render_aerial(plan, scene, SIZE, resolution, hidden)
+    plain = bool(rng.random() < _PLAIN)
+    drawn = render_aerial(plan, scene, SIZE, resolution, hidden, plain=plain)
     roads = drawn.truth.roads
     _, code = cv2.imencode(".png", drawn.image)
     partial = _path(folder, index).with_suffix(".part.npz")

@@ -88,7 +88,7 @@ def test_photos_are_read_once(tmp_path, monkeypatch):
     picture = Picture(render_aerial("curve", 902, 200).image, 1.0)
     first = Aerial().extract(picture)
     assert len(list(tmp_path.iterdir())) == 1
-    monkeypatch.setattr("roadlang_standard.extraction.cache.roads_of_photo", None)
+    monkeypatch.setattr("roadlang_standard.extraction.cache.checked_roads", None)
     again = Aerial().extract(picture)
     assert [e.curve.points.tolist() for e in first.network.edges] == [
         e.curve.points.tolist() for e in again.network.edges

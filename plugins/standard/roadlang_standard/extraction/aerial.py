@@ -28,9 +28,11 @@ _COARSE = 0.35
 """Share of the half-size view in the evidence."""
 _WIDE, _HANDY = 11.0, 9.0
 """Roads wider than the first, in working pixels, are looked at again as wide as the second."""
+_HARDLY = 0.002
+"""Share of the picture below which hardly any road was seen."""
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
-_RELAXED = (0.7, 0.45)
+_RELAXED = (0.7, 0.45, 0.25)
 _ONWARD = 0.45
 """Share of the cutoffs that counts where a road may go on."""
 _FAINTER = (0.8, 0.6, 0.45)
@@ -113,13 +115,28 @@ def roads_of_photo(
     net = net or road_net()
     scale = start_scale(image, request.metres_per_pixel)
     seen = look(resized(image, scale), net)
-    usual = _usual(seen)
-    if usual > _WIDE and request.metres_per_pixel is None:
-        scale *= _HANDY / usual
-        seen = look(resized(image, scale), net)
+    other = _other_scale(image, scale, seen, request.metres_per_pixel)
+    if other is not None:
+        again = look(resized(image, other), net)
+        if _share(again) > 0.5 * _share(seen):
+            scale, seen = other, again
     found = roads_of_evidence(seen, request.at(scale))
     found = found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
+
+
+def _other_scale(image: Image, scale: float, seen: Seen, told: float | None) -> float | None:
+    """A scale that may show more: where roads are wide, and where hardly any were seen."""
+    if told is None:
+        usual = _usual(seen)
+        return scale * _HANDY / usual if usual > _WIDE else None
+    sharp = start_scale(image)
+    return sharp if sharp > scale and _share(seen) < _HARDLY else None
+
+
+def _share(seen: Seen) -> float:
+    """Share of the picture that is likely road."""
+    return float((seen.blend > 0.5).mean())
 
 
 def look(image: Image, net: Net) -> Seen:
@@ -137,6 +154,7 @@ def _usual(seen: Seen) -> float:
     mask = without_specks(seen.surface > 0.8, 40)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3), np.uint8))) & mask]
+    ridge = np.minimum(ridge, max(mask.shape))  # infinite where all is road
     return float(2 * np.median(ridge) - 1) if len(ridge) else 0.0
 
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
+from .crosscheck import checked_roads
 from .evidence import Net, road_net
 from .found import FoundNetwork, FoundRoad
 from .tones import Image
@@ -28,7 +29,9 @@ def remembered(image: Image, request: Request, net: Net | None = None) -> FoundN
     `ROADLANG_CACHE` names the folder, or is `off`; by default it is in the user's cache folder.
     A cache that cannot be read or written is done without.
     """
+    read = roads_of_photo
     if net is None:
+        read = checked_roads
         try:
             net = road_net()
         except (OSError, cv2.error) as error:
@@ -36,11 +39,11 @@ def remembered(image: Image, request: Request, net: Net | None = None) -> FoundN
             return replace(roads_by_ribbons(image), remarks=(reason,))
     folder = _folder()
     if folder is None:
-        return roads_of_photo(image, request, net)
+        return read(image, request, net)
     place = folder / f"{_digest(image, request, net)}.roads"
     found = _read(place)
     if found is None:
-        found = roads_of_photo(image, request, net)
+        found = read(image, request, net)
         _write(place, found)
     return found
 

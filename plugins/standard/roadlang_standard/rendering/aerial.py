@@ -38,11 +38,12 @@ def render_aerial(
     metres_per_pixel: float = 1.0,
     hidden: float | None = None,
     asphalt: float | None = None,
+    plain: bool = False,
 ) -> Rendering:
     """A scene of the named plan (see `PLANS`); the same arguments give the same bytes.
 
     `hidden` asks for that share of the centre-line length under crowns or in shadow;
-    `asphalt` sets the grey of the road, 0 (black) to 1.
+    `asphalt` sets the grey of the road, 0 (black) to 1; `plain` leaves out all but the roads.
     """
     rng = np.random.default_rng([seed, list(PLANS).index(plan)])
     frame = Frame(size, metres_per_pixel)
@@ -50,6 +51,8 @@ def render_aerial(
     setting = setting_of(rng, frame, plan)
     if asphalt is not None:
         setting = replace(setting, asphalt=asphalt, asphalt_spread=0.01)
+    if plain:
+        setting = setting.emptied()
     if hidden is not None:
         setting = replace(setting, overhang=-3.0, leafless=False)
     near = signed_distance(frame, roads)
@@ -72,7 +75,8 @@ def _paint(
     hidden: float | None,
 ) -> tuple[Layer, Layer, Canopy]:
     image, water = ground(rng, setting, near)
-    lay_grounds(rng, setting, image)
+    if not setting.plain:
+        lay_grounds(rng, setting, image)
     buildings, lots = settle(rng, setting, roads, near, water)
     canopy = woods(rng, setting, near, water)
     plant(rng, setting, canopy, near, water, roads)
@@ -80,7 +84,7 @@ def _paint(
     _clear(
         setting, canopy, footprints(setting, buildings, True), footprints(setting, buildings, False)
     )
-    if setting.dense:
+    if setting.dense and not setting.plain:
         lay_yards(rng, setting, image, near)
     lay_lots(rng, setting, image, lots)
     lay_drives(rng, setting, image, buildings)

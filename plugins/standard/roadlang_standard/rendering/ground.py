@@ -21,9 +21,11 @@ def ground(rng: np.random.Generator, setting: Setting, near: Layer) -> tuple[Lay
     image[:] = setting.palette["lawn"]
     soil = np.clip(0.5 * fractal(rng, frame, 60) + rng.normal(-0.3, 0.3), 0, 0.8).astype(np.float32)
     blend(image, setting.palette["soil"], soil)
-    for _ in range(rng.poisson(2.5)):
+    for _ in range(0 if setting.plain else rng.poisson(2.5)):
         _field(rng, setting, image)
     image *= (1 + 0.09 * fractal(rng, frame, 40) + 0.05 * fractal(rng, frame, 3, 2))[..., None]
+    if setting.plain:
+        return image, np.zeros(frame.shape, np.float32)
     water = _water(rng, setting, image, near)
     for _ in range(rng.poisson(1.2)):
         _path(rng, setting, image)

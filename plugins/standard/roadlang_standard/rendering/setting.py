@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -73,6 +73,12 @@ class Setting:
     """Houses stand close together and near the street, with yards behind."""
     footways: bool
     """Footways run beside the streets."""
+    plain: bool = False
+    """Open ground with the roads and nothing else."""
+
+    def emptied(self) -> Setting:
+        """The same without woods, trees, houses and footways."""
+        return replace(self, woods=-9.0, trees=0.0, homes=0.0, footways=False, plain=True)
 
 
 def setting_of(rng: np.random.Generator, frame: Frame, plan: str) -> Setting:
