@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
 from .evidence import Net
 from .found import FoundNetwork
+from .scale import resized
 from .tones import Image
 
 _LITTLE, _DOUBTED = 0.4, 0.65
 """Roads shorter than this share of the picture's side, or less sure, are doubted."""
 _LONG, _SURE, _FEW = 0.5, 0.9, 3
 """Ribbons are believed if so long, so sure and so few: in a busy picture they never are."""
+_PIXELS = 1_000_000
 
 
 def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
@@ -27,7 +31,7 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     side = max(image.shape[:2])
     if hinted or (_length(found) >= _LITTLE * side and found.confidence >= _DOUBTED):
         return found
-    ribbons = roads_by_ribbons(image)
+    ribbons = _ribbons(image)
     believed = tuple(road for road in ribbons.roads if road.confidence >= _SURE)
     clear = len(ribbons.roads) <= _FEW and _length(replace(ribbons, roads=believed)) >= _LONG * side
     if not clear:
@@ -38,6 +42,13 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     roads = tuple(replace(r, start=order[r.start], end=order[r.end]) for r in believed)
     nodes = ribbons.nodes[sorted(kept)]
     return replace(ribbons, roads=roads, nodes=nodes, remarks=(*ribbons.remarks, remark))
+
+
+def _ribbons(image: Image) -> FoundNetwork:
+    """What the filters find; in a smaller copy of a large picture, for they are slow."""
+    scale = min(1.0, float(np.sqrt(_PIXELS / (image.shape[0] * image.shape[1]))))
+    found = roads_by_ribbons(resized(image, scale))
+    return found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
 
 
 def _length(found: FoundNetwork) -> float:
