@@ -9,6 +9,7 @@ from roadlang_standard.extraction.crosscheck import checked_roads
 from roadlang_standard.extraction.evidence import road_net
 
 SIZE = 400
+PEN = 1.4  # OpenCV draws an anti-aliased line so much wider than it is told
 
 
 def painted(seed, road, ground, width, shaded=0.0):
@@ -59,4 +60,4 @@ def test_a_road_with_a_third_in_shadow_is_one_road(seed, distance_to):
     away = distance_to(line, road.points)
     assert away.mean() < 1
     assert (away < 4).mean() > 0.95
-    assert np.median(road.widths) == pytest.approx(10, rel=0.2)
+    assert np.median(road.widths) == pytest.approx(10 + PEN, rel=0.12)

@@ -40,7 +40,7 @@ _FEW = 12
 """Shares of the cutoffs that are tried for the whole picture, where it has so few roads."""
 _GAP = 6.0
 """Gaps of so many widths are bridged where the evidence lets them."""
-_EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.0
+_EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.5
 """Evidence at the road's edge, in its middle where its width is measured, and the blur in pixels
 that widens narrow roads: on renderings."""
 
@@ -89,9 +89,9 @@ class Seen:
 class Cutoffs:
     """Where evidence counts: strong starts a road, weak carries it on; lengths in pixels."""
 
-    strong: float = 0.9
-    weak: float = 0.6
-    spur: float = 30.0
+    strong: float = 0.87
+    weak: float = 0.52
+    spur: float = 36.0
     crumb: float = 60.0
     floor: float = 0.5
     reach: float = 50.0

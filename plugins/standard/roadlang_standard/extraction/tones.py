@@ -79,13 +79,16 @@ def flatness(image: Image, within: NDArray[np.bool_] | None = None) -> float:
     top, left = max(0, height - 700) // 2, max(0, width - 700) // 2
     window = (slice(top, top + 700), slice(left, left + 700))
     patch = image[window]
-    inner = np.ones(patch.shape[:2], bool) if within is None else within[window]
-    if not inner.any():
-        return 1.0
-    spread = min(10.0, 0.2 * float(patch[inner].mean(axis=1).std()))
+    grey = cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY)
     kernel = np.ones((3, 3), np.uint8)
-    spreads = cv2.subtract(cv2.dilate(patch, kernel), cv2.erode(patch, kernel)).max(axis=2)
-    return float((spreads[inner] <= spread).mean())
+    varied = cv2.split(cv2.subtract(cv2.dilate(patch, kernel), cv2.erode(patch, kernel)))
+    spreads = cv2.max(cv2.max(varied[0], varied[1]), varied[2])
+    if within is not None:
+        grey, spreads = grey[within[window]], spreads[within[window]]
+    if not grey.size:
+        return 1.0
+    spread = min(10.0, 0.2 * float(cv2.meanStdDev(grey)[1][0, 0]))
+    return float((spreads <= spread).mean())
 
 
 def layer(image: Image, colour: NDArray[np.float64], others: NDArray[np.float64]) -> Layer:

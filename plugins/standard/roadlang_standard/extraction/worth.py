@@ -63,12 +63,17 @@ def _apart(graph: Graph, doomed: list[tuple[float, int]]) -> set[int]:
 
 
 def drop_unworthy(graph: Graph, score: Layer, least: float, floor: float) -> None:
-    """Forget connected parts worth less than `least` pixels in all, in place."""
-    kept = {
-        id(line)
-        for part in components(graph)
-        if sum(worth(x, score, floor) for x in part) >= least
-        for line in part
-    }
+    """Forget connected parts worth less than `least` pixels in all, in place.
+
+    Half of that will do for a part that comes in at the picture's edge and leaves there: the rest
+    of it lies outside.
+    """
+    shape = (score.shape[0], score.shape[1])
+    kept = set()
+    for part in components(graph):
+        ends = {node for line in part for node in (line.start, line.end)}
+        crossing = sum(at_border(graph.nodes[node], shape, 6.0) for node in ends) > 1
+        if sum(worth(x, score, floor) for x in part) >= (0.5 if crossing else 1.0) * least:
+            kept |= {id(line) for line in part}
     graph.lines = [line for line in graph.lines if id(line) in kept]
     graph.drop_lonely()
