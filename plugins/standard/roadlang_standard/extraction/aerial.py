@@ -256,4 +256,5 @@ def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> No
     prune_by_worth(graph, score, cutoffs.spur, cutoffs.floor)
     drop_unworthy(graph, score, cutoffs.crumb, cutoffs.floor)
     contract(graph, 1.2 * usual)
+    drop_loops(graph, 6 * usual)
     join(graph)
