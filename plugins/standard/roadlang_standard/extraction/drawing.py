@@ -76,9 +76,21 @@ def between_lines(ink: Mask) -> Layer | None:
 
     Lines with gaps are closed by the least that makes the road a region of its own.
     """
+    ribbons = _between(ink)
+    if not ribbons:
+        return None
+    return _surface(ribbons, ink, float(ink.sum() / max(1, skeleton(ink).sum())))
+
+
+def has_edge_lines(ink: Mask) -> bool:
+    """Whether there are roads between thin lines (h, w)."""
+    return bool(_between(ink))
+
+
+def _between(ink: Mask) -> list[Ribbon]:
     pen = _pen_width(ink)
     if pen > 0.02 * min(ink.shape) + 3:
-        return None
+        return []
     for gap in (0, 2, 4, 8):
         closed = ink
         if gap:
@@ -86,8 +98,8 @@ def between_lines(ink: Mask) -> Layer | None:
             closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0
         ribbons = _ribbons(closed)
         if ribbons and _edged(ribbons, ink, pen):
-            return _surface(ribbons, ink, float(ink.sum() / max(1, skeleton(ink).sum())))
-    return None
+            return ribbons
+    return []
 
 
 def _edged(ribbons: list[Ribbon], ink: Mask, pen: float) -> bool:

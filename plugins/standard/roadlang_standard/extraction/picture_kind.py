@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .drawing import between_lines
+from .drawing import has_edge_lines
 from .nodata import nodata
 from .tones import Image, away_from, flatness, thinned, tones
 
@@ -47,7 +47,7 @@ def picture_kind(image: Image) -> PictureKind:
     paper = plan.colours[plan.paper]
     away = away_from(image, paper)
     marked = away > (100 if away.max() > 100 else 30)
-    if between_lines(marked) is not None:
+    if has_edge_lines(marked):
         return PictureKind(EDGES, flat)
     colours = plan.colours[np.argsort(-plan.shares)]
     pure = _unmixed(colours)
