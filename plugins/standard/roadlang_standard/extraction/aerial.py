@@ -33,11 +33,10 @@ _HARDLY = 0.002
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
 _RELAXED = (0.7, 0.45, 0.25)
-_ONWARD = 0.45
+_CARRIED = 0.45
 """Share of the cutoffs that counts where a road may go on."""
-_FAINTER = (0.8, 0.6, 0.45)
-_FEW = 12
-"""Shares of the cutoffs that are tried for the whole picture, where it has so few roads."""
+_FAINTER, _FEW = (0.8, 0.6, 0.45), 12
+"""Shares of the cutoffs that are tried for the whole picture, and up to how many roads in it."""
 _GAP = 6.0
 """Gaps of so many widths are bridged where the evidence lets them."""
 _EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.5
@@ -212,9 +211,10 @@ def _is_tidier(fainter: Graph, graph: Graph, score: Layer) -> bool:
 
     Then it closes gaps and lengthens roads; drives and noise would add stubs.
     """
-    loose, fewer = (len(dead_ends(g, score.shape)) for g in (graph, fainter))
-    meet, less = (sum(degree > 2 for degree in g.degree().values()) for g in (graph, fainter))
-    return fewer <= loose and less <= meet and _length(fainter) > _length(graph)
+    ends, ends_fainter = (len(dead_ends(g, score.shape)) for g in (graph, fainter))
+    meets, meets_fainter = (sum(n > 2 for n in g.degree().values()) for g in (graph, fainter))
+    longer = _length(fainter) > _length(graph)
+    return longer and ends_fainter <= ends and meets_fainter <= meets
 
 
 def _length(graph: Graph) -> float:
@@ -249,7 +249,7 @@ def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> No
     join(graph)
     drop_unworthy(graph, score, cutoffs.crumb / 3, cutoffs.floor)
     reach = max(cutoffs.reach, _GAP * usual)
-    faint = (_ONWARD * cutoffs.strong, _ONWARD * cutoffs.weak)
+    faint = (_CARRIED * cutoffs.strong, _CARRIED * cutoffs.weak)
     carry_on(graph, score, faint, usual, reach)
     link(graph, score, reach, cutoffs.dear)
     drop_loops(graph, 6 * usual)
@@ -257,4 +257,3 @@ def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> No
     drop_unworthy(graph, score, cutoffs.crumb, cutoffs.floor)
     contract(graph, 1.2 * usual)
     drop_loops(graph, 6 * usual)
-    join(graph)

@@ -29,18 +29,18 @@ def remembered(image: Image, request: Request, net: Net | None = None) -> FoundN
     `ROADLANG_CACHE` names the folder, or is `off`; by default it is in the user's cache folder.
     A cache that cannot be read or written is done without.
     """
-    read = roads_of_photo
+    checked = net is None
     if net is None:
-        read = checked_roads
         try:
             net = road_net()
         except (OSError, cv2.error) as error:
             reason = f"the net cannot be read ({error}): ribbons were sought instead"
             return replace(roads_by_ribbons(image), remarks=(reason,))
+    read = checked_roads if checked else roads_of_photo
     folder = _folder()
     if folder is None:
         return read(image, request, net)
-    place = folder / f"{_digest(image, request, net)}.roads"
+    place = folder / f"{_digest(image, request, net, checked)}.roads"
     found = _read(place)
     if found is None:
         found = read(image, request, net)
@@ -58,8 +58,8 @@ def _folder() -> Path | None:
     return Path(home) / "roadlang" / "photos"
 
 
-def _digest(image: Image, request: Request, net: Net) -> str:
-    makers = f"{net.digest} {_code()} {cv2.__version__}"
+def _digest(image: Image, request: Request, net: Net, checked: bool) -> str:
+    makers = f"{net.digest} {checked} {_code()} {cv2.__version__}"
     whole = hashlib.sha256(f"{image.shape} {request} {makers}".encode())
     whole.update(memoryview(image).cast("B") if image.flags.c_contiguous else image.tobytes())
     return whole.hexdigest()

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from .chains import direction
 from .clean import join, prune
 from .graph import Floats, Graph, Line, trace
 from .hysteresis import hysteresis
@@ -37,7 +38,7 @@ class Onward:
 
     def straight(self, width: float) -> bool:
         """Whether the dead end, the way across the gap and the line have one direction."""
-        into = _into(self.line, self.side, 2 * width)
+        into = direction(self.line, self.side, 2 * width)
         turns = [self.end.ahead @ into]
         if self.gap > 2 * width:
             across = (_tip(self.line, self.side) - self.end.place) / self.gap
@@ -59,12 +60,14 @@ def carry_on(
     faint = _Faint(_fainter(graph, score, levels, width), width, reach)
     waiting = [onward for end in ends for onward in faint.onwards(end)]
     heapify(waiting)
-    gone: set[int] = set()
+    ended: set[int] = set()
+    used: set[int] = set()
     while waiting:
         chosen = heappop(waiting)
-        if chosen.end.node in gone or id(chosen.line) in gone:
+        if chosen.end.node in ended or id(chosen.line) in used:
             continue
-        gone |= {chosen.end.node, id(chosen.line)}
+        ended.add(chosen.end.node)
+        used.add(id(chosen.line))
         for onward in faint.onwards(_added(graph, chosen)):
             heappush(waiting, onward)
     join(graph)
@@ -102,15 +105,6 @@ class _Faint:
 
 def _tip(line: Line, side: int) -> Floats:
     return line.points[0] if side == 0 else line.points[-1]
-
-
-def _into(line: Line, side: int, look: float) -> Floats:
-    """Unit vector from an end of a line into it."""
-    points = line.points if side == 0 else line.points[::-1]
-    away = np.hypot(*(points - points[0]).T)
-    far = points[int(np.argmax(away >= look))] if away[-1] >= look else points[-1]
-    step = far - points[0]
-    return np.asarray(step / max(1e-9, float(np.hypot(*step))))
 
 
 def _added(graph: Graph, onward: Onward) -> DeadEnd:

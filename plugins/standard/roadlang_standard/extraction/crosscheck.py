@@ -9,7 +9,7 @@ import numpy as np
 from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
 from .evidence import Net
-from .found import FoundNetwork
+from .found import FoundNetwork, FoundRoad
 from .scale import resized
 from .tones import Image
 
@@ -29,11 +29,11 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     found = roads_of_photo(image, request, net)
     hinted = request != Request(metres_per_pixel=request.metres_per_pixel)
     side = max(image.shape[:2])
-    if hinted or (_length(found) >= _LITTLE * side and found.confidence >= _DOUBTED):
+    if hinted or (_length(found.roads) >= _LITTLE * side and found.confidence >= _DOUBTED):
         return found
     ribbons = _ribbons(image)
     believed = tuple(road for road in ribbons.roads if road.confidence >= _SURE)
-    clear = len(ribbons.roads) <= _FEW and _length(replace(ribbons, roads=believed)) >= _LONG * side
+    clear = len(ribbons.roads) <= _FEW and _length(believed) >= _LONG * side
     if not clear:
         return found
     remark = "the net saw little: a ribbon unlike both its sides was taken for the road"
@@ -51,5 +51,5 @@ def _ribbons(image: Image) -> FoundNetwork:
     return found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
 
 
-def _length(found: FoundNetwork) -> float:
-    return sum(road.length for road in found.roads)
+def _length(roads: tuple[FoundRoad, ...]) -> float:
+    return sum(road.length for road in roads)
