@@ -1,4 +1,4 @@
-# The paper's pixel road: one tile for each character, its shape from its four neighbours.
+# The paper's pixel road: one tile for each character, its shape from its four neighbors.
 #   roadlang run examples/godot_tiles.rl
 #   roadlang render examples/godot_tiles.rl -o tiles.png --view free --road tiles
 scenario godot_tiles "A town of tiles"

@@ -10,22 +10,21 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-
-from roadlang_standard.rendering.aerial import render_aerial
-from roadlang_standard.rendering.frame import Rendering
+from training.rendering.aerial import render_aerial
+from training.rendering.frame import Rendering
 
 HERE = Path(__file__).parent
 JPEG_QUALITY = 92
 
 
 def hairpin() -> Rendering:
-    """A hairpin bend in open country: 240 m, half a metre a pixel."""
-    return render_aerial("bend", seed=5, size=480, metres_per_pixel=0.5)
+    """A hairpin bend in open country: 240 m, half a meter a pixel."""
+    return render_aerial("bend", seed=5, size=480, meters_per_pixel=0.5)
 
 
 def village() -> Rendering:
-    """A few streets that meet: 320 m, half a metre a pixel."""
-    return render_aerial("village", seed=8, size=640, metres_per_pixel=0.5)
+    """A few streets that meet: 320 m, half a meter a pixel."""
+    return render_aerial("village", seed=8, size=640, meters_per_pixel=0.5)
 
 
 PHOTOS = {"hairpin": hairpin, "village": village}
@@ -34,7 +33,7 @@ WHITE, TREE, BUILDING, GRASS = (255, 255, 255), (50, 125, 46), (28, 28, 183), (1
 
 
 def drawn_town() -> np.ndarray:
-    """A drawing of 96 x 64 pixels, one metre each: white roads, green trees, red buildings."""
+    """A drawing of 96 x 64 pixels, one meter each: white roads, green trees, red buildings."""
     picture = np.full((64, 96, 3), GRASS, np.uint8)
     for start, end in (
         ((0, 20), (95, 20)),
@@ -62,10 +61,10 @@ def drawn_town() -> np.ndarray:
 
 
 def truth_of(rendering: Rendering) -> dict[str, object]:
-    """Centre lines and widths in pixels (x right, y down; a pixel's centre is a whole number)."""
+    """Center lines and widths in pixels (x right, y down; a pixel's center is a whole number)."""
     truth = rendering.truth
     return {
-        "metres_per_pixel": truth.metres_per_pixel,
+        "meters_per_pixel": truth.meters_per_pixel,
         "shape": list(truth.shape),
         "roads": [
             {

@@ -4,3 +4,5 @@ from hypothesis import settings
 
 settings.register_profile("roadlang", deadline=None, max_examples=50, derandomize=True)
 settings.load_profile("roadlang")
+
+pytest_plugins = ["scene_texts"]

@@ -35,20 +35,20 @@ def crop(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray
 def _placement(rng: np.random.Generator, scene: Scene, zoom: float) -> np.ndarray:
     size = scene.image.shape[0]
     reach = min(size / 2 - 1, 0.5 * CROP / zoom)
-    centre = rng.uniform(reach, size - reach, 2)
+    center = rng.uniform(reach, size - reach, 2)
     if rng.random() < 0.6:
         line = scene.lines[rng.integers(len(scene.lines))]
         spot = line[rng.integers(len(line))] + rng.normal(0, 20 / zoom, 2)
-        centre = np.clip(spot, reach, size - reach)
+        center = np.clip(spot, reach, size - reach)
     angle = rng.uniform(0, 2 * np.pi)
     flip = rng.choice([-1, 1])
     linear = zoom * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     linear = linear @ np.diag([flip, 1]) * np.exp(rng.normal(0, 0.05))
-    return np.c_[linear, CROP / 2 - linear @ centre]
+    return np.c_[linear, CROP / 2 - linear @ center]
 
 
 def _targets(rng: np.random.Generator, scene: Scene, matrix: np.ndarray, zoom: float) -> np.ndarray:
-    """Surface and centre line (2, 128, 128); the line is exp(-d^2 / 4.5), d in input pixels.
+    """Surface and center line (2, 128, 128); the line is exp(-d^2 / 4.5), d in input pixels.
 
     Thickness is whole pixels, so it is rounded up or down at random: right on average.
     """

@@ -35,7 +35,7 @@ def card(run: Run, net: RoadNet, weights: Path) -> str:
 `{weights.name}`: {count:,} parameters, {weights.stat().st_size:,} bytes, sha256 `{digest}`.
 
 **What it does.** RGB in 0..255 (1, 3, h, w), sides multiples of 32, to two maps (1, 2, h/2, w/2)
-in 0..1: road surface, and nearness to a centre line. OpenCV reads it; weights are stored as float16
+in 0..1: road surface, and nearness to a center line. OpenCV reads it; weights are stored as float16
 (greatest difference from the trained net {run.difference:.1e}).
 
 **Data.** {run.scenes} scenes of the project's own seeded renderer (`rendering/`), seed {run.seed},

@@ -49,14 +49,14 @@ def fit(
     if start is not None:
         net.load_state_dict(torch.load(start))
     average = copy.deepcopy(net)
-    optimiser = torch.optim.AdamW(net.parameters(), lr=schedule.rate, weight_decay=schedule.decay)
+    optimizer = torch.optim.AdamW(net.parameters(), lr=schedule.rate, weight_decay=schedule.decay)
     history: list[dict[str, float]] = []
     begun, running = time.monotonic(), 0.0
     for step, (image, target, weight) in enumerate(feed):
         share = max(step / schedule.steps, (time.monotonic() - begun) / 60 / schedule.minutes)
-        for group in optimiser.param_groups:
+        for group in optimizer.param_groups:
             group["lr"] = schedule.rate_at(step, share)
-        running += 0.02 * (_step(net, optimiser, image, target, weight) - running)
+        running += 0.02 * (_step(net, optimizer, image, target, weight) - running)
         _follow(average, net, min(schedule.average, (step + 1) / (step + 10)))
         if (step + 1) % every == 0 or share >= 1:
             scores = {
@@ -75,7 +75,7 @@ def fit(
 
 def _step(
     net: RoadNet,
-    optimiser: torch.optim.Optimizer,
+    optimizer: torch.optim.Optimizer,
     image: torch.Tensor,
     target: torch.Tensor,
     weight: torch.Tensor,
@@ -84,10 +84,10 @@ def _step(
     with torch.autocast("cpu", torch.bfloat16):
         logits = net.logits(image)
     value = loss(logits.float(), target, weight)
-    optimiser.zero_grad(set_to_none=True)
+    optimizer.zero_grad(set_to_none=True)
     value.backward()
     torch.nn.utils.clip_grad_norm_(net.parameters(), 2.0)
-    optimiser.step()
+    optimizer.step()
     return float(value.detach())
 
 

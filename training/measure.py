@@ -1,4 +1,4 @@
-"""A quick score of the centre-line map while training: relaxed F1 over pixels."""
+"""A quick score of the center-line map while training: relaxed F1 over pixels."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from training.net import RoadNet
 from training.pool import load, scenes
 
 Case = tuple[np.ndarray, np.ndarray]
-"""A picture (h, w, 3) and the mask of its centre lines (h, w)."""
+"""A picture (h, w, 3) and the mask of its center lines (h, w)."""
 
 
 def photos(folder: Path) -> list[Case]:
@@ -48,7 +48,7 @@ def renderings(folder: Path, count: int) -> list[Case]:
 
 
 def relaxed_f1(net: RoadNet, cases: list[Case], radius: float = 3.0) -> float:
-    """Mean relaxed F1 of the ridge of {surface and line > 0.5} against the centre lines."""
+    """Mean relaxed F1 of the ridge of {surface and line > 0.5} against the center lines."""
     net.eval()
     scores = []
     for image, line in cases:

@@ -9,7 +9,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from roadlang_standard.rendering.aerial import render_aerial
+from training.rendering.aerial import render_aerial
 
 _PLANS = {
     "suburb": 0.25,

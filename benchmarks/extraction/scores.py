@@ -1,4 +1,4 @@
-"""Scores of road centre lines: Mnih's relaxed F1, Wiedemann's quality, connectivity like APLS."""
+"""Scores of road center lines: Mnih's relaxed F1, Wiedemann's quality, connectivity like APLS."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _BUFFER, _PAIRS = 5.0, 24
 
 @dataclass(frozen=True)
 class Case:
-    """A picture and the pixels (h, w) of its true centre lines; radii are times `scale`."""
+    """A picture and the pixels (h, w) of its true center lines; radii are times `scale`."""
 
     image: np.ndarray
     line: np.ndarray

@@ -22,14 +22,14 @@ from godot_scenes import bend, bends, call, car, pieces, road, scene, straight
 from test_live_editing import raised
 
 from roadlang.api import Scene
-from roadlang_standard.godot import driving, engine
-from roadlang_standard.godot.frame import Frame
-from roadlang_standard.godot.layout import layout_of
-from roadlang_standard.godot.line import polyline
-from roadlang_standard.godot.road_mesh import road_things
-from roadlang_standard.godot.session import Session
-from roadlang_standard.godot.simulate import Settings, drive_in
-from roadlang_standard.godot.telemetry import of_agent
+from roadlang_godot import driving, engine
+from roadlang_godot.frame import Frame
+from roadlang_godot.layout import layout_of
+from roadlang_godot.line import polyline
+from roadlang_godot.road_mesh import road_things
+from roadlang_godot.session import Session
+from roadlang_godot.simulate import Settings, drive_in
+from roadlang_godot.telemetry import of_agent
 
 
 def long_road() -> None:

@@ -17,7 +17,9 @@ from pathlib import Path
 
 import numpy as np
 
-from roadlang.pipeline import Judge, Plan, Variants
+from roadlang.evaluate.candidates import CandidateBatch
+from roadlang.evaluate.scenario_index import Plan
+from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 
@@ -59,11 +61,11 @@ def measure(judge: Judge) -> tuple[float, float]:
     """Candidates per second and the share accepted."""
     scenes = np.zeros(BATCH, np.int64)
     accepted = 0
-    judge.judge(Variants(judge.plan, 0, scenes, np.arange(BATCH)))
+    judge.judge(CandidateBatch(judge.plan, 0, scenes, np.arange(BATCH)))
     start = time.process_time()
     for round_ in range(ROUNDS):
         attempts = np.arange(BATCH) + round_ * BATCH
-        accepted += int(judge.judge(Variants(judge.plan, 1, scenes, attempts)).accepted.sum())
+        accepted += int(judge.judge(CandidateBatch(judge.plan, 1, scenes, attempts)).accepted.sum())
     spent = time.process_time() - start
     return ROUNDS * BATCH / spent, accepted / (ROUNDS * BATCH)
 

@@ -13,12 +13,13 @@ from pathlib import Path
 
 import numpy as np
 
-from roadlang.pipeline import Plan, mean_nearest
-from roadlang.pipeline.guiding import first_accepted, run_pilot
-from roadlang.pipeline.searching import accepted_attempts
-from roadlang.pipeline.table import Tally
-from roadlang.pipeline.workers import Worker
+from roadlang.evaluate.scenario_index import Plan
 from roadlang.plugins.discovery import load_registry
+from roadlang.search.diversity import mean_nearest
+from roadlang.search.guiding import first_accepted, run_pilot
+from roadlang.search.rejection_report import Tally
+from roadlang.search.searching import accepted_attempts
+from roadlang.search.workers import Worker
 from roadlang.semantics import check_text
 
 ROAD = """

@@ -22,7 +22,7 @@ var path_id := NO_PATH
 var path: PathLine
 ## +1 along the path, -1 against it.
 var direction := 1.0
-## Of the line to follow, left of the path's centre line.
+## Of the line to follow, left of the path's center line.
 var line_offset := 0.0
 var body: PhysicsBody3D
 var driver: Driver
@@ -38,7 +38,7 @@ var yaw_rate := 0.0
 var station := 0.0
 ## Left of the line to follow, seen along the direction of travel.
 var cross_track := 0.0
-var travelled := 0.0
+var traveled := 0.0
 
 var _segment := -1
 var _start := Vector2.ZERO
@@ -88,7 +88,7 @@ func reset(friction: float) -> void:
 	if body is Vehicle:
 		(body as Vehicle).freeze = false
 	driver.reset()
-	travelled = 0.0
+	traveled = 0.0
 	acceleration = 0.0
 	heading = _start_heading
 	speed = _start_speed
@@ -117,7 +117,7 @@ func observe(dt: float) -> void:
 	var moved := station - before
 	if path.closed:
 		moved = wrapf(moved, -0.5 * path.length, 0.5 * path.length)
-	travelled += moved * direction
+	traveled += moved * direction
 	cross_track = direction * (path.offset(_segment, x, y) - line_offset)
 
 
@@ -146,7 +146,7 @@ func progress() -> float:
 	if path == null or path.length <= 0.0:
 		return 0.0
 	if path.closed:
-		return travelled / path.length
+		return traveled / path.length
 	var s := station if direction > 0.0 else path.length - station
 	return s / path.length
 
@@ -155,22 +155,22 @@ func at_end() -> bool:
 	if path == null:
 		return false
 	if path.closed:
-		return travelled >= path.length
+		return traveled >= path.length
 	return path.length - (station if direction > 0.0 else path.length - station) < 0.5
 
 
-## The point of the line to follow that is `ahead` metres on, and its direction of travel there.
-func ahead(metres: float) -> Vector2:
-	return path.point(station + direction * metres, line_offset)
+## The point of the line to follow that is `ahead` meters on, and its direction of travel there.
+func ahead(meters: float) -> Vector2:
+	return path.point(station + direction * meters, line_offset)
 
 
-func line_heading(metres: float = 0.0) -> float:
-	var along := path.heading(station + direction * metres)
+func line_heading(meters: float = 0.0) -> float:
+	var along := path.heading(station + direction * meters)
 	return along if direction > 0.0 else along + PI
 
 
-func line_curvature(metres: float = 0.0) -> float:
-	return direction * path.curvature(station + direction * metres)
+func line_curvature(meters: float = 0.0) -> float:
+	return direction * path.curvature(station + direction * meters)
 
 
 func _add_body(spec: Dictionary) -> void:
@@ -179,7 +179,7 @@ func _add_body(spec: Dictionary) -> void:
 		clampf(number(spec, "height", 1.45), 0.2, 6.0),
 		clampf(number(spec, "width", 1.8), 0.2, 6.0)
 	)
-	var given: Variant = spec.get("colour")
+	var given: Variant = spec.get("color")
 	var paint := PAINTS[id % PAINTS.size()]
 	if given is String:
 		paint = Color.from_string(given, paint).darkened(0.35)

@@ -33,7 +33,7 @@ static func mesh(size: Vector3, paint: Color) -> ArrayMesh:
 	return out
 
 
-## Extrudes a side view over the width, narrower towards its top.
+## Extrudes a side view over the width, narrower toward its top.
 static func _loft(
 	into: ArrayMesh, outline: Array[Vector2], size: Vector3, low: float, high: float, look: Material
 ) -> void:

@@ -1,5 +1,5 @@
 extends RefCounted
-## A centre line by arc length, in the plane: x east, y north.
+## A center line by arc length, in the plane: x east, y north.
 
 const PathLine := preload("res://agents/path_line.gd")
 

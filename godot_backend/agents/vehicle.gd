@@ -1,5 +1,5 @@
 extends VehicleBody3D
-## A car on four sprung wheels with tyre friction. Its origin is on the ground, amid the axles.
+## A car on four sprung wheels with tire friction. Its origin is on the ground, amid the axles.
 
 const Looks := preload("res://build/looks.gd")
 
@@ -22,7 +22,7 @@ var _wheels: Array[VehicleWheel3D] = []
 var _steer_now := 0.0
 
 
-## Length, height and width in metres, mass in kilograms; `friction` is that of the tyres.
+## Length, height and width in meters, mass in kilograms; `friction` is that of the tires.
 func assemble(dimensions: Vector3, kilograms: float, friction: float, paint: Color) -> void:
 	size = dimensions
 	mass = kilograms
@@ -83,8 +83,8 @@ func wheels_down() -> int:
 
 
 ## Puts the car at a place with a speed, at rest otherwise.
-func place(at: Vector3, towards: float, forward_speed: float) -> void:
-	var turned := Basis(Vector3.UP, towards + PI / 2)
+func place(at: Vector3, toward: float, forward_speed: float) -> void:
+	var turned := Basis(Vector3.UP, toward + PI / 2)
 	global_transform = Transform3D(turned, at)
 	linear_velocity = turned.z * forward_speed
 	angular_velocity = Vector3.ZERO
@@ -116,25 +116,25 @@ func _add_wheel(along: float, side: float, friction: float) -> void:
 	wheel.suspension_max_force = 4.0 * mass * GRAVITY
 	wheel.damping_compression = DAMPING_IN
 	wheel.damping_relaxation = DAMPING_OUT
-	_add_tyre(wheel)
+	_add_tire(wheel)
 	_wheels.append(wheel)
 	add_child(wheel)
 
 
-func _add_tyre(wheel: VehicleWheel3D) -> void:
-	var tyre := CylinderMesh.new()
-	tyre.top_radius = wheel_radius
-	tyre.bottom_radius = wheel_radius
-	tyre.height = 0.22
-	tyre.radial_segments = 20
-	tyre.material = Looks.plain(Color(0.03, 0.03, 0.035), 0.8)
+func _add_tire(wheel: VehicleWheel3D) -> void:
+	var tire := CylinderMesh.new()
+	tire.top_radius = wheel_radius
+	tire.bottom_radius = wheel_radius
+	tire.height = 0.22
+	tire.radial_segments = 20
+	tire.material = Looks.plain(Color(0.03, 0.03, 0.035), 0.8)
 	var rim := CylinderMesh.new()
 	rim.top_radius = wheel_radius * 0.62
 	rim.bottom_radius = wheel_radius * 0.62
 	rim.height = 0.24
 	rim.radial_segments = 10
 	rim.material = Looks.plain(Color(0.6, 0.61, 0.63), 0.3)
-	for part: CylinderMesh in [tyre, rim]:
+	for part: CylinderMesh in [tire, rim]:
 		var instance := MeshInstance3D.new()
 		instance.mesh = part
 		instance.rotation.z = PI / 2

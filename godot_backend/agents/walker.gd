@@ -29,17 +29,17 @@ func assemble(height: float, clothes: Color) -> void:
 	_add_look(clothes)
 
 
-func place(at: Vector3, towards: float, forward_speed: float) -> void:
-	_heading = towards
+func place(at: Vector3, toward: float, forward_speed: float) -> void:
+	_heading = toward
 	_speed = forward_speed
-	global_transform = Transform3D(Basis(Vector3.UP, towards + PI / 2), at)
+	global_transform = Transform3D(Basis(Vector3.UP, toward + PI / 2), at)
 
 
 ## Walks on for one step at a speed, in a direction.
-func walk(towards: float, metres_per_second: float, dt: float) -> void:
+func walk(toward: float, meters_per_second: float, dt: float) -> void:
 	var at := global_position
-	at += Vector3(cos(towards), 0.0, -sin(towards)) * metres_per_second * dt
-	place(at, towards, metres_per_second)
+	at += Vector3(cos(toward), 0.0, -sin(toward)) * meters_per_second * dt
+	place(at, toward, meters_per_second)
 
 
 func command(steer: float, acceleration: float, dt: float) -> void:

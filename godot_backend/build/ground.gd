@@ -24,7 +24,7 @@ func _init() -> void:
 	cover(500.0)
 
 
-## Makes the ground reach `extent` metres to each side of the origin.
+## Makes the ground reach `extent` meters to each side of the origin.
 func cover(extent: float) -> void:
 	_shape.size = Vector3(2.0 * extent, THICKNESS, 2.0 * extent)
 	_mesh.size = Vector2(2.0 * extent, 2.0 * extent)

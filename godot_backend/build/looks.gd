@@ -22,7 +22,7 @@ static func grass() -> ShaderMaterial:
 	return _shared("grass", GrassShader)
 
 
-## The unit square of a tile whose neighbours are `mask`, north at -z.
+## The unit square of a tile whose neighbors are `mask`, north at -z.
 static func tile(mask: int) -> Mesh:
 	var material := _shared("tile %d" % mask, TileShader)
 	material.set_shader_parameter("mask", mask)
@@ -32,11 +32,11 @@ static func tile(mask: int) -> Mesh:
 	return plane
 
 
-static func plain(colour: Color, roughness: float = 0.9) -> StandardMaterial3D:
-	var key := "plain %s %s" % [colour.to_html(), roughness]
+static func plain(color: Color, roughness: float = 0.9) -> StandardMaterial3D:
+	var key := "plain %s %s" % [color.to_html(), roughness]
 	if not _materials.has(key):
 		var material := StandardMaterial3D.new()
-		material.albedo_color = colour
+		material.albedo_color = color
 		material.roughness = roughness
 		_materials[key] = material
 	return _materials[key]

@@ -18,7 +18,7 @@ func build(reader: Reader) -> String:
 	var solid := reader.u8()
 	var count := reader.u16()
 	sort = reader.ascii(reader.u8())
-	var colour := reader.ascii(reader.u8())
+	var color := reader.ascii(reader.u8())
 	var records := reader.floats(count * FIELDS, Protocol.MAX_COORDINATE)
 	if not reader.at_end() or count < 1 or sort.is_empty():
 		return "bad objects"
@@ -30,7 +30,7 @@ func build(reader: Reader) -> String:
 			return "an object's size is more than 0 and less than %d m" % MAX_SIZE
 		var origin := Vector3(records[at], records[at + 1], records[at + 2])
 		places.append(Transform3D(Basis(Vector3.UP, records[at + 3]).scaled_local(size), origin))
-	_add_instances(places, colour)
+	_add_instances(places, color)
 	if solid:
 		_add_bodies(places)
 	return ""
@@ -48,8 +48,8 @@ func places() -> Array[Transform3D]:
 	return Instances.places_of(_multimesh)
 
 
-func _add_instances(places_given: Array[Transform3D], colour: String) -> void:
-	_multimesh = Instances.make(Props.mesh(sort, colour), places_given)
+func _add_instances(places_given: Array[Transform3D], color: String) -> void:
+	_multimesh = Instances.make(Props.mesh(sort, color), places_given)
 	var instance := MultiMeshInstance3D.new()
 	instance.multimesh = _multimesh
 	add_child(instance)

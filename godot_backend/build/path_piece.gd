@@ -1,5 +1,5 @@
 extends "res://build/thing.gd"
-## A stretch of a path's centre line: x, z and half width of each point.
+## A stretch of a path's center line: x, z and half width of each point.
 
 const Protocol := preload("res://net/protocol.gd")
 

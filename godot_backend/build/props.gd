@@ -1,5 +1,5 @@
 extends RefCounted
-## Meshes of things beside the road, one metre each way, standing on the ground.
+## Meshes of things beside the road, one meter each way, standing on the ground.
 
 const Looks := preload("res://build/looks.gd")
 
@@ -11,39 +11,39 @@ static var _meshes: Dictionary = {}
 
 
 ## The mesh of a sort of object; one that is not known is a plain box.
-static func mesh(sort: String, colour: String) -> ArrayMesh:
-	var key := "%s %s" % [sort, colour]
+static func mesh(sort: String, color: String) -> ArrayMesh:
+	var key := "%s %s" % [sort, color]
 	if not _meshes.has(key):
-		_meshes[key] = _made(sort, colour)
+		_meshes[key] = _made(sort, color)
 	return _meshes[key]
 
 
-static func _made(sort: String, colour: String) -> ArrayMesh:
+static func _made(sort: String, color: String) -> ArrayMesh:
 	match sort:
 		"tree":
-			return _tree(_tint(colour, Color(0.16, 0.3, 0.1)))
+			return _tree(_tint(color, Color(0.16, 0.3, 0.1)))
 		"bush", "hedge":
-			return _bush(_tint(colour, Color(0.2, 0.34, 0.13)))
+			return _bush(_tint(color, Color(0.2, 0.34, 0.13)))
 		"building", "house":
-			return _building(_tint(colour, WALLS[0]))
+			return _building(_tint(color, WALLS[0]))
 		"parked_van", "parked_car", "van":
-			return _van(_tint(colour, Color(0.85, 0.86, 0.88)))
+			return _van(_tint(color, Color(0.85, 0.86, 0.88)))
 		"lamp", "pole", "sign":
-			return _pole(_tint(colour, Color(0.35, 0.36, 0.38)))
+			return _pole(_tint(color, Color(0.35, 0.36, 0.38)))
 		"cone":
-			return _cone(_tint(colour, Color(0.9, 0.35, 0.05)))
+			return _cone(_tint(color, Color(0.9, 0.35, 0.05)))
 		"water":
-			return _slab(Looks.plain(_tint(colour, Color(0.1, 0.24, 0.32)), 0.05))
+			return _slab(Looks.plain(_tint(color, Color(0.1, 0.24, 0.32)), 0.05))
 		_:
-			return _box(_tint(colour, Color.from_hsv(_hue(sort), 0.35, 0.6)))
+			return _box(_tint(color, Color.from_hsv(_hue(sort), 0.35, 0.6)))
 
 
-static func _tint(colour: String, usual: Color) -> Color:
-	# Paint in the open is never as pure as a colour code.
+static func _tint(color: String, usual: Color) -> Color:
+	# Paint in the open is never as pure as a color code.
 	return (
 		usual
-		if colour.is_empty()
-		else Color.from_string(colour, usual).darkened(0.4).lerp(usual, 0.3)
+		if color.is_empty()
+		else Color.from_string(color, usual).darkened(0.4).lerp(usual, 0.3)
 	)
 
 
@@ -91,13 +91,13 @@ static func _building(wall: Color) -> ArrayMesh:
 static func _van(paint: Color) -> ArrayMesh:
 	var out: Array[Array] = []
 	var body := Looks.plain(paint, 0.35)
-	var tyre := Looks.plain(Color(0.05, 0.05, 0.05))
+	var tire := Looks.plain(Color(0.05, 0.05, 0.05))
 	_add(out, _cuboid(Vector3(1, 0.7, 1)), Vector3(0, 0.5, 0), body)
 	_add(out, _cuboid(Vector3(0.82, 0.25, 0.94)), Vector3(-0.06, 0.87, 0), body)
 	_add(out, _cuboid(Vector3(0.83, 0.2, 0.86)), Vector3(-0.055, 0.86, 0), Looks.glass())
 	_add(out, _cuboid(Vector3(0.74, 0.2, 0.95)), Vector3(-0.07, 0.86, 0), Looks.glass())
 	for x: float in [-0.3, 0.3]:
-		_add(out, _cuboid(Vector3(0.16, 0.32, 1.01)), Vector3(x, 0.16, 0), tyre)
+		_add(out, _cuboid(Vector3(0.16, 0.32, 1.01)), Vector3(x, 0.16, 0), tire)
 	return _joined(out)
 
 
@@ -121,9 +121,9 @@ static func _slab(material: Material) -> ArrayMesh:
 	return _joined(out)
 
 
-static func _box(colour: Color) -> ArrayMesh:
+static func _box(color: Color) -> ArrayMesh:
 	var out: Array[Array] = []
-	_add(out, _cuboid(Vector3.ONE), Vector3(0, 0.5, 0), Looks.plain(colour))
+	_add(out, _cuboid(Vector3.ONE), Vector3(0, 0.5, 0), Looks.plain(color))
 	return _joined(out)
 
 

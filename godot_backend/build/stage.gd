@@ -29,7 +29,7 @@ func _init() -> void:
 	add_child(_ground)
 
 
-## Prepares an empty world of the given half extent, in metres.
+## Prepares an empty world of the given half extent, in meters.
 func begin(title: String, reach: float) -> void:
 	scene_name = title
 	extent = reach
@@ -88,7 +88,7 @@ func agents() -> Array[Agent]:
 	return out
 
 
-## The centre line with this id, or null until all its pieces are there.
+## The center line with this id, or null until all its pieces are there.
 func path(path_id: int) -> PathLine:
 	if not _paths.has(path_id):
 		_paths[path_id] = PathLine.joined(_pieces(path_id))

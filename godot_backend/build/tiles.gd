@@ -1,12 +1,12 @@
 extends "res://build/thing.gd"
-## Square cells of a pixel road: the four neighbours of a cell choose its shape and its turn.
+## Square cells of a pixel road: the four neighbors of a cell choose its shape and its turn.
 
 const Protocol := preload("res://net/protocol.gd")
 const Looks := preload("res://build/looks.gd")
 const Cells := preload("res://build/cells.gd")
 const Instances := preload("res://build/instances.gd")
 
-## Neighbours as bits, clockwise from north.
+## Neighbors as bits, clockwise from north.
 const NORTH := 1
 const EAST := 2
 const SOUTH := 4
@@ -74,9 +74,9 @@ static func turn(mask: int, turns: int) -> int:
 
 
 func _place(cell: Vector2i, turns: int) -> Transform3D:
-	var centre := (Vector2(cell) + Vector2(0.5, 0.5)) * _cell + _shift
+	var center := (Vector2(cell) + Vector2(0.5, 0.5)) * _cell + _shift
 	var turned := Basis(Vector3.UP, -turns * PI / 2).scaled(Vector3(_cell, 1.0, _cell))
-	return Transform3D(turned, Vector3(centre.x, 0.0, centre.y))
+	return Transform3D(turned, Vector3(center.x, 0.0, center.y))
 
 
 func _cell_of(place: Transform3D, shape: int) -> PackedByteArray:

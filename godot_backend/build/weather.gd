@@ -5,7 +5,7 @@ const Looks := preload("res://build/looks.gd")
 
 const CLEAR_DAY := 6000.0
 
-## Tyre friction on the road.
+## Tire friction on the road.
 var friction := 0.9
 
 var _sun := DirectionalLight3D.new()

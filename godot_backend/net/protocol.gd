@@ -8,7 +8,7 @@ const MAX_DATAGRAM := 8192
 ## Datagrams a sender may have unacknowledged: below what a kernel queue holds between two polls.
 const WINDOW := 32
 const WEBSOCKET_WINDOW := 1024
-## Coordinates are metres from the scene's origin; beyond this float32 is coarser than 1 cm.
+## Coordinates are meters from the scene's origin; beyond this float32 is coarser than 1 cm.
 const MAX_COORDINATE := 100000.0
 const MAX_WORLDS := 256
 const MAX_THINGS := 200000

@@ -17,7 +17,7 @@ var camera := Camera3D.new()
 
 var _worlds: Worlds
 var _agent := 0
-var _centre := Vector2.ZERO
+var _center := Vector2.ZERO
 var _top_size := 200.0
 var _yaw := 0.6
 var _pitch := -0.35
@@ -47,14 +47,14 @@ func take(wish: Dictionary) -> void:
 		"free":
 			kind = Kind.FREE
 	_agent = int(Agent.number(wish, "agent", _agent))
-	_centre.x = Agent.number(wish, "x", _centre.x)
-	_centre.y = Agent.number(wish, "y", _centre.y)
+	_center.x = Agent.number(wish, "x", _center.x)
+	_center.y = Agent.number(wish, "y", _center.y)
 	_top_size = clampf(Agent.number(wish, "size", _top_size), 5.0, 20000.0)
 	_yaw = Agent.number(wish, "yaw", _yaw)
 	_pitch = Agent.number(wish, "pitch", _pitch)
 	_field = clampf(Agent.number(wish, "field", _field), 10.0, 120.0)
 	if kind == Kind.FREE:
-		_place = Vector3(_centre.x, Agent.number(wish, "z", _place.y), -_centre.y)
+		_place = Vector3(_center.x, Agent.number(wish, "z", _place.y), -_center.y)
 	aim(camera)
 
 
@@ -70,7 +70,7 @@ func aim(target: Camera3D) -> void:
 			target.size = _top_size
 			target.near = 1.0
 			target.transform = Transform3D(
-				Basis(Vector3.RIGHT, -PI / 2), Vector3(_centre.x, TOP_HEIGHT, -_centre.y)
+				Basis(Vector3.RIGHT, -PI / 2), Vector3(_center.x, TOP_HEIGHT, -_center.y)
 			)
 		Kind.FREE:
 			target.projection = Camera3D.PROJECTION_PERSPECTIVE
@@ -166,8 +166,8 @@ func _unhandled_input(event: InputEvent) -> void:
 	var motion := event as InputEventMouseMotion
 	if motion != null and Input.is_mouse_button_pressed(MOUSE_BUTTON_RIGHT):
 		if kind == Kind.TOP:
-			var metres := _top_size / get_viewport().get_visible_rect().size.y
-			_centre += Vector2(-motion.relative.x, motion.relative.y) * metres
+			var meters := _top_size / get_viewport().get_visible_rect().size.y
+			_center += Vector2(-motion.relative.x, motion.relative.y) * meters
 		else:
 			_yaw -= motion.relative.x * 0.005
 			_pitch = clampf(_pitch - motion.relative.y * 0.005, -1.5, 1.5)

@@ -18,7 +18,7 @@ class Chicane(Perturber):
     length: Length = option(60.0, above=0, help="arc length that it takes")
 
     def displacements(self, roads, random):
-        """(variants, stations) metres, left positive."""
+        """(variants, stations) meters, left positive."""
         share = np.clip((roads.stations - self.at) / self.length, 0, 1)
         swerve = np.sin(2 * np.pi * share) * np.sin(np.pi * share)
         return self.offset * swerve / (4 / 27**0.5)  # the swerve's own maximum
@@ -34,7 +34,7 @@ class LateralAcceleration(Signal):
     speed: Speed = option(minimum=0, help="of the car")
 
     def values(self):
-        """(variants, stations) metres per second squared."""
+        """(variants, stations) meters per second squared."""
         return self.speed**2 * np.abs(self.road.curvature)
 
 

@@ -24,7 +24,7 @@ STATIONS = 400
 def road(
     name: str, y: Callable[[float], float], span: float = 240.0, **changes: object
 ) -> SceneRoad:
-    """The graph of `y` over 0 to `span` metres."""
+    """The graph of `y` over 0 to `span` meters."""
     x = [span * i / (STATIONS - 1) for i in range(STATIONS)]
     points = [(value, y(value)) for value in x]
     return through(name, points, **changes)
@@ -99,7 +99,7 @@ def bend(scale: float = 1.0, index: int = 0, amplitude: float = 6.0) -> Scene:
         roads=(road("main", before, span), bent),
         agents=(
             actor("ego", "car", road="bent", start=bent.stations[at],
-                  options={"colour": "#1f5fa8"}, **here),
+                  options={"color": "#1f5fa8"}, **here),
         ),
         objects=(*trees, actor("kiosk", "building", 40 * scale, -14, length=12.0, width=8.0)),
         requirements=(

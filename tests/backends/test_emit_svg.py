@@ -59,12 +59,12 @@ def test_the_scale_bar_has_a_round_length(scale, label):
     root = drawn(bend(scale))
     bar = group(root, "scale-bar")
     value, unit = texts(bar)[-1].split()
-    metres = float(value) * (1000 if unit == "km" else 1)
+    meters = float(value) * (1000 if unit == "km" else 1)
     assert texts(bar)[-1] == label
     original = re.findall(r"(-?[\d.]+) -?[\d.]+", group(root, "ghost-lines")[0].get("d"))
-    pixels_per_metre = (float(original[-1]) - float(original[0])) / (240.0 * scale)
+    pixels_per_meter = (float(original[-1]) - float(original[0])) / (240.0 * scale)
     length = float(bar.findall(f"{SVG}rect")[2].get("width"))
-    assert length == pytest.approx(metres * pixels_per_metre, rel=0.01)
+    assert length == pytest.approx(meters * pixels_per_meter, rel=0.01)
 
 
 def test_violated_stretches_are_marked_where_they_are():
@@ -96,7 +96,7 @@ def test_junctions_are_covered_so_that_no_edge_line_crosses_them():
     assert len(surface.findall(f"{SVG}circle")) == 2
 
 
-def test_agents_stay_visible_in_a_scene_of_five_kilometres():
+def test_agents_stay_visible_in_a_scene_of_five_kilometers():
     body = group(drawn(bend(20.0)), "agents").find(f".//{SVG}rect")
     assert float(body.get("width")) >= 15.0
 
@@ -111,8 +111,8 @@ def test_a_kind_without_a_drawing_of_its_own_is_drawn_as_its_outline():
     assert group(drawn(scene), "objects").find(f".//{SVG}rect") is not None
 
 
-def test_a_colour_is_a_colour_and_nothing_else():
-    scene = replace(bend(), agents=(actor("ego", "car", 0, 0, options={"colour": "url(#x)"}),))
+def test_a_color_is_a_color_and_nothing_else():
+    scene = replace(bend(), agents=(actor("ego", "car", 0, 0, options={"color": "url(#x)"}),))
     assert "url(#x)" not in Svg().files(scene)["svg"]
 
 
@@ -180,7 +180,7 @@ def test_a_road_of_two_points_is_drawn():
     assert group(drawn(replace(bend(), roads=(short,), expectations=())), "roads") is not None
 
 
-def test_versions_of_one_road_are_told_apart_by_colour_and_name():
+def test_versions_of_one_road_are_told_apart_by_color_and_name():
     scene = bend()
     other = replace(scene.roads[1], name="right")
     root = drawn(replace(scene, roads=(*scene.roads, other), expectations=()))
@@ -203,9 +203,9 @@ def test_edge_lines_make_no_loops_inside_tight_bends():
     angle = np.linspace(0, np.pi / 2, 30)
     arc = np.column_stack([4 * np.sin(angle), 4 * (1 - np.cos(angle))])
     before, after = np.linspace([-30, 0], [-0.5, 0], 60), np.linspace([4, 4.5], [4, 34], 60)
-    centre = np.concatenate([before, arc, after])
+    center = np.concatenate([before, arc, after])
     heading = np.concatenate([np.zeros(60), angle, np.full(60, np.pi / 2)])
-    inner = centre + 10 * np.column_stack([-np.sin(heading), np.cos(heading)])
-    parts = unfolded(inner, centre)
+    inner = center + 10 * np.column_stack([-np.sin(heading), np.cos(heading)])
+    parts = unfolded(inner, center)
     assert len(parts) == 2
-    assert min(np.hypot(*(point - centre).T).min() for part in parts for point in part) > 9.6
+    assert min(np.hypot(*(point - center).T).min() for part in parts for point in part) > 9.6

@@ -80,7 +80,7 @@ def test_help_lists_the_commands(tmp_path):
         assert f"  {name} " in done.stdout
 
 
-def test_a_misspelt_command_gets_its_name(tmp_path):
+def test_a_misspelled_command_gets_its_name(tmp_path):
     done = roadlang("complie", cwd=tmp_path)
     assert done.returncode == 2
     assert "Did you mean `compile`?" in done.stderr
@@ -317,7 +317,7 @@ def test_completion_scripts(shell, tmp_path):
     assert "roadlang" in roadlang("completion", shell, cwd=tmp_path).stdout
 
 
-def test_colour_only_where_it_is_wanted(folder):
+def test_color_only_where_it_is_wanted(folder):
     (folder / "scene.rl").write_text("raod main {}\n")
     assert "\x1b[" not in roadlang("check", "scene.rl", cwd=folder).stderr
     assert "\x1b[" in roadlang("--color", "always", "check", "scene.rl", cwd=folder).stderr

@@ -21,7 +21,7 @@ words = st.text("abcde", min_size=0, max_size=8)
         ("pure-pursuit", ["pure_pursuit"], "pure_pursuit"),
         ("curve", ["curvature", "length"], "curvature"),
         ("xyz", ["main", "bent"], None),
-        ("colour", ["speed", "closed"], None),
+        ("color", ["speed", "closed"], None),
         ("x", ["y"], None),
         ("anything", [], None),
     ],
@@ -37,7 +37,7 @@ def test_edits_are_symmetric_and_zero_for_the_same(a: str, b: str) -> None:
 
 
 @given(words, st.integers(0, 6))
-def test_swapping_two_neighbours_is_one_edit(a: str, index: int) -> None:
+def test_swapping_two_neighbors_is_one_edit(a: str, index: int) -> None:
     if index + 1 < len(a) and a[index] != a[index + 1]:
         swapped = a[:index] + a[index + 1] + a[index] + a[index + 2 :]
         assert edits(a, swapped, 20) == 1

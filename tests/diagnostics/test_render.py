@@ -8,7 +8,7 @@ from roadlang.diagnostics import Diagnostic, Fix, Label, Source, did_you_mean, n
 from roadlang.diagnostics.render import in_order, render, render_json
 
 SOURCE = Source("scene.rl", "road main {\n  widht: 8m\n}\n")
-MISSPELT = Diagnostic(
+MISSPELLED = Diagnostic(
     code="RL220",
     severity="error",
     message="`road` has no option `widht`",
@@ -19,7 +19,7 @@ MISSPELT = Diagnostic(
 
 
 def test_the_place_is_underlined_and_the_help_follows() -> None:
-    assert render(MISSPELT) == "\n".join(
+    assert render(MISSPELLED) == "\n".join(
         [
             "error[RL220]: `road` has no option `widht`",
             " --> scene.rl:2:3",
@@ -42,9 +42,9 @@ def test_a_second_place_is_shown_with_its_own_words() -> None:
     assert "  | ---- first here" in render(twice)
 
 
-def test_colour_only_where_asked_for() -> None:
-    assert "\x1b[" not in render(MISSPELT)
-    assert "\x1b[" in render(MISSPELT, colour=True)
+def test_color_only_where_asked_for() -> None:
+    assert "\x1b[" not in render(MISSPELLED)
+    assert "\x1b[" in render(MISSPELLED, color=True)
 
 
 def test_a_very_long_line_is_cut_around_the_place() -> None:
@@ -56,7 +56,7 @@ def test_a_very_long_line_is_cut_around_the_place() -> None:
 
 
 def test_the_json_form_has_place_help_and_fixes() -> None:
-    [record] = json.loads(render_json([MISSPELT]))
+    [record] = json.loads(render_json([MISSPELLED]))
     assert (record["file"], record["line"], record["column"]) == ("scene.rl", 2, 3)
     assert (record["end_line"], record["end_column"]) == (2, 8)
     assert record["help"] == ["did you mean `width`?"]
@@ -65,7 +65,7 @@ def test_the_json_form_has_place_help_and_fixes() -> None:
 
 def test_diagnostics_are_said_once_and_in_order_of_place() -> None:
     later = Diagnostic("RL001", "error", "later", SOURCE.span(20, 21))
-    assert in_order([later, MISSPELT, later]) == [MISSPELT, later]
+    assert in_order([later, MISSPELLED, later]) == [MISSPELLED, later]
 
 
 @pytest.mark.parametrize(

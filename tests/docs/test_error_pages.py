@@ -1,4 +1,4 @@
-"""Every page of the catalogue is right: wrong examples give its code, mended ones do not."""
+"""Every page of the catalog is right: wrong examples give its code, mended ones do not."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def examples(code: str, kind: str) -> list[str]:
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
     """A folder with what the examples name: pictures, tables and an included file."""
-    folder = tmp_path_factory.mktemp("catalogue")
+    folder = tmp_path_factory.mktemp("catalog")
     for path in (ROOT / "examples").iterdir():
         if path.is_file():
             shutil.copy(path, folder)

@@ -8,6 +8,8 @@ from importlib.resources import files
 import cv2
 import numpy as np
 import pytest
+from training.rendering.aerial import render_aerial
+from training.rendering.drawings import draw_circuit, draw_filled
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.picture import Picture
@@ -16,8 +18,6 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extract_onnx import Onnx
 from roadlang_standard.extract_pixels import Pixel
-from roadlang_standard.rendering.aerial import render_aerial
-from roadlang_standard.rendering.drawings import draw_circuit, draw_filled
 
 WEIGHTS = files("roadlang_standard.extraction") / "weights" / "roads.onnx"
 
@@ -31,7 +31,7 @@ def test_auto_says_what_it_took_the_picture_for():
     assert photo.remarks[0] == "read as a photo"
 
 
-def test_a_circuit_comes_out_closed_and_in_metres():
+def test_a_circuit_comes_out_closed_and_in_meters():
     drawn = draw_circuit(2, 400)
     found = Contour().extract(Picture(drawn.image, 0.5))
     (edge,) = found.network.edges

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.legend import read_colours, read_text
+from roadlang_standard.extraction.legend import read_colors, read_text
 
 TOWN = ("..###..", "..#.T#.", ".##..#.", "..####.")
 LEGEND = {"#": "road", "T": "tree"}
@@ -27,12 +27,12 @@ def test_a_ring_is_a_closed_road():
     assert [road.closed for road in found.roads] == [True]
 
 
-def test_a_drawn_town_has_roads_and_things_of_its_colours():
+def test_a_drawn_town_has_roads_and_things_of_its_colors():
     image = np.full((60, 80, 3), (50, 120, 40), np.uint8)
     image[27:33] = 255
     image[5:11, 20:30] = (28, 28, 183)
     image[45:51, 60:66] = (28, 28, 183)
-    found, things = read_colours(image, {"white": "road", "#b71c1c": "building"})
+    found, things = read_colors(image, {"white": "road", "#b71c1c": "building"})
     (road,) = found.roads
     assert np.abs(road.points[:, 1] - 29.5).max() < 0.1
     assert np.median(road.widths) == pytest.approx(6, abs=0.2)

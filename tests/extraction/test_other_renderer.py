@@ -13,7 +13,7 @@ PEN = 1.4  # OpenCV draws an anti-aliased line so much wider than it is told
 
 
 def painted(seed, road, ground, width, shaded=0.0):
-    """A picture (h, w, 3), and the centre line (n, 2) of its one road."""
+    """A picture (h, w, 3), and the center line (n, 2) of its one road."""
     rng = np.random.default_rng(seed)
     patches = cv2.GaussianBlur(rng.standard_normal((SIZE, SIZE)).astype(np.float32), (0, 0), 20)
     image = np.array(ground) * (1 + 0.08 * patches / patches.std())[..., None]
@@ -45,9 +45,9 @@ GROUNDS = {"meadow": (60, 110, 80), "sand": (140, 170, 180), "night": (50, 70, 5
 
 
 @pytest.mark.parametrize("ground", GROUNDS)
-@pytest.mark.parametrize("grey", [30, 55, 110, 200])
-def test_a_clear_road_is_found_whether_dark_or_bright(ground, grey, distance_to):
-    image, line = painted(grey, (grey,) * 3, GROUNDS[ground], 9)
+@pytest.mark.parametrize("gray", [30, 55, 110, 200])
+def test_a_clear_road_is_found_whether_dark_or_bright(ground, gray, distance_to):
+    image, line = painted(gray, (gray,) * 3, GROUNDS[ground], 9)
     roads = checked_roads(image, Request(), road_net()).roads
     away = np.min([distance_to(line, road.points) for road in roads], axis=0)
     assert (away < 3).mean() > 0.9

@@ -2,19 +2,18 @@
 
 import numpy as np
 import pytest
-
-from roadlang_standard.rendering.aerial import render_aerial
-from roadlang_standard.rendering.frame import ribbon
-from roadlang_standard.rendering.layouts.plans import PLANS
+from training.rendering.aerial import render_aerial
+from training.rendering.frame import ribbon
+from training.rendering.layouts.plans import PLANS
 
 
 @pytest.mark.parametrize("plan", PLANS)
 def test_every_plan_renders_and_repeats(plan):
-    first, again = (render_aerial(plan, 3, size=192, metres_per_pixel=1.5) for _ in range(2))
+    first, again = (render_aerial(plan, 3, size=192, meters_per_pixel=1.5) for _ in range(2))
     assert (first.image == again.image).all()
     assert first.image.shape == (192, 192, 3)
     assert first.truth.roads
-    assert (render_aerial(plan, 4, size=192, metres_per_pixel=1.5).image != first.image).any()
+    assert (render_aerial(plan, 4, size=192, meters_per_pixel=1.5).image != first.image).any()
 
 
 def test_a_ribbon_covers_its_length_times_its_width():
@@ -35,5 +34,5 @@ def test_as_much_is_hidden_as_is_asked_for(share):
 def test_a_bright_road_is_brighter_where_the_truth_says():
     scene = render_aerial("curve", 5, size=256, asphalt=0.85)
     road = (scene.truth.mask() > 0) & ~scene.truth.hidden
-    grey = scene.image.mean(axis=2)
-    assert grey[road].mean() > grey[scene.truth.mask() == 0].mean() + 30
+    gray = scene.image.mean(axis=2)
+    assert gray[road].mean() > gray[scene.truth.mask() == 0].mean() + 30

@@ -95,7 +95,7 @@ def test_uneven_stations_are_allowed():
     np.testing.assert_allclose(displace(road, s, value).curvature, exact.curvature, atol=5e-3)
 
 
-def test_a_displacement_past_the_centre_of_a_bend_is_folded():
+def test_a_displacement_past_the_center_of_a_bend_is_folded():
     ring = circle(radius=10.0)
     s = ring.stations(count=100)
     moves = np.array([[9.0], [11.0], [-50.0]]) * np.ones((3, 100))
@@ -129,7 +129,7 @@ def test_taking_variants_keeps_what_is_exact():
     np.testing.assert_array_equal(chosen.curvature, batch.curvature[[0, 2]])
 
 
-def test_rows_do_not_depend_on_their_neighbours():
+def test_rows_do_not_depend_on_their_neighbors():
     road = wave()
     s = road.stations(count=333)
     moves = np.random.default_rng(0).normal(size=(100, 333))

@@ -66,7 +66,7 @@ def test_no_curve_s_edge_runs_backwards(curve, distance):
     assert not runs_backwards(curve, s, offset(curve, distance, s))
 
 
-def test_a_half_turn_tighter_than_the_offset_collapses_into_its_centre():
+def test_a_half_turn_tighter_than_the_offset_collapses_into_its_center():
     road = hairpin(radius=3.0)
     s = road.stations(count=500)
     inside = offset(road, 5.0, s)
@@ -74,7 +74,7 @@ def test_a_half_turn_tighter_than_the_offset_collapses_into_its_centre():
     assert np.linalg.norm(inside - (40.0, 3.0), axis=1).min() < 0.05
 
 
-def test_a_ring_smaller_than_the_offset_becomes_its_centre():
+def test_a_ring_smaller_than_the_offset_becomes_its_center():
     ring = circle(radius=3.0)
     inside = offset(ring, 5.0, ring.stations(count=100))
     np.testing.assert_allclose(inside, 0.0, atol=0.05)

@@ -77,7 +77,7 @@ def test_scaling_scales_places_lengths_and_widths(factor):
     assert float(town.edge(1).width.at(0.0)) == pytest.approx(8.0 * factor)
 
 
-def test_pixels_with_y_down_become_metres_with_y_up():
+def test_pixels_with_y_down_become_meters_with_y_up():
     town = tee().transformed([[0.5, 0.0], [0.0, -0.5]], (0.0, 40.0), width_factor=0.5)
     assert town.node(4).position == pytest.approx((30.0, 0.0))
     assert town.node(1).position == pytest.approx((0.0, 40.0))

@@ -1,9 +1,9 @@
-"""Tiles of a grid: which neighbours a cell has, and its shape."""
+"""Tiles of a grid: which neighbors a cell has, and its shape."""
 
 import numpy as np
 import pytest
 
-from roadlang.geometry import GeometryError, TileShape, neighbour_mask, tile_shape, tile_shapes
+from roadlang.geometry import GeometryError, TileShape, neighbor_mask, tile_shape, tile_shapes
 
 
 def grid(text):
@@ -33,7 +33,7 @@ def grid(text):
 )
 def test_the_sixteen_shapes(picture, mask, shape):
     cells = grid(picture)
-    assert neighbour_mask(cells)[1, 1] == mask
+    assert neighbor_mask(cells)[1, 1] == mask
     assert tile_shape(mask) == shape
     assert shape.mask == mask
     assert tile_shapes(cells)[1, 1] == shape
@@ -49,12 +49,12 @@ def test_a_turned_picture_has_turned_tiles():
         assert other.turns == (shape.turns + 1) % turns
 
 
-def test_neighbours_beyond_the_edge_are_empty_and_empty_cells_have_none():
-    np.testing.assert_array_equal(neighbour_mask(grid("##")), [[2, 8]])
-    np.testing.assert_array_equal(neighbour_mask(grid("#.#")), [[0, 0, 0]])
+def test_neighbors_beyond_the_edge_are_empty_and_empty_cells_have_none():
+    np.testing.assert_array_equal(neighbor_mask(grid("##")), [[2, 8]])
+    np.testing.assert_array_equal(neighbor_mask(grid("#.#")), [[0, 0, 0]])
 
 
 def test_what_is_no_grid_is_refused():
-    for call in (lambda: neighbour_mask([True]), lambda: tile_shape(16), lambda: tile_shape(-1)):
+    for call in (lambda: neighbor_mask([True]), lambda: tile_shape(16), lambda: tile_shape(-1)):
         with pytest.raises(GeometryError):
             call()

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import pytest
 from godot_engines import started
 
-from roadlang_standard.godot import engine as engines
-from roadlang_standard.godot.session import Session
+from roadlang_godot import engine as engines
+from roadlang_godot.session import Session
 
 
 @pytest.fixture(scope="session")

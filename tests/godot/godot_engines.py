@@ -6,8 +6,8 @@ import os
 
 import pytest
 
-from roadlang_standard.godot import engine as engines
-from roadlang_standard.godot.faults import EngineError
+from roadlang_godot import engine as engines
+from roadlang_godot.faults import EngineError
 
 
 def started(**options: object) -> engines.Engine:

@@ -27,7 +27,7 @@ def bend(radius: float, degrees: float) -> tuple[float, float]:
 def pieces(
     *parts: tuple[float, float], start: tuple[float, float] = (0.0, 0.0), heading: float = 0.0
 ) -> np.ndarray:
-    """(n, 2) points half a metre apart along pieces of constant curvature."""
+    """(n, 2) points half a meter apart along pieces of constant curvature."""
     x, y = start
     points = [(x, y)]
     for length, curvature in parts:

@@ -11,15 +11,15 @@ import pytest
 from godot_engines import started
 from godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
-from roadlang_standard.godot.engine import Engine
-from roadlang_standard.godot.faults import EngineError
-from roadlang_standard.godot.frame import Frame
-from roadlang_standard.godot.layout import layout_of
-from roadlang_standard.godot.line import polyline
-from roadlang_standard.godot.protocol import Message
-from roadlang_standard.godot.road_mesh import road_things, strip_thing
-from roadlang_standard.godot.session import Session
-from roadlang_standard.godot.thing import Thing
+from roadlang_godot.engine import Engine
+from roadlang_godot.faults import EngineError
+from roadlang_godot.frame import Frame
+from roadlang_godot.layout import layout_of
+from roadlang_godot.line import polyline
+from roadlang_godot.protocol import Message
+from roadlang_godot.road_mesh import road_things, strip_thing
+from roadlang_godot.session import Session
+from roadlang_godot.thing import Thing
 
 pytestmark = pytest.mark.godot
 
@@ -134,7 +134,7 @@ def test_a_second_client_is_refused_while_the_first_is_there(fast_engine: Engine
         fast_engine.connect("second")
 
 
-def test_a_hundred_kilometres_are_proven_built_in_seconds(session: Session) -> None:
+def test_a_hundred_kilometers_are_proven_built_in_seconds(session: Session) -> None:
     import time
 
     x = np.arange(0, 100_001, 20.0)
@@ -149,7 +149,7 @@ def test_a_hundred_kilometres_are_proven_built_in_seconds(session: Session) -> N
 
 
 def test_a_road_in_the_paper_drives_to_the_end(session: Session) -> None:
-    from roadlang_standard.godot.simulate import Settings, drive_in
+    from roadlang_godot.simulate import Settings, drive_in
 
     bent = bends()
     ego = car("ego", bent, 5.0, call("pure_pursuit", speed=14.0, lookahead=6.0))

@@ -1,4 +1,4 @@
-"""Cars with real tyres: they keep their lane, slide out where physics says, and repeat exactly."""
+"""Cars with real tires: they keep their lane, slide out where physics says, and repeat exactly."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import pytest
 from godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
 
 from roadlang.api import Control, Observation, Scene, SceneActor, SceneRoad, Trace
-from roadlang_standard.godot.session import Session
-from roadlang_standard.godot.simulate import Settings, drive_batch, drive_in
+from roadlang_godot.session import Session
+from roadlang_godot.simulate import Settings, drive_batch, drive_in
 
 pytestmark = pytest.mark.godot
 

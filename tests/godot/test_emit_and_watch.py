@@ -11,7 +11,7 @@ import pytest
 from godot_engines import started
 
 from roadlang.cli import main as cli
-from roadlang_standard.godot.engine import Engine
+from roadlang_godot.engine import Engine
 
 pytestmark = pytest.mark.godot
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli import main as cli
-from roadlang_standard.godot import engine
-from roadlang_standard.godot.faults import EngineError
+from roadlang_godot import engine
+from roadlang_godot.faults import EngineError
 
 SCENE = """road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] }, width: 8m }
 agent ego is car on main at 5m { drive with pure_pursuit { speed: 8m/s } }

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from godot_engines import started
 
-from roadlang_standard.godot import engine as engines
+from roadlang_godot import engine as engines
 
 PROJECT = engines.project()
 

@@ -10,9 +10,9 @@ import struct
 import pytest
 from test_building import begin, everything
 
-from roadlang_standard.godot import protocol
-from roadlang_standard.godot.engine import Engine
-from roadlang_standard.godot.protocol import Message
+from roadlang_godot import protocol
+from roadlang_godot.engine import Engine
+from roadlang_godot.protocol import Message
 
 pytestmark = pytest.mark.godot
 

@@ -11,12 +11,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from test_road_mesh import strip
 
-from roadlang_standard.godot.frame import Frame
-from roadlang_standard.godot.junctions import Arm, cuts, order, patch
-from roadlang_standard.godot.layout import layout_of
-from roadlang_standard.godot.line import line_of
-from roadlang_standard.godot.protocol import Message
-from roadlang_standard.godot.road_mesh import road_things
+from roadlang_godot.frame import Frame
+from roadlang_godot.junctions import Arm, cuts, order, patch
+from roadlang_godot.layout import layout_of
+from roadlang_godot.line import line_of
+from roadlang_godot.protocol import Message
+from roadlang_godot.road_mesh import road_things
 
 PIXEL = 0.08
 bearings = st.lists(st.integers(0, 35), min_size=2, max_size=5, unique=True)
@@ -59,7 +59,7 @@ def test_no_two_roads_overlap_after_the_cut(tens: list[int]) -> None:
     assume(min(gaps) >= 30)
     arms = star(degrees)
     covered = painted(strips_of(arms, cuts(arms)))
-    # Outlines are drawn with their rims, so neighbours may share a line of pixels.
+    # Outlines are drawn with their rims, so neighbors may share a line of pixels.
     assert (cv2.erode((covered > 1).astype(np.uint8), np.ones((4, 4), np.uint8)) == 0).all()
 
 

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from godot_scenes import call, car, pieces, road, scene, straight, thing
 
-from roadlang_standard.godot.engine import Engine
-from roadlang_standard.godot.frame import Frame
-from roadlang_standard.godot.line import polyline
-from roadlang_standard.godot.live import LiveScene
-from roadlang_standard.godot.protocol import Message
-from roadlang_standard.godot.road_mesh import SURFACE_MARKED, strip_thing
-from roadlang_standard.godot.session import Session
-from roadlang_standard.godot.thing import Thing
+from roadlang_godot.engine import Engine
+from roadlang_godot.frame import Frame
+from roadlang_godot.line import polyline
+from roadlang_godot.live import LiveScene
+from roadlang_godot.protocol import Message
+from roadlang_godot.road_mesh import SURFACE_MARKED, strip_thing
+from roadlang_godot.session import Session
+from roadlang_godot.thing import Thing
 
 pytestmark = pytest.mark.godot
 

@@ -11,9 +11,9 @@ from godot_scenes import bend, car, pieces, road, scene, straight
 
 from roadlang.api import Scene
 from roadlang.cli import main as cli
-from roadlang_standard.godot.engine import Engine
-from roadlang_standard.godot.line import line_of
-from roadlang_standard.godot.pictures import Shot, build, metres_a_pixel, take
+from roadlang_godot.engine import Engine
+from roadlang_godot.line import line_of
+from roadlang_godot.pictures import Shot, build, meters_a_pixel, take
 
 pytestmark = pytest.mark.godot
 
@@ -33,20 +33,20 @@ def drawn(engine: Engine, shot: Shot) -> tuple[np.ndarray, object]:
 def test_a_top_view_shows_the_road_where_it_is(drawing_engine: Engine) -> None:
     shot = Shot("top", 640, 640)
     picture, layout = drawn(drawing_engine, shot)
-    scale = metres_a_pixel(layout, shot)  # type: ignore[arg-type]
+    scale = meters_a_pixel(layout, shot)  # type: ignore[arg-type]
     frame = layout.frame  # type: ignore[attr-defined]
     line = line_of(curved().roads[0])
     s = np.linspace(2, line.length - 2, 60)
     points, heading, _ = line.at(s)
     side = np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
 
-    def colours(at: np.ndarray) -> np.ndarray:
+    def colors(at: np.ndarray) -> np.ndarray:
         column = np.round((at[:, 0] - frame.x) / scale + 319.5).astype(int)
         row = np.round((frame.y - at[:, 1]) / scale + 319.5).astype(int)
         return picture[row, column].astype(int)
 
-    asphalt = colours(points + 1.5 * side)
-    grass = colours(points + 6.0 * side)
+    asphalt = colors(points + 1.5 * side)
+    grass = colors(points + 6.0 * side)
     saturation = np.ptp(asphalt, axis=1), np.ptp(grass, axis=1)
     assert np.median(saturation[0]) < 25
     assert np.median(saturation[1]) > 40
@@ -57,8 +57,8 @@ def test_the_chase_view_shows_sky_above_and_a_car_in_the_middle(drawing_engine: 
     picture, _ = drawn(drawing_engine, Shot("chase", 480, 270))
     sky = picture[:40].reshape(-1, 3).mean(axis=0)
     assert sky[0] > sky[2] + 20
-    centre, edge = picture[170:230, 210:270], picture[170:230, 5:65]
-    assert np.abs(centre.mean(axis=(0, 1)) - edge.mean(axis=(0, 1))).max() > 15
+    center, edge = picture[170:230, 210:270], picture[170:230, 5:65]
+    assert np.abs(center.mean(axis=(0, 1)) - edge.mean(axis=(0, 1))).max() > 15
 
 
 def test_the_commands_picture_and_clip(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Tiles: one per road pixel, with the mask of its four neighbours."""
+"""Tiles: one per road pixel, with the mask of its four neighbors."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from godot_scenes import pieces, road, scene, straight, town
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from roadlang_standard.godot import protocol
-from roadlang_standard.godot.faults import EngineError
-from roadlang_standard.godot.frame import Frame
-from roadlang_standard.godot.layout import layout_of
-from roadlang_standard.godot.protocol import Message
-from roadlang_standard.godot.road_tiles import (
+from roadlang_godot import protocol
+from roadlang_godot.faults import EngineError
+from roadlang_godot.frame import Frame
+from roadlang_godot.layout import layout_of
+from roadlang_godot.protocol import Message
+from roadlang_godot.road_tiles import (
     EAST,
     NORTH,
     SOUTH,
     WEST,
     coarsened,
-    neighbour_masks,
+    neighbor_masks,
     tile_things,
 )
 
 maps = arrays(bool, (12, 17))
 
 
-def test_the_four_bits_are_the_four_neighbours() -> None:
+def test_the_four_bits_are_the_four_neighbors() -> None:
     cross = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]], bool)
-    masks = neighbour_masks(cross)
+    masks = neighbor_masks(cross)
     assert masks[1, 1] == NORTH | EAST | SOUTH | WEST
     assert masks[0, 1] == SOUTH
     assert masks[1, 0] == EAST
@@ -41,8 +41,8 @@ def test_the_four_bits_are_the_four_neighbours() -> None:
 
 
 @given(maps)
-def test_neighbours_agree_about_each_other(pixels: np.ndarray) -> None:
-    masks = neighbour_masks(pixels)
+def test_neighbors_agree_about_each_other(pixels: np.ndarray) -> None:
+    masks = neighbor_masks(pixels)
     joined_east = (masks[:, :-1] & EAST > 0) & pixels[:, :-1]
     joined_west = (masks[:, 1:] & WEST > 0) & pixels[:, :-1] & pixels[:, 1:]
     assert np.array_equal(joined_east, joined_west)

@@ -7,7 +7,7 @@ import random
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang_standard.godot.channel import FIRST_RESEND, Channel
+from roadlang_godot.channel import FIRST_RESEND, Channel
 
 STEP = 0.005
 

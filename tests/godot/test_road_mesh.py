@@ -10,11 +10,11 @@ from godot_scenes import bend, bends, pieces, road, straight
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang_standard.godot import protocol
-from roadlang_standard.godot.frame import Frame
-from roadlang_standard.godot.line import Line, line_of
-from roadlang_standard.godot.road_mesh import SAG, road_things, stations
-from roadlang_standard.godot.thing import Thing
+from roadlang_godot import protocol
+from roadlang_godot.frame import Frame
+from roadlang_godot.line import Line, line_of
+from roadlang_godot.road_mesh import SAG, road_things, stations
+from roadlang_godot.thing import Thing
 
 radii = st.floats(8, 400) | st.floats(-400, -8)
 
@@ -26,7 +26,7 @@ def strip(thing: Thing) -> np.ndarray:
 
 @settings(max_examples=25)
 @given(radii, st.floats(10, 170), st.floats(5, 300))
-def test_neighbours_share_their_corners_exactly(radius: float, turn: float, run: float) -> None:
+def test_neighbors_share_their_corners_exactly(radius: float, turn: float, run: float) -> None:
     line = line_of(road("r", pieces(straight(run), bend(radius, turn), straight(run))))
     strips = [strip(thing) for thing in road_things(line, 1, Frame())]
     for one, following in pairwise(strips):

@@ -10,9 +10,9 @@ from godot_scenes import bend, pieces, road, scene, straight
 from scipy.spatial import cKDTree
 
 from roadlang.cli.made_scenes import make_scenes
-from roadlang_standard.godot.engine import Engine
-from roadlang_standard.godot.line import line_of
-from roadlang_standard.godot.pictures import Shot, build, take
+from roadlang_godot.engine import Engine
+from roadlang_godot.line import line_of
+from roadlang_godot.pictures import Shot, build, take
 
 pytestmark = pytest.mark.godot
 
@@ -49,7 +49,7 @@ def test_a_road_found_in_its_own_picture_is_where_it_was(
     tree = cKDTree(dense(np.array(truth.x), np.array(truth.y)))
     away, _ = tree.query(points)
     assert away.mean() < 0.5
-    # All of it was found, but for a dozen metres at both ends, which thinning shortens.
+    # All of it was found, but for a dozen meters at both ends, which thinning shortens.
     back, _ = cKDTree(points).query(dense(np.array(truth.x), np.array(truth.y)))
     assert (back < 1.5).mean() > 0.85
     print(f"mean distance {away.mean():.3f} m")

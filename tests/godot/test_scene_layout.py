@@ -11,10 +11,10 @@ import pytest
 from godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
 
 from roadlang.api import Scene
-from roadlang_standard.godot.faults import EngineError
-from roadlang_standard.godot.layout import layout_of
-from roadlang_standard.godot.protocol import Message
-from roadlang_standard.godot.sky import sun_at, world_settings
+from roadlang_godot.faults import EngineError
+from roadlang_godot.layout import layout_of
+from roadlang_godot.protocol import Message
+from roadlang_godot.sky import sun_at, world_settings
 
 
 def agent_spec(made: Scene, name: str) -> dict[str, Any]:
@@ -103,7 +103,7 @@ def test_the_sun_is_in_the_south_at_noon_and_in_the_east_at_six() -> None:
     assert sun_at(0.0)["sun_elevation"] < 0
 
 
-def test_rain_is_measured_in_millimetres_an_hour() -> None:
+def test_rain_is_measured_in_millimeters_an_hour() -> None:
     drizzle, downpour = (world_settings({"rain": mm / 3.6e6})["rain"] for mm in (1, 40))
     assert 0.05 < drizzle < 0.2
     assert downpour > 0.95

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang_standard.godot import protocol
-from roadlang_standard.godot.protocol import Frame, pack, unpack
+from roadlang_godot import protocol
+from roadlang_godot.protocol import Frame, pack, unpack
 
 numbers = st.integers(0, 2**32 - 1)
 

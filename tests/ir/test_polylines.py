@@ -42,7 +42,7 @@ def test_a_line_without_extent_is_refused() -> None:
         network_of_polylines([line((1, 1), (1, 1))])
 
 
-def test_pictures_turn_pixels_into_metres_with_y_up() -> None:
+def test_pictures_turn_pixels_into_meters_with_y_up() -> None:
     picture = Picture(np.zeros((100, 200, 3), np.uint8), scale=0.5)
     extraction = picture.network([line((-0.5, 99.5), (199.5, 99.5))], width=14)
     [edge] = extraction.network.edges

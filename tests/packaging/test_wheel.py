@@ -43,13 +43,13 @@ def run(site: Path, cwd: Path, *arguments: str) -> subprocess.CompletedProcess[s
     )
 
 
-def test_the_wheel_ships_grammar_catalogue_templates_and_the_godot_project(wheel):
+def test_the_wheel_ships_grammar_catalog_templates_and_the_godot_project(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     assert {
         "roadlang/_shipped/grammar/roadlang.lark",
         "roadlang/_shipped/godot_backend/project.godot",
-        "roadlang/diagnostics/catalogue/RL201.md",
-        "roadlang/syntax/tables.json",
+        "roadlang/diagnostics/catalog/RL201.md",
+        "roadlang/syntax/parsing/tables.json",
         "roadlang/cli/templates/bend.rl",
         "roadlang/py.typed",
         "roadlang_standard/emit_svg.py",
@@ -75,7 +75,7 @@ def test_an_installed_roadlang_compiles_in_an_empty_folder(site, tmp_path):
 
 
 def test_the_grammar_and_the_godot_project_are_found_in_an_install(site, tmp_path):
-    code = "from roadlang.syntax.grammar import grammar_path\nprint(grammar_path())\n"
+    code = "from roadlang.syntax.parsing.grammar import grammar_path\nprint(grammar_path())\n"
     done = run(site, tmp_path, "-c", code)
     assert done.stdout.strip().startswith(str(site)), done.stdout + done.stderr
 

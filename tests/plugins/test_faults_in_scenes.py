@@ -11,8 +11,8 @@ from test_discovery import ACME, GOOD
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import Diagnostic
-from roadlang.pipeline import sample_scenes
 from roadlang.plugins.discovery import load_registry
+from roadlang.search.sampling import sample_scenes
 from roadlang.semantics import check_text
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
@@ -23,17 +23,17 @@ def faults(text: str, folder: Path) -> list[Diagnostic]:
 
 
 def test_a_kind_of_a_broken_plugin_gives_the_reason(site: Path) -> None:
-    install(site, "acme", "raise RuntimeError('no licence found')")
+    install(site, "acme", "raise RuntimeError('no license found')")
     [fault] = faults("agent ego is car on main at 5m { drive with acme.mpc { horizon: 2s } }", site)
     assert fault.code == "RL211"
     assert fault.span is not None
     assert fault.span.text == "acme.mpc"
     assert "acme-plugin 1.2" in fault.message
-    assert "no licence found" in fault.message
+    assert "no license found" in fault.message
 
 
 def test_a_broken_plugin_is_mentioned_where_a_kind_is_not_known(site: Path) -> None:
-    install(site, "acme", "raise RuntimeError('no licence found')")
+    install(site, "acme", "raise RuntimeError('no license found')")
     [fault] = faults("agent ego is car on main at 5m { drive with mpc { horizon: 2s } }", site)
     assert fault.code == "RL210"
     assert any("acme-plugin 1.2 could not be loaded" in line for line in fault.help)

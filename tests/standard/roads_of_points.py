@@ -6,7 +6,7 @@ import numpy as np
 
 from roadlang.api import RoadBatch
 from roadlang.geometry import Curve, Frame
-from roadlang.pipeline.stations import still
+from roadlang.world.stations import still
 
 
 def road_of(points: list[tuple[float, float]], closed: bool = False) -> RoadBatch:

@@ -1,4 +1,4 @@
-"""An explanation leads from the formula to the metre, the comparison and the value to blame."""
+"""An explanation leads from the formula to the meter, the comparison and the value to blame."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.mining import Parameter, mine
+from roadlang.stl.explain.mining import Parameter, mine
 
 POSITIONS = np.arange(0.0, 50.0, 0.5)
 RECORDINGS = [

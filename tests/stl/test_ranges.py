@@ -10,8 +10,8 @@ from stl_continuations import continuations
 from stl_draws import FormulaDraw, draw_trace
 
 from roadlang import stl
-from roadlang.stl.normal_form import normal_form
-from roadlang.stl.strengthening import strengthened
+from roadlang.stl.formula.normal_form import normal_form
+from roadlang.stl.formula.strengthening import strengthened
 
 
 def _seen(seed, samples):

@@ -10,7 +10,7 @@ from stl_draws import FormulaDraw
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.units import UNITS
-from roadlang.stl.units import factor, known_units
+from roadlang.stl.formats.units import factor, known_units
 
 
 @pytest.mark.parametrize(
@@ -103,7 +103,7 @@ def test_json_that_is_no_formula_is_refused(value):
 
 
 @pytest.mark.parametrize("text", ["alw_[0, 5] (x[t] < 1)", "x[t] < 1", "ev_[0, 2] (x < 1)"])
-def test_formulas_of_breach_are_recognised(text):
+def test_formulas_of_breach_are_recognized(text):
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse(text)
     assert any("read_breach" in hint for hint in refusal.value.diagnostics[0].help)

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.trace_files import read_trace
+from roadlang.stl.formats.trace_files import read_trace
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from typing import Any
 
 from hypothesis import strategies as st
+from roadlang.syntax.recovery.recovery.operator_spelling import meant_temporal
 
 from roadlang.diagnostics import Source, Span
-from roadlang.syntax import ast
-from roadlang.syntax.spelling import meant_temporal
-from roadlang.syntax.strings import dedented
+from roadlang.syntax.tree import nodes as ast
+from roadlang.syntax.tree.strings import dedented
 from roadlang.syntax.words import CONNECTIVES, RESERVED, STATEMENTS
 
 NOWHERE = Span(Source("generated", ""), 0, 0)

@@ -10,9 +10,10 @@ from hypothesis import HealthCheck, given, settings
 from strategies import files
 
 from roadlang.diagnostics import Source
-from roadlang.syntax import ast, format_file, format_source, parse
-from roadlang.syntax.lexer import lex
-from roadlang.syntax.tables import tables
+from roadlang.syntax import format_file, format_source, parse
+from roadlang.syntax.parsing.lexer import lex
+from roadlang.syntax.parsing.tables import tables
+from roadlang.syntax.tree import nodes as ast
 
 SAMPLES = sorted((Path(__file__).parent / "samples").glob("*.rl"))
 slow_to_draw = settings(

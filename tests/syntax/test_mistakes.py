@@ -144,7 +144,7 @@ def test_several_faults_within_one_block_are_all_reported() -> None:
     assert [call.block.complete for call in block.passes] == [False, False]
 
 
-def test_a_misspelt_statement_still_declares_its_name() -> None:
+def test_a_misspelled_statement_still_declares_its_name() -> None:
     tree, found = parse(Source("raod.rl", "raod main from town\n"))
     assert found[0].fixes[0].replacement == "road"
     assert tree.statements[0].name.text == "main"
@@ -192,7 +192,7 @@ def test_items_at_the_left_margin_do_not_end_their_block() -> None:
     assert len(tree.statements) == 2
 
 
-def test_an_indented_misspelt_statement_is_found() -> None:
+def test_an_indented_misspelled_statement_is_found() -> None:
     _, found = parse(Source("indented.rl", "  road a from b\n  raod c from d\n  raod e from f\n"))
     assert [d.code for d in found] == ["RL002", "RL002"]
 

@@ -9,16 +9,16 @@ from pathlib import Path
 
 import pytest
 
-from roadlang.syntax import tables
-from roadlang.syntax.generate import generate
-from roadlang.syntax.grammar import grammar_text
+from roadlang.syntax.parse import tables
+from roadlang.syntax.parsing.generate import generate
+from roadlang.syntax.parsing.grammar import grammar_text
 
 SAMPLES = sorted((Path(__file__).parent / "samples").glob("*.rl"))
 
 
 def test_tables_are_up_to_date() -> None:
     stored = json.loads(Path(tables.__file__).with_name("tables.json").read_text())
-    assert stored == generate(grammar_text()), "run python -m roadlang.syntax.tables"
+    assert stored == generate(grammar_text()), "run python -m roadlang.syntax.parsing.tables"
 
 
 @pytest.fixture(scope="module")

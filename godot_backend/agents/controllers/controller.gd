@@ -38,13 +38,13 @@ func number(key: String, usual: float) -> float:
 	return value if value is float and is_finite(value) else usual
 
 
-## Acceleration towards a speed, held within what the car may do.
-func towards(agent: Agent, target: float) -> float:
+## Acceleration toward a speed, held within what the car may do.
+func toward(agent: Agent, target: float) -> float:
 	return clampf(SPEED_GAIN * (target - agent.speed), -max_deceleration, max_acceleration)
 
 
 ## Steering angle of pure pursuit (Coulter 1992): the arc from the rear axle through the line
-## to follow, `reach` metres on.
+## to follow, `reach` meters on.
 static func pursuit(agent: Agent, reach: float) -> float:
 	if agent.path == null:
 		return 0.0

@@ -7,7 +7,7 @@ var _speed := 1.4
 var _beyond := 0.0
 var _distance := 0.0
 var _walked := 0.0
-var _towards := NAN
+var _toward := NAN
 
 
 func read() -> void:
@@ -18,25 +18,25 @@ func read() -> void:
 func reset() -> void:
 	_walked = 0.0
 	_distance = 0.0
-	_towards = NAN
+	_toward = NAN
 
 
 func command(agent: Agent, _signals: Callable, dt: float) -> Vector2:
-	if is_nan(_towards):
+	if is_nan(_toward):
 		_begin(agent)
 	var pace := _speed if _walked < _distance else 0.0
 	_walked += pace * dt
 	if agent.body is Walker:
-		(agent.body as Walker).place(agent.body.global_position, _towards, pace)
+		(agent.body as Walker).place(agent.body.global_position, _toward, pace)
 	return Vector2(NAN, 0.0)
 
 
 func _begin(agent: Agent) -> void:
 	if agent.path == null:
-		_towards = agent.heading
+		_toward = agent.heading
 		_distance = 10.0
 		return
 	var left := agent.direction * agent.cross_track + agent.line_offset
 	var along := agent.path.heading(agent.station)
-	_towards = along + (PI / 2 if left < 0.0 else -PI / 2)
+	_toward = along + (PI / 2 if left < 0.0 else -PI / 2)
 	_distance = absf(left) + agent.path.half_width + _beyond

@@ -12,7 +12,7 @@ func read() -> void:
 
 func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	if agent.path == null:
-		return Vector2(0.0, towards(agent, _speed))
+		return Vector2(0.0, toward(agent, _speed))
 	var preview := PREVIEW_TIME * maxf(agent.speed, 0.0)
 	var wheelbase: float = agent.body.wheelbase
 	var bend := atan(wheelbase * agent.line_curvature(preview))
@@ -20,4 +20,4 @@ func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	var turn := angle_difference(agent.heading, agent.line_heading(-0.5 * wheelbase))
 	var reach := maxf(agent.speed, 3.0)
 	var steer := bend + turn - atan(2.0 * agent.cross_track / reach)
-	return Vector2(steer, towards(agent, _speed))
+	return Vector2(steer, toward(agent, _speed))

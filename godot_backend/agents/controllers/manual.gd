@@ -18,7 +18,7 @@ func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	if Input.is_physical_key_pressed(KEY_SPACE):
 		return Vector2(steer, -max_deceleration)
 	if drive > 0.0:
-		return Vector2(steer, towards(agent, _speed))
+		return Vector2(steer, toward(agent, _speed))
 	if drive < 0.0:
 		return Vector2(steer, -max_deceleration)
 	return Vector2(steer, -0.5 if agent.speed > 0.2 else 0.0)

@@ -14,4 +14,4 @@ func read() -> void:
 
 func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	var reach := _lookahead + _lookahead_time * maxf(agent.speed, 0.0)
-	return Vector2(pursuit(agent, reach), towards(agent, _speed))
+	return Vector2(pursuit(agent, reach), toward(agent, _speed))

@@ -55,8 +55,6 @@ _KINDS = {
     "read csv": "read_csv:Csv",
     "emit json": "emit_json:Json",
     "emit svg": "emit_svg:Svg",
-    "emit godot": "emit_godot:Godot",
-    "simulate godot": "simulate_godot:Godot",
     "piece straight": "pieces:Straight",
     "piece arc": "pieces:Arc",
     "piece clothoid": "pieces:Clothoid",

@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Contrast(Adjuster):
-    """Pull the colours away from, or towards, the mean grey."""
+    """Pull the colors away from, or toward, the mean gray."""
 
     name: ClassVar[str] = "contrast"
-    factor: Number = option(minimum=0, help="1 leaves the picture as it is, 0 is grey")
+    factor: Number = option(minimum=0, help="1 leaves the picture as it is, 0 is gray")
 
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:
         import numpy as np

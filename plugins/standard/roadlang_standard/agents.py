@@ -19,7 +19,7 @@ class Car(AgentKind):
     wheelbase: Length = option(2.7, above=0, maximum=20, help="from axle to axle")
     max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
     mass: Mass = option(1500.0, above=0, help="with driver")
-    colour: String = option("#1f5fa8", help="a name or a code: `white`, `#1f5fa8`")
+    color: String = option("#1f5fa8", help="a name or a code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Van(AgentKind):
     wheelbase: Length = option(3.6, above=0, maximum=20, help="from axle to axle")
     max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
     mass: Mass = option(2500.0, above=0, help="with driver")
-    colour: String = option("#e8e8e8", help="a name or a code: `white`, `#1f5fa8`")
+    color: String = option("#e8e8e8", help="a name or a code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Truck(AgentKind):
     wheelbase: Length = option(5.2, above=0, maximum=20, help="from axle to axle")
     max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
     mass: Mass = option(12000.0, above=0, help="with driver")
-    colour: String = option("#8a4b2a", help="a name or a code: `white`, `#1f5fa8`")
+    color: String = option("#8a4b2a", help="a name or a code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Bus(AgentKind):
     wheelbase: Length = option(5.9, above=0, maximum=20, help="from axle to axle")
     max_steering: Angle = option(0.6981, above=0, maximum=1.5, help="of the front wheels, each way")
     mass: Mass = option(14000.0, above=0, help="with driver")
-    colour: String = option("#c8a415", help="a name or a code: `white`, `#1f5fa8`")
+    color: String = option("#c8a415", help="a name or a code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class Motorcycle(AgentKind):
     wheelbase: Length = option(1.5, above=0, maximum=20, help="from axle to axle")
     max_steering: Angle = option(0.5236, above=0, maximum=1.5, help="of the front wheels, each way")
     mass: Mass = option(280.0, above=0, help="with driver")
-    colour: String = option("#333333", help="a name or a code: `white`, `#1f5fa8`")
+    color: String = option("#333333", help="a name or a code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ class Bicycle(AgentKind):
     wheelbase: Length = option(1.1, above=0, maximum=20, help="from axle to axle")
     max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
     mass: Mass = option(95.0, above=0, help="with driver")
-    colour: String = option("#3a8f3a", help="a name or a code: `white`, `#1f5fa8`")
+    color: String = option("#3a8f3a", help="a name or a code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ class Pedestrian(AgentKind):
     width: Length = option(0.6, above=0, maximum=2, help="side to side")
     height: Length = option(1.75, above=0, maximum=3, help="tall")
     mass: Mass = option(75.0, above=0, help="weight")
-    colour: String = option("#b03a2e", help="a name or a code: `white`, `#b03a2e`")
+    color: String = option("#b03a2e", help="a name or a code: `white`, `#b03a2e`")
 
 
 @dataclass(frozen=True)
@@ -113,4 +113,4 @@ class Animal(AgentKind):
     width: Length = option(0.5, above=0, maximum=2, help="side to side")
     height: Length = option(1.2, above=0, maximum=4, help="tall")
     mass: Mass = option(80.0, above=0, help="weight")
-    colour: String = option("#7a5230", help="a name or a code: `brown`, `#7a5230`")
+    color: String = option("#7a5230", help="a name or a code: `brown`, `#7a5230`")

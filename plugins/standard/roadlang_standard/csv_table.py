@@ -34,7 +34,7 @@ class Table:
         return np.stack([self._column(name) for name in wanted], axis=1)
 
     def width(self, wanted: str) -> Floats | None:
-        """(n,) metres from edge to edge; None where the table has no widths."""
+        """(n,) meters from edge to edge; None where the table has no widths."""
         for left, right in _SIDES:
             if left in self.names and right in self.names:
                 return self._column(left) + self._column(right)

@@ -5,15 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import (
-    Anything,
-    DiagnosticError,
-    Distribution,
-    Number,
-    diagnose,
-    list_of,
-    option,
-)
+from roadlang.api import Anything, DiagnosticError, Distribution, Number, diagnose, list_of, option
 
 if TYPE_CHECKING:
     import numpy as np

@@ -5,15 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from roadlang.api import (
-    Angle,
-    Drawer,
-    Point,
-    call_of,
-    geometry,
-    list_of,
-    option,
-)
+from roadlang.api import Angle, Drawer, Point, call_of, geometry, list_of, option
 
 
 @dataclass(frozen=True)
@@ -28,7 +20,7 @@ class Segments(Drawer):
     heading: Angle = option(0.0, help="where the first piece points, counter-clockwise from east")
 
     def draw(self, closed: bool) -> geometry.Curve:
-        """Exact arcs and clothoids, sampled half a metre apart."""
+        """Exact arcs and clothoids, sampled half a meter apart."""
         return geometry.chain(self._laid(), self.start, self.heading, spacing=0.5).curve(closed)
 
     def _laid(self) -> list[Any]:

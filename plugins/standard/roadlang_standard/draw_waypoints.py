@@ -5,13 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import (
-    Drawer,
-    Point,
-    geometry,
-    list_of,
-    option,
-)
+from roadlang.api import Drawer, Point, geometry, list_of, option
 
 
 @dataclass(frozen=True)

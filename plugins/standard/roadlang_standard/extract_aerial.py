@@ -65,6 +65,6 @@ class Aerial(Extractor):
             leave_out=tuple(tuple(box) for box in self.leave_out),
             only_through=self.only_through,
             min_length=in_pixels(self.min_length, picture),
-            metres_per_pixel=None if resolution is None else float(resolution),
+            meters_per_pixel=None if resolution is None else float(resolution),
         )
         return extraction(picture, remembered(pixels_of(picture, self.name), request, net))

@@ -18,13 +18,13 @@ class Contour(Extractor):
     name: ClassVar[str] = "contour"
     blur: Pixels = option(0.0, minimum=0, maximum=100, help="deviation of the Gaussian, first step")
     threshold: Number = option(
-        "auto", words=("auto",), above=0, below=1, help="grey that parts road from the rest"
+        "auto", words=("auto",), above=0, below=1, help="gray that parts road from the rest"
     )
     road: Word = option(
         "auto", words=("auto", "dark", "light"), help="which side of the threshold is road"
     )
     edges: Flag = option(True, help="read two edge lines as the road between them")
-    spline: Flag = option(True, help="smooth the centre lines")
+    spline: Flag = option(True, help="smooth the center lines")
     width: Length = option(None, above=0, help="the road's width, instead of the measured one")
     min_length: Length = option(
         None, minimum=0, help="shortest dead end that is kept; by default about the road's width"
@@ -48,6 +48,6 @@ class Contour(Extractor):
         return extraction(picture, found)
 
 
-def in_pixels(metres: Any, picture: Picture) -> float | None:
+def in_pixels(meters: Any, picture: Picture) -> float | None:
     """A length in pixels of the picture, None if it is not given."""
-    return None if metres is None else float(metres) / picture.scale
+    return None if meters is None else float(meters) / picture.scale

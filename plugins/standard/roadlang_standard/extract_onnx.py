@@ -18,7 +18,7 @@ class Onnx(Aerial):
     """Your own net: RGB in 0..255 (1, 3, h, w) to one or two maps in 0..1 of half that size."""
 
     name: ClassVar[str] = "onnx"
-    model: File = option(help="the ONNX file: road surface, and centre line if it has two maps")
+    model: File = option(help="the ONNX file: road surface, and center line if it has two maps")
 
     def extract(self, picture: Picture) -> Extraction:
         from .extraction.evidence import checked_net

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Pixel(Extractor):
-    """Read a legend: a typed character, or a drawn colour, is a road or an object."""
+    """Read a legend: a typed character, or a drawn color, is a road or an object."""
 
     name: ClassVar[str] = "pixels"
     thickness: Pixels = option(

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def nearest_distance(road: RoadBatch, other: RoadBatch) -> Floats:
-    """(V, S) metres from each station of a road to the nearest point of another."""
+    """(V, S) meters from each station of a road to the nearest point of another."""
     import numpy as np
 
     return np.stack([
@@ -24,7 +24,7 @@ def nearest_distance(road: RoadBatch, other: RoadBatch) -> Floats:
 
 
 def nearest_offset(road: RoadBatch, other: RoadBatch) -> Floats:
-    """(V, S) metres that each station of a road lies beside another."""
+    """(V, S) meters that each station of a road lies beside another."""
     import numpy as np
 
     return np.stack([np.abs(offset) for _, _, _, offset in _projected(road, other)])

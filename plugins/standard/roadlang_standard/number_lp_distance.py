@@ -6,15 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import (
-    LENGTH,
-    Dimension,
-    Number,
-    RoadName,
-    RoadNumber,
-    geometry,
-    option,
-)
+from roadlang.api import LENGTH, Dimension, Number, RoadName, RoadNumber, geometry, option
 from roadlang_standard.nearest import nearest_lp_distance
 
 if TYPE_CHECKING:

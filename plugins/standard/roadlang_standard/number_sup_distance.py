@@ -5,12 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import (
-    RoadName,
-    RoadNumber,
-    geometry,
-    option,
-)
+from roadlang.api import RoadName, RoadNumber, geometry, option
 from roadlang_standard.nearest import nearest_distance
 
 if TYPE_CHECKING:

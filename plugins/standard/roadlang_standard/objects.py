@@ -16,7 +16,7 @@ class Tree(ObjectKind):
     length: Length = option(4.0, above=0, maximum=500, help="along its heading")
     width: Length = option(4.0, above=0, maximum=500, help="across its heading")
     height: Length = option(8.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#2e7d32", help="a name or a code: `white`, `#2e7d32`")
+    color: String = option("#2e7d32", help="a name or a code: `white`, `#2e7d32`")
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Bush(ObjectKind):
     length: Length = option(1.5, above=0, maximum=500, help="along its heading")
     width: Length = option(1.5, above=0, maximum=500, help="across its heading")
     height: Length = option(1.2, above=0, maximum=500, help="over the ground")
-    colour: String = option("#558b2f", help="a name or a code: `white`, `#558b2f`")
+    color: String = option("#558b2f", help="a name or a code: `white`, `#558b2f`")
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Building(ObjectKind):
     length: Length = option(12.0, above=0, maximum=500, help="along its heading")
     width: Length = option(10.0, above=0, maximum=500, help="across its heading")
     height: Length = option(7.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#b71c1c", help="a name or a code: `white`, `#b71c1c`")
+    color: String = option("#b71c1c", help="a name or a code: `white`, `#b71c1c`")
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Wall(ObjectKind):
     length: Length = option(10.0, above=0, maximum=500, help="along its heading")
     width: Length = option(0.3, above=0, maximum=500, help="across its heading")
     height: Length = option(2.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#9e9e9e", help="a name or a code: `white`, `#9e9e9e`")
+    color: String = option("#9e9e9e", help="a name or a code: `white`, `#9e9e9e`")
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class ParkedCar(ObjectKind):
     length: Length = option(4.5, above=0, maximum=500, help="along its heading")
     width: Length = option(1.8, above=0, maximum=500, help="across its heading")
     height: Length = option(1.5, above=0, maximum=500, help="over the ground")
-    colour: String = option("#607d8b", help="a name or a code: `white`, `#607d8b`")
+    color: String = option("#607d8b", help="a name or a code: `white`, `#607d8b`")
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class ParkedVan(ObjectKind):
     length: Length = option(5.9, above=0, maximum=500, help="along its heading")
     width: Length = option(2.0, above=0, maximum=500, help="across its heading")
     height: Length = option(2.5, above=0, maximum=500, help="over the ground")
-    colour: String = option("#eceff1", help="a name or a code: `white`, `#eceff1`")
+    color: String = option("#eceff1", help="a name or a code: `white`, `#eceff1`")
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class ParkedTruck(ObjectKind):
     length: Length = option(9.0, above=0, maximum=500, help="along its heading")
     width: Length = option(2.5, above=0, maximum=500, help="across its heading")
     height: Length = option(3.5, above=0, maximum=500, help="over the ground")
-    colour: String = option("#795548", help="a name or a code: `white`, `#795548`")
+    color: String = option("#795548", help="a name or a code: `white`, `#795548`")
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class Cone(ObjectKind):
     length: Length = option(0.35, above=0, maximum=500, help="along its heading")
     width: Length = option(0.35, above=0, maximum=500, help="across its heading")
     height: Length = option(0.75, above=0, maximum=500, help="over the ground")
-    colour: String = option("#ff6d00", help="a name or a code: `white`, `#ff6d00`")
+    color: String = option("#ff6d00", help="a name or a code: `white`, `#ff6d00`")
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ class Barrier(ObjectKind):
     length: Length = option(2.0, above=0, maximum=500, help="along its heading")
     width: Length = option(0.4, above=0, maximum=500, help="across its heading")
     height: Length = option(1.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#d32f2f", help="a name or a code: `white`, `#d32f2f`")
+    color: String = option("#d32f2f", help="a name or a code: `white`, `#d32f2f`")
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,7 @@ class Sign(ObjectKind):
     length: Length = option(0.1, above=0, maximum=500, help="along its heading")
     width: Length = option(0.7, above=0, maximum=500, help="across its heading")
     height: Length = option(2.5, above=0, maximum=500, help="over the ground")
-    colour: String = option("#1565c0", help="a name or a code: `white`, `#1565c0`")
+    color: String = option("#1565c0", help="a name or a code: `white`, `#1565c0`")
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ class TrafficLight(ObjectKind):
     length: Length = option(0.3, above=0, maximum=500, help="along its heading")
     width: Length = option(0.4, above=0, maximum=500, help="across its heading")
     height: Length = option(3.2, above=0, maximum=500, help="over the ground")
-    colour: String = option("#212121", help="a name or a code: `white`, `#212121`")
+    color: String = option("#212121", help="a name or a code: `white`, `#212121`")
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ class Lamp(ObjectKind):
     length: Length = option(0.3, above=0, maximum=500, help="along its heading")
     width: Length = option(0.3, above=0, maximum=500, help="across its heading")
     height: Length = option(6.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#757575", help="a name or a code: `white`, `#757575`")
+    color: String = option("#757575", help="a name or a code: `white`, `#757575`")
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ class Bench(ObjectKind):
     length: Length = option(0.6, above=0, maximum=500, help="along its heading")
     width: Length = option(1.8, above=0, maximum=500, help="across its heading")
     height: Length = option(0.9, above=0, maximum=500, help="over the ground")
-    colour: String = option("#8d6e63", help="a name or a code: `white`, `#8d6e63`")
+    color: String = option("#8d6e63", help="a name or a code: `white`, `#8d6e63`")
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ class Bin(ObjectKind):
     length: Length = option(0.5, above=0, maximum=500, help="along its heading")
     width: Length = option(0.5, above=0, maximum=500, help="across its heading")
     height: Length = option(1.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#455a64", help="a name or a code: `white`, `#455a64`")
+    color: String = option("#455a64", help="a name or a code: `white`, `#455a64`")
 
 
 @dataclass(frozen=True)
@@ -170,7 +170,7 @@ class Rock(ObjectKind):
     length: Length = option(1.0, above=0, maximum=500, help="along its heading")
     width: Length = option(1.0, above=0, maximum=500, help="across its heading")
     height: Length = option(0.8, above=0, maximum=500, help="over the ground")
-    colour: String = option("#616161", help="a name or a code: `white`, `#616161`")
+    color: String = option("#616161", help="a name or a code: `white`, `#616161`")
 
 
 @dataclass(frozen=True)
@@ -181,4 +181,4 @@ class Box(ObjectKind):
     length: Length = option(1.0, above=0, maximum=500, help="along its heading")
     width: Length = option(1.0, above=0, maximum=500, help="across its heading")
     height: Length = option(1.0, above=0, maximum=500, help="over the ground")
-    colour: String = option("#9575cd", help="a name or a code: `white`, `#9575cd`")
+    color: String = option("#9575cd", help="a name or a code: `white`, `#9575cd`")

@@ -25,7 +25,7 @@ class Arc(Piece):
     """Turn along a circle."""
 
     name: ClassVar[str] = "arc"
-    radius: Length = option(above=0, maximum=1e6, help="of the centre line")
+    radius: Length = option(above=0, maximum=1e6, help="of the center line")
     angle: Angle = option(minimum=-62.84, maximum=62.84, help="how far to turn; left is positive")
 
     def laid(self, curvature: float) -> Any:

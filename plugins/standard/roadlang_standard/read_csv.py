@@ -5,12 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import (
-    Reader,
-    String,
-    geometry,
-    option,
-)
+from roadlang.api import Reader, String, geometry, option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -18,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Csv(Reader):
-    """Read a road as rows of points: columns x and y in metres, with or without a width."""
+    """Read a road as rows of points: columns x and y in meters, with or without a width."""
 
     name: ClassVar[str] = "csv"
     suffixes: ClassVar[tuple[str, ...]] = (".csv", ".tsv", ".txt")

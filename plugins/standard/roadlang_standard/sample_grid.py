@@ -5,13 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import (
-    DiagnosticError,
-    Sampler,
-    Whole,
-    diagnose,
-    option,
-)
+from roadlang.api import DiagnosticError, Sampler, Whole, diagnose, option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def nearest(one: Any, other: Any, separation: Separation) -> Floats:
-    """(T,) metres between the nearest two of two groups; nobody is near to itself."""
+    """(T,) meters between the nearest two of two groups; nobody is near to itself."""
     import numpy as np
 
     some = one if isinstance(one, tuple) else (one,)
@@ -28,14 +28,14 @@ def nearest(one: Any, other: Any, separation: Separation) -> Floats:
 
 
 def middles(a: AgentTrace, b: AgentTrace) -> Floats:
-    """(T,) metres between the middles."""
+    """(T,) meters between the middles."""
     import numpy as np
 
     return np.asarray(np.hypot(a.x - b.x, a.y - b.y))
 
 
 def outlines(a: AgentTrace, b: AgentTrace) -> Floats:
-    """(T,) metres of free space between two rectangles, 0 where they overlap."""
+    """(T,) meters of free space between two rectangles, 0 where they overlap."""
     import numpy as np
 
     corners_a, corners_b = _corners(a), _corners(b)

@@ -5,12 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import (
-    RoadOrNetwork,
-    Signal,
-    geometry,
-    option,
-)
+from roadlang.api import RoadOrNetwork, Signal, geometry, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,12 +15,12 @@ if TYPE_CHECKING:
 
 
 FARTHEST = 1e4
-"""Metres: the clearance of a road that has nothing to keep clear of."""
+"""Meters: the clearance of a road that has nothing to keep clear of."""
 
 
 @dataclass(frozen=True)
 class Clearance(Signal):
-    """How far the centre line keeps from the road's other stretches and from other roads."""
+    """How far the center line keeps from the road's other stretches and from other roads."""
 
     name: ClassVar[str] = "clearance"
     unit: ClassVar[str] = "m"

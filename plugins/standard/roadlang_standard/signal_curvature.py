@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Curvature(Signal):
-    """Curvature of the centre line, left positive."""
+    """Curvature of the center line, left positive."""
 
     name: ClassVar[str] = "curvature"
     unit: ClassVar[str] = "1/m"

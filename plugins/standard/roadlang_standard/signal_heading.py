@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Heading(Signal):
-    """Heading of the centre line, counter-clockwise from east, without jumps."""
+    """Heading of the center line, counter-clockwise from east, without jumps."""
 
     name: ClassVar[str] = "heading"
     unit: ClassVar[str] = "rad"

@@ -5,13 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import (
-    Point,
-    RoadOrNetwork,
-    Signal,
-    geometry,
-    option,
-)
+from roadlang.api import Point, RoadOrNetwork, Signal, geometry, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -22,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Margin(Signal):
-    """Distance of the centre line to the edge of a box, positive inside."""
+    """Distance of the center line to the edge of a box, positive inside."""
 
     name: ClassVar[str] = "margin"
     unit: ClassVar[str] = "m"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import importlib
-from importlib.util import find_spec
+import os
+from importlib.metadata import EntryPoint, entry_points
 
 import click
 
@@ -16,32 +17,31 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "plugins": ("plugins", "List plugins and their kinds; show a kind's options."),
     "schema": ("schema", "Print a JSON Schema: scene, manifest, scenario, a kind's options."),
     "run": ("run", "Drive scenes and judge their expectations."),
-    "falsify": ("falsify", "Search for scenes that break an expectation."),
-    "report": ("report", "Summarise what runs and searches found."),
-    "watch": ("watch", "Compile again on every save and send the changes to Godot."),
-    "godot": ("godot", "Start the bundled Godot project."),
-    "render": ("render", "Render a scene to a picture or a clip with Godot."),
     "extract": ("extract", "Find the roads of a picture and show what was found."),
     "monitor": ("monitor", "Judge a recorded trace by an STL formula."),
     "mine": ("mine", "Find the tightest parameters of a formula that traces satisfy."),
     "completion": ("completion", "Print the completion script of a shell."),
 }
-"""Name: module in this package and one line of help, in the order of `--help`. A command whose
-module is not there is not listed."""
+"""Name: module in this package and one line of help, in the order of `--help`."""
+
+GROUP = "roadlang.commands"
+"""The entry points through which plugins add commands: `render = "acme.commands:render"`, a
+`click.Command` in a module that imports nothing heavy, since `--help` shows its first line."""
 
 
 class LazyGroup(click.Group):
     """A group that knows its commands' names and help without importing them."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return [name for name, (module, _) in COMMANDS.items() if _exists(module)]
+        return [*COMMANDS, *sorted(_of_plugins())]
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
-        if name not in COMMANDS or not _exists(COMMANDS[name][0]):
-            return None
-        module = importlib.import_module(f".{COMMANDS[name][0]}", __package__)
-        command: click.Command = module.command
-        return command
+        if name in COMMANDS:
+            module = importlib.import_module(f".{COMMANDS[name][0]}", __package__)
+            command: click.Command = module.command
+            return command
+        point = _of_plugins().get(name)
+        return None if point is None else _loaded(point)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -58,10 +58,51 @@ class LazyGroup(click.Group):
             raise click.UsageError(message, ctx) from error
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        rows = [(name, COMMANDS[name][1]) for name in self.list_commands(ctx)]
+        rows = [(name, line) for name, (_, line) in COMMANDS.items()]
         with formatter.section("Commands"):
             formatter.write_dl(rows)
+        added = [(name, _help(point)) for name, point in sorted(_of_plugins().items())]
+        if added:
+            with formatter.section("Commands of plugins"):
+                formatter.write_dl(added)
 
 
-def _exists(module: str) -> bool:
-    return find_spec(f"{__package__}.{module}") is not None
+def _of_plugins() -> dict[str, EntryPoint]:
+    """The commands that plugins add; none can take the place of one of ours."""
+    refused = os.environ.get("ROADLANG_NO_PLUGINS", "").split(",")
+    if "all" in refused:
+        return {}
+    return {
+        point.name: point
+        for point in entry_points(group=GROUP)
+        if point.name not in COMMANDS and point.value.partition(".")[0] not in refused
+    }
+
+
+def _loaded(point: EntryPoint) -> click.Command:
+    """The command of a plugin. Raises `DiagnosticError` RL926 where it cannot be loaded."""
+    from ..diagnostics import DiagnosticError, diagnose
+
+    try:
+        command = point.load()
+        if not isinstance(command, click.Command):
+            raise TypeError(f"{point.value} is a {type(command).__name__}, not a click command")
+    except Exception as error:
+        origin = (
+            f"{point.dist.metadata['Name']} {point.dist.version}" if point.dist else point.value
+        )
+        reason = f"{type(error).__name__}: {error}"
+        raise DiagnosticError(
+            diagnose("RL932", command=point.name, plugin=origin, reason=reason)
+        ) from error
+    return command
+
+
+def _help(point: EntryPoint) -> str:
+    """The first line of a command's help, or why it cannot be used."""
+    from ..diagnostics import DiagnosticError
+
+    try:
+        return _loaded(point).get_short_help_str(limit=80)
+    except DiagnosticError as error:
+        return f"cannot be used: {error.diagnostics[0].message}"

@@ -17,8 +17,8 @@ from .scene_files import parse_overrides, read_scene_file
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
     from ..ir.scenario import Scenario
-    from ..pipeline.sampling import SamplingResult
     from ..plugins.registry import Registry
+    from ..search.sampling import SamplingResult
 
 
 @click.command("compile")
@@ -113,7 +113,7 @@ class _Run:
     def _sample(
         self, scenario: Scenario, registry: Registry, count: int | None, seed: int, jobs: int
     ) -> None:
-        from ..pipeline.sampling import sample_scenes
+        from ..search.sampling import sample_scenes
         from .progress import ProgressBar
 
         with ProgressBar("scenes") as progress:
@@ -126,8 +126,8 @@ class _Run:
         self, scenario: Scenario, registry: Registry, seed: int, names: Sequence[str] | None
     ) -> None:
         from ..ir.encoding import to_json
-        from ..pipeline.emitting import backends_of, outputs, send
-        from ..pipeline.writing import write_all
+        from ..scenes.emitting import backends_of, outputs, send
+        from ..scenes.writing import write_all
         from .progress import ProgressBar
         from .provenance import manifest_of
 

@@ -1,4 +1,4 @@
-"""Where a command's words go: results to stdout, diagnostics to stderr, colour on terminals."""
+"""Where a command's words go: results to stdout, diagnostics to stderr, color on terminals."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from ..diagnostics import Diagnostic
 from ..diagnostics.render import in_order, render_all
 
 
-def wants_colour(stream: TextIO) -> bool:
+def wants_color(stream: TextIO) -> bool:
     """`--color` decides; then NO_COLOR and FORCE_COLOR; then whether a person is watching."""
-    choice = _colour_option()
+    choice = _color_option()
     if choice != "auto":
         return choice == "always"
     if os.environ.get("NO_COLOR"):
@@ -25,7 +25,7 @@ def wants_colour(stream: TextIO) -> bool:
     return stream.isatty() and os.environ.get("TERM") != "dumb"
 
 
-def _colour_option() -> str:
+def _color_option() -> str:
     context = click.get_current_context(silent=True)
     return str(context.find_root().meta.get("roadlang.color", "auto")) if context else "auto"
 
@@ -35,7 +35,7 @@ def report(diagnostics: Iterable[Diagnostic]) -> None:
     ordered = in_order(diagnostics)
     if not ordered:
         return
-    click.echo(render_all(ordered, colour=wants_colour(sys.stderr)), err=True, color=True)
+    click.echo(render_all(ordered, color=wants_color(sys.stderr)), err=True, color=True)
     errors = sum(diagnostic.is_error for diagnostic in ordered)
     warnings = sum(diagnostic.severity == "warning" for diagnostic in ordered)
     counts = [_count(errors, "error"), _count(warnings, "warning")]
@@ -53,9 +53,9 @@ def _count(number: int, noun: str) -> str:
 
 def say(text: str) -> None:
     """A result, to stdout."""
-    click.echo(text, color=wants_colour(sys.stdout))
+    click.echo(text, color=wants_color(sys.stdout))
 
 
 def paint(text: str, style: str) -> str:
-    """`text` in an ANSI style (`"1"` bold, `"32"` green) where stdout shows colours."""
-    return f"\x1b[{style}m{text}\x1b[0m" if wants_colour(sys.stdout) else text
+    """`text` in an ANSI style (`"1"` bold, `"32"` green) where stdout shows colors."""
+    return f"\x1b[{style}m{text}\x1b[0m" if wants_color(sys.stdout) else text

@@ -1,4 +1,4 @@
-"""`roadlang explain CODE`: the catalogue page of a diagnostic."""
+"""`roadlang explain CODE`: the catalog page of a diagnostic."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
 @click.option("--overlay", type=click.Path(dir_okay=False), help="Write an SVG to look at.")
 @click.option("--mask", type=click.Path(dir_okay=False), help="Write the road mask as a PNG.")
 @click.option("--with", "kind", default="auto", metavar="KIND", help="Kind of `extract`.")
-@click.option("--scale", type=click.FloatRange(1e-4, 1e4), help="Metres per pixel, if known.")
+@click.option("--scale", type=click.FloatRange(1e-4, 1e4), help="Meters per pixel, if known.")
 @click.option(
     "--threshold", type=click.FloatRange(0, 1, min_open=True, max_open=True), help="Least evidence."
 )
@@ -63,10 +63,10 @@ def command(
 ) -> None:
     """Find the roads of IMAGE.
 
-    Polylines, nodes and widths are in pixels: (0, 0) is the centre of the top-left pixel, y runs
+    Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
     down. Without `-o` the JSON goes to standard output.
     """
-    from ..pipeline.writing import write_all
+    from ..scenes.writing import write_all
     from .extraction_files import as_json, as_mask, as_overlay
 
     picture, scale = _opened(Path(image), given["scale"])
@@ -109,8 +109,8 @@ def _beside(mask: str | None, output: str | None) -> str | None:
 
 
 def _opened(path: Path, scale: float | None) -> tuple[Picture, float | None]:
+    from ..images.image_file import open_image
     from ..ir.picture import Picture
-    from ..pipeline.image_file import open_image
 
     opened = open_image(path, str(path), None)
     known = scale if scale is not None else opened.scale
@@ -128,8 +128,8 @@ def _extracted(
 
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
     from ..ir.picture import Extraction
-    from ..pipeline.blame import blaming, wrong_result
     from ..plugins.discovery import load_registry
+    from ..plugins.guard import blaming, wrong_result
     from ..plugins.registry import UnknownKind
 
     registry = load_registry()

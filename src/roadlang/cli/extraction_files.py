@@ -44,7 +44,7 @@ def as_json(
         "schema": SCHEMA,
         "roadlang": __version__,
         "image": {"path": picture.path, "width": picture.width, "height": picture.height},
-        "metres_per_pixel": scale,
+        "meters_per_pixel": scale,
         "polylines": [line for line, _ in roads],
         "roads": [record for _, record in roads],
         "nodes": [
@@ -91,7 +91,7 @@ def as_mask(picture: Picture, found: Extraction) -> bytes:
 
 
 def as_overlay(picture: Picture, found: Extraction) -> str:
-    """An SVG: the picture, the roads coloured by confidence, their nodes."""
+    """An SVG: the picture, the roads colored by confidence, their nodes."""
     height, width = picture.height, picture.width
     view = f'viewBox="-0.5 -0.5 {width} {height}" width="{width}" height="{height}"'
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" {view}>', _backdrop(picture)]
@@ -100,12 +100,12 @@ def as_overlay(picture: Picture, found: Extraction) -> str:
     for (points, widths), sure in lines:
         path = _path(points)
         road = f"{float(np.median(widths)):.2f}"
-        colour = _colour(sure)
+        color = _color(sure)
         parts.append(
-            f'<path d="{path}" stroke="{colour}" stroke-opacity="0.35" stroke-width="{road}"/>'
+            f'<path d="{path}" stroke="{color}" stroke-opacity="0.35" stroke-width="{road}"/>'
         )
         parts.append(
-            f'<path d="{path}" stroke="{colour}" stroke-width="1.6">'
+            f'<path d="{path}" stroke="{color}" stroke-width="1.6">'
             f"<title>{sure:.0%} sure</title></path>"
         )
     parts.append('</g><g fill="#ffffff" stroke="#1a237e" stroke-width="1">')
@@ -132,7 +132,7 @@ def _path(points: Floats) -> str:
     return "M" + " L".join(f"{x:.1f},{y:.1f}" for x, y in points)
 
 
-def _colour(sure: float) -> str:
+def _color(sure: float) -> str:
     """From red (doubtful) over amber to cyan (sure)."""
     stops = ((0.0, (229, 57, 53)), (0.6, (255, 179, 0)), (1.0, (0, 229, 255)))
     for (low, a), (high, b) in pairwise(stops):

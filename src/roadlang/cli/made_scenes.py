@@ -36,8 +36,8 @@ def make_scenes(
 
     Raises `DiagnosticError` where there is none to have.
     """
-    from ..pipeline.sampling import sample_scenes
     from ..plugins.discovery import load_registry
+    from ..search.sampling import sample_scenes
     from ..semantics import check_text
 
     registry = load_registry()

@@ -32,7 +32,7 @@ _NO_PLUGINS = "ROADLANG_NO_PLUGINS"
     "--color",
     type=click.Choice(["auto", "always", "never"]),
     default="auto",
-    help="Colour in messages; `auto` asks the terminal and NO_COLOR.",
+    help="Color in messages; `auto` asks the terminal and NO_COLOR.",
 )
 @click.option("--no-plugin", "refused", multiple=True, metavar="NAME", help="Do not load a plugin.")
 @click.pass_context

@@ -10,7 +10,7 @@ import click
 from .console import say
 
 if TYPE_CHECKING:
-    from ..stl.mining import Parameter
+    from ..stl.explain.mining import Parameter
 
 
 @click.command("mine")
@@ -41,8 +41,8 @@ def command(
     interval `roadlang mine "eventually[0, tau] (e < 1)" --param tau=0..60 drive.csv`.
     """
     parameters = [_parameter(text) for text in bounds]
-    from ..stl.mining import mine
-    from ..stl.trace_files import read_trace
+    from ..stl.explain.mining import mine
+    from ..stl.formats.trace_files import read_trace
 
     recordings = [read_trace(path)[1:] for path in traces]
     mined = mine(formula, parameters, recordings, margin=margin, digits=digits)
@@ -62,7 +62,7 @@ def command(
 
 
 def _parameter(text: str) -> Parameter:
-    from ..stl.mining import Parameter
+    from ..stl.explain.mining import Parameter
 
     name, _, bounds = text.partition("=")
     low, _, high = bounds.partition("..")

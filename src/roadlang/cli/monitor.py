@@ -47,14 +47,14 @@ def command(
 
 
 def _finding(formula: Formula, path: str, wrap: float | None, plot: str | None) -> dict[str, Any]:
-    from ..stl.trace_files import read_trace
+    from ..stl.formats.trace_files import read_trace
 
     axis, positions, signals = read_trace(path)
     why = formula.explain(positions, signals, wrap=wrap)
     explanation = why.to_json()
     if plot:
-        from ..pipeline.writing import write_all
-        from ..stl.plot import plot_svg
+        from ..scenes.writing import write_all
+        from ..stl.explain.plot import plot_svg
 
         drawn = plot_svg(formula, positions, signals, axis=axis, wrap=wrap)
         write_all(Path(plot).parent, {Path(plot).name: drawn})

@@ -51,8 +51,8 @@ def _complete(
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def show(words: tuple[str, ...], as_json: bool) -> None:
     """Show the options of a kind: `roadlang plugins show sine`, `... show emit svg`."""
-    from ..pipeline.blame import blaming
     from ..plugins.discovery import load_registry
+    from ..plugins.guard import blaming
 
     entries = _find(load_registry(), words)
     for entry in entries:

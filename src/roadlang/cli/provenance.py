@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .. import __version__
+from ..evaluate.building import Built
 from ..ir.manifest import Manifest, OutputFile, RequirementRecord
 from ..ir.scenario import Scenario
-from ..pipeline.building import Built
-from ..pipeline.emitting import Output
-from ..pipeline.sampling import SamplingResult
+from ..scenes.emitting import Output
+from ..search.sampling import SamplingResult
 
 
 def manifest_of(

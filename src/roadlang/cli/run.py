@@ -77,7 +77,7 @@ def simulator_of(
     made: MadeScenes, engine: str | None, changes: dict[str, Any]
 ) -> tuple[Simulator, KindEntry]:
     """The simulator that the command line or the file names, with the file's options."""
-    from ..pipeline.blame import blaming
+    from ..plugins.guard import blaming
 
     call = made.scenes[0].simulate
     names = made.registry.names("simulate")
@@ -100,9 +100,9 @@ def _driven(
     simulator: Simulator, entry: KindEntry, made: MadeScenes
 ) -> list[tuple[Scene, Trace, tuple[Verdict, ...]]]:
     from ..drive.controllers import python_controllers
-    from ..drive.judging import judge
     from ..ir.trace import Trace
-    from ..pipeline.blame import blaming, wrong_result
+    from ..judging.drives import judge
+    from ..plugins.guard import blaming, wrong_result
 
     controllers = [python_controllers(scene, made.registry) for scene in made.scenes]
     with blaming(entry, None):
@@ -118,7 +118,7 @@ def _driven(
 
 def _write(folder: Path, driven: Sequence[tuple[Scene, Trace, tuple[Verdict, ...]]]) -> None:
     from ..drive.trace_files import to_csv, to_json
-    from ..pipeline.writing import write_all
+    from ..scenes.writing import write_all
 
     files: dict[str, bytes] = {}
     for scene, trace, verdicts in driven:

@@ -45,8 +45,8 @@ def _scenario() -> dict[str, Any]:
 
 def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
-    from ..pipeline.blame import blaming
     from ..plugins.discovery import load_registry
+    from ..plugins.guard import blaming
     from ..plugins.json_schema import schema_of_kind
 
     verb, name = (words[0], words[1]) if len(words) > 1 else (None, words[0])

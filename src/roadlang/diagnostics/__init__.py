@@ -1,6 +1,6 @@
 """What the compiler says to its user: sources, spans, coded diagnostics, renderers."""
 
-from .catalogue import Page, UnknownCode, codes, page
+from .catalog import Page, UnknownCode, codes, page
 from .diagnostic import Diagnostic, DiagnosticError, Fix, Label, Severity, diagnose
 from .nearest import did_you_mean, nearest
 from .source import Source, Span

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
-from .catalogue import page
+from .catalog import page
 from .source import Span
 
 Severity = Literal["error", "warning", "note"]
@@ -70,7 +70,7 @@ def diagnose(
     severity: Severity | None = None,
     **values: object,
 ) -> Diagnostic:
-    """Fill the message template of the catalogue page `code` with `values`."""
+    """Fill the message template of the catalog page `code` with `values`."""
     entry = page(code)
     return Diagnostic(
         code=code,

@@ -32,7 +32,7 @@ def _likeness_to(word: str) -> Callable[[str], float]:
 
 
 def edits(a: str, b: str, most: int) -> int:
-    """How many letters to change, add, drop or swap with a neighbour; above `most`, `most + 1`."""
+    """How many letters to change, add, drop or swap with a neighbor; above `most`, `most + 1`."""
     if abs(len(a) - len(b)) > most:
         return most + 1
     before: list[int] = []

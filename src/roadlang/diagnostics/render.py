@@ -8,17 +8,17 @@ from collections.abc import Iterable, Sequence
 from .diagnostic import Diagnostic
 from .source import Span
 
-_COLOURS = {"error": "31", "warning": "33", "note": "36"}
+_COLORS = {"error": "31", "warning": "33", "note": "36"}
 _WIDEST_LINE = 160
 
 
-def render(diagnostic: Diagnostic, *, colour: bool = False) -> str:
+def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     """A diagnostic with its source line, the place underlined, and what to do."""
 
     def paint(text: str, code: str) -> str:
-        return f"\x1b[{code}m{text}\x1b[0m" if colour else text
+        return f"\x1b[{code}m{text}\x1b[0m" if color else text
 
-    hue = _COLOURS[diagnostic.severity]
+    hue = _COLORS[diagnostic.severity]
     head = paint(f"{diagnostic.severity}[{diagnostic.code}]", f"1;{hue}")
     lines = [f"{head}: {paint(diagnostic.message, '1')}"]
     margin = _margin(diagnostic)
@@ -64,9 +64,9 @@ def _excerpt(
     ]
 
 
-def render_all(diagnostics: Iterable[Diagnostic], *, colour: bool = False) -> str:
+def render_all(diagnostics: Iterable[Diagnostic], *, color: bool = False) -> str:
     """Diagnostics in order, a blank line between them."""
-    return "\n\n".join(render(diagnostic, colour=colour) for diagnostic in diagnostics)
+    return "\n\n".join(render(diagnostic, color=color) for diagnostic in diagnostics)
 
 
 def to_record(diagnostic: Diagnostic) -> dict[str, object]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 class Observation:
     """The state of one agent, SI units and radians; the line is the one that it should follow.
 
-    `line_ahead(d)` gives x, y, heading and curvature of that line `d` metres on.
+    `line_ahead(d)` gives x, y, heading and curvature of that line `d` meters on.
     """
 
     time: float

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ..ir.scene import Scene, SceneActor
-from ..pipeline.blame import blaming, wrong_result
+from ..plugins.guard import blaming, wrong_result
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry, Registry
 from .contract import Control, Observation

@@ -1,4 +1,4 @@
-"""Plane geometry of roads: metres, radians, x east, y north, numpy float64.
+"""Plane geometry of roads: meters, radians, x east, y north, numpy float64.
 
 Nothing is imported until a name is used.
 
@@ -9,7 +9,7 @@ Nothing is imported until a name is used.
 - networks: `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`, `NetworkBatch`, `perturb_network`
 - distances: `pointwise`, `deviation`, `lp_distance`, `sup_distance`, `frechet`, `clearance`,
   `margin`, `self_intersects`
-- tiles: `neighbour_mask`, `TileShape`, `tile_shapes`
+- tiles: `neighbor_mask`, `TileShape`, `tile_shapes`
 - errors: `GeometryError`
 """
 
@@ -19,62 +19,28 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .batch import (
-        CurveBatch as CurveBatch,
-    )
-    from .batch import (
-        DisplacedBatch as DisplacedBatch,
-    )
-    from .batch import (
-        displace as displace,
-    )
-    from .batch import (
-        heading_error as heading_error,
-    )
-    from .batch import (
-        sample as sample,
-    )
+    from .batch import CurveBatch as CurveBatch
+    from .batch import DisplacedBatch as DisplacedBatch
+    from .batch import displace as displace
+    from .batch import heading_error as heading_error
+    from .batch import sample as sample
     from .clearances import clearance as clearance
-    from .crossing import (
-        crossings as crossings,
-    )
-    from .crossing import (
-        self_crossings as self_crossings,
-    )
-    from .crossing import (
-        self_intersects as self_intersects,
-    )
+    from .crossing import crossings as crossings
+    from .crossing import self_crossings as self_crossings
+    from .crossing import self_intersects as self_intersects
     from .curve import Curve as Curve
     from .discrete_frechet import frechet as frechet
-    from .distances import (
-        deviation as deviation,
-    )
-    from .distances import (
-        lp_distance as lp_distance,
-    )
-    from .distances import (
-        margin as margin,
-    )
-    from .distances import (
-        pointwise as pointwise,
-    )
-    from .distances import (
-        sup_distance as sup_distance,
-    )
+    from .distances import deviation as deviation
+    from .distances import lp_distance as lp_distance
+    from .distances import margin as margin
+    from .distances import pointwise as pointwise
+    from .distances import sup_distance as sup_distance
     from .errors import GeometryError as GeometryError
     from .frame import Frame as Frame
-    from .joints import (
-        NetworkBatch as NetworkBatch,
-    )
-    from .joints import (
-        anchored_nodes as anchored_nodes,
-    )
-    from .joints import (
-        junction_window as junction_window,
-    )
-    from .joints import (
-        perturb_network as perturb_network,
-    )
+    from .joints import NetworkBatch as NetworkBatch
+    from .joints import anchored_nodes as anchored_nodes
+    from .joints import junction_window as junction_window
+    from .joints import perturb_network as perturb_network
     from .network import Edge as Edge
     from .network import Node as Node
     from .network import RoadNetwork as RoadNetwork
@@ -82,33 +48,15 @@ if TYPE_CHECKING:
     from .paths import Path as Path
     from .paths import Step as Step
     from .road import Road as Road
-    from .segments import (
-        Arc as Arc,
-    )
-    from .segments import (
-        Chain as Chain,
-    )
-    from .segments import (
-        Clothoid as Clothoid,
-    )
-    from .segments import (
-        Straight as Straight,
-    )
-    from .segments import (
-        chain as chain,
-    )
-    from .tiles import (
-        TileShape as TileShape,
-    )
-    from .tiles import (
-        neighbour_mask as neighbour_mask,
-    )
-    from .tiles import (
-        tile_shape as tile_shape,
-    )
-    from .tiles import (
-        tile_shapes as tile_shapes,
-    )
+    from .segments import Arc as Arc
+    from .segments import Chain as Chain
+    from .segments import Clothoid as Clothoid
+    from .segments import Straight as Straight
+    from .segments import chain as chain
+    from .tiles import TileShape as TileShape
+    from .tiles import neighbor_mask as neighbor_mask
+    from .tiles import tile_shape as tile_shape
+    from .tiles import tile_shapes as tile_shapes
     from .width import WidthProfile as WidthProfile
     from .window import Window as Window
     from .window import ease as ease
@@ -155,7 +103,7 @@ _HOMES = {
     "self_intersects": "crossing",
     "crossings": "crossing",
     "self_crossings": "crossing",
-    "neighbour_mask": "tiles",
+    "neighbor_mask": "tiles",
     "TileShape": "tiles",
     "tile_shapes": "tiles",
     "tile_shape": "tiles",

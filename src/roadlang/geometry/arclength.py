@@ -45,7 +45,7 @@ class ArcLength:
 
     @property
     def total(self) -> float:
-        """Metres."""
+        """Meters."""
         return float(self.lengths[-1])
 
     def parameter(self, s: Floats) -> Floats:

@@ -14,7 +14,7 @@ Integers: TypeAlias = NDArray[np.int64]
 Booleans: TypeAlias = NDArray[np.bool_]
 
 FARTHEST = 1e12
-"""Metres. Beyond it a double no longer resolves a tenth of a millimetre."""
+"""Meters. Beyond it a double no longer resolves a tenth of a millimeter."""
 
 
 def finite(values: ArrayLike, what: str) -> Floats:
@@ -29,7 +29,7 @@ def finite(values: ArrayLike, what: str) -> Floats:
 
 
 def finite_points(points: ArrayLike, what: str = "the points of a curve") -> Floats:
-    """`points` as a finite (n, 2) array within `FARTHEST` metres of the origin."""
+    """`points` as a finite (n, 2) array within `FARTHEST` meters of the origin."""
     array = finite(points, what)
     if array.size == 0:
         return array.reshape(0, 2)

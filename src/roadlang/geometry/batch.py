@@ -16,7 +16,7 @@ from .frame import Frame
 
 
 class CurveBatch:
-    """V curves, each sampled at the S `stations` (arc length of the root curve, metres).
+    """V curves, each sampled at the S `stations` (arc length of the root curve, meters).
 
     `points`: (V, S, 2). A closed batch does not repeat its first point; `period` is the root's
     length (by default one mean gap after the last station).
@@ -44,7 +44,7 @@ class CurveBatch:
 
     @cached_property
     def points(self) -> Floats:
-        """(V, S, 2) metres."""
+        """(V, S, 2) meters."""
         return self._points
 
     @property
@@ -77,7 +77,7 @@ class CurveBatch:
 
     @cached_property
     def steps(self) -> Floats:
-        """(V, S - 1) metres from each point to the next; (V, S) if closed."""
+        """(V, S - 1) meters from each point to the next; (V, S) if closed."""
         points = self.points
         if self.closed:
             points = np.concatenate([points, points[:, :1]], axis=1)
@@ -85,7 +85,7 @@ class CurveBatch:
 
     @property
     def length(self) -> Floats:
-        """(V,) metres along each curve."""
+        """(V,) meters along each curve."""
         return np.asarray(self.steps.sum(axis=1))
 
     @cached_property
@@ -168,7 +168,7 @@ class DisplacedBatch(CurveBatch):
 
     @cached_property
     def folded(self) -> Booleans:
-        """(V,) True where the displacement reaches the centre of a bend."""
+        """(V,) True where the displacement reaches the center of a bend."""
         return fold(self.displacement, self.frame.curvature)
 
     def take(self, variants: ArrayLike) -> DisplacedBatch:
@@ -185,7 +185,7 @@ def displace(
     slope: ArrayLike | None = None,
     bend: ArrayLike | None = None,
 ) -> CurveBatch:
-    """`base` moved along its left normal by `displacement` (V, S) or (S,), metres.
+    """`base` moved along its left normal by `displacement` (V, S) or (S,), meters.
 
     With the derivatives `slope` and `bend` of the displacement by arc length the headings and
     curvatures are exact, else second order in the gap of the stations. A `Frame` as base saves

@@ -21,9 +21,9 @@ _TOUCH = 1e-6
 
 
 def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
-    """(V, S) metres from each station to the nearest other part of the road, and other roads.
+    """(V, S) meters from each station to the nearest other part of the road, and other roads.
 
-    Infinite where nothing counts: neighbours along the road do not (see `RETURNING`), nor does the
+    Infinite where nothing counts: neighbors along the road do not (see `RETURNING`), nor does the
     surrounding of a junction that two roads share (`PARTING`). Zero at the stations beside a
     crossing. Between stations it is exact to second order in their gap. S^2 operations a variant.
     """
@@ -75,9 +75,9 @@ def _nearest(points: Floats, line: Floats, along: Floats, ratio: float, closed: 
     counted = np.isfinite(near[np.arange(len(p)), index])
     count = len(line)
     distance = np.full(len(p), np.inf)
-    for neighbour in (index - 1, index + 1):
-        neighbour = neighbour % count if closed else np.clip(neighbour, 0, count - 1)
-        distance = np.minimum(distance, _to_segment(p, q[index], q[neighbour]))
+    for neighbor in (index - 1, index + 1):
+        neighbor = neighbor % count if closed else np.clip(neighbor, 0, count - 1)
+        distance = np.minimum(distance, _to_segment(p, q[index], q[neighbor]))
     return np.where(counted, distance, np.inf)
 
 

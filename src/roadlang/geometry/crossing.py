@@ -25,11 +25,11 @@ def self_crossings(batch: CurveBatch) -> tuple[Integers, Integers, Integers]:
     steps = _Steps.of(batch)
     first, second = np.triu_indices(steps.blocks)
     near = steps.overlap(steps, first, second)
-    neighbours = np.flatnonzero(second - first <= 1)
-    near[:, neighbours] &= ~steps.onward(first[neighbours], second[neighbours])
+    neighbors = np.flatnonzero(second - first <= 1)
+    near[:, neighbors] &= ~steps.onward(first[neighbors], second[neighbors])
     variant, pair = np.nonzero(near)
     found = _crossings(steps, steps, variant, first[pair], second[pair])
-    return _unneighboured(*found, count=steps.count, closed=batch.closed)
+    return _unneighbored(*found, count=steps.count, closed=batch.closed)
 
 
 def crossings(a: CurveBatch, b: CurveBatch) -> tuple[Integers, Integers, Integers]:
@@ -117,7 +117,7 @@ def _segments_meet(p: Floats, q: Floats, r: Floats, t: Floats) -> Booleans:
     return np.asarray(astride & boxes.all(axis=-1))
 
 
-def _unneighboured(
+def _unneighbored(
     variant: Integers, first: Integers, second: Integers, count: int, closed: bool
 ) -> tuple[Integers, Integers, Integers]:
     """Without the pairs that share an end, and each pair once."""

@@ -1,4 +1,4 @@
-"""A smooth plane curve, parametrised by its arc length."""
+"""A smooth plane curve, parametrized by its arc length."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _LONGEST_STEP = 1.2
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A piecewise cubic, with every quantity a function of arc length `s` in metres.
+    """A piecewise cubic, with every quantity a function of arc length `s` in meters.
 
     Make one with `Curve.through` or `Curve.hermite`. Arc lengths beyond the ends of an open
     curve go straight on along its tangent; those of a closed curve go round.
@@ -32,9 +32,9 @@ class Curve:
 
     @classmethod
     def through(cls, points: ArrayLike, closed: bool = False) -> Curve:
-        """The interpolating C2 cubic spline through `points` (n, 2), metres.
+        """The interpolating C2 cubic spline through `points` (n, 2), meters.
 
-        Two points make a straight line; neighbours that coincide count once. The knots are
+        Two points make a straight line; neighbors that coincide count once. The knots are
         refined until they are the arc lengths of the points. Raises GeometryError for points that
         are not finite, for fewer than two distinct ones, and for fewer than three if closed.
         """
@@ -52,7 +52,7 @@ class Curve:
         if angles.shape != (len(given),):
             raise GeometryError("a curve needs one heading for each of its points")
         if len(distinct_points(given, closed)) != len(given):
-            raise GeometryError("neighbouring points of a curve with headings must differ")
+            raise GeometryError("neighboring points of a curve with headings must differ")
         return cls(hermite(given, angles, closed), closed, given)
 
     @cached_property
@@ -61,7 +61,7 @@ class Curve:
 
     @property
     def length(self) -> float:
-        """Metres along the curve; once round if closed."""
+        """Meters along the curve; once round if closed."""
         return self.arc.total
 
     def at(self, s: ArrayLike) -> Floats:
@@ -177,7 +177,7 @@ class Curve:
         return Curve(spline, self.closed, self.points @ linear.T + offset)
 
     def scaled(self, factor: float) -> Curve:
-        """All lengths times `factor`: pixels to metres, for one."""
+        """All lengths times `factor`: pixels to meters, for one."""
         return self.transformed(np.eye(2) * factor)
 
     @cached_property
@@ -187,7 +187,7 @@ class Curve:
         return np.unwrap(np.arctan2(first[:, 1], first[:, 0]))
 
     def _parameters(self, s: ArrayLike) -> tuple[Floats, Floats, Floats]:
-        """Spline parameter, metres beyond an end (signed), and whole laps, of arc lengths."""
+        """Spline parameter, meters beyond an end (signed), and whole laps, of arc lengths."""
         stations = finite(s, "arc lengths")
         if self.closed:
             laps = np.floor(stations / self.length)
@@ -198,7 +198,7 @@ class Curve:
 
 
 def distinct_points(points: ArrayLike, closed: bool) -> Floats:
-    """`points` without repeats of a neighbour; raises GeometryError when too few are left."""
+    """`points` without repeats of a neighbor; raises GeometryError when too few are left."""
     array = finite_points(points)
     if len(array):
         extent = float(norm(np.ptp(array, axis=0)))

@@ -13,9 +13,9 @@ from .errors import GeometryError
 
 @dataclass(frozen=True, eq=False)
 class Stencil:
-    """Second-order differences at `stations` (S,); `period` metres round if closed, else None.
+    """Second-order differences at `stations` (S,); `period` meters round if closed, else None.
 
-    Interior stations use their two neighbours, the ends of an open row up to four stations.
+    Interior stations use their two neighbors, the ends of an open row up to four stations.
     On uneven stations the second derivative is first order.
     """
 

@@ -10,7 +10,7 @@ from .errors import GeometryError
 
 
 def frechet(a: CurveBatch, b: CurveBatch) -> Floats:
-    """(V,) discrete Frechet distance of the sampled points, metres; V may be 1 in one of them.
+    """(V,) discrete Frechet distance of the sampled points, meters; V may be 1 in one of them.
 
     Exceeds the continuous one by at most the longest step of the samples. Eiter and Mannila
     (1994), one anti-diagonal of the table at a time: S + T steps over V rows, V S T operations and

@@ -11,7 +11,7 @@ from .errors import GeometryError
 
 
 def pointwise(a: CurveBatch, b: CurveBatch) -> Floats:
-    """(V, S) metres between the points of `a` and `b` at the same station; V may be 1 in one."""
+    """(V, S) meters between the points of `a` and `b` at the same station; V may be 1 in one."""
     shared = _shared_displacements(a, b)
     if shared is not None:
         return np.abs(np.subtract(*shared))
@@ -20,7 +20,7 @@ def pointwise(a: CurveBatch, b: CurveBatch) -> Floats:
 
 
 def deviation(a: CurveBatch, b: CurveBatch) -> Floats:
-    """(V, S) size of the displacement of `a` from `b` across `b`, metres.
+    """(V, S) size of the displacement of `a` from `b` across `b`, meters.
 
     The same as `pointwise` where `a` is `b` displaced; else the part of the way from `b` to `a`
     along the normal of `b`.
@@ -49,12 +49,12 @@ def lp_distance(a: CurveBatch, b: CurveBatch, p: float) -> Floats:
 
 
 def sup_distance(a: CurveBatch, b: CurveBatch) -> Floats:
-    """(V,) the largest pointwise distance, metres."""
+    """(V,) the largest pointwise distance, meters."""
     return np.asarray(pointwise(a, b).max(axis=1))
 
 
 def margin(batch: CurveBatch, p: ArrayLike, q: ArrayLike) -> Floats:
-    """(V, S) metres to the nearest edge of the box with corners `p` and `q`, negative outside."""
+    """(V, S) meters to the nearest edge of the box with corners `p` and `q`, negative outside."""
     first, second = finite(p, "the corners of a box"), finite(q, "the corners of a box")
     if first.shape != (2,) or second.shape != (2,):
         raise GeometryError("a box needs two corners (x, y)")
@@ -68,7 +68,7 @@ def margin(batch: CurveBatch, p: ArrayLike, q: ArrayLike) -> Floats:
 
 
 def quadrature(batch: CurveBatch) -> Floats:
-    """(S,) weights of the trapezoidal rule over the stations, metres."""
+    """(S,) weights of the trapezoidal rule over the stations, meters."""
     gaps = np.diff(batch.stations)
     weights = np.zeros(len(batch.stations))
     weights[:-1] += gaps / 2.0

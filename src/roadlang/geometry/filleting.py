@@ -19,7 +19,7 @@ _STRAIGHT = 1e-9
 def chained(curves: Sequence[Curve], rounding: float) -> Curve:
     """One open curve along `curves`, each of which starts where the one before it ends.
 
-    Where the heading jumps, up to `rounding` metres on both sides (at most 45 % of a curve) give
+    Where the heading jumps, up to `rounding` meters on both sides (at most 45 % of a curve) give
     way to a smooth bend; everything else stays exactly as it was.
     """
     if not curves:

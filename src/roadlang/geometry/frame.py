@@ -19,7 +19,7 @@ class Frame:
     curve: Curve
     stations: Floats
     points: Floats
-    """(S, 2) metres"""
+    """(S, 2) meters"""
     heading: Floats
     """(S,) radians, continuous"""
     curvature: Floats
@@ -41,7 +41,7 @@ class Frame:
 
     @property
     def period(self) -> float | None:
-        """Metres round, of a closed curve."""
+        """Meters round, of a closed curve."""
         return self.curve.length if self.curve.closed else None
 
     @property

@@ -16,7 +16,7 @@ from .network import Edge, Node, RoadNetwork
 from .window import Window, ease, fade
 
 REACH = 15.0
-"""Metres from a junction within which a displacement fades out."""
+"""Meters from a junction within which a displacement fades out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +60,7 @@ def anchored_nodes(network: RoadNetwork) -> frozenset[int]:
 def junction_window(
     network: RoadNetwork, edge: Edge, stations: Floats, reach: float = REACH
 ) -> Window:
-    """Zero where the edge ends at an anchored node, one beyond `reach` metres from there.
+    """Zero where the edge ends at an anchored node, one beyond `reach` meters from there.
 
     Value, slope and bend of a displacement in this window vanish at such ends, so that positions,
     headings and curvatures there stay what they were.
@@ -80,7 +80,7 @@ def perturb_network(
 
     `stations` (S,) and `displacements` (V, S) or (S,) by edge id; an edge without a displacement
     stays. Displacements fade out at anchored nodes. `shifts`, (V, 2) or (2,) by node id, move
-    nodes, and over `reach` metres the roads that end there. Dead ends go where their road goes.
+    nodes, and over `reach` meters the roads that end there. Dead ends go where their road goes.
     """
     shifts = shifts or {}
     rows = _variants([*displacements.values()], [*shifts.values()])

@@ -23,7 +23,7 @@ _JOINED = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A place where roads end or meet; `position` in metres."""
+    """A place where roads end or meet; `position` in meters."""
 
     id: int
     position: tuple[float, float]
@@ -110,7 +110,7 @@ class RoadNetwork:
 
     @property
     def length(self) -> float:
-        """Metres of all roads together."""
+        """Meters of all roads together."""
         return sum(edge.length for edge in self.edges)
 
     @property
@@ -133,7 +133,7 @@ class RoadNetwork:
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """West, south, east and north of all nodes and roads, metres."""
+        """West, south, east and north of all nodes and roads, meters."""
         lines = [edge.curve.at(edge.curve.stations(count=64)) for edge in self.edges]
         lines += [edge.curve.points for edge in self.edges]
         lines += [np.array([node.position]) for node in self.nodes]

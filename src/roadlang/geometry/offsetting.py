@@ -15,7 +15,7 @@ _REACH = 4.0
 
 
 def offset(curve: Curve, distance: ArrayLike, stations: ArrayLike) -> Floats:
-    """(S, 2) points `distance` metres to the left of the curve at `stations` (S,).
+    """(S, 2) points `distance` meters to the left of the curve at `stations` (S,).
 
     `distance` is a number or (S,). Inside a bend tighter than that, the parallel curve makes a
     loop; here all stations of the loop share the point where it closes, so that the line still

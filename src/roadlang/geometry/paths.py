@@ -22,7 +22,7 @@ SHARPEST_TURN = 2.0 * np.pi / 3.0
 """Radians: a road does not go on through a junction more sharply than this."""
 
 ROUNDING = 5.0
-"""Metres before and after a junction within which a path is rounded."""
+"""Meters before and after a junction within which a path is rounded."""
 
 _MOST_VISITS = 20_000
 
@@ -55,7 +55,7 @@ class Path:
 
     @property
     def length(self) -> float:
-        """Metres along the edges, before corners are rounded."""
+        """Meters along the edges, before corners are rounded."""
         return sum(step.length for step in self.steps)
 
     @cached_property
@@ -70,16 +70,16 @@ class Path:
         """The edges' widths, at the stretched stations of `curve`."""
         if self.is_loop:
             return self.network.edge(self.steps[0].edge).width
-        stations, widths, travelled = [], [], 0.0
+        stations, widths, traveled = [], [], 0.0
         for step in self.steps:
             own = np.linspace(0.0, step.length, max(2, int(step.length) + 1))
             source = step.start + np.sign(step.stop - step.start) * own
             # A hair inside, where the next step may begin with another width.
-            inner = travelled + np.clip(own, 1e-6 * step.length, (1.0 - 1e-6) * step.length)
+            inner = traveled + np.clip(own, 1e-6 * step.length, (1.0 - 1e-6) * step.length)
             stations.append(inner)
             widths.append(self.network.edge(step.edge).width.at(source))
-            travelled += step.length
-        stretch = self.curve.length / travelled
+            traveled += step.length
+        stretch = self.curve.length / traveled
         return WidthProfile(np.concatenate(stations) * stretch, np.concatenate(widths))
 
     @property

@@ -1,4 +1,4 @@
-"""A road: a centre line with a width and lanes."""
+"""A road: a center line with a width and lanes."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .width import WidthProfile
 
 @dataclass(frozen=True, eq=False)
 class Road:
-    """`lanes` of equal width share the carriageway, centred on the curve.
+    """`lanes` of equal width share the carriageway, centered on the curve.
 
     Lane ids are those of OpenDRIVE: -1 the first right of the middle, 1 the first left of it. Of an
-    odd number the extra lane is on the right; a single lane, -1, lies on the centre line.
+    odd number the extra lane is on the right; a single lane, -1, lies on the center line.
     """
 
     curve: Curve
@@ -45,7 +45,7 @@ class Road:
         return (*range(left, 0, -1), *range(-1, left - self.lanes - 1, -1))
 
     def lane_width(self, s: ArrayLike) -> Floats:
-        """Metres, at each arc length."""
+        """Meters, at each arc length."""
         return self.width.at(s) / self.lanes
 
     def lane_offset(self, lane: int, s: ArrayLike) -> Floats:
@@ -62,7 +62,7 @@ class Road:
         return offset(self.curve, half, stations), offset(self.curve, -half, stations)
 
     def lane_lines(self, stations: ArrayLike) -> tuple[Floats, ...]:
-        """The lines between neighbouring lanes, from left to right, (S, 2) each."""
+        """The lines between neighboring lanes, from left to right, (S, 2) each."""
         width = self.width.at(stations)
         shares = 0.5 - np.arange(1, self.lanes) / self.lanes
         return tuple(offset(self.curve, width * share, stations) for share in shares)

@@ -20,7 +20,7 @@ _MOST_SAMPLES = 1_000_000
 
 @dataclass(frozen=True, slots=True)
 class Straight:
-    """`length` metres straight on."""
+    """`length` meters straight on."""
 
     length: float
 
@@ -31,7 +31,7 @@ class Straight:
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """Part of a circle of `radius` metres, turning by `angle` radians, left positive."""
+    """Part of a circle of `radius` meters, turning by `angle` radians, left positive."""
 
     radius: float
     angle: float
@@ -48,7 +48,7 @@ class Arc:
 
 @dataclass(frozen=True, slots=True)
 class Clothoid:
-    """`length` metres over which the curvature (1/m, left positive) changes evenly."""
+    """`length` meters over which the curvature (1/m, left positive) changes evenly."""
 
     length: float
     start_curvature: float
@@ -92,7 +92,7 @@ def chain(
 ) -> Chain:
     """Samples of `segments` laid end to end from `start` (x, y) with `heading` radians.
 
-    At most `spacing` metres and a tenth of a radian apart. The positions are the Fresnel-type
+    At most `spacing` meters and a tenth of a radian apart. The positions are the Fresnel-type
     integrals of the heading by Gauss-Legendre quadrature, exact to rounding.
     """
     if not segments:

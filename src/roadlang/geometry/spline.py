@@ -92,7 +92,7 @@ def interpolate(knots: Floats, points: Floats, closed: bool) -> PiecewiseCubic:
 
 
 def hermite(points: Floats, headings: Floats, closed: bool) -> PiecewiseCubic:
-    """The G1 cubic through `points` (n, 2) with `headings` (n,), one piece between neighbours.
+    """The G1 cubic through `points` (n, 2) with `headings` (n,), one piece between neighbors.
 
     Tangents are as long as makes the curvature of a circle exact at its ends, so that on smooth
     data the curvature is accurate to fourth order; there is no ringing at jumps of curvature.

@@ -1,4 +1,4 @@
-"""Tiles of a grid of cells: which neighbours each has, and the shape that follows."""
+"""Tiles of a grid of cells: which neighbors each has, and the shape that follows."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class TileShape:
 
     @property
     def mask(self) -> int:
-        """The neighbour mask that this shape is for."""
+        """The neighbor mask that this shape is for."""
         return _SHAPES.index(self)
 
 
@@ -41,9 +41,9 @@ _BY_MASK = {
 _SHAPES = tuple(_BY_MASK[mask] for mask in range(16))
 
 
-def neighbour_mask(cells: ArrayLike) -> NDArray[np.uint8]:
+def neighbor_mask(cells: ArrayLike) -> NDArray[np.uint8]:
     """For each set cell of a Boolean grid (rows from north to south), the sum of N 1, E 2, S 4,
-    W 8 over its set neighbours; 0 for cells that are not set (and for those that stand alone)."""
+    W 8 over its set neighbors; 0 for cells that are not set (and for those that stand alone)."""
     grid = np.asarray(cells, dtype=bool)
     if grid.ndim != 2:
         raise GeometryError("a grid of tiles has two dimensions")
@@ -58,16 +58,16 @@ def neighbour_mask(cells: ArrayLike) -> NDArray[np.uint8]:
 
 
 def tile_shape(mask: int) -> TileShape:
-    """The shape of a tile with this neighbour mask."""
+    """The shape of a tile with this neighbor mask."""
     if not 0 <= mask < 16:
-        raise GeometryError("a neighbour mask is a number from 0 to 15")
+        raise GeometryError("a neighbor mask is a number from 0 to 15")
     return _SHAPES[mask]
 
 
 def tile_shapes(cells: ArrayLike) -> dict[tuple[int, int], TileShape]:
     """The shape of each set cell of a Boolean grid, by (row, column)."""
     grid = np.asarray(cells, dtype=bool)
-    masks = neighbour_mask(grid)
+    masks = neighbor_mask(grid)
     return {
         (int(row), int(column)): _SHAPES[int(masks[row, column])]
         for row, column in np.argwhere(grid)

@@ -13,7 +13,7 @@ from .errors import GeometryError
 
 @dataclass(frozen=True, eq=False)
 class WidthProfile:
-    """Widths (n,) at increasing `stations` (n,), metres; linear between, constant beyond.
+    """Widths (n,) at increasing `stations` (n,), meters; linear between, constant beyond.
 
     With a `period` (closed roads) the last width runs linearly on to the first.
     """

@@ -42,7 +42,7 @@ class Window:
 def over(
     stations: Floats, start: float, stop: float, taper: float = 0.0, period: float | None = None
 ) -> Window:
-    """One on [start, stop] but for the `taper` metres inside each end, zero elsewhere.
+    """One on [start, stop] but for the `taper` meters inside each end, zero elsewhere.
 
     An infinite end is not tapered. With a `period` the stretch may cross the seam
     (`start > stop`).
@@ -62,7 +62,7 @@ def over(
 def fade(
     stations: Floats, length: float, reach: float, at_start: bool = True, at_end: bool = True
 ) -> Window:
-    """Zero at the chosen ends of an open curve, one from `reach` metres inside.
+    """Zero at the chosen ends of an open curve, one from `reach` meters inside.
 
     Value, slope and bend vanish at the ends, so position, heading and curvature stay there. When
     both ends fade and the curve is shorter than twice `reach`, each takes its half.
@@ -87,7 +87,7 @@ def ease(t: ArrayLike) -> tuple[Floats, Floats, Floats]:
 
 
 def _rise(stations: Floats, at: float, reach: float, falling: bool = False) -> Window:
-    """From 0 at `at` to 1 after `reach` metres; if `falling`, 0 at `at` and 1 before it."""
+    """From 0 at `at` to 1 after `reach` meters; if `falling`, 0 at `at` and 1 before it."""
     sign = -1.0 if falling else 1.0
     distance = sign * (stations - at)
     if reach <= 0.0 or not np.isfinite(at):

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RoadBatch:
-    """A road in V variants, sampled at S stations of its root road (arc length, metres).
+    """A road in V variants, sampled at S stations of its root road (arc length, meters).
 
     All roads that derive from one root share its stations, so that they can be compared point
     by point. Arrays have V rows, or one row where all variants are alike. What is not asked for
@@ -27,9 +27,9 @@ class RoadBatch:
     root: str
     curves: CurveBatch
     width: Floats
-    """(V, S) or (V, 1) metres"""
+    """(V, S) or (V, 1) meters"""
     displacement: Floats
-    """(V, S) metres: the sum of all displacements from the root, left positive"""
+    """(V, S) meters: the sum of all displacements from the root, left positive"""
     stretch: tuple[Any, Any] | None = None
     """`over: [a, b]` of the pass that perturbs it: arc lengths, or (V, 1) columns of such"""
     others: tuple[RoadBatch, ...] = ()
@@ -44,7 +44,7 @@ class RoadBatch:
 
     @property
     def points(self) -> Floats:
-        """(V, S, 2) metres."""
+        """(V, S, 2) meters."""
         return self.curves.points
 
     @property
@@ -68,7 +68,7 @@ class RoadBatch:
 
     @property
     def period(self) -> float | None:
-        """Metres once round the root road, of a closed one."""
+        """Meters once round the root road, of a closed one."""
         return self.curves.period
 
     @property
@@ -82,7 +82,7 @@ class RoadBatch:
 
     @property
     def length(self) -> Floats:
-        """(V, 1) metres along the road itself."""
+        """(V, 1) meters along the road itself."""
         return self.curves.length[:, None]
 
     def take(self, rows: NDArray[np.intp]) -> RoadBatch:
@@ -138,7 +138,7 @@ def unit_interval(keys: NDArray[np.uint64], count: int, stream: int = 0) -> Floa
 
 
 def mix(words: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    """The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every
+    """The finalizer of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every
     output bit."""
     import numpy as np
 

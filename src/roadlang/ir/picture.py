@@ -18,8 +18,8 @@ class Picture:
     """`pixels`: (height, width, 3) uint8 BGR, row 0 at the top.
 
     `characters` is the grid of a picture typed as text (its `pixels` are then None).
-    `legend` maps a character or a colour ("#2e7d32", "white") to "road" or an object kind.
-    `scale` is metres per pixel. Pixel (0, 0) has its centre at image coordinates (0, 0); in the
+    `legend` maps a character or a color ("#2e7d32", "white") to "road" or an object kind.
+    `scale` is meters per pixel. Pixel (0, 0) has its center at image coordinates (0, 0); in the
     world the picture's bottom-left pixel corner is the origin, x east, y north.
     """
 
@@ -46,7 +46,7 @@ class Picture:
         return int(self.pixels.shape[1])
 
     def to_world(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 2) image coordinates (x right, y down) to metres."""
+        """(n, 2) image coordinates (x right, y down) to meters."""
         import numpy as np
 
         points = np.asarray(points, dtype=float)
@@ -55,7 +55,7 @@ class Picture:
         return np.stack([x, y], axis=-1)
 
     def to_pixels(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 2) metres to image coordinates."""
+        """(n, 2) meters to image coordinates."""
         import numpy as np
 
         points = np.asarray(points, dtype=float)
@@ -73,13 +73,13 @@ class Picture:
         from .polylines import network_of_polylines
 
         world = [self.to_world(line) for line in polylines]
-        metres = None if width is None else width * self.scale
-        return Extraction(network_of_polylines(world, metres, tolerance=0.5 * self.scale))
+        meters = None if width is None else width * self.scale
+        return Extraction(network_of_polylines(world, meters, tolerance=0.5 * self.scale))
 
 
 @dataclass(frozen=True)
 class FoundObject:
-    """Something that a legend named: `kind`, and its outline's centre and size in metres."""
+    """Something that a legend named: `kind`, and its outline's center and size in meters."""
 
     kind: str
     x: float
@@ -91,10 +91,10 @@ class FoundObject:
 
 @dataclass(frozen=True)
 class Extraction:
-    """Roads in metres, objects of the legend, how sure the extractor is (0 to 1), remarks.
+    """Roads in meters, objects of the legend, how sure the extractor is (0 to 1), remarks.
 
     `mask`: (height, width) bool, the pixels taken for road, where the extractor has one: tiles
-    are built from it. `width_errors`: metres, the standard deviation of what was measured of each
+    are built from it. `width_errors`: meters, the standard deviation of what was measured of each
     road's width, in the order of the network's edges, where the extractor knows it.
     """
 

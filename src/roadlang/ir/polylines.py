@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from ..geometry import Curve, Edge, Node, RoadNetwork
 
 DEFAULT_WIDTH = 7.0
-"""Metres: two lanes of 3.5 m, where a source tells no width."""
+"""Meters: two lanes of 3.5 m, where a source tells no width."""
 
 
 def network_of_polylines(
     lines: Sequence[NDArray[np.float64]], width: float | None = None, tolerance: float = 1e-6
 ) -> RoadNetwork:
-    """The network of (n, 2) polylines in metres, smoothed by splines through their points.
+    """The network of (n, 2) polylines in meters, smoothed by splines through their points.
 
     Ends nearer than `tolerance` become one node, at their mean. A line whose two ends coincide is
     a loop. Raises `GeometryError` for a line without two distinct points.

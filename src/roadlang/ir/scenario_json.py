@@ -15,7 +15,7 @@ from functools import cache
 from typing import Any
 
 from ..diagnostics import Source, Span
-from ..stl.formulas import Formula
+from ..stl.formula.formulas import Formula
 from . import scenario as scenario_nodes
 from . import values as value_nodes
 from .dimension import Dimension
@@ -90,7 +90,7 @@ def _nodes() -> dict[str, type]:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, Formula):
-        from ..stl.json_form import to_json
+        from ..stl.formats.json_form import to_json
 
         return to_json(value)
     if isinstance(value, Dimension):
@@ -124,7 +124,7 @@ def _revived(value: Any) -> Any:
         raise ValueError(f"there is no node `{value['is']}`")
     members = {name: member for name, member in value.items() if name != "is"}
     if kind is value_nodes.Condition:
-        from ..stl.json_form import from_json
+        from ..stl.formats.json_form import from_json
 
         members["formula"] = from_json(members["formula"])
     if kind is value_nodes.Constant:

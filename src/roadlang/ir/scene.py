@@ -14,7 +14,7 @@ class SceneRoad:
     """One curve. `stations` is arc length along this road itself; all tuples are as long.
 
     `reference_stations` is the arc length of the root road at the same points: the positions of
-    the requirements. `base` is the (n, 2) centre line of the root road, for the ghost.
+    the requirements. `base` is the (n, 2) center line of the root road, for the ghost.
     """
 
     name: str
@@ -85,7 +85,7 @@ class SceneActor:
     start: float | None = None
     """arc length along `road`"""
     offset: float | None = None
-    """left of the centre line, metres"""
+    """left of the center line, meters"""
     lane: int | None = None
     facing: str = "forward"
     options: Mapping[str, Any] = field(default_factory=dict)
@@ -94,7 +94,7 @@ class SceneActor:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Where a requirement is violated: arc length of the root road, metres."""
+    """Where a requirement is violated: arc length of the root road, meters."""
 
     road: str
     start: float

@@ -12,7 +12,7 @@ from typing import Any
 import pluggy
 
 from . import hookspecs
-from .registry import BrokenPlugin, KindEntry, Origin, Registry, entries_of
+from .registry import SHIPPED, BrokenPlugin, KindEntry, Origin, Registry, entries_of
 
 GROUP = "roadlang"
 BLOCKED_VARIABLE = "ROADLANG_NO_PLUGINS"
@@ -39,9 +39,10 @@ def _blocked_by_environment() -> list[str]:
     return [word.strip() for word in words if word.strip()]
 
 
-def _order(point: EntryPoint) -> tuple[bool, str]:
-    # The standard kinds come first in every listing; otherwise order means nothing.
-    return (point.name != "standard", point.name)
+def _order(point: EntryPoint) -> tuple[int, str]:
+    # What ships comes first in every listing; otherwise order means nothing.
+    place = SHIPPED.index(point.name) if point.name in SHIPPED else len(SHIPPED)
+    return (place, point.name)
 
 
 class _Candidate:

@@ -81,7 +81,7 @@ class Drawer(Kind):
     verb: ClassVar[str] = "draw"
 
     def draw(self, closed: bool) -> Curve:
-        """The centre line; `closed` is the road's option."""
+        """The center line; `closed` is the road's option."""
         raise NotImplementedError
 
 
@@ -117,11 +117,11 @@ class Perturber(Kind):
     """it draws from `random`: set to False where the options alone tell the displacement"""
 
     def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
-        """(stations,) metres, left positive, of one variant (`road` has one)."""
+        """(stations,) meters, left positive, of one variant (`road` has one)."""
         raise NotImplementedError
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
-        """(variants, stations) metres. The runner loops over `displacement` without it."""
+        """(variants, stations) meters. The runner loops over `displacement` without it."""
         raise NotImplementedError
 
     def reach(self) -> Floats | float:

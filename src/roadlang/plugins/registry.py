@@ -11,8 +11,8 @@ from typing import Any
 from .kinds import VERBS, Kind
 from .options import OptionSchema, schema_of
 
-STANDARD = "standard"
-"""The entry point of the kinds that ship."""
+SHIPPED = ("standard", "godot")
+"""The entry points of the kinds that ship in the wheel, in the order of listings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +22,10 @@ class Origin:
     plugin: str
     distribution: str
     version: str
+
+    @property
+    def is_shipped(self) -> bool:
+        return self.plugin in SHIPPED
 
     def __str__(self) -> str:
         return f"{self.distribution} {self.version}"
@@ -43,7 +47,7 @@ class KindEntry:
     @property
     def recorded(self) -> str:
         """The name in scenes and manifests: plain for standard kinds, whatever else there is."""
-        return self.name if self.origin.plugin == STANDARD else self.qualified
+        return self.name if self.origin.is_shipped else self.qualified
 
     def load(self) -> type[Kind]:
         """The class. Raises what importing raises, and `TypeError` for what is no such kind; the
@@ -125,8 +129,10 @@ class Registry:
 
     def find_recorded(self, verb: str, name: str) -> KindEntry:
         """The kind that a scene names (`KindEntry.recorded`). Raises as `find` does."""
-        standard = f"{STANDARD}.{name}"
-        return self.find(verb, standard if self.has(verb, standard) else name)
+        for plugin in SHIPPED:
+            if self.has(verb, f"{plugin}.{name}"):
+                return self.find(verb, f"{plugin}.{name}")
+        return self.find(verb, name)
 
     def has(self, verb: str, name: str) -> bool:
         return (verb, name) in self._by_name

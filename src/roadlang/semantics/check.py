@@ -9,12 +9,12 @@ from ..diagnostics import Diagnostic, diagnose
 from ..diagnostics.render import in_order
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
-from .checker import Checker
-from .definitions import define
-from .loading import load
-from .lowering import lower
-from .rules import RULES
-from .warnings import warn
+from .infer.checker import Checker
+from .infer.rules import RULES
+from .infer.warnings import warn
+from .lower.lowering import lower
+from .names.definitions import define
+from .names.loading import load
 
 
 def check_file(

@@ -9,10 +9,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .blame import Stretch
-    from .explanation import Explanation, Link
-    from .foreign import read_breach, read_latex
-    from .formulas import (
+    from .evaluate.online import Monitor
+    from .evaluate.smooth import smooth_rho
+    from .evaluate.verdicts import Range, Verdict
+    from .explain.causes import Stretch
+    from .explain.explanation import Explanation, Link
+    from .explain.mining import Mined, Parameter, mine
+    from .formats.foreign import read_breach, read_latex
+    from .formats.json_form import from_json, to_json
+    from .formats.text import parse
+    from .formats.trace_files import read_trace
+    from .formula.formulas import (
         Always,
         And,
         Comparison,
@@ -29,33 +36,26 @@ if TYPE_CHECKING:
         Until,
         Xor,
     )
-    from .interval import UNBOUNDED, Interval
-    from .json_form import from_json, to_json
-    from .mining import Mined, Parameter, mine
-    from .online import Monitor
-    from .smooth import smooth_rho
-    from .terms import Apply, Arithmetic, Constant, Negate, Term, Variable
-    from .text import parse
-    from .trace_files import read_trace
-    from .verdicts import Range, Verdict
+    from .formula.interval import UNBOUNDED, Interval
+    from .formula.terms import Apply, Arithmetic, Constant, Negate, Term, Variable
 
 _HOMES = {
-    "formulas": (
+    "formula.formulas": (
         "Always And Comparison Eventually Formula Historically Iff Implies Not Once Or "
         "Since Truth Until Xor"
     ),
-    "blame": "Stretch",
-    "explanation": "Explanation Link",
-    "foreign": "read_breach read_latex",
-    "interval": "Interval UNBOUNDED",
-    "json_form": "from_json to_json",
-    "mining": "Mined Parameter mine",
-    "online": "Monitor",
-    "smooth": "smooth_rho",
-    "terms": "Apply Arithmetic Constant Negate Term Variable",
-    "text": "parse",
-    "trace_files": "read_trace",
-    "verdicts": "Range Verdict",
+    "explain.causes": "Stretch",
+    "explain.explanation": "Explanation Link",
+    "formats.foreign": "read_breach read_latex",
+    "formula.interval": "Interval UNBOUNDED",
+    "formats.json_form": "from_json to_json",
+    "explain.mining": "Mined Parameter mine",
+    "evaluate.online": "Monitor",
+    "evaluate.smooth": "smooth_rho",
+    "formula.terms": "Apply Arithmetic Constant Negate Term Variable",
+    "formats.text": "parse",
+    "formats.trace_files": "read_trace",
+    "evaluate.verdicts": "Range Verdict",
 }
 _HOME = {name: module for module, names in _HOMES.items() for name in names.split()}
 

@@ -10,5 +10,5 @@ from ..diagnostics import DiagnosticError, Span, diagnose
 def stl_error(
     code: str, span: Span | None = None, *, help: str | tuple[str, ...] = (), **values: Any
 ) -> DiagnosticError:
-    """An exception to raise, with one diagnostic of the catalogue page `code`."""
+    """An exception to raise, with one diagnostic of the catalog page `code`."""
     return DiagnosticError(diagnose(code, span, help=help, **values))

@@ -5,19 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .format import format_file, format_source
-    from .parser import parse, parse_formula
+    from .parsing.parser import parse, parse_formula
+    from .printing.format import format_file, format_source
 
 __all__ = ["format_file", "format_source", "parse", "parse_formula"]
 
 
 def __getattr__(name: str) -> Any:
     if name in ("parse", "parse_formula"):
-        from . import parser
+        from .parsing import parser
 
         return getattr(parser, name)
     if name in ("format_file", "format_source"):
-        from . import format
+        from .printing import format
 
         return getattr(format, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -67,7 +67,7 @@ def slip(word: str, known: str) -> bool:
     return distance(word.lower(), known) <= limit
 
 
-def misspelt(word: str, known: Iterable[str]) -> str | None:
+def misspelled(word: str, known: Iterable[str]) -> str | None:
     """The one of the known words that `word` is a slip of, or begins."""
     known = list(known)
     slips = [candidate for candidate in known if slip(word, candidate)]
@@ -77,7 +77,7 @@ def misspelt(word: str, known: Iterable[str]) -> str | None:
 
 
 def distance(a: str, b: str) -> int:
-    """Edit distance with swaps of neighbours (optimal string alignment)."""
+    """Edit distance with swaps of neighbors (optimal string alignment)."""
     if abs(len(a) - len(b)) > 3:
         return abs(len(a) - len(b))
     rows = [list(range(len(b) + 1))]

@@ -23,7 +23,7 @@ from roadlang.api import (
 
 @dataclass(frozen=True)
 class Mpc(Controller):
-    """Steer towards where the road will be, weighing error, heading and effort."""
+    """Steer toward where the road will be, weighing error, heading and effort."""
 
     name: ClassVar[str] = "mpc"
     horizon: Duration = option(2.0, above=0, maximum=20, help="how far ahead it plans")

@@ -59,7 +59,7 @@ class Request:
     leave_out: tuple[tuple[tuple[float, float], ...], ...] = ()
     only_through: bool = False
     min_length: float | None = None
-    metres_per_pixel: float | None = None
+    meters_per_pixel: float | None = None
 
     def at(self, scale: float) -> Request:
         """The same in a picture `scale` times as large."""
@@ -112,9 +112,9 @@ def roads_of_photo(
 ) -> FoundNetwork:
     """The road network of a photo (h, w, 3)."""
     net = net or road_net()
-    scale = start_scale(image, request.metres_per_pixel)
+    scale = start_scale(image, request.meters_per_pixel)
     seen = look(resized(image, scale), net)
-    other = _other_scale(image, scale, seen, request.metres_per_pixel)
+    other = _other_scale(image, scale, seen, request.meters_per_pixel)
     if other is not None:
         again = look(resized(image, other), net)
         if _share(again) > 0.5 * _share(seen):

@@ -12,7 +12,7 @@ _ANGLES = 12
 _WIDTHS = (5, 9, 13)
 _LENGTH = 21
 _CHROMA = 0.03
-"""How much a colourful pixel loses: asphalt is grey."""
+"""How much a colorful pixel loses: asphalt is gray."""
 
 
 def roads_by_ribbons(image: Image) -> FoundNetwork:

@@ -139,7 +139,7 @@ def _joined(first: Line, second: Line, node: int) -> Line:
 def extend_to_border(graph: Graph, shape: tuple[int, int], reach: float) -> None:
     """Carry dead ends within `reach` pixels of the picture's edge straight on to it, in place.
 
-    Near the edge a skeleton turns towards the corner of its mask: that bit is cut off first.
+    Near the edge a skeleton turns toward the corner of its mask: that bit is cut off first.
     """
     degree = graph.degree()
     for line in graph.lines:

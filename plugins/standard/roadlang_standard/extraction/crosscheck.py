@@ -27,7 +27,7 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     without a check.
     """
     found = roads_of_photo(image, request, net)
-    hinted = request != Request(metres_per_pixel=request.metres_per_pixel)
+    hinted = request != Request(meters_per_pixel=request.meters_per_pixel)
     side = max(image.shape[:2])
     if hinted or (_length(found.roads) >= _LITTLE * side and found.confidence >= _DOUBTED):
         return found

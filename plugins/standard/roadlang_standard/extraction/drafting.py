@@ -1,4 +1,4 @@
-"""From a tidy graph to drawn roads: smooth centre lines through junctions, widths, confidence."""
+"""From a tidy graph to drawn roads: smooth center lines through junctions, widths, confidence."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .chains import Chain, chains
-from .edges import recentred, sides, usual_width, widths
+from .edges import recentered, sides, usual_width, widths
 from .found import FoundNetwork, FoundRoad
 from .graph import Graph, Line
 from .smoothing import Floats, resample, smooth, stations
@@ -29,11 +29,11 @@ class Draft:
     wavelength: float = 3.0
     tolerance: float = 0.15
     fixed_width: float | None = None
-    recentre: bool = True
+    recenter: bool = True
     level: float = 0.5
     """surface at the edge of a road"""
     sure: float = 0.0
-    """surface on the centre line from which on a width counts, where a tenth of the line has it"""
+    """surface on the center line from which on a width counts, where a tenth of the line has it"""
     blur: float = 0.0
     """pixels by which the surface is blurred: widths are taken to add to it in squares"""
 
@@ -103,11 +103,11 @@ def _open_curve(
             weights[near] = 0.02
     tolerance, tightest = max(0.8, manner.tolerance * manner.width), 0.5 * manner.width
     curve = smooth(points, manner.waves, tolerance, tightest, weights, free=free)
-    if manner.recentre and len(points) > manner.width:
+    if manner.recenter and len(points) > manner.width:
         curve = resample(curve)
         seen = sides(curve, surface, 1.1 * manner.width + 3, manner.level)
         held = (not free[0], not free[1])
-        curve = recentred(curve, seen, 0.8 * manner.waves, False, held)
+        curve = recentered(curve, seen, 0.8 * manner.waves, False, held)
         curve = smooth(resample(curve), 0.6 * manner.waves, tolerance, tightest, free=free)
     return curve
 
@@ -115,11 +115,11 @@ def _open_curve(
 def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
     tolerance, tightest = max(0.8, manner.tolerance * manner.width), 0.5 * manner.width
     curve = smooth(points[:-1], manner.waves, tolerance, tightest, closed=True)
-    if manner.recentre:
+    if manner.recenter:
         curve = resample(np.vstack([curve, curve[:1]]))[:-1]
         seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3, manner.level)
         whole = np.vstack([curve, curve[:1]])
-        whole = recentred(whole, seen, 0.8 * manner.waves, False, held=(False, False))
+        whole = recentered(whole, seen, 0.8 * manner.waves, False, held=(False, False))
         curve = smooth(resample(whole)[:-1], 0.6 * manner.waves, tolerance, tightest, closed=True)
     return np.vstack([curve, curve[:1]])
 

@@ -29,12 +29,12 @@ class Ribbon:
 def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
     """The roads of a clean drawing; says in `method` which manner of drawing it took it for."""
     plan = tones(image)
-    paper = plan.colours[plan.paper]
-    others = np.delete(plan.colours, plan.paper, axis=0)
+    paper = plan.colors[plan.paper]
+    others = np.delete(plan.colors, plan.paper, axis=0)
     ink = _ink(image, paper)
     if not ink.any():
         empty = np.zeros(image.shape[:2], bool)
-        return FoundNetwork(np.zeros((0, 2)), (), empty, "drawing", ("the picture has one colour",))
+        return FoundNetwork(np.zeros((0, 2)), (), empty, "drawing", ("the picture has one color",))
     between = between_lines(ink >= 0.5)
     if between is not None:
         found = roads_of_surface(between, "edge lines", width=width)

@@ -1,4 +1,4 @@
-"""Where the edges of a road lie to the left and right of its centre line: widths and recentring."""
+"""Where the edges of a road are, left and right of its center line: widths, recentering."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _STEP = 0.25
 
 @dataclass(frozen=True)
 class Sides:
-    """Distances (n,) in pixels from the centre line to the edges, NaN where none is seen."""
+    """Distances (n,) in pixels from the center line to the edges, NaN where none is seen."""
 
     left: Floats
     right: Floats
@@ -78,7 +78,7 @@ def usual_width(found: Sides) -> float:
     return float(np.median(widths)) if len(widths) else float("nan")
 
 
-def recentred(
+def recentered(
     points: Floats,
     found: Sides,
     wavelength: float,

@@ -1,4 +1,4 @@
-"""What the net says about a picture: road surface and centre line, by tiles without seams."""
+"""What the net says about a picture: road surface and center line, by tiles without seams."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _TILE, _MARGIN = 768, 96
 
 @dataclass(frozen=True)
 class Evidence:
-    """Probability of road surface and of being on a centre line, both (h, w) in 0..1."""
+    """Probability of road surface and of being on a center line, both (h, w) in 0..1."""
 
     surface: Layer
     line: Layer

@@ -16,7 +16,7 @@ Layer = NDArray[np.float32]
 
 
 def even_exposure(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The picture (h, w, 3) with a grey mean of 115 and a deviation of 50 wherever one looks.
+    """The picture (h, w, 3) with a gray mean of 115 and a deviation of 50 wherever one looks.
 
     Measured in windows as large as the crops that the net learns from, so that a dark sea, or a
     margin without data, does not change how the land beside it looks.
@@ -49,12 +49,12 @@ def _gain_and_offset(
     image: NDArray[np.uint8], nothing: NDArray[np.bool_] | None
 ) -> tuple[Layer, Layer]:
     """What to multiply by, and then to add, for each cell of the picture."""
-    grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
-    seen = np.ones(grey.shape, np.float32)
+    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    seen = np.ones(gray.shape, np.float32)
     if nothing is not None:
         seen[cv2.dilate(nothing.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0] = 0
-    light = grey.astype(np.float32) * seen
-    share, first, second = (_windows(_cells(field)) for field in (seen, light, light * grey))
+    light = gray.astype(np.float32) * seen
+    share, first, second = (_windows(_cells(field)) for field in (seen, light, light * gray))
     share = np.maximum(share, 1e-3)
     mean = first / share
     deviation = np.sqrt(np.maximum(second / share - mean**2, 1.0))

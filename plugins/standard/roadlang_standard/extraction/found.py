@@ -12,7 +12,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class FoundRoad:
-    """One road: centre line (n, 2) in pixels, y down, (0, 0) the centre of the top-left pixel.
+    """One road: center line (n, 2) in pixels, y down, (0, 0) the center of the top-left pixel.
 
     A closed road repeats its first point at the end. `width_error` is the standard error of the
     widths (n,), also in pixels. `linked` is the share of the length bridged without evidence.

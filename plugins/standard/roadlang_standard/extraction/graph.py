@@ -65,11 +65,11 @@ def trace(skeleton: Mask) -> Graph:
     padded = np.pad(skeleton, 1)
     junctions = _junctions(padded)
     graph, owner = Graph(), {}
-    count, labels, _, centres = cv2.connectedComponentsWithStats(
+    count, labels, _, centers = cv2.connectedComponentsWithStats(
         junctions.astype(np.uint8), connectivity=8
     )
     for key in range(1, count):
-        graph.nodes[key] = centres[key] - 1.0
+        graph.nodes[key] = centers[key] - 1.0
     for flat in np.flatnonzero(junctions):
         owner[int(flat)] = int(labels.flat[flat])
     _walk(graph, padded, owner, stride)
@@ -89,10 +89,10 @@ def _junctions(padded: Mask) -> Mask:
         p[1:-1, :-2],
         p[:-2, :-2],
     ]
-    neighbours = sum(ring)
+    neighbors = sum(ring)
     rises = sum((ring[i] == 0) & (ring[(i + 1) % 8] == 1) for i in range(8))
     found = np.zeros_like(padded)
-    found[1:-1, 1:-1] = padded[1:-1, 1:-1] & ((rises >= 3) | (neighbours >= 4))
+    found[1:-1, 1:-1] = padded[1:-1, 1:-1] & ((rises >= 3) | (neighbors >= 4))
     return found
 
 

@@ -1,4 +1,4 @@
-"""Roads of a grid of cells, exactly: through the centres of cells, corners and crossings kept."""
+"""Roads of a grid of cells, exactly: through the centers of cells, corners and crossings kept."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
 
 
 def roads_of_cells(road: NDArray[np.bool_], thickness: float = 1.0) -> FoundNetwork:
-    """The network of a boolean grid (h, w): neighbours join by sides, else by corners."""
+    """The network of a boolean grid (h, w): neighbors join by sides, else by corners."""
     links = _links(road)
     ends = {cell for cell, near in links.items() if len(near) != 2}
     roads, used = [], set()

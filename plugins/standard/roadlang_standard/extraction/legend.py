@@ -1,4 +1,4 @@
-"""Pictures with a legend: a character of a text grid, or a colour of a drawing, is a thing."""
+"""Pictures with a legend: a character of a text grid, or a color of a drawing, is a thing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .colours import bgr
+from .colors import bgr
 from .found import FoundNetwork
 from .grid import roads_of_cells
 from .masks import roads_of_surface
@@ -20,7 +20,7 @@ ROAD = "road"
 
 @dataclass(frozen=True)
 class Thing:
-    """An object in pixels: centre, sides, and heading (radians, clockwise as y runs down)."""
+    """An object in pixels: center, sides, and heading (radians, clockwise as y runs down)."""
 
     kind: str
     x: float
@@ -33,7 +33,7 @@ class Thing:
 def read_text(
     rows: Sequence[str], legend: Mapping[str, str], thickness: float = 1.0
 ) -> tuple[FoundNetwork, tuple[Thing, ...]]:
-    """Roads between the centres of road characters, and a thing for each other character."""
+    """Roads between the centers of road characters, and a thing for each other character."""
     width = max((len(row) for row in rows), default=0)
     cells = np.array([list(row.ljust(width)) for row in rows], dtype="<U1").reshape(
         len(rows), width
@@ -48,12 +48,12 @@ def read_text(
     return roads_of_cells(road, thickness), things
 
 
-def read_colours(
+def read_colors(
     image: Image, legend: Mapping[str, str], thickness: float | None = None
 ) -> tuple[FoundNetwork, tuple[Thing, ...]]:
-    """Roads and things of a drawing (h, w, 3): each pixel belongs to the legend's nearest colour.
+    """Roads and things of a drawing (h, w, 3): each pixel belongs to the legend's nearest color.
 
-    A colour that is far from all of the legend's is nothing. One-pixel roads are read cell by cell.
+    A color that is far from all of the legend's is nothing. One-pixel roads are read cell by cell.
     """
     names = list(legend)
     palette = np.array([bgr(name) for name in names], float)
@@ -73,12 +73,12 @@ def read_colours(
 
 
 def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> NDArray[np.intp]:
-    """Index of the nearest colour (h, w), -1 where all are far."""
+    """Index of the nearest color (h, w), -1 where all are far."""
     best = np.full(image.shape[:2], far, np.float32)
     label = np.full(image.shape[:2], -1, np.intp)
     pixels = image.astype(np.float32)
-    for index, colour in enumerate(palette.astype(np.float32)):
-        away = np.abs(pixels - colour).max(axis=2)
+    for index, color in enumerate(palette.astype(np.float32)):
+        away = np.abs(pixels - color).max(axis=2)
         closer = away < best
         best[closer], label[closer] = away[closer], index
     return label

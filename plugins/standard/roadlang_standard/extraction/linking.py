@@ -19,7 +19,7 @@ from .smoothing import stations
 Layer = NDArray[np.float32]
 _RADIUS = 28
 _SIDE = 2 * _RADIUS + 1
-_CENTRE = _RADIUS * _SIDE + _RADIUS
+_CENTER = _RADIUS * _SIDE + _RADIUS
 _OUTSIDE = np.iinfo(np.int32).max
 """Owner of the picture's rim: a road may leave there."""
 _FLOOR = 0.05
@@ -94,7 +94,7 @@ def dead_end(graph: Graph, index: int, side: int) -> DeadEnd:
 
 
 def _faced(end: DeadEnd, ends: list[DeadEnd], reach: float) -> list[tuple[Floats, float]]:
-    """Dead ends that this one runs towards and that run towards it, and the share they count."""
+    """Dead ends that this one runs toward and that run toward it, and the share they count."""
     faced = []
     for other in ends:
         step = other.place - end.place
@@ -141,7 +141,7 @@ def _bridge(
     there[_near_own(line, end.line, there, step)] = 0
     far, before = dijkstra(
         _grid(costs),
-        indices=_CENTRE,
+        indices=_CENTER,
         limit=worst * _RADIUS / _TRUST_ALIGNED,
         return_predecessors=True,
     )
@@ -169,7 +169,7 @@ def _cell(place: Floats, step: float) -> tuple[int, int]:
 def _way(before: NDArray[np.int32], goal: int) -> NDArray[np.intp]:
     """Cells (x, y) of the window from its middle to the goal."""
     way = [goal]
-    while way[-1] != _CENTRE:
+    while way[-1] != _CENTER:
         way.append(int(before[way[-1]]))
     return np.array([(cell % _SIDE, cell // _SIDE) for cell in reversed(way)])
 

@@ -16,7 +16,7 @@ PHOTO, MASK, FILLED, EDGES, MAP = (
     "mask",
     "filled drawing",
     "edge-line drawing",
-    "colour map",
+    "color map",
 )
 
 _FLAT = 0.55
@@ -44,13 +44,13 @@ def picture_kind(image: Image) -> PictureKind:
     few = float(np.sort(plan.shares)[::-1][:6].sum())
     if flat < _FLAT or few < 0.85 or _photo_with_margins(image):
         return PictureKind(PHOTO, flat)
-    paper = plan.colours[plan.paper]
+    paper = plan.colors[plan.paper]
     away = away_from(image, paper)
     marked = away > (100 if away.max() > 100 else 30)
     if has_edge_lines(marked):
         return PictureKind(EDGES, flat)
-    colours = plan.colours[np.argsort(-plan.shares)]
-    pure = _unmixed(colours)
+    colors = plan.colors[np.argsort(-plan.shares)]
+    pure = _unmixed(colors)
     black_and_white = len(pure) <= 2 and all(min(c.max(), 255 - c.min()) < 40 for c in pure)
     if black_and_white and paper.mean() < 40:
         return PictureKind(MASK, flat)
@@ -66,18 +66,18 @@ def _photo_with_margins(image: Image) -> bool:
     return flatness(small, ~margins) < _FLAT
 
 
-def _unmixed(colours: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Those of the colours, most frequent first, that are no mixture of two earlier ones."""
+def _unmixed(colors: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Those of the colors, most frequent first, that are no mixture of two earlier ones."""
     pure: list[NDArray[np.float64]] = []
-    for colour in colours:
+    for color in colors:
         pairs = [(a, b) for i, a in enumerate(pure) for b in pure[:i]]
-        if not any(_between(colour, a, b) < 25 for a, b in pairs):
-            pure.append(colour)
+        if not any(_between(color, a, b) < 25 for a, b in pairs):
+            pure.append(color)
     return pure
 
 
-def _between(colour: NDArray[np.float64], a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
-    """Distance of a colour from the mixtures of two others."""
+def _between(color: NDArray[np.float64], a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
+    """Distance of a color from the mixtures of two others."""
     axis = b - a
-    share = float(np.clip((colour - a) @ axis / max(float(axis @ axis), 1e-9), 0, 1))
-    return float(np.abs(colour - a - share * axis).max())
+    share = float(np.clip((color - a) @ axis / max(float(axis @ axis), 1e-9), 0, 1))
+    return float(np.abs(color - a - share * axis).max())

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .colours import NAMES, bgr
+from .colors import NAMES, bgr
 from .found import FoundNetwork
-from .legend import ROAD, Thing, read_colours, read_text
+from .legend import ROAD, Thing, read_colors, read_text
 from .tones import Image
 
 if TYPE_CHECKING:
@@ -39,9 +39,9 @@ def read_legend(
     if picture.characters is not None:
         _check_characters(legend)
         return read_text(picture.characters, legend, thickness or 1.0)
-    for colour in legend:
-        _check_colour(colour)
-    return read_colours(pixels_of(picture, "pixels"), legend, thickness)
+    for color in legend:
+        _check_color(color)
+    return read_colors(pixels_of(picture, "pixels"), legend, thickness)
 
 
 def _check_characters(legend: dict[str, str]) -> None:
@@ -54,12 +54,12 @@ def _check_characters(legend: dict[str, str]) -> None:
             )
 
 
-def _check_colour(colour: str) -> None:
+def _check_color(color: str) -> None:
     from roadlang.api import DiagnosticError, diagnose, did_you_mean
 
     try:
-        bgr(colour)
+        bgr(color)
     except ValueError:
-        hints = did_you_mean(colour, NAMES)
-        advice = 'write a colour as "#2e7d32" or by name, such as "white"'
-        raise DiagnosticError(diagnose("RL423", colour=colour, help=(*hints, advice))) from None
+        hints = did_you_mean(color, NAMES)
+        advice = 'write a color as "#2e7d32" or by name, such as "white"'
+        raise DiagnosticError(diagnose("RL423", color=color, help=(*hints, advice))) from None

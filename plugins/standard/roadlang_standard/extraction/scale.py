@@ -8,16 +8,16 @@ import numpy as np
 from .tones import Image
 
 _GROUND = 0.9
-"""Metres per pixel at which the net sees best."""
+"""Meters per pixel at which the net sees best."""
 _ENLARGED = 0.002
 """Photos enlarged three times have less fine detail than this."""
 
 
-def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
+def start_scale(image: Image, meters_per_pixel: float | None = None) -> float:
     """The factor by which to resize before looking; 1 or less."""
     smallest = min(1.0, 64 / min(image.shape[:2]))
-    if metres_per_pixel is not None:
-        wanted = metres_per_pixel / _GROUND
+    if meters_per_pixel is not None:
+        wanted = meters_per_pixel / _GROUND
         return float(np.clip(wanted if wanted < 0.72 else 1.0, max(0.1, smallest), 1.0))
     enlarged = fine_share(image) < _ENLARGED
     return max(1 / 3 if enlarged else 1.0, smallest)
@@ -25,10 +25,10 @@ def start_scale(image: Image, metres_per_pixel: float | None = None) -> float:
 
 def fine_share(image: Image) -> float:
     """Share of spectral energy above a quarter of the sampling rate: tiny in enlarged photos."""
-    grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
-    height, width = (min(1024, side) for side in grey.shape)
-    top, left = (grey.shape[0] - height) // 2, (grey.shape[1] - width) // 2
-    part = grey[top : top + height, left : left + width].astype(np.float32)
+    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    height, width = (min(1024, side) for side in gray.shape)
+    top, left = (gray.shape[0] - height) // 2, (gray.shape[1] - width) // 2
+    part = gray[top : top + height, left : left + width].astype(np.float32)
     part -= part.mean()
     part *= np.outer(np.hanning(height), np.hanning(width)).astype(np.float32)
     energy = np.abs(np.fft.rfft2(part)) ** 2

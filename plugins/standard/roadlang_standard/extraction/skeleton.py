@@ -11,7 +11,7 @@ Mask = NDArray[np.bool_]
 
 
 def skeleton(mask: Mask) -> Mask:
-    """The skeleton (h, w) of a mask: same topology, one pixel wide, centred.
+    """The skeleton (h, w) of a mask: same topology, one pixel wide, centered.
 
     The cost follows the length of the borders and the width of the shapes, not the image.
     """
@@ -56,7 +56,7 @@ def _alive(
 
 @cache
 def _tables() -> tuple[Mask, Mask]:
-    """For both half steps: may a pixel with these neighbours go? Bit 0 is north, clockwise."""
+    """For both half steps: may a pixel with these neighbors go? Bit 0 is north, clockwise."""
     code = np.arange(256)
     p2, p3, p4, p5, p6, p7, p8, p9 = ((code >> bit) & 1 for bit in range(8))
     crossings = ((1 - p2) & (p3 | p4)) + ((1 - p4) & (p5 | p6))

@@ -1,4 +1,4 @@
-"""Smoothing splines of even points: penalised second differences (Whittaker 1923, Eilers 2003)."""
+"""Smoothing splines of even points: penalized second differences (Whittaker 1923, Eilers 2003)."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def _solve(
 
 
 def _system(values: Floats, pull: Floats, stiffness: float, closed: bool) -> Floats:
-    """Minimise sum pull (x - values)^2 + stiffness sum (second difference of x)^2."""
+    """Minimize sum pull (x - values)^2 + stiffness sum (second difference of x)^2."""
     count = len(values)
     if closed:
         ones = np.ones(count)

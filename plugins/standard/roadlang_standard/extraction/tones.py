@@ -16,9 +16,9 @@ _BINS = 5
 
 @dataclass(frozen=True)
 class Tones:
-    """Dominant colours (k, 3) BGR, most frequent first, and the share of pixels near each (k,)."""
+    """Dominant colors (k, 3) BGR, most frequent first, and the share of pixels near each (k,)."""
 
-    colours: NDArray[np.float64]
+    colors: NDArray[np.float64]
     shares: NDArray[np.float64]
     paper: int
     """Index of the background: the tone that holds most of the picture's rim."""
@@ -30,35 +30,35 @@ class Tones:
 
 
 def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0) -> Tones:
-    """The dominant colours of a picture (h, w, 3), found in a coarse colour histogram."""
+    """The dominant colors of a picture (h, w, 3), found in a coarse color histogram."""
     sample = thinned(image, 120_000).reshape(-1, 3)
     coarse = (sample >> _BINS).astype(np.int64)
     cell = (coarse[:, 0] << 6) | (coarse[:, 1] << 3) | coarse[:, 2]
     counts = np.bincount(cell, minlength=512)
     left = np.ones(len(sample), bool)
-    colours: list[NDArray[np.float64]] = []
+    colors: list[NDArray[np.float64]] = []
     shares: list[float] = []
     for peak in np.argsort(counts)[::-1][: 3 * most]:
         members = left & (cell == peak)
-        if members.mean() < least or len(colours) == most:
+        if members.mean() < least or len(colors) == most:
             continue
-        colour = np.median(sample[members], axis=0).astype(float)
-        close = left & (np.abs(sample - colour).max(axis=1) < near)
-        colours.append(colour)
+        color = np.median(sample[members], axis=0).astype(float)
+        close = left & (np.abs(sample - color).max(axis=1) < near)
+        colors.append(color)
         shares.append(float(close.mean()))
         left &= ~close
-    if not colours:
-        colours, shares = [np.median(sample, axis=0).astype(float)], [1.0]
-    stacked = np.array(colours)
+    if not colors:
+        colors, shares = [np.median(sample, axis=0).astype(float)], [1.0]
+    stacked = np.array(colors)
     rim = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]]).astype(float)
     nearest = np.abs(rim[:, None] - stacked[None]).max(axis=2).argmin(axis=1)
     votes = np.bincount(nearest, minlength=len(stacked)) / len(rim) + 0.5 * np.array(shares)
     return Tones(stacked, np.array(shares), int(np.argmax(votes)))
 
 
-def away_from(image: Image, colour: NDArray[np.float64]) -> Image:
-    """How far each pixel (h, w) is from a colour, in its worst channel, 0..255."""
-    flat = np.full(image.shape, np.clip(colour, 0, 255).round(), np.uint8)
+def away_from(image: Image, color: NDArray[np.float64]) -> Image:
+    """How far each pixel (h, w) is from a color, in its worst channel, 0..255."""
+    flat = np.full(image.shape, np.clip(color, 0, 255).round(), np.uint8)
     blue, green, red = cv2.split(cv2.absdiff(image, flat))
     return np.asarray(cv2.max(cv2.max(blue, green), red))
 
@@ -70,36 +70,36 @@ def thinned(image: Image, most: int) -> Image:
 
 
 def flatness(image: Image, within: NDArray[np.bool_] | None = None) -> float:
-    """Share of pixels, of those `within` (h, w), whose 3x3 neighbourhood hardly varies.
+    """Share of pixels, of those `within` (h, w), whose 3x3 neighborhood hardly varies.
 
-    Hardly is a fifth of the picture's own deviation and at most 10 grey levels, so that a photo
+    Hardly is a fifth of the picture's own deviation and at most 10 gray levels, so that a photo
     dimmed or washed out stays as it is.
     """
     height, width = image.shape[:2]
     top, left = max(0, height - 700) // 2, max(0, width - 700) // 2
     window = (slice(top, top + 700), slice(left, left + 700))
     patch = image[window]
-    grey = cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY)
+    gray = cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY)
     kernel = np.ones((3, 3), np.uint8)
     varied = cv2.split(cv2.subtract(cv2.dilate(patch, kernel), cv2.erode(patch, kernel)))
     spreads = cv2.max(cv2.max(varied[0], varied[1]), varied[2])
     if within is not None:
-        grey, spreads = grey[within[window]], spreads[within[window]]
-    if not grey.size:
+        gray, spreads = gray[within[window]], spreads[within[window]]
+    if not gray.size:
         return 1.0
-    spread = min(10.0, 0.2 * float(cv2.meanStdDev(grey)[1][0, 0]))
+    spread = min(10.0, 0.2 * float(cv2.meanStdDev(gray)[1][0, 0]))
     return float((spreads <= spread).mean())
 
 
-def layer(image: Image, colour: NDArray[np.float64], others: NDArray[np.float64]) -> Layer:
-    """How much of each pixel (h, w) is of `colour` rather than of the nearest of `others`, 0..1.
+def layer(image: Image, color: NDArray[np.float64], others: NDArray[np.float64]) -> Layer:
+    """How much of each pixel (h, w) is of `color` rather than of the nearest of `others`, 0..1.
 
     On an anti-aliased edge between two tones this is the covered share of the pixel.
     """
     pixels = image.astype(np.float32)
     result = np.ones(image.shape[:2], np.float32)
     for other in others:
-        axis = (colour - other).astype(np.float32)
+        axis = (color - other).astype(np.float32)
         along = ((pixels - other.astype(np.float32)) @ axis) / max(float(axis @ axis), 1e-6)
         result = np.minimum(result, np.clip(along, 0, 1))
     return result

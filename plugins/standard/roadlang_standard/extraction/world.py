@@ -1,4 +1,4 @@
-"""From pixels to the world: what was found, as an `Extraction` in metres."""
+"""From pixels to the world: what was found, as an `Extraction` in meters."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _DOUBTFUL = 0.5
 def extraction(
     picture: Picture, found: FoundNetwork, things: Sequence[Thing] = (), remarks: Sequence[str] = ()
 ) -> Extraction:
-    """The found roads as splines in metres, joined at nodes; doubtful ones are remarked on."""
+    """The found roads as splines in meters, joined at nodes; doubtful ones are remarked on."""
     from roadlang.api import Extraction
     from roadlang.geometry import Edge, Node, RoadNetwork
 

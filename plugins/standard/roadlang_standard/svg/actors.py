@@ -19,11 +19,11 @@ _CARS = ("car", "van", "bus", "parked_car", "parked_van")
 _TRUCKS = ("truck", "parked_truck")
 _TWO_WHEELERS = ("bicycle", "motorcycle")
 _GREENERY = ("tree", "bush")
-_UNLABELLED = ("tree", "bush", "building")
+_UNLABELED = ("tree", "bush", "building")
 _SHORTEST_AGENT = 15.0
 _SMALLEST_OBJECT = 3.0
-_MOST_LABELLED_OBJECTS = 12
-_COLOUR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
+_MOST_LABELED_OBJECTS = 12
+_COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 
 def objects(scene: Scene, viewport: Viewport) -> str:
@@ -46,8 +46,8 @@ def agents(scene: Scene, viewport: Viewport) -> str:
 def labels(scene: Scene, viewport: Viewport, size: float) -> str:
     """Names beside agents and the objects worth naming, with a halo, not on top of each other."""
     things = list(scene.agents)
-    worthy = [thing for thing in scene.objects if _plain(thing.kind) not in _UNLABELLED]
-    if len(worthy) <= _MOST_LABELLED_OBJECTS:
+    worthy = [thing for thing in scene.objects if _plain(thing.kind) not in _UNLABELED]
+    if len(worthy) <= _MOST_LABELED_OBJECTS:
         things += worthy
     return group(
         _labels(things, viewport, size),
@@ -65,7 +65,7 @@ def labels(scene: Scene, viewport: Viewport, size: float) -> str:
 
 def _drawn(thing: SceneActor, index: int, viewport: Viewport, least: float) -> str:
     x, y = viewport.place([thing.x, thing.y]).tolist()
-    scale = viewport.pixels_per_metre
+    scale = viewport.pixels_per_meter
     longest = max(thing.length, thing.width, 0.01) * scale
     enlarged = scale * max(1.0, least / longest)
     turn = f"translate({x:.2f} {y:.2f}) rotate({-math.degrees(thing.heading):.2f})"
@@ -75,29 +75,29 @@ def _drawn(thing: SceneActor, index: int, viewport: Viewport, least: float) -> s
 
 def _shape(thing: SceneActor, index: int, scale: float) -> list[str]:
     length, width = thing.length * scale, thing.width * scale
-    kind, colour = _plain(thing.kind), _colour(thing)
+    kind, color = _plain(thing.kind), _color(thing)
     if kind in _CARS:
-        return shapes.car(length, width, colour)
+        return shapes.car(length, width, color)
     if kind in _TRUCKS:
-        return shapes.truck(length, width, colour)
+        return shapes.truck(length, width, color)
     if kind in _TWO_WHEELERS:
-        return shapes.bicycle(length, width, colour)
+        return shapes.bicycle(length, width, color)
     if kind == "pedestrian":
-        return shapes.pedestrian(length, width, colour)
+        return shapes.pedestrian(length, width, color)
     if kind in _GREENERY:
         return shapes.tree(max(length, width), index)
     if kind == "building":
         return shapes.building(length, width)
-    return shapes.block(length, width, colour)
+    return shapes.block(length, width, color)
 
 
 def _plain(kind: str) -> str:
     return kind.rpartition(".")[2]
 
 
-def _colour(thing: SceneActor) -> str:
-    given = thing.options.get("colour")
-    return given if isinstance(given, str) and _COLOUR.match(given) else palette.OBJECT
+def _color(thing: SceneActor) -> str:
+    given = thing.options.get("color")
+    return given if isinstance(given, str) and _COLOR.match(given) else palette.OBJECT
 
 
 def _hint(thing: SceneActor) -> str:
@@ -109,7 +109,7 @@ def _labels(things: Sequence[SceneActor], viewport: Viewport, size: float) -> It
     taken: list[tuple[float, float, float]] = []
     for thing in things:
         x, y = viewport.place([thing.x, thing.y]).tolist()
-        reach = max(thing.length, thing.width) * viewport.pixels_per_metre
+        reach = max(thing.length, thing.width) * viewport.pixels_per_meter
         drop = max(reach, _SHORTEST_AGENT) / 2 + 0.6 * size
         wide = 0.56 * size * len(thing.name)
         candidates = [(x, y - drop), (x, y + drop + 0.7 * size)]

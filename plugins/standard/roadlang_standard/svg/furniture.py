@@ -41,8 +41,8 @@ def clip(viewport: Viewport, name: str) -> str:
 
 def scale_bar(viewport: Viewport, size: float, right: float, y: float) -> str:
     """Two-tone, of a round length, its right end at `right` and its top at `y`."""
-    metres = round_length(_BAR_SHARE * viewport.box.width)
-    long = metres * viewport.pixels_per_metre
+    meters = round_length(_BAR_SHARE * viewport.box.width)
+    long = meters * viewport.pixels_per_meter
     left, thick = right - long, 5.0
     half = long / 2
     bar = [
@@ -52,13 +52,13 @@ def scale_bar(viewport: Viewport, size: float, right: float, y: float) -> str:
                 stroke=palette.INK, stroke_width=0.8),
     ]  # fmt: skip
     below = y + thick + 1.15 * size
-    ticks = [(left, "0"), (left + half, _bare(metres / 2, metres)), (right, _length_text(metres))]
+    ticks = [(left, "0"), (left + half, _bare(meters / 2, meters)), (right, _length_text(meters))]
     bar += [text(label, x, below, text_anchor="middle") for x, label in ticks]
     return group(bar, class_="scale-bar", font_size=0.9 * size, fill=palette.INK)
 
 
 def north_arrow(x: float, y: float, size: float) -> str:
-    """A needle with its tip up and an N; (x, y) is its centre."""
+    """A needle with its tip up and an N; (x, y) is its center."""
     tall, wide = 1.5 * size, 0.62 * size
     lit = (
         f"{x:.2f},{y - tall:.2f} {x:.2f},{y + 0.45 * tall:.2f} {x - wide:.2f},{y + 0.8 * tall:.2f}"
@@ -80,7 +80,7 @@ def north_arrow(x: float, y: float, size: float) -> str:
 
 def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:
     """Ticks at round arc lengths of the root road, the positions of the requirements."""
-    spacing = round_length(_MARK_SPACING / viewport.pixels_per_metre)
+    spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
     return group(
         _marks(ribbon, spacing, size),
         class_="stations",
@@ -111,19 +111,19 @@ def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
                    stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
 
 
-def round_length(metres: float) -> float:
+def round_length(meters: float) -> float:
     """The greatest of 1, 2 or 5 times a power of ten that is not longer."""
-    power = 10.0 ** math.floor(math.log10(metres))
-    return next(step * power for step in (5, 2, 1) if step * power <= metres * (1 + 1e-9))
+    power = 10.0 ** math.floor(math.log10(meters))
+    return next(step * power for step in (5, 2, 1) if step * power <= meters * (1 + 1e-9))
 
 
-def _length_text(metres: float) -> str:
-    return f"{metres / 1000:g} km" if metres >= 1000 else f"{metres:g} m"
+def _length_text(meters: float) -> str:
+    return f"{meters / 1000:g} km" if meters >= 1000 else f"{meters:g} m"
 
 
-def _bare(metres: float, largest: float) -> str:
+def _bare(meters: float, largest: float) -> str:
     """The number alone, in the unit that `largest` would be written in."""
-    return f"{metres / 1000:g}" if largest >= 1000 else f"{metres:g}"
+    return f"{meters / 1000:g}" if largest >= 1000 else f"{meters:g}"
 
 
 def _rectangle(viewport: Viewport) -> dict[str, object]:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def ghosts(originals: Iterable[Ribbon]) -> str:
-    """The original roads, translucent with a dashed outline and centre line."""
+    """The original roads, translucent with a dashed outline and center line."""
     shapes = []
     for ribbon in originals:
         shapes.append(
@@ -32,7 +32,7 @@ def ghosts(originals: Iterable[Ribbon]) -> str:
 
 
 def ghost_lines(originals: Iterable[Ribbon]) -> str:
-    """The original centre lines, over the new road, so that the displacement can be seen."""
+    """The original center lines, over the new road, so that the displacement can be seen."""
     lines = [
         element(
             "path",
@@ -49,23 +49,23 @@ def ghost_lines(originals: Iterable[Ribbon]) -> str:
 
 
 def versions(roads: Iterable[Ribbon], size: float) -> str:
-    """Roads of one root: translucent, each in its colour, with its name where it ends."""
+    """Roads of one root: translucent, each in its color, with its name where it ends."""
     shapes = []
     for index, ribbon in enumerate(roads):
-        colour = palette.agent_colour(index)
+        color = palette.agent_color(index)
         surface = path_data(ribbon.outline(), closed=True)
         shapes.append(
-            element("path", d=surface, fill=colour, fill_opacity=0.30, stroke=colour,
+            element("path", d=surface, fill=color, fill_opacity=0.30, stroke=color,
                     stroke_width=1.4, stroke_linejoin="round")
         )  # fmt: skip
         shapes.append(
-            element("path", d=path_data(ribbon.line(0.0)), fill="none", stroke=colour,
+            element("path", d=path_data(ribbon.line(0.0)), fill="none", stroke=color,
                     stroke_width=1.0, stroke_dasharray="7 5")
         )  # fmt: skip
-        x, y = ribbon.centre[-1].tolist()
+        x, y = ribbon.center[-1].tolist()
         shapes.append(
             text(ribbon.name, x, y + (1.3 * index - 0.9) * size, text_anchor="middle",
-                 font_size=size, font_weight="600", fill=colour, stroke=palette.GROUND,
+                 font_size=size, font_weight="600", fill=color, stroke=palette.GROUND,
                  stroke_width=3.0, paint_order="stroke")
         )  # fmt: skip
     return group(shapes, class_="versions")
@@ -75,7 +75,7 @@ def routes(roads: Iterable[Ribbon]) -> str:
     """Roads that run on a network: a band along the streets that they take."""
     bands = [
         element("path", d=path_data(ribbon.line(0.0)), fill="none",
-                stroke=palette.agent_colour(index), stroke_opacity=0.55,
+                stroke=palette.agent_color(index), stroke_opacity=0.55,
                 stroke_width=max(0.6 * float(ribbon.half.mean()), 2.0), stroke_linejoin="round",
                 stroke_linecap="round")
         for index, ribbon in enumerate(roads)

@@ -21,7 +21,7 @@ class Row:
     """One line of the legend."""
 
     mark: str
-    colour: str
+    color: str
     name: str
     formula: str
     outcome: str
@@ -29,23 +29,23 @@ class Row:
 
 def rows_of(scene: Scene) -> list[Row]:
     """Requirements, then expectations; the last row counts those left out."""
-    colours = {
-        verdict.name: palette.violation_colour(index) for index, verdict in enumerate(broken(scene))
+    colors = {
+        verdict.name: palette.violation_color(index) for index, verdict in enumerate(broken(scene))
     }
     verdicts = (*scene.requirements, *scene.expectations)
-    rows = [_row(verdict, colours.get(verdict.name)) for verdict in verdicts[:_MOST_ROWS]]
+    rows = [_row(verdict, colors.get(verdict.name)) for verdict in verdicts[:_MOST_ROWS]]
     if len(verdicts) > _MOST_ROWS:
         rest = f"and {len(verdicts) - _MOST_ROWS} more"
         rows.append(Row("none", palette.QUIET_INK, rest, "", ""))
     return rows
 
 
-def _row(verdict: Verdict, colour: str | None) -> Row:
+def _row(verdict: Verdict, color: str | None) -> Row:
     if verdict.satisfied is None:
         return Row("open", palette.UNKNOWN, verdict.name, verdict.text, "when driven")
     mark = "tick" if verdict.satisfied else "cross"
     outcome = "" if verdict.robustness is None else rho(verdict.robustness)
-    return Row(mark, colour or palette.SATISFIED, verdict.name, verdict.text, outcome)
+    return Row(mark, color or palette.SATISFIED, verdict.name, verdict.text, outcome)
 
 
 def height(rows: list[Row], size: float) -> float:
@@ -74,11 +74,11 @@ def _cells(
     yield text(
         _short(row.formula, int(room / (0.53 * size))), formula, base, fill=palette.QUIET_INK
     )
-    yield text(row.outcome, right, base, text_anchor="end", fill=row.colour, font_weight="600")
+    yield text(row.outcome, right, base, text_anchor="end", fill=row.color, font_weight="600")
 
 
 def _mark(row: Row, x: float, y: float, size: float) -> str:
-    line = {"fill": "none", "stroke": row.colour, "stroke_width": 0.17 * size,
+    line = {"fill": "none", "stroke": row.color, "stroke_width": 0.17 * size,
             "stroke_linecap": "round", "stroke_linejoin": "round"}  # fmt: skip
     r = 0.36 * size
     strokes = {

@@ -1,4 +1,4 @@
-"""Colours of a drawing: calm ground, grey road, strong colours only for what must be noticed."""
+"""Colors of a drawing: calm ground, gray road, strong colors only for what must be noticed."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ OBJECT = "#c9a227"
 FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
 
 
-def violation_colour(index: int) -> str:
-    """The colour of the `index`-th violated constraint of a scene."""
+def violation_color(index: int) -> str:
+    """The color of the `index`-th violated constraint of a scene."""
     return VIOLATIONS[index % len(VIOLATIONS)]
 
 
-def agent_colour(index: int) -> str:
-    """The colour of the `index`-th agent group of a scene."""
+def agent_color(index: int) -> str:
+    """The color of the `index`-th agent group of a scene."""
     return AGENTS[index % len(AGENTS)]

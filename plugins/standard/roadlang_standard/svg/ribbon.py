@@ -21,13 +21,13 @@ _NARROWEST = 3.5
 
 @dataclass(frozen=True)
 class Ribbon:
-    """A road in pixels: `centre` and `left` (unit vectors to the left) are (n, 2), `half` (n,).
+    """A road in pixels: `center` and `left` (unit vectors to the left) are (n, 2), `half` (n,).
 
-    `stations` is arc length of the road and `reference` that of its root, in metres.
+    `stations` is arc length of the road and `reference` that of its root, in meters.
     """
 
     name: str
-    centre: Floats
+    center: Floats
     left: Floats
     half: Floats
     stations: Floats
@@ -41,11 +41,11 @@ class Ribbon:
         import numpy as np
 
         reach = np.maximum(self.half - inset, 0.3)[:, None] * self.left
-        return np.concatenate([self.centre + reach, (self.centre - reach)[::-1]])
+        return np.concatenate([self.center + reach, (self.center - reach)[::-1]])
 
     def line(self, share: float, shift: float = 0.0) -> Floats:
         """A line along the road, at `share` (-1 right edge, 1 left edge) and `shift` pixels."""
-        return self.centre + (self.half * share + shift)[:, None] * self.left
+        return self.center + (self.half * share + shift)[:, None] * self.left
 
     def part(self, start: float, end: float, by_reference: bool = False) -> Ribbon:
         """From arc length `start` to `end` (of the root road's if `by_reference`)."""
@@ -64,7 +64,7 @@ class Ribbon:
 
         return Ribbon(
             name=self.name,
-            centre=both(self.centre),
+            center=both(self.center),
             left=both(self.left),
             half=at(self.half),
             stations=at(self.stations),
@@ -82,23 +82,23 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
     """
     import numpy as np
 
-    centre = viewport.place(np.column_stack([road.x, road.y]))
+    center = viewport.place(np.column_stack([road.x, road.y]))
     heading = np.asarray(road.heading)
     columns = np.column_stack([-np.sin(heading), -np.cos(heading)])
-    half = np.asarray(road.width) / 2 * viewport.pixels_per_metre
+    half = np.asarray(road.width) / 2 * viewport.pixels_per_meter
     stations, reference = np.asarray(road.stations), np.asarray(road.reference_stations)
-    keep = _kept(centre)
-    centre, columns, half = centre[keep], columns[keep], half[keep]
+    keep = _kept(center)
+    center, columns, half = center[keep], columns[keep], half[keep]
     stations, reference = stations[keep], reference[keep]
     if road.closed:
-        centre, columns = np.vstack([centre, centre[:1]]), np.vstack([columns, columns[:1]])
+        center, columns = np.vstack([center, center[:1]]), np.vstack([columns, columns[:1]])
         half = np.append(half, half[0])
         stations = np.append(stations, road.length)
         rest = road.length - road.stations[-1]
         reference = np.append(reference, road.reference_stations[-1] + rest)
     return Ribbon(
         name=road.name,
-        centre=centre,
+        center=center,
         left=columns,
         half=np.maximum(half, _NARROWEST / 2),
         stations=stations,
@@ -109,18 +109,18 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
     )
 
 
-def unfolded(line: Floats, centre: Floats) -> list[Floats]:
+def unfolded(line: Floats, center: Floats) -> list[Floats]:
     """An offset line without the loops that it makes inside bends tighter than the offset.
 
-    A point belongs to it if no point of the centre line is nearer than its own; (n, 2) each.
+    A point belongs to it if no point of the center line is nearer than its own; (n, 2) each.
     """
     import numpy as np
 
-    forward = (np.diff(line, axis=0) * np.diff(centre, axis=0)).sum(axis=1)
+    forward = (np.diff(line, axis=0) * np.diff(center, axis=0)).sum(axis=1)
     if (forward >= 0).all():
         return [line]
-    own = np.hypot(*(line - centre).T)
-    nearest = np.hypot(*(line[:, None] - centre[None]).transpose(2, 0, 1)).min(axis=1)
+    own = np.hypot(*(line - center).T)
+    nearest = np.hypot(*(line[:, None] - center[None]).transpose(2, 0, 1)).min(axis=1)
     fine = np.concatenate([[False], nearest >= own - 0.35, [False]])
     starts = np.flatnonzero(fine[1:] & ~fine[:-1])
     ends = np.flatnonzero(~fine[1:] & fine[:-1])
@@ -131,8 +131,8 @@ def _kept(points: Floats) -> NDArray[np.intp]:
     import numpy as np
 
     steps = np.hypot(*np.diff(points, axis=0).T)
-    travelled = np.concatenate([[0.0], np.cumsum(steps)]) / _CLOSEST_POINTS
-    cells = np.floor(travelled)
+    traveled = np.concatenate([[0.0], np.cumsum(steps)]) / _CLOSEST_POINTS
+    cells = np.floor(traveled)
     keep = np.concatenate([[True], cells[1:] > cells[:-1]])
     keep[-1] = True
     return np.flatnonzero(keep)

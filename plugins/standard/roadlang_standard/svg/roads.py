@@ -69,7 +69,7 @@ def _junction_discs(
 
 def _end_half(ribbon: Ribbon, x: float, y: float) -> float:
     """Half the width at the end that is at (x, y)."""
-    first, last = ribbon.centre[0], ribbon.centre[-1]
+    first, last = ribbon.center[0], ribbon.center[-1]
     at_start = abs(first - (x, y)).sum() <= abs(last - (x, y)).sum()
     # What was extracted at a junction may be the width of the whole crossing.
     usual = sorted(ribbon.half.tolist())[len(ribbon.half) // 2]
@@ -96,17 +96,17 @@ def _lines(ribbon: Ribbon, lane: float, viewport: Viewport) -> Iterator[str]:
     thin = min(max(0.035 * lane, 0.5), 2.0)
     for side in (1, -1):
         edge = ribbon.line(side, shift=-side * (0.09 * lane + thin))
-        for part in unfolded(edge, ribbon.centre):
+        for part in unfolded(edge, ribbon.center):
             yield _stroke(part, thin)
     for boundary in range(1, ribbon.lanes):
         share = 1 - 2 * boundary / ribbon.lanes
-        centre_of_many = ribbon.lanes >= 4 and 2 * boundary == ribbon.lanes
-        dash = None if centre_of_many else _dash(viewport.pixels_per_metre)
+        center_of_many = ribbon.lanes >= 4 and 2 * boundary == ribbon.lanes
+        dash = None if center_of_many else _dash(viewport.pixels_per_meter)
         yield _stroke(ribbon.line(share), thin, dash)
 
 
-def _dash(pixels_per_metre: float) -> str:
-    scale = max(pixels_per_metre, 5.0 / _DASH)
+def _dash(pixels_per_meter: float) -> str:
+    scale = max(pixels_per_meter, 5.0 / _DASH)
     return f"{_DASH * scale:.2f} {_GAP * scale:.2f}"
 
 
@@ -124,7 +124,7 @@ def _stroke(points: object, width: float, dash: str | None = None) -> str:
 
 
 def _trims(scene: Scene, ribbons: Mapping[str, Ribbon]) -> dict[str, tuple[float, float]]:
-    """Metres at the start and end of each road that lie in a junction of three or more."""
+    """Meters at the start and end of each road that lie in a junction of three or more."""
     trims: dict[str, list[float]] = {}
     roads = {road.name: road for road in scene.roads}
     for network in scene.networks:

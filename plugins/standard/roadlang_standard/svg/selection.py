@@ -68,7 +68,7 @@ def _was_changed(root: SceneRoad, shown: Iterable[SceneRoad]) -> bool:
 
 
 def _runs_on(road: SceneRoad, others: Iterable[SceneRoad]) -> bool:
-    """Whether the centre line stays within a step of that of other roads."""
+    """Whether the center line stays within a step of that of other roads."""
     import numpy as np
 
     lines = [np.column_stack([other.x, other.y]) for other in others]

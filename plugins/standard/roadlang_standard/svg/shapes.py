@@ -1,4 +1,4 @@
-"""Things seen from above, in their own frame: pixels, x ahead, y to the right, centre at (0, 0)."""
+"""Things seen from above, in their own frame: pixels, x ahead, y to the right, center at (0, 0)."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from . import palette
 from .markup import element
 
 
-def car(length: float, width: float, colour: str) -> list[str]:
+def car(length: float, width: float, color: str) -> list[str]:
     """Body, windscreen, rear window and roof."""
     glass = {"fill": "#1f2933", "fill_opacity": 0.85}
     half, side = length / 2, width / 2
     return [
-        _box(-half, -side, length, width, 0.28 * width, fill=colour, **_outline(width)),
+        _box(-half, -side, length, width, 0.28 * width, fill=color, **_outline(width)),
         _quad(0.22 * length, 0.40 * width, 0.08 * length, 0.34 * width, **glass),
         _quad(-0.34 * length, 0.38 * width, -0.22 * length, 0.33 * width, **glass),
         _headlights(half, width),
     ]
 
 
-def truck(length: float, width: float, colour: str) -> list[str]:
+def truck(length: float, width: float, color: str) -> list[str]:
     """A cab before a box."""
     half, side = length / 2, width / 2
     cab = 0.24 * length
@@ -28,29 +28,29 @@ def truck(length: float, width: float, colour: str) -> list[str]:
         _box(-half, -side, length - cab - 0.02 * length, width, 0.06 * width,
              fill="#e9ecef", **_outline(width)),
         _box(half - cab, -0.46 * width, cab, 0.92 * width, 0.18 * width,
-             fill=colour, **_outline(width)),
+             fill=color, **_outline(width)),
         _quad(half - 0.32 * cab, 0.40 * width, half - 0.55 * cab, 0.36 * width,
               fill="#1f2933", fill_opacity=0.85),
     ]  # fmt: skip
 
 
-def bicycle(length: float, width: float, colour: str) -> list[str]:
+def bicycle(length: float, width: float, color: str) -> list[str]:
     """Two wheels in line and a rider."""
     wheel = max(0.12 * width, 0.8)
     return [
         _line(-length / 2, 0, length / 2, 0, stroke="#343a40", stroke_width=wheel),
         _line(0.25 * length, -width / 2, 0.25 * length, width / 2,
               stroke="#343a40", stroke_width=wheel),
-        element("ellipse", cx=0.0, cy=0.0, rx=0.16 * length, ry=0.38 * width, fill=colour,
+        element("ellipse", cx=0.0, cy=0.0, rx=0.16 * length, ry=0.38 * width, fill=color,
                 **_outline(width)),
     ]  # fmt: skip
 
 
-def pedestrian(length: float, width: float, colour: str) -> list[str]:
+def pedestrian(length: float, width: float, color: str) -> list[str]:
     """Shoulders and a head."""
     size = max(length, width)
     return [
-        element("ellipse", cx=0.0, cy=0.0, rx=0.30 * size, ry=0.52 * size, fill=colour,
+        element("ellipse", cx=0.0, cy=0.0, rx=0.30 * size, ry=0.52 * size, fill=color,
                 **_outline(size)),
         element("circle", cx=0.04 * size, cy=0.0, r=0.24 * size, fill="#ffe8cc",
                 **_outline(size)),
@@ -62,23 +62,23 @@ def tree(size: float, variant: int) -> list[str]:
     radius = size / 2
     layers = zip(reversed(palette.LEAVES), (1.0, 0.7, 0.38), strict=True)
     crown = []
-    for layer, (colour, share) in enumerate(layers):
+    for layer, (color, share) in enumerate(layers):
         angle = 2.4 * variant + 2.1 * layer
         reach = 0.12 * radius * layer
-        centre = (reach * math.cos(angle), reach * math.sin(angle))
+        center = (reach * math.cos(angle), reach * math.sin(angle))
         outline = {"stroke": palette.TRUNK, "stroke_width": 0.6} if layer == 0 else {}
-        d = _scallops(centre, radius * share, 9 - 2 * layer, angle)
-        crown.append(element("path", d=d, fill=colour, **outline))
+        d = _scallops(center, radius * share, 9 - 2 * layer, angle)
+        crown.append(element("path", d=d, fill=color, **outline))
     return crown
 
 
-def _scallops(centre: tuple[float, float], radius: float, lobes: int, turn: float) -> str:
+def _scallops(center: tuple[float, float], radius: float, lobes: int, turn: float) -> str:
     """A closed line of `lobes` arcs that bulge out of a circle."""
     inner = 0.86 * radius
     corners = [
         (
-            centre[0] + inner * math.cos(turn + 2 * math.pi * i / lobes),
-            centre[1] + inner * math.sin(turn + 2 * math.pi * i / lobes),
+            center[0] + inner * math.cos(turn + 2 * math.pi * i / lobes),
+            center[1] + inner * math.sin(turn + 2 * math.pi * i / lobes),
         )
         for i in range(lobes + 1)
     ]
@@ -105,7 +105,7 @@ def building(length: float, width: float) -> list[str]:
     ]
 
 
-def block(length: float, width: float, colour: str) -> list[str]:
+def block(length: float, width: float, color: str) -> list[str]:
     """A kind that has no drawing of its own: its outline, and a mark at its front."""
     front = [
         (length / 2, 0.0),
@@ -113,7 +113,7 @@ def block(length: float, width: float, colour: str) -> list[str]:
         (length / 2 - 0.25 * width, 0.25 * width),
     ]
     return [
-        _box(-length / 2, -width / 2, length, width, 0.1 * width, fill=colour, **_outline(width)),
+        _box(-length / 2, -width / 2, length, width, 0.1 * width, fill=color, **_outline(width)),
         _polygon(front, fill=palette.INK, fill_opacity=0.6),
     ]
 

@@ -68,7 +68,7 @@ def _heading(scene: Scene, shown: int, rest: int, x: float, base: float, font: f
 def _cell(scene: Scene, viewport: Viewport, clip: str, font: float) -> str:
     style = Style(size=viewport.width, labels=False, legend=False, stations=False)
     base = viewport.y + viewport.height + 1.35 * font
-    colour, outcome = _outcome(scene)
+    color, outcome = _outcome(scene)
     return group(
         [
             element("defs", furniture.clip(viewport, clip)),
@@ -77,7 +77,7 @@ def _cell(scene: Scene, viewport: Viewport, clip: str, font: float) -> str:
             text(f"scene {scene.index}", viewport.x, base, font_size=font, font_weight="600",
                  fill=palette.INK),
             text(outcome, viewport.x + viewport.width, base, font_size=font, text_anchor="end",
-                 fill=colour),
+                 fill=color),
         ],
         class_="cell",
     )  # fmt: skip
@@ -91,5 +91,5 @@ def _outcome(scene: Scene) -> tuple[str, str]:
         return palette.QUIET_INK, ""
     worst, name = min(judged)
     failed = any(verdict.satisfied is False for verdict in verdicts)
-    colour = palette.VIOLATIONS[0] if failed else palette.QUIET_INK
-    return colour, f"{name}: {rho(worst)}"
+    color = palette.VIOLATIONS[0] if failed else palette.QUIET_INK
+    return color, f"{name}: {rho(worst)}"

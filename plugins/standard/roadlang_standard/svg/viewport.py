@@ -1,4 +1,4 @@
-"""From metres to the pixels of the drawing."""
+"""From meters to the pixels of the drawing."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _SMALLEST_SPAN = 20.0
 
 @dataclass(frozen=True)
 class Box:
-    """A rectangle in metres."""
+    """A rectangle in meters."""
 
     left: float
     bottom: float
@@ -60,15 +60,15 @@ class Viewport:
     height: float
 
     @property
-    def pixels_per_metre(self) -> float:
+    def pixels_per_meter(self) -> float:
         return self.width / self.box.width
 
     def place(self, points: Floats) -> Floats:
-        """(..., 2) metres to pixels."""
+        """(..., 2) meters to pixels."""
         import numpy as np
 
         points = np.asarray(points, dtype=float)
-        scale = self.pixels_per_metre
+        scale = self.pixels_per_meter
         east = self.x + (points[..., 0] - self.box.left) * scale
         south = self.y + (self.box.top - points[..., 1]) * scale
         return np.stack([east, south], axis=-1)
@@ -80,7 +80,7 @@ def fitted(box: Box, x: float, y: float, width: float) -> Viewport:
     wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
     tall = max(box.height, _SMALLEST_SPAN / 2) + 2 * margin
     wide, tall = max(wide, tall / _TALLEST), max(tall, wide / _WIDEST)
-    return _centred(box, wide, tall, Viewport(box, x, y, width, width * tall / wide))
+    return _centered(box, wide, tall, Viewport(box, x, y, width, width * tall / wide))
 
 
 def within(box: Box, frame: Viewport) -> Viewport:
@@ -90,17 +90,17 @@ def within(box: Box, frame: Viewport) -> Viewport:
     tall = max(box.height, _SMALLEST_SPAN) + 2 * margin
     shape = frame.height / frame.width
     wide, tall = max(wide, tall / shape), max(tall, wide * shape)
-    return _centred(box, wide, tall, frame)
+    return _centered(box, wide, tall, frame)
 
 
-def _centred(box: Box, wide: float, tall: float, frame: Viewport) -> Viewport:
+def _centered(box: Box, wide: float, tall: float, frame: Viewport) -> Viewport:
     east, north = (box.left + box.right) / 2, (box.bottom + box.top) / 2
     shown = Box(east - wide / 2, north - tall / 2, east + wide / 2, north + tall / 2)
     return Viewport(shown, frame.x, frame.y, frame.width, frame.height)
 
 
 def bounds(scene: Scene) -> Box:
-    """All of a scene in metres: roads with their width, agents and objects."""
+    """All of a scene in meters: roads with their width, agents and objects."""
     boxes = list(_road_boxes(scene)) + list(_actor_boxes(scene))
     if not boxes:
         return Box(-50.0, -50.0, 50.0, 50.0)

@@ -1,4 +1,4 @@
-"""Violated stretches: a coloured band beside the road for each constraint that is broken."""
+"""Violated stretches: a colored band beside the road for each constraint that is broken."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def violations(scene: Scene, ribbons: Mapping[str, Ribbon]) -> str:
 
 def _bands(scene: Scene, ribbons: Mapping[str, Ribbon]) -> Iterator[str]:
     for index, verdict in enumerate(broken(scene)):
-        colour = palette.violation_colour(index)
+        color = palette.violation_color(index)
         for stretch in verdict.violated:
             for ribbon in _named(stretch.road, ribbons):
                 part = ribbon.part(stretch.start, stretch.end, by_reference=True)
@@ -42,7 +42,7 @@ def _bands(scene: Scene, ribbons: Mapping[str, Ribbon]) -> Iterator[str]:
                     "path",
                     title(hint),
                     d=path_data(_visible(part, _BAND * (index + 0.9))),
-                    stroke=colour,
+                    stroke=color,
                     stroke_width=_BAND - 0.8,
                     stroke_linecap="round",
                     stroke_opacity=0.9,
@@ -51,7 +51,7 @@ def _bands(scene: Scene, ribbons: Mapping[str, Ribbon]) -> Iterator[str]:
                     yield element(
                         "path",
                         d=path_data(part.outline(), closed=True),
-                        fill=colour,
+                        fill=color,
                         fill_opacity=0.28,
                     )
 

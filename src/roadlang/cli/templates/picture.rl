@@ -1,7 +1,7 @@
 # A road taken from a picture beside this file, then bent. Put your own picture and scale here.
 scenario picture "A road from a picture, bent"
 
-image photo from "photo.png" { scale: 0.35m/px }    # metres per pixel
+image photo from "photo.png" { scale: 0.35m/px }    # meters per pixel
 network town from photo
 road main from town { select: longest, lanes: 2 }
 road bent from main {

@@ -1,0 +1,1 @@
+"""The commands `roadlang godot`, `roadlang render` and `roadlang watch`."""

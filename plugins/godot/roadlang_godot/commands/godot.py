@@ -1,0 +1,36 @@
+"""`roadlang godot`: the bundled simulator, started and left to whoever connects."""
+
+from __future__ import annotations
+
+import click
+
+from roadlang.cli.console import say
+
+
+@click.command("godot")
+@click.option("--headless", is_flag=True, help="Without a window.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option("--port", type=click.IntRange(1, 65535), default=4242, show_default=True)
+@click.option("--transport", type=click.Choice(["udp", "websocket"]), default="udp")
+@click.option("--where", is_flag=True, help="Print engine, version and project, and leave.")
+def command(headless: bool, host: str, port: int, transport: str, where: bool) -> None:
+    """Start the Godot project that scenes are built, driven and shown in.
+
+    Scenes reach it by `emit godot`, `roadlang watch` and `roadlang run`. It listens on this
+    machine alone unless --host says otherwise.
+    """
+    from roadlang_godot import engine
+
+    if where:
+        found = engine.find()
+        say(f"engine   {found}")
+        say(f"version  {engine.version_of(found)}")
+        say(f"project  {engine.project()}")
+        return
+    engine.version_of(engine.find())
+    running = engine.start(
+        window=not headless, host=host, port=port, transport=transport, quit_idle=None
+    )
+    with running:
+        say(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C ends it")
+        running.process.wait()

@@ -1,0 +1,96 @@
+"""`roadlang render FILE -o PICTURE`: a scene as a picture or a clip, drawn by Godot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from roadlang.cli.console import report, say
+from roadlang.cli.scene_files import parse_overrides
+from roadlang.diagnostics import DiagnosticError, diagnose
+
+PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
+CLIPS = (".avi",)
+
+
+@click.command("render")
+@click.argument("file")
+@click.option("-o", "--output", required=True, metavar="FILE", help="`.png`, `.jpg` or `.avi`.")
+@click.option(
+    "--view",
+    type=click.Choice(["chase", "top", "free"]),
+    help="By default chase, or top where no agent is.",
+)
+@click.option("--size", default="1280x720", show_default=True, metavar="WxH", help="Pixels.")
+@click.option("--scale", type=float, help="Meters a pixel, of the top view.")
+@click.option("--at", "time", type=float, help="Seconds of driving before the picture.")
+@click.option("--duration", type=float, default=6.0, show_default=True, help="Of a clip, seconds.")
+@click.option("--fps", type=click.IntRange(1, 60), default=12, show_default=True)
+@click.option("--agent", help="Whom the chase view follows; by default the first.")
+@click.option("--camera", metavar="X,Y,Z,YAW,PITCH", help="Of the free view: meters, degrees.")
+@click.option("--road", type=click.Choice(["mesh", "tiles"]), default="mesh")
+@click.option("--scene", "index", type=click.IntRange(min=0), default=0, help="Which scene.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
+def command(
+    file: str,
+    output: str,
+    view: str | None,
+    size: str,
+    scale: float | None,
+    time: float | None,
+    duration: float,
+    fps: int,
+    agent: str | None,
+    camera: str | None,
+    road: str,
+    index: int,
+    seed: int,
+    settings: tuple[str, ...],
+) -> None:
+    """Draw a scene of FILE as it looks while it is driven.
+
+    A chase view follows an agent, the top view shows the whole scene from above with north up,
+    the free view looks from anywhere. Without a screen a virtual one is used.
+    """
+    from roadlang.cli.made_scenes import make_scenes
+    from roadlang.scenes.writing import write_all
+    from roadlang_godot.pictures import Shot, render_clip, render_picture
+
+    path = Path(output)
+    suffix = path.suffix.lower()
+    if suffix not in PICTURES and suffix not in CLIPS:
+        help = "end its name in .png, .jpg or .avi"
+        raise DiagnosticError(diagnose("RL930", what="picture format", name=suffix, help=help))
+    made = make_scenes(file, parse_overrides(settings), index + 1, seed)
+    report(made.warnings)
+    scene = made.scenes[-1]
+    width, height = _size(size)
+    pose = _numbers(camera) if camera else None
+    view = view or ("chase" if scene.agents else "top")
+    shot = Shot(view, width, height, scale, agent, pose, PICTURES.get(suffix, "jpg"), road)
+    moment = time if time is not None else (0.0 if view == "top" else 4.0)
+    if suffix in CLIPS:
+        frames = render_clip(scene, shot, path, duration, fps, time or 0.0)
+        say(f"{path}: {frames} frames")
+        return
+    write_all(path.parent, {path.name: render_picture(scene, shot, moment)})
+    say(f"{path}: {width} x {height}")
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, _, height = text.partition("x")
+    if not (width.isdigit() and height.isdigit() and 16 <= int(width) <= 8192 >= int(height) >= 16):
+        raise click.BadParameter(f"`{text}` is no size such as 1280x720", param_hint="--size")
+    return int(width), int(height)
+
+
+def _numbers(text: str) -> tuple[float, ...]:
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != 5:
+        raise click.BadParameter("five numbers: x,y,z,yaw,pitch", param_hint="--camera")
+    return numbers

@@ -1,0 +1,148 @@
+"""`roadlang watch FILE`: every save reaches the running simulator, which drives on meanwhile."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from roadlang.cli.console import report, say
+from roadlang.cli.scene_files import parse_overrides, read_scene_file
+from roadlang.diagnostics import DiagnosticError
+
+if TYPE_CHECKING:
+    from roadlang.cli.made_scenes import MadeScenes
+    from roadlang_godot.live import LiveScene, Move
+    from roadlang_godot.session import Session
+
+LISTEN = 0.05
+JUDGE_EVERY = 0.5
+
+
+@click.command("watch")
+@click.argument("file")
+@click.option("--headless", is_flag=True, help="Start the simulator without a window.")
+@click.option("--host", help="Use a simulator that runs there (`roadlang godot`).")
+@click.option("--port", type=click.IntRange(1, 65535), default=4242, show_default=True)
+@click.option("--road", type=click.Choice(["mesh", "tiles"]), default="mesh")
+@click.option("--save", is_flag=True, help="Write what is moved in the window back to FILE.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
+@click.option("--for", "seconds", type=float, help="Leave after so many seconds.")
+def command(
+    file: str,
+    headless: bool,
+    host: str | None,
+    port: int,
+    road: str,
+    save: bool,
+    seed: int,
+    settings: tuple[str, ...],
+    seconds: float | None,
+) -> None:
+    """Drive FILE in a simulator, and send what changed each time FILE is saved.
+
+    In the window, objects and road points can be dragged; robustness is shown live.
+    """
+    from roadlang.cli.made_scenes import make_scenes
+    from roadlang_godot import engine
+
+    overrides = parse_overrides(settings)
+    made = make_scenes(file, overrides, 1, seed)
+    report(made.warnings)
+    watcher = Watcher(file, overrides, seed, road, save)
+    deadline = float("inf") if seconds is None else time.monotonic() + seconds
+    if host is not None:
+        with engine.connect(host, port, name=made.scenes[0].name) as session:
+            watcher.run(session, made, deadline)
+        return
+    with engine.start(window=not headless) as running, running.connect() as session:
+        watcher.run(session, made, deadline)
+
+
+class Watcher:
+    """Looks after one file and one simulator."""
+
+    def __init__(
+        self, file: str, overrides: dict[str, str], seed: int, road: str, save: bool
+    ) -> None:
+        self._file = file
+        self._overrides = overrides
+        self._seed = seed
+        self._road = road
+        self._save = save
+        self._text = read_scene_file(file)
+
+    def run(self, session: Session, made: MadeScenes, deadline: float) -> None:
+        """Until the deadline, or Ctrl-C."""
+        from roadlang_godot.live import LiveScene
+
+        live = LiveScene(session, made.scenes[0], self._road)
+        say(f"{self._file} is driven; save it to change it, Ctrl-C to leave")
+        judged = 0.0
+        while time.monotonic() < deadline:
+            for move in live.listen(LISTEN):
+                self._take(move, live)
+            self._look(live)
+            if time.monotonic() - judged > JUDGE_EVERY:
+                judged = time.monotonic()
+                live.show(_lines(live, made))
+
+    def _look(self, live: LiveScene) -> None:
+        try:
+            text = read_scene_file(self._file)
+        except DiagnosticError:
+            # Editors that save by renaming leave a moment without a file.
+            return
+        if text != self._text:
+            self._text = text
+            self._change(live)
+
+    def _change(self, live: LiveScene) -> None:
+        from roadlang.cli.made_scenes import make_scenes
+
+        try:
+            began = time.monotonic()
+            made = make_scenes(self._file, self._overrides, 1, self._seed, self._text)
+            compiled = time.monotonic()
+            count = live.change(made.scenes[0])
+        except DiagnosticError as error:
+            report(error.diagnostics)
+            return
+        sent = 1000 * (time.monotonic() - compiled)
+        compiling = 1000 * (compiled - began)
+        say(f"{count} changes in {sent:.0f} ms, after {compiling:.0f} ms of compiling")
+
+    def _take(self, move: Move, live: LiveScene) -> None:
+        from .scene_edits import object_moved, waypoint_moved
+
+        if not move.done:
+            return
+        if move.what == "object":
+            text = object_moved(self._text, move.name, move.end)
+        else:
+            text = waypoint_moved(self._text, move.name, move.start, move.end)
+        if text is None:
+            say(f"`{move.name}` is not placed by numbers in {self._file}: it stays")
+            return
+        self._text = text
+        if self._save:
+            Path(self._file).write_text(text, encoding="utf-8")
+        self._change(live)
+
+
+def _lines(live: LiveScene, made: MadeScenes) -> list[str]:
+    """Robustness of every requirement, and of every expectation on what was driven lately."""
+    from roadlang.judging.drives import judge
+
+    verdicts = list(live.scene.requirements)
+    trace = live.trace()
+    if trace is not None:
+        verdicts += judge(live.scene, trace, made.registry)
+    return [
+        f"{'ok ' if v.satisfied else 'BROKEN '} {v.name}  {v.robustness:.2f}"
+        for v in verdicts
+        if v.robustness is not None
+    ]

@@ -1,0 +1,241 @@
+"""Finds a Godot engine, and runs the bundled project in it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+
+from .faults import fault
+from .link_udp import UdpLink
+from .link_websocket import WebSocketLink
+from .session import PATIENCE, Link, Session
+
+OLDEST = (4, 3)
+START_SECONDS = 60.0
+DRAWING_PATIENCE = 60.0
+"""Drawing in software takes seconds, in which an engine answers nobody."""
+
+_KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
+_VARIABLE = "ROADLANG_GODOT"
+_NAMES = ("godot4", "godot", "Godot", "godot4-bin")
+_PLACES = (
+    "/usr/local/bin",
+    "/usr/bin",
+    "/opt/godot",
+    "/opt/godot4",
+    "~/.local/bin",
+    "~/bin",
+    "/snap/bin",
+    "/var/lib/flatpak/exports/bin",
+    "/Applications/Godot.app/Contents/MacOS",
+    "~/Applications/Godot.app/Contents/MacOS",
+    "C:/Program Files/Godot",
+)
+_LISTENING = re.compile(r"roadlang: listening on (\S+):(\d+)")
+_HELP = (
+    "get Godot 4.3 or newer: your system's package `godot`, or the download page of the Godot "
+    "project; on Debian, `sh godot_backend/install_godot.sh`",
+    f"or set {_VARIABLE} to the engine's executable",
+)
+
+
+def find() -> Path:
+    """The engine: `ROADLANG_GODOT`, else on PATH, else in the usual places.
+
+    Raises `EngineError` RL500 where there is none.
+    """
+    given = os.environ.get(_VARIABLE)
+    if given:
+        found = shutil.which(given)
+        if found is None:
+            raise fault("RL500", _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run")
+        return Path(found)
+    for candidate in _candidates():
+        found = shutil.which(candidate)
+        if found is not None:
+            return Path(found)
+    raise fault("RL500", _HELP, reason="none on PATH or in the usual places")
+
+
+def find_drawing() -> list[str]:
+    """The command that runs an engine with pixels: on this screen, else on a virtual one.
+
+    Raises `EngineError` RL500 or RL508.
+    """
+    engine = find()
+    drawing = ["--audio-driver", "Dummy", "--rendering-method", "gl_compatibility"]
+    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or os.name == "nt":
+        return [str(engine), *drawing]
+    beside = engine.with_name(engine.name + "-render")
+    if beside.exists():
+        return [str(beside)]
+    virtual = shutil.which("xvfb-run")
+    if virtual is None:
+        raise fault("RL508", "run on a desktop, or install xvfb for a virtual screen")
+    screen = ["-a", "-s", "-screen 0 1280x720x24"]
+    return [virtual, *screen, str(engine), "--rendering-driver", "opengl3", *drawing]
+
+
+def version_of(engine: Path) -> str:
+    """What `--version` prints. Raises `EngineError` RL501, or RL511 where it is too old."""
+    try:
+        asked = subprocess.run(
+            [str(engine), "--version"], capture_output=True, text=True, timeout=START_SECONDS
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise fault("RL501", engine=engine, reason=str(error)) from error
+    text = asked.stdout.strip().splitlines()[-1] if asked.stdout.strip() else ""
+    numbers = re.match(r"(\d+)\.(\d+)", text)
+    if numbers is None:
+        raise fault("RL501", engine=engine, reason="it does not tell its version")
+    if (int(numbers[1]), int(numbers[2])) < OLDEST:
+        raise fault("RL511", version=text, oldest=".".join(map(str, OLDEST)))
+    return text
+
+
+def project() -> Path:
+    """The bundled Godot project: of the installed package, else of the checkout."""
+    shipped = Path(str(files("roadlang"))) / "_shipped" / "godot_backend"
+    checkout = Path(__file__).resolve().parents[3] / "godot_backend"
+    return shipped if not checkout.is_dir() else checkout
+
+
+@dataclass
+class Engine:
+    """A running engine, and where it listens. Use as a context manager; leaving ends it."""
+
+    process: subprocess.Popen[bytes]
+    host: str
+    port: int
+    transport: str
+    log: Path
+    draws: bool
+
+    def __enter__(self) -> Engine:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+    def connect(self, name: str = "", patience: float | None = None) -> Session:
+        """A session with this engine."""
+        usual = DRAWING_PATIENCE if self.draws else PATIENCE
+        return connect(self.host, self.port, self.transport, name, patience or usual)
+
+    def output(self) -> str:
+        """What the engine has printed."""
+        return self.log.read_text(encoding="utf-8", errors="replace")
+
+    def stop(self) -> None:
+        """End the process, with the virtual screen it may have, and remove its log."""
+        if self.process.poll() is None:
+            self._signal(signal.SIGTERM)
+            try:
+                self.process.wait(timeout=5)
+            except subprocess.TimeoutExpired:
+                self._signal(_KILL)
+                self.process.wait()
+        shutil.rmtree(self.log.parent, ignore_errors=True)
+
+    def _signal(self, number: int) -> None:
+        if os.name == "nt":
+            self.process.send_signal(number)
+            return
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, number)
+
+
+def connect(
+    host: str, port: int, transport: str = "udp", name: str = "", patience: float = PATIENCE
+) -> Session:
+    """A session with an engine that already runs.
+
+    Raises `EngineError` RL502 where nobody answers, RL503 where it refuses, RL512 where the
+    address is no good.
+    """
+    try:
+        link: Link = WebSocketLink(host, port) if transport == "websocket" else UdpLink(host, port)
+    except OSError as error:
+        raise fault("RL512", host=host, port=port, reason=error.strerror or error) from error
+    return Session(link, patience=patience, name=name)
+
+
+def start(
+    *,
+    fixed_fps: int | None = None,
+    draw: bool = False,
+    window: bool = False,
+    host: str = "127.0.0.1",
+    port: int = 0,
+    transport: str = "udp",
+    quit_idle: float | None = 60.0,
+    extra: Sequence[str] = (),
+) -> Engine:
+    """Start an engine: headless, or with `draw` to take pictures, or with `window` to be looked at.
+
+    `fixed_fps` makes it run as fast as it can, each frame that part of a second; `port` 0 takes
+    a free one; after `quit_idle` seconds without a client it ends by itself, so that nothing is
+    left behind by whoever was killed. Raises `EngineError` RL500, RL501, RL508.
+    """
+    draws = draw or window
+    command = find_drawing() if draws else [str(find()), "--headless"]
+    command += ["--path", str(project())]
+    if fixed_fps is not None:
+        command += ["--fixed-fps", str(fixed_fps)]
+    command += [*extra, "--", "--host", host, "--port", str(port), "--transport", transport]
+    if draw and not window:
+        command.append("--still")
+    if quit_idle is not None:
+        command += ["--quit-idle", str(quit_idle)]
+    log = Path(tempfile.mkdtemp(prefix="roadlang-godot-")) / "engine.log"
+    engine = Engine(_spawn(command, log), host, port, transport, log, draws)
+    engine.port = _await_port(engine, command[0])
+    return engine
+
+
+def _spawn(command: list[str], log: Path) -> subprocess.Popen[bytes]:
+    """A process group of its own: ending it ends a virtual screen too."""
+    try:
+        # A file, not a pipe: an engine whose pipe nobody reads stops when it is full.
+        with log.open("wb") as out:
+            return subprocess.Popen(
+                command,
+                stdout=out,
+                stderr=subprocess.STDOUT,
+                stdin=subprocess.DEVNULL,
+                start_new_session=True,
+            )
+    except OSError as error:
+        shutil.rmtree(log.parent, ignore_errors=True)
+        raise fault("RL501", engine=command[0], reason=error.strerror or error) from error
+
+
+def _await_port(engine: Engine, name: str) -> int:
+    deadline = time.monotonic() + START_SECONDS
+    while time.monotonic() < deadline:
+        heard = _LISTENING.search(engine.output())
+        if heard:
+            return int(heard[2])
+        if engine.process.poll() is not None or "SCRIPT ERROR" in engine.output():
+            break
+        time.sleep(0.02)
+    last = engine.output().strip().splitlines()[-3:]
+    engine.stop()
+    raise fault("RL501", last, engine=name, reason="it did not start listening")
+
+
+def _candidates() -> Iterator[str]:
+    yield from _NAMES
+    for place in _PLACES:
+        for name in _NAMES:
+            yield str(Path(place).expanduser() / name)

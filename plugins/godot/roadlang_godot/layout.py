@@ -1,0 +1,253 @@
+"""A scene as things to send: which roads are built, who drives where, and what stands beside."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .conditions import engine_condition
+from .drives import IN_ENGINE, option_values, plain_name
+from .faults import fault
+from .frame import Frame, frame_around
+from .junctions import Arm, cuts, order, patch
+from .line import Line, line_of
+from .mask_tiles import network_tiles
+from .placed import Placed, agent_thing, object_things, path_things, world_thing
+from .road_mesh import road_things
+from .sky import world_settings
+from .thing import Thing
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene, SceneActor, SceneNetwork
+
+BESIDE = 150.0
+"""Flat ground around everything, meters."""
+MOSTLY = 0.9
+"""Share of a road that lies on a network, from which on it is a way through the network."""
+_WALKERS = ("pedestrian", "animal")
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """All that is sent of one scene. `agents` maps names to the engine's numbers."""
+
+    name: str
+    things: tuple[Thing, ...]
+    frame: Frame
+    extent: float
+    agents: Mapping[str, int]
+    paths: Mapping[str, int]
+    python_driven: tuple[str, ...]
+
+    def settings(self, ticks: int = 60) -> dict[str, Any]:
+        """What a scene begins with."""
+        name = self.name.encode("ascii", "replace").decode()
+        return {"name": name, "extent": round(self.extent + BESIDE, 1), "ticks": ticks}
+
+
+def layout_of(scene: Scene, road: str = "mesh", frame: Frame | None = None) -> Layout:
+    """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
+
+    A `frame` that is given stays: what did not move is then not sent again.
+
+    Raises `EngineError` RL509 where there is no road, RL514 where tiles have no pixels.
+    """
+    lines = {one.name: line_of(one) for one in scene.roads}
+    built = built_roads(scene, lines)
+    if not built:
+        raise fault("RL509", scene=scene.name)
+    everything = [lines[name].points for name in built]
+    placed = [(actor.x, actor.y) for actor in (*scene.agents, *scene.objects)]
+    if placed:
+        everything.append(np.array(placed, dtype=float))
+    middle, extent = frame_around(np.vstack(everything))
+    frame = frame or middle
+    tiled = road == "tiles"
+    things = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
+    paths = {name: i + 1 for i, name in enumerate(_driven_roads(scene, lines))}
+    for name, number in paths.items():
+        things += path_things(lines[name], number, frame)
+    agents = {actor.name: i + 1 for i, actor in enumerate(scene.agents)}
+    things += [_agent(actor, agents[actor.name], paths, lines, scene, frame)
+               for actor in scene.agents]  # fmt: skip
+    things += object_things(map(_placed, scene.objects), frame)
+    things.append(world_thing(world_settings(scene.world)))
+    outside = tuple(actor.name for actor in scene.agents if not _drives_in_engine(actor))
+    return Layout(scene.name, tuple(things), frame, extent, agents, paths, outside)
+
+
+def built_roads(scene: Scene, lines: Mapping[str, Line]) -> list[str]:
+    """Names of the roads that are built: the last of each chain, and those that are driven on.
+
+    A road that only repeats edges of a network that is built (a route through a town) is a path
+    on them, not a second road.
+    """
+    driven = {actor.road for actor in scene.agents} & lines.keys()
+    wanted = [one.name for one in scene.roads if one.derived or one.name in driven]
+    wanted = wanted or [one.name for one in scene.roads]
+    networks = [one for one in scene.networks if any(name in wanted for name in one.roads)]
+    edges_of = {one.name: one.network for one in scene.roads}
+    out = []
+    for name in wanted:
+        if edges_of[name] is not None:
+            out.append(name)
+            continue
+        covering = [n for n in networks if _covers(n, lines[name], lines)]
+        out += [edge for n in covering for edge in n.roads] or [name]
+    return list(dict.fromkeys(out))
+
+
+def _covers(network: SceneNetwork, line: Line, lines: Mapping[str, Line]) -> bool:
+    from scipy.spatial import cKDTree
+
+    edges = [lines[name] for name in network.roads if name in lines]
+    dense = [edge.at(np.linspace(edge.s[0], edge.s[-1], int(edge.length / 0.25) + 2))[0]
+             for edge in edges]  # fmt: skip
+    samples = line.at(np.linspace(line.s[0], line.s[-1], 200))[0]
+    away, _ = cKDTree(np.vstack(dense)).query(samples)
+    widest = max(float(edge.width.max()) for edge in edges)
+    return bool(np.mean(away < 0.5 * widest) > MOSTLY)
+
+
+def _meshes(
+    scene: Scene, lines: Mapping[str, Line], built: Iterable[str], frame: Frame
+) -> list[Thing]:
+    built = list(built)
+    trims = {name: [float(lines[name].s[0]), float(lines[name].s[-1])] for name in built}
+    things: list[Thing] = []
+    for network in scene.networks:
+        for node in network.nodes:
+            arms = order(_arms(np.array([node.x, node.y]), node.roads, trims, lines))
+            if len(arms) < 2:
+                continue
+            back = cuts(arms)
+            for arm, cut in zip(arms, back, strict=True):
+                trims[arm.line.name][0 if arm.sign > 0 else 1] = arm.station(cut)
+            label = f"junction {node.id} of {network.name}"
+            things.append(patch(arms, back, len(things) + 1, frame, label))
+    first = 1
+    for name in built:
+        start, end = trims[name]
+        if end - start > 0.05:
+            pieces = road_things(lines[name], first, frame, start, end)
+            things += pieces
+            first += len(pieces)
+    return things
+
+
+def _arms(
+    node: np.ndarray[Any, Any],
+    roads: Iterable[str],
+    built: Mapping[str, Any],
+    lines: Mapping[str, Line],
+) -> list[Arm]:
+    out = []
+    for name in dict.fromkeys(roads):
+        if name not in built or lines[name].closed:
+            continue
+        line = lines[name]
+        start = float(np.hypot(*(line.points[0] - node)))
+        end = float(np.hypot(*(line.points[-1] - node)))
+        if start < 1.0 and end < 1.0:
+            out += [Arm(line, 1), Arm(line, -1)]
+        else:
+            out.append(Arm(line, 1 if start <= end else -1))
+    return out
+
+
+def _driven_roads(scene: Scene, lines: Mapping[str, Line]) -> list[str]:
+    names = [actor.road for actor in scene.agents if actor.road in lines]
+    return list(dict.fromkeys(name for name in names if name is not None))
+
+
+def _drives_in_engine(actor: SceneActor) -> bool:
+    return all(plain_name(call.kind) in IN_ENGINE for call in actor.drive)
+
+
+def _agent(
+    actor: SceneActor,
+    number: int,
+    paths: Mapping[str, int],
+    lines: Mapping[str, Line],
+    scene: Scene,
+    frame: Frame,
+) -> Thing:
+    options = {key: value for key, value in actor.options.items() if _is_plain(value)}
+    spec: dict[str, Any] = {
+        "name": actor.name,
+        "x": actor.x - frame.x,
+        "y": actor.y - frame.y,
+        "heading": actor.heading,
+        "length": actor.length,
+        "width": actor.width,
+        "height": actor.height,
+        "speed": float(options.get("initial_speed", 0.0)),
+        "body": "walker" if plain_name(actor.kind) in _WALKERS else "vehicle",
+        "drives": _drives(actor, scene, frame),
+    }
+    for key in ("mass", "wheelbase", "max_steering", "color"):
+        if key in options:
+            spec[key] = options[key]
+    if actor.road in paths:
+        assert actor.road is not None
+        spec |= {
+            "path": paths[actor.road],
+            "start": actor.start or 0.0,
+            "offset": line_offset(actor, lines[actor.road]),
+            "direction": -1 if actor.facing == "back" else 1,
+        }
+    return agent_thing(number, spec)
+
+
+def line_offset(actor: SceneActor, line: Line) -> float:
+    """How far left of the center line the line lies that an agent should follow.
+
+    The middle of its lane where it has one, else where it stands; who crosses goes its own way.
+    """
+    if actor.lane is not None:
+        return lane_center(actor.lane, line, actor.start or 0.0)
+    offset = actor.offset or 0.0
+    return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
+
+
+def lane_center(lane: int, line: Line, station: float) -> float:
+    """Offset of the middle of a lane (OpenDRIVE numbers: -1 first to the right, 1 to the left)."""
+    width = float(line.at(np.array([station]))[2][0])
+    each = width / max(line.lanes, 1)
+    if line.lanes == 1:
+        return 0.0
+    return (abs(lane) - 0.5) * each * (1 if lane > 0 else -1)
+
+
+def _drives(actor: SceneActor, scene: Scene, frame: Frame) -> list[dict[str, Any]]:
+    out = []
+    for call in actor.drive:
+        kind = plain_name(call.kind)
+        if kind in IN_ENGINE:
+            drive = {"kind": kind, **option_values(call)}
+            if call.when is not None:
+                drive["when"] = engine_condition(call.when, scene, frame)
+            out.append(drive)
+    return out
+
+
+def _placed(actor: SceneActor) -> Placed:
+    color = actor.options.get("color", "")
+    return Placed(
+        sort=plain_name(actor.kind),
+        x=actor.x,
+        y=actor.y,
+        heading=actor.heading,
+        length=actor.length,
+        width=actor.width,
+        height=actor.height,
+        color=color if isinstance(color, str) else "",
+        name=actor.name if actor.name == actor.group else "",
+    )
+
+
+def _is_plain(value: Any) -> bool:
+    return isinstance(value, (str, int, float)) and not isinstance(value, bool)

@@ -1,0 +1,38 @@
+"""`road: tiles`: the pixels that an extractor took for road, as cells."""
+
+from __future__ import annotations
+
+import base64
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .faults import fault
+from .frame import Frame
+from .road_tiles import coarsened, tile_things
+from .thing import Thing
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+SMALLEST_CELL = 2.0
+"""Meters; finer pixels are taken together."""
+
+
+def network_tiles(scene: Scene, frame: Frame) -> list[Thing]:
+    """The tiles of every network that has pixels. Raises `EngineError` RL514 where none has."""
+    import cv2
+
+    things: list[Thing] = []
+    for network in scene.networks:
+        if network.mask is None or network.mask_scale is None:
+            continue
+        packed = np.frombuffer(base64.b64decode(network.mask), dtype=np.uint8)
+        pixels = np.asarray(cv2.imdecode(packed, cv2.IMREAD_GRAYSCALE))
+        factor = max(1, round(SMALLEST_CELL / network.mask_scale))
+        cells = coarsened(pixels > 0, factor)
+        size = network.mask_scale * factor
+        things += tile_things(cells, size, network.mask_origin, len(things) + 1, frame)
+    if not things:
+        raise fault("RL514", scene=scene.name)
+    return things

@@ -1,0 +1,126 @@
+"""Pictures and clips of scenes: chase view, top view, free camera."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import engine
+from .driving import LockStep
+from .faults import fault
+from .layout import Layout, layout_of
+from .protocol import Message
+from .session import Session
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+RATE = 60
+MARGIN = 25.0
+"""Meters around the roads in a top view."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shot:
+    """What to draw. `scale` is meters a pixel of the top view; `pose` is x, y, z, yaw, pitch."""
+
+    view: str = "chase"
+    width: int = 1280
+    height: int = 720
+    scale: float | None = None
+    agent: str | None = None
+    pose: tuple[float, ...] | None = None
+    format: str = "png"
+    road: str = "mesh"
+
+
+def render_picture(scene: Scene, shot: Shot, moment: float = 0.0) -> bytes:
+    """The bytes of one picture, after `moment` seconds of driving."""
+    with engine.start(fixed_fps=RATE, draw=True) as running, running.connect(scene.name) as session:
+        layout = build(session, scene, shot.road)
+        if moment > 0 and layout.agents:
+            with LockStep(session) as lock:
+                lock.step({}, round(moment * RATE))
+                return take(session, layout, shot)
+        return take(session, layout, shot)
+
+
+def render_clip(
+    scene: Scene, shot: Shot, path: Path, duration: float, fps: int, start: float = 0.0
+) -> int:
+    """Write a clip (motion JPEG in AVI) of a drive; returns the number of frames."""
+    import cv2
+
+    every = max(1, round(RATE / fps))
+    code = cv2.VideoWriter.fourcc(*"MJPG")
+    out = cv2.VideoWriter(str(path), code, RATE / every, (shot.width, shot.height))
+    if not out.isOpened():
+        raise fault("RL515", path=path)
+    frames = 0
+    with engine.start(fixed_fps=RATE, draw=True) as running, running.connect(scene.name) as session:
+        layout = build(session, scene, shot.road)
+        with LockStep(session) as lock:
+            if start > 0:
+                lock.step({}, round(start * RATE))
+            while frames < round(duration * RATE / every):
+                picture = np.frombuffer(take(session, layout, shot), dtype=np.uint8)
+                out.write(cv2.imdecode(picture, cv2.IMREAD_COLOR))
+                frames += 1
+                lock.step({}, every)
+    out.release()
+    return frames
+
+
+def build(session: Session, scene: Scene, road: str = "mesh") -> Layout:
+    """Build a scene in an engine and prove it built."""
+    layout = layout_of(scene, road)
+    session.begin(layout.settings(RATE), clear=True)
+    session.update(layout.things)
+    session.prove()
+    return layout
+
+
+def take(session: Session, layout: Layout, shot: Shot) -> bytes:
+    """One picture of what stands in the engine now."""
+    session.send_json(Message.VIEW, _view(layout, shot), "the view")
+    session.flush()
+    wish = {"width": shot.width, "height": shot.height, "format": shot.format}
+    return session.picture(wish)
+
+
+def meters_a_pixel(layout: Layout, shot: Shot) -> float:
+    """The scale of a top view; by default all of the scene is in it."""
+    if shot.scale is not None:
+        return shot.scale
+    return 2 * (layout.extent + MARGIN) / min(shot.width, shot.height)
+
+
+def _view(layout: Layout, shot: Shot) -> dict[str, Any]:
+    view: dict[str, Any] = {"camera": shot.view}
+    if shot.agent is not None and shot.agent in layout.agents:
+        view["agent"] = layout.agents[shot.agent]
+    elif layout.agents:
+        view["agent"] = min(layout.agents.values())
+    if shot.view == "top":
+        view |= {"x": 0.0, "y": 0.0, "size": shot.height * meters_a_pixel(layout, shot)}
+    elif shot.view == "free":
+        x, y, z, yaw, pitch = shot.pose or _above(layout)
+        view |= {
+            "x": x - layout.frame.x,
+            "y": y - layout.frame.y,
+            "z": z,
+            "yaw": math.radians(yaw),
+            "pitch": math.radians(pitch),
+        }
+    return view
+
+
+def _above(layout: Layout) -> tuple[float, ...]:
+    """A place from which the whole scene is seen, from the south-west."""
+    reach = layout.extent
+    x, y = layout.frame.x - 0.9 * reach - 20.0, layout.frame.y - 0.9 * reach - 20.0
+    return (x, y, 0.55 * reach + 15.0, 45.0, -24.0)

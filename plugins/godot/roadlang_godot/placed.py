@@ -1,0 +1,105 @@
+"""Objects, paths, agents and the world, as things."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .faults import fault
+from .frame import Frame
+from .line import Line
+from .protocol import BULK_DATAGRAM, HEADER_BYTES, MAX_DATAGRAM, Message
+from .thing import Thing
+
+PATH_SPACING = 1.0
+_RECORD_BYTES = 28
+_POINTS_A_PIECE = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8) // 12
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """An object in the world: sizes along its heading, across it and up, in meters."""
+
+    sort: str
+    x: float
+    y: float
+    heading: float
+    length: float
+    width: float
+    height: float
+    color: str = ""
+    solid: bool = True
+    name: str = ""
+
+
+def object_things(objects: Iterable[Placed], frame: Frame, first_id: int = 1) -> list[Thing]:
+    """Objects of one sort together, as many as fit; each named one by itself, to be moved."""
+    groups: dict[tuple[str, str, bool, str], list[Placed]] = {}
+    for one in objects:
+        groups.setdefault((one.sort, one.color, one.solid, one.name), []).append(one)
+    things = []
+    for (sort, color, solid, _), members in groups.items():
+        most = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8 - len(sort) - len(color)) // _RECORD_BYTES
+        for at in range(0, len(members), most):
+            batch = members[at : at + most]
+            things.append(_objects(first_id + len(things), sort, color, solid, batch, frame))
+    return things
+
+
+def path_things(line: Line, path: int, frame: Frame) -> list[Thing]:
+    """The center line that agents follow, a meter a point, in pieces."""
+    count = max(2, round(line.length / PATH_SPACING) + 1)
+    s = np.linspace(line.s[0], line.s[-1], count)
+    points, _, width = line.at(s)
+    if line.closed:
+        points, width = points[:-1], width[:-1]
+    rows = frame.ground(points)
+    rows[:, 1] = rows[:, 2]
+    rows[:, 2] = width / 2
+    pieces = -(-len(rows) // _POINTS_A_PIECE)
+    things = []
+    for piece in range(pieces):
+        part = rows[piece * _POINTS_A_PIECE : (piece + 1) * _POINTS_A_PIECE].tobytes()
+        head = struct.pack("<BHH", int(line.closed), pieces, len(part) // 12)
+        label = f"path of {line.name}, piece {piece + 1}"
+        things.append(Thing(Message.PATH, path << 16 | piece, head + part, part, label))
+    return things
+
+
+def agent_thing(id: int, spec: Mapping[str, Any]) -> Thing:
+    """An agent; `docs/godot.md` lists what its specification may hold."""
+    return _json_thing(Message.AGENT, id, spec, f"agent {spec.get('name', id)}")
+
+
+def world_thing(settings: Mapping[str, Any]) -> Thing:
+    """Sun, weather and friction."""
+    return _json_thing(Message.WORLD, 1, settings, "the world's settings")
+
+
+def _objects(
+    id: int, sort: str, color: str, solid: bool, batch: list[Placed], frame: Frame
+) -> Thing:
+    places = frame.ground(np.array([[one.x, one.y] for one in batch]))
+    records = np.empty((len(batch), 7), dtype="<f4")
+    records[:, :3] = places
+    records[:, 3] = [one.heading for one in batch]
+    records[:, 4:] = [(one.length, one.height, one.width) for one in batch]
+    name = sort.encode("ascii", "replace")[:64]
+    paint = color.encode("ascii", "replace")[:32]
+    head = struct.pack("<BHB", int(solid), len(batch), len(name)) + name
+    head += struct.pack("<B", len(paint)) + paint
+    label = batch[0].name or f"{len(batch)} x {sort}"
+    return Thing(Message.OBJECTS, id, head + records.tobytes(), places.tobytes(), label)
+
+
+def _json_thing(kind: Message, id: int, value: Mapping[str, Any], label: str) -> Thing:
+    body = json.dumps(value, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
+    limit = MAX_DATAGRAM - HEADER_BYTES - 12
+    if len(body) > limit:
+        raise fault("RL506", what=label, size=len(body), limit=limit)
+    return Thing(kind, id, body, body, label)

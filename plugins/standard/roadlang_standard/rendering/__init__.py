@@ -1,1 +1,0 @@
-"""Aerial-looking pictures with exact truth: scenes are planned, painted and photographed."""

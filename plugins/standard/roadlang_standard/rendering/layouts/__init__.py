@@ -1,1 +1,0 @@
-"""Plans: where the roads of a rendered scene lie."""

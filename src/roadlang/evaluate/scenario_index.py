@@ -1,0 +1,153 @@
+"""A scenario made ready to be evaluated: everything by its name, every kind loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import suppress
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
+from ..ir.values import Draw, PassCall, Value
+from ..plugins.guard import blaming
+from ..plugins.kinds import Kind
+from ..plugins.registry import KindEntry, Registry, UnknownKind
+from .dependencies import draws_in, walk
+
+if TYPE_CHECKING:
+    from .candidates import CandidateBatch
+
+T = TypeVar("T")
+
+
+class Plan:
+    """What does not differ between candidates. `once` keeps what is computed for all of them."""
+
+    def __init__(self, scenario: Scenario, registry: Registry) -> None:
+        self.scenario = scenario
+        self.registry = registry
+        self.values: dict[str, Named] = {item.name: item for item in scenario.values}
+        self.images: dict[str, Image] = {item.name: item for item in scenario.images}
+        self.networks: dict[str, Network] = {item.name: item for item in scenario.networks}
+        self.roads: dict[str, Road] = {item.name: item for item in scenario.roads}
+        self.actors: dict[str, Actor] = {
+            item.name: item for item in (*scenario.agents, *scenario.objects)
+        }
+        self.digests: dict[str, str] = {}
+        """sha256 of every file read, by its path as written"""
+        self._kept: dict[Hashable, Any] = {}
+        self._classes: dict[tuple[str, str], tuple[KindEntry, type[Kind]]] = {}
+
+    def once(self, key: Hashable, compute: Callable[[], T]) -> T:
+        if key not in self._kept:
+            self._kept[key] = compute()
+        kept: T = self._kept[key]
+        return kept
+
+    def kind(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
+        """The class that a call names. Raises RL470 when it cannot be imported."""
+        key = (call.verb, call.kind)
+        if key not in self._classes:
+            self._classes[key] = self._load(call)
+        return self._classes[key]
+
+    def _load(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
+        try:
+            entry = self.registry.find(call.verb, call.kind)
+        except UnknownKind:
+            raise DiagnosticError(
+                diagnose("RL471", call.span, kind=f"{call.verb} {call.kind}")
+            ) from None
+        with blaming(entry, call.span):
+            return entry, entry.load()
+
+    def kept(self, group: str) -> list[tuple[Any, Any]]:
+        """Keys and values of a group that were computed."""
+        return [
+            (key, value)
+            for key, value in self._kept.items()
+            if isinstance(key, tuple) and key[0] == group
+        ]
+
+    def values_everywhere(self) -> Iterator[Value]:
+        """Every value that the scenario holds, in its order."""
+        scenario = self.scenario
+        for named in scenario.values:
+            yield named.value
+        things: tuple[Image | Network | Road, ...] = (
+            *scenario.images,
+            *scenario.networks,
+            *scenario.roads,
+        )
+        for thing in things:
+            yield from (value for _, value in thing.options)
+            yield from thing.passes
+        for constraint in (*scenario.requirements, *scenario.expectations):
+            yield constraint.test
+        for actor in (*scenario.agents, *scenario.objects):
+            yield actor.kind
+            yield actor.at
+            yield from (value for _, value in actor.options)
+            yield from actor.drive
+        yield from (value for _, value in scenario.world)
+        yield from (call for call in (scenario.sample, scenario.simulate) if call is not None)
+
+    def draws(self) -> Iterator[Draw]:
+        """Every draw of the scenario; one that is used twice comes twice."""
+        for value in self.values_everywhere():
+            yield from draws_in(value, self.values)
+
+    def origins(self) -> dict[str, str]:
+        """The distributions that bring the kinds of the scenario, and their versions."""
+        calls = (
+            item
+            for value in self.values_everywhere()
+            for item in walk(value, self.values)
+            if isinstance(item, PassCall)
+        )
+        found = {}
+        for call in calls:
+            with suppress(KeyError):
+                origin = self.registry.find(call.verb, call.kind).origin
+                found[origin.distribution] = origin.version
+        return dict(sorted(found.items()))
+
+    def source_of(self, thing: Image | Network | Road) -> Image | Network | Road | None:
+        """The thing that another is made from, where it has a name."""
+        if not isinstance(thing.source, NameSource):
+            return None
+        groups: dict[str, Any] = {
+            "image": self.images,
+            "network": self.networks,
+            "road": self.roads,
+        }
+        found: Image | Network | Road = groups[thing.source.role][thing.source.name]
+        return found
+
+    def chain(self, thing: Image | Network | Road) -> Iterator[Image | Network | Road]:
+        """A thing, what it is made from, and so on."""
+        link: Image | Network | Road | None = thing
+        while link is not None:
+            yield link
+            link = self.source_of(link)
+
+    def draws_of(self, *values: Value | None) -> frozenset[str]:
+        """The places of all draws that values depend on, named ones included."""
+        return frozenset(draw.place for value in values for draw in draws_in(value, self.values))
+
+    @cached_property
+    def fixed(self) -> CandidateBatch:
+        """The one candidate that what does not depend on any draw is computed for."""
+        import numpy as np
+
+        from .candidates import CandidateBatch
+
+        return CandidateBatch(self, 0, np.zeros(1, np.int64), np.zeros(1, np.int64))
+
+    @cached_property
+    def is_varying(self) -> Callable[[str], bool]:
+        """Whether the root of a road or network differs between candidates."""
+        from .dependencies import Varying
+
+        return Varying(self)

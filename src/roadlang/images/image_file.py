@@ -1,0 +1,141 @@
+"""Opens picture files of any quality: what cannot be used is said before it is decoded."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError, Span, diagnose
+from .image_header import Header, is_whole, read_header
+from .image_scale import scale_in_file
+
+MOST_BYTES = 400_000_000
+MOST_PIXELS = 100_000_000
+LEAST_SIDE = 2
+_SILENT = 0
+
+Pixels = NDArray[np.uint8]
+
+
+@dataclass(frozen=True)
+class OpenedImage:
+    """`pixels` (height, width, 3) BGR; `scale` in m/px where the file, or one beside it, has it."""
+
+    pixels: Pixels
+    scale: float | None
+    sha256: str
+
+
+def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
+    """Read a picture. Raises DiagnosticError RL400 to RL406."""
+    content = read_input(path, written, span)
+    header = read_header(content)
+    if header is None:
+        raise _refusal("RL402", span, written, help="PNG, JPEG, TIFF, BMP and WebP can be read")
+    _check_size(header, written, span)
+    if not is_whole(header.format, content):
+        raise _refusal("RL403", span, written)
+    pixels = _decoded(content, header)
+    if pixels is None or pixels.size == 0:
+        raise _refusal("RL404", span, written, format=header.format)
+    scale = scale_in_file(path, content, header.format)
+    return OpenedImage(_as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
+
+
+def read_input(path: Path, written: str, span: Span | None) -> bytes:
+    """The bytes of an input file. Raises DiagnosticError RL400, RL401."""
+    try:
+        size = path.stat().st_size
+        if not path.is_file():
+            raise _refusal("RL400", span, written, reason="it is not a file")
+        if size > MOST_BYTES:
+            raise _refusal("RL401", span, written, size=f"{size / 1e6:.0f} MB")
+        content = path.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise _refusal("RL400", span, written, reason=reason.lower()) from None
+    if not content:
+        raise _refusal("RL400", span, written, reason="it is empty")
+    return content
+
+
+def _check_size(header: Header, written: str, span: Span | None) -> None:
+    size = f"{header.width} x {header.height} px"
+    if header.width * header.height > MOST_PIXELS:
+        most = f"{MOST_PIXELS // 1_000_000} million pixels can be read"
+        raise _refusal(
+            "RL401", span, written, size=size, help=f"{most}: cut the road out, or make it smaller"
+        )
+    if min(header.width, header.height) < LEAST_SIDE:
+        raise _refusal("RL405", span, written, size=size)
+
+
+def _refusal(
+    code: str,
+    span: Span | None,
+    written: str,
+    *,
+    help: str = "",
+    reason: str = "",
+    size: str = "",
+    format: str = "",
+) -> DiagnosticError:
+    path = None if span is not None else written
+    hints = (help,) if help else ()
+    return DiagnosticError(
+        diagnose(
+            code, span, help=hints, path=path, file=written, reason=reason, size=size, format=format
+        )
+    )
+
+
+def _decoded(content: bytes, header: Header) -> NDArray[np.generic] | None:
+    # Only color mode honors the orientation that cameras note in JPEG files.
+    mode = cv2.IMREAD_COLOR if header.format == "JPEG" else cv2.IMREAD_UNCHANGED
+    level = _set_log_level(_SILENT)
+    try:
+        pixels: NDArray[np.generic] | None = cv2.imdecode(np.frombuffer(content, np.uint8), mode)
+        return pixels
+    except cv2.error:
+        return None
+    finally:
+        _set_log_level(level)
+
+
+def _set_log_level(level: int) -> int:
+    """Of OpenCV, which moved the function between 4 and 5; returns the level before."""
+    old = getattr(cv2, "setLogLevel", None)
+    return int((old or cv2.utils.logging.setLogLevel)(level))
+
+
+def _as_colors(pixels: NDArray[np.generic]) -> Pixels:
+    """Any depth and number of channels to 8-bit BGR; transparent pixels become white."""
+    eight = _as_bytes(pixels)
+    if eight.ndim == 2:
+        eight = eight[..., None]
+    channels = eight.shape[2]
+    if channels in (2, 4):
+        cover = eight[..., -1:].astype(np.float32) / 255.0
+        colors = eight[..., :-1].astype(np.float32)
+        eight = np.rint(colors * cover + 255.0 * (1.0 - cover)).astype(np.uint8)
+    if eight.shape[2] == 1:
+        eight = np.repeat(eight, 3, axis=2)
+    return np.ascontiguousarray(eight[..., :3])
+
+
+def _as_bytes(pixels: NDArray[np.generic]) -> Pixels:
+    if pixels.dtype == np.uint8:
+        return np.asarray(pixels, np.uint8)
+    numbers = np.nan_to_num(pixels.astype(np.float32), nan=0.0, posinf=0.0, neginf=0.0)
+    low, high = float(numbers.min()), float(numbers.max())
+    if pixels.dtype == np.uint16 and high > 4095:
+        low, high = 0.0, 65535.0  # all sixteen bits are used
+    span = high - low
+    if span <= 0:
+        return np.full(numbers.shape, 128, np.uint8)
+    return np.asarray(np.rint((numbers - low) * (255.0 / span)), np.uint8)

@@ -1,0 +1,1 @@
+"""Whether requirements and expectations are satisfied, over roads and over drives."""

@@ -1,0 +1,1 @@
+"""Accepted candidates to concrete scenes, and scenes to files."""

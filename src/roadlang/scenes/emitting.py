@@ -1,0 +1,121 @@
+"""Scenes to files: the backends of a scenario, guarded, and what each of them writes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..evaluate.building import Built, build
+from ..evaluate.scenario_index import Plan
+from ..ir.scenario import Scenario
+from ..ir.scene import Scene
+from ..ir.values import PassCall
+from ..plugins.kinds import Backend
+from ..plugins.registry import Registry
+
+_FILE_NAME = re.compile(r"[\w][\w.-]*\Z")
+
+
+@dataclass(frozen=True)
+class Output:
+    """One file. `scene` is None for what is written once for all scenes."""
+
+    path: str
+    content: bytes
+    backend: str
+    scene: int | None
+
+
+def backends_of(scenario: Scenario, registry: Registry, names: Sequence[str] | None) -> list[Built]:
+    """The scenario's `emit`s, or those called `names`: with the file's options where it has such.
+
+    Raises `DiagnosticError` for options that are out of bounds and for kinds that are not there.
+    """
+    plan = Plan(scenario, registry)
+    calls = scenario.emits if names is None else [_call(scenario, name) for name in names]
+    return [build(call, plan.fixed, single=True) for call in calls]
+
+
+def _call(scenario: Scenario, name: str) -> PassCall:
+    for call in scenario.emits:
+        if name in (call.kind, call.kind.rpartition(".")[2]):
+            return call
+    return PassCall("emit", name, (), f"--emit {name}")
+
+
+def outputs(
+    backends: Sequence[Built],
+    scenes: Sequence[Scene],
+    progress: Callable[[int, int], None] | None = None,
+) -> list[Output]:
+    """All files of all backends. Raises `DiagnosticError` RL931 where two have one name."""
+    found: dict[str, Output] = {}
+    for number, backend in enumerate(backends):
+        for output in _outputs_of(backend, scenes):
+            if progress is not None and output.scene is not None:
+                progress(number * len(scenes) + output.scene, len(backends) * len(scenes))
+            other = found.setdefault(output.path, output)
+            if other is not output:
+                raise DiagnosticError(
+                    diagnose(
+                        "RL931",
+                        backend.call.span,
+                        first=other.backend,
+                        second=output.backend,
+                        path=output.path,
+                    )
+                )
+    return list(found.values())
+
+
+def send(backends: Iterable[Built], scenes: Iterable[Scene]) -> None:
+    """Deliver the scenes through the backends that speak to an engine."""
+    live = [backend for backend in backends if type(backend.kind).send is not Backend.send]
+    for scene in scenes:
+        for backend in live:
+            with backend.blamed:
+                backend.kind.send(scene)
+
+
+def _outputs_of(backend: Built, scenes: Sequence[Scene]) -> Iterator[Output]:
+    name = backend.entry.recorded
+    for scene in scenes:
+        with backend.blamed:
+            files = backend.kind.files(scene)
+        for ending, content in _checked(files, backend).items():
+            yield Output(f"scene-{scene.index:04d}.{ending}", content, name, scene.index)
+    with backend.blamed:
+        files = backend.kind.collection(scenes)
+    for path, content in _checked(files, backend).items():
+        yield Output(path, content, name, None)
+
+
+def _checked(files: Any, backend: Built) -> Mapping[str, bytes]:
+    """File contents as bytes. Raises `DiagnosticError` RL474 for anything else."""
+    fault = None
+    if not isinstance(files, Mapping):
+        fault = f"gave {type(files).__name__} where a map of contents is due"
+    else:
+        for name, content in files.items():
+            if not isinstance(name, str) or not _FILE_NAME.match(name):
+                fault = f"gave a file the name {name!r}"
+            elif not isinstance(content, str | bytes):
+                fault = f"gave {type(content).__name__} as the content of `{name}`"
+    if fault is not None:
+        entry = backend.entry
+        raise DiagnosticError(
+            diagnose(
+                "RL474",
+                backend.call.span,
+                kind=f"emit {entry.qualified}",
+                plugin=str(entry.origin),
+                fault=fault,
+            )
+        )
+    return {
+        name: content.encode() if isinstance(content, str) else content
+        for name, content in files.items()
+    }

@@ -1,0 +1,93 @@
+"""One candidate made into a scene."""
+
+from __future__ import annotations
+
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate, named
+from ..ir.scene import Provenance, Scene
+from ..ir.values import PassCall
+from ..judging.verdicts import verdict
+from .actors import call_of, concrete, legend_objects, scene_actors
+from .roads import scene_networks, scene_roads
+
+
+def instantiate(
+    candidates: CandidateBatch, index: int, overrides: dict[str, str] | None = None
+) -> Scene:
+    """The scene of the only candidate; `index` is its number.
+
+    Evaluated by itself, so that its bytes do not depend on what it was searched with.
+    """
+    plan = candidates.plan
+    scenario = plan.scenario
+    # All that is drawn is drawn before it is listed.
+    roads, networks = scene_roads(candidates), scene_networks(candidates)
+    agents = scene_actors(scenario.agents, candidates)
+    objects = (*scene_actors(scenario.objects, candidates), *legend_objects(candidates))
+    values = {
+        item.name: _plain(named(item.name, candidates), candidates) for item in scenario.values
+    }
+    world = {
+        name: _plain(evaluate(value, candidates), candidates) for name, value in scenario.world
+    }
+    simulate = None if scenario.simulate is None else call_of(scenario.simulate, candidates)
+    return Scene(
+        name=scenario.header.name,
+        title=scenario.header.title,
+        index=index,
+        provenance=provenance(candidates, index, overrides or {}),
+        values=values,
+        draws=_draws(candidates),
+        networks=networks,
+        roads=roads,
+        agents=agents,
+        objects=objects,
+        world=world,
+        requirements=tuple(verdict(item, candidates) for item in scenario.requirements),
+        expectations=tuple(verdict(item, candidates) for item in scenario.expectations),
+        simulate=simulate,
+    )
+
+
+def provenance(candidates: CandidateBatch, index: int, overrides: dict[str, str]) -> Provenance:
+    """What a scene was made from and by."""
+    plan = candidates.plan
+    return Provenance(
+        roadlang=_version("roadlang"),
+        seed=candidates.seed,
+        scene=index,
+        attempt=int(candidates.attempts[0]),
+        inputs=dict(sorted(plan.digests.items())),
+        plugins=plan.origins(),
+        overrides=overrides,
+    )
+
+
+def _version(distribution: str) -> str:
+    try:
+        return version(distribution)
+    except PackageNotFoundError:
+        return "0+unknown"
+
+
+def _draws(candidates: CandidateBatch) -> dict[str, Any]:
+    """Every random value by its place; where there are several, by number (`place[2]`)."""
+    named: dict[str, Any] = {}
+    for key, value in candidates.kept("draw"):
+        place, element = key[1], key[2]
+        name = f"{place}[{element}]" if element else place
+        named[name] = _plain(value, candidates)
+    return dict(sorted(named.items()))
+
+
+def _plain(value: Any, candidates: CandidateBatch) -> Any:
+    if isinstance(value, PassCall):
+        return value.kind.rpartition(".")[2]
+    if isinstance(value, np.ndarray) and value.dtype == object:
+        return _plain(value.reshape(-1)[0], candidates)
+    return concrete(value, candidates)

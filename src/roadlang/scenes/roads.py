@@ -1,0 +1,140 @@
+"""The roads and networks of one candidate, as a scene holds them."""
+
+from __future__ import annotations
+
+import base64
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.scenario_index import Plan
+from ..ir.batch import RoadBatch
+from ..ir.scenario import Network, Road
+from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
+from ..world.networks import NetworkRoot, edge_batch, network_root
+from ..world.roads import USUAL_LANES, lanes_of, road_batch, road_root
+
+
+def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
+    """Declared roads and the edges of all networks (`town/3`)."""
+    plan = candidates.plan
+    roads = [_declared(road, candidates) for road in plan.roads.values()]
+    for network in plan.networks.values():
+        derived = not _has_bent_heirs(network, plan)
+        bottom = _bottom(network, plan)
+        for edge in network_root(network, candidates).edges:
+            batch = edge_batch(network, edge.id, candidates)
+            name, root = f"{network.name}/{edge.id}", f"{bottom}/{edge.id}"
+            whole = scene_road(name, root, batch, USUAL_LANES, derived)
+            roads.append(_of_network(whole, network.name, edge.id))
+    return tuple(roads)
+
+
+def scene_networks(candidates: CandidateBatch) -> tuple[SceneNetwork, ...]:
+    """Nodes, the names of the roads, and the mask for tiles."""
+    return tuple(_network(network, candidates) for network in candidates.plan.networks.values())
+
+
+def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool) -> SceneRoad:
+    """The first variant of a batch. Raises RL475 where it is no road any more."""
+    points, count = batch.points[0], len(batch.stations)
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    arc = np.concatenate([[0.0], np.cumsum(steps)])
+    heading, curvature = batch.heading[0], batch.curvature[0]
+    width = np.broadcast_to(batch.width, (1, count))[0]
+    numbers = (arc, points, heading, curvature, width)
+    if not all(np.isfinite(array).all() for array in numbers) or not (steps > 0).all():
+        raise DiagnosticError(diagnose("RL475", None, name=name))
+    return SceneRoad(
+        name=name,
+        stations=_floats(arc),
+        reference_stations=_floats(batch.stations),
+        x=_floats(points[:, 0]),
+        y=_floats(points[:, 1]),
+        heading=_floats(heading),
+        curvature=_floats(curvature),
+        width=_floats(width),
+        lanes=lanes,
+        closed=batch.closed,
+        length=float(batch.length[0, 0]),
+        root=root,
+        derived=derived,
+    )
+
+
+def _declared(road: Road, candidates: CandidateBatch) -> SceneRoad:
+    plan = candidates.plan
+    heirs = any(plan.source_of(other) is road for other in plan.roads.values())
+    batch = road_batch(road.name, candidates)
+    root = _root_name(road, candidates)
+    return scene_road(road.name, root, batch, lanes_of(road.name, candidates), not heirs)
+
+
+def _root_name(road: Road, candidates: CandidateBatch) -> str:
+    """The road of the scene that this one was before anything bent it."""
+    plan = candidates.plan
+    bottom = [link for link in plan.chain(road) if isinstance(link, Road)][-1]
+    root = road_root(road.name, candidates)
+    bent_network = root.network is not None and any(
+        call.verb == "perturb" for link in plan.chain(root.network) for call in link.passes
+    )
+    if not bent_network:
+        return bottom.name
+    return root.id if root.path is not None and ":" not in root.id else road.name
+
+
+def _of_network(road: SceneRoad, network: str, edge: int) -> SceneRoad:
+    from dataclasses import replace
+
+    return replace(road, network=network, edge=edge)
+
+
+def _bottom(network: Network, plan: Plan) -> str:
+    return [link for link in plan.chain(network) if isinstance(link, Network)][-1].name
+
+
+def _has_bent_heirs(network: Network, plan: Plan) -> bool:
+    """Whether something bent is made from it, which then stands in its place."""
+    things: list[Any] = [*plan.roads.values(), *plan.networks.values()]
+    heirs = [thing for thing in things if thing is not network and network in plan.chain(thing)]
+    return any(call.verb == "perturb" for heir in heirs for call in heir.passes)
+
+
+def _network(network: Network, candidates: CandidateBatch) -> SceneNetwork:
+    root = network_root(network, candidates)
+    names = {edge.id: f"{network.name}/{edge.id}" for edge in root.edges}
+    nodes = []
+    for node in root.network.nodes:
+        edges = root.network.edges_at(node.id)
+        x, y = node.position
+        if edges:
+            edge = edges[0]
+            batch = edge_batch(network, edge.id, candidates)
+            at_start = edge.start == node.id or batch.closed
+            x, y = map(float, batch.points[0, 0 if at_start else -1])
+        here = tuple(dict.fromkeys(names[edge.id] for edge in edges))
+        nodes.append(SceneNode(node.id, x, y, here))
+    return SceneNetwork(
+        network.name,
+        tuple(nodes),
+        tuple(names.values()),
+        float(root.confidence),
+        _mask(root),
+        root.scale if root.mask is not None else None,
+    )
+
+
+def _mask(root: NetworkRoot) -> str | None:
+    if root.mask is None:
+        return None
+    import cv2
+
+    fine, content = cv2.imencode(".png", np.asarray(root.mask, np.uint8) * 255)
+    return base64.b64encode(content.tobytes()).decode() if fine else None
+
+
+def _floats(values: NDArray[np.float64]) -> tuple[float, ...]:
+    return tuple(values.tolist())

@@ -1,0 +1,1 @@
+"""The search for scenes: samplers, batches of attempts, workers, statistics of rejection."""

@@ -1,0 +1,69 @@
+"""How many candidates are tried before a scene is given up, where the file does not say it.
+
+The number follows from the work of a candidate, not from the clock, so that it is the same on every
+machine.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.scenario_index import Plan
+from ..ir.scenario import Image
+from ..judging.acceptance import Judge
+from ..world.pictures import is_drawn
+
+MOST, FEWEST = 10_000, 100
+BUDGET = 5e8
+"""Units of work (a displacement at one station), about ten nanoseconds each."""
+ONE_BY_ONE = 1_000
+"""Attempts where the stations differ, so that candidates cannot be judged together."""
+WITH_PICTURES = 20
+"""Attempts where every candidate is extracted from a picture of its own: seconds each."""
+
+
+def attempts_of(sampler: Any, judge: Judge) -> int:
+    """The sampler's `attempts`, or as many as are done in about five seconds."""
+    given = getattr(sampler, "attempts", None)
+    return int(given) if given is not None else usual_attempts(judge)
+
+
+def usual_attempts(judge: Judge) -> int:
+    """A guess from what the requirements look at."""
+    plan = judge.plan
+    names = {name for requirement in judge.requirements for name in requirement.names}
+    if any(_has_drawn_picture(name, plan) for name in names):
+        return WITH_PICTURES
+    if judge.one_by_one:
+        return ONE_BY_ONE
+    work = sum(
+        requirement.cost * _stations(requirement.names, plan) for requirement in judge.requirements
+    )
+    return int(np.clip(BUDGET / max(work, 1.0), FEWEST, MOST))
+
+
+def _has_drawn_picture(name: str, plan: Plan) -> bool:
+    thing: Any = plan.roads.get(name) or plan.networks.get(name) or plan.images.get(name)
+    if thing is None:
+        return False
+    links = (link for link in plan.chain(thing) if isinstance(link, Image))
+    return any(is_drawn(link, plan) for link in links)
+
+
+def _stations(names: frozenset[str], plan: Plan) -> int:
+    """Of all the roads that are looked at."""
+    from ..world.networks import network_root
+    from ..world.roads import road_root
+
+    fixed: CandidateBatch = plan.fixed
+    count = 1
+    for name in names:
+        if name in plan.roads:
+            count = max(count, len(road_root(name, fixed).frame.stations))
+        elif name in plan.networks:
+            root = network_root(plan.networks[name], fixed)
+            count = max(count, sum(len(root.frame(edge.id).stations) for edge in root.edges))
+    return count

@@ -1,0 +1,212 @@
+"""Guided sampling: a pilot learns where the requirements hold; every scene then draws from there.
+
+The pilot depends on scenario and seed alone, and a scene on the pilot and its own number, so that
+neither the number of scenes nor that of workers changes any of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..ir.batch import BatchRandom
+from ..judging.acceptance import Judge
+from ..scenes.instantiate import instantiate
+from .effort import attempts_of
+from .rejection_report import Tally
+from .surrogate import Surrogate
+
+if TYPE_CHECKING:
+    from .workers import Searched, Worker
+
+Floats = NDArray[np.float64]
+FIRST = 64
+"""Candidates of the pilot that are drawn evenly."""
+ROUND = 16
+"""Candidates of each of its further rounds."""
+ENOUGH = 36
+"""Accepted candidates after which the pilot ends."""
+LEADERS = 24
+"""Candidates that others are proposed near to, until enough hold."""
+PROPOSALS = 256
+"""Proposals that are guessed at a time: guesses cost no candidates."""
+TURNS, TURNS_WHERE_RARE = 3, 12
+"""How often more are made, evenly but for the last time, before the likeliest is taken."""
+LIKELY, LIKELY_WHERE_RARE = 0.3, 0.08
+RARE = 0.004
+"""Guessed acceptance below which more proposals are made, and bolder ones taken."""
+_PILOT = -1
+_PLACE = "sample/guided"
+
+
+@dataclass(frozen=True)
+class Pilot:
+    """`names` of the steered coordinates (d); `known` (n, d): where to draw near, empty where
+    drawing evenly does as well."""
+
+    names: tuple[str, ...]
+    known: Floats
+    surrogate: Surrogate | None
+    tally: Tally
+
+    @cached_property
+    def is_rare(self) -> bool:
+        """Whether the surrogate guesses that only few even draws hold."""
+        assert self.surrogate is not None
+        even = np.random.Generator(np.random.Philox(key=0)).random((2048, len(self.names)))
+        return float(self.surrogate.chance(even).mean()) < RARE
+
+    def choose(self, sampler: Any, random: BatchRandom) -> Floats:
+        """(1, d) the first proposal that is likely to hold, even draws before steered ones; the
+        likeliest of all where none is."""
+        assert self.surrogate is not None
+        width = len(self.names) + 5
+        turns = TURNS_WHERE_RARE if self.is_rare else TURNS
+        bar = LIKELY_WHERE_RARE if self.is_rare else LIKELY
+        best, greatest = np.empty((1, len(self.names))), -1.0
+        for turn in range(turns):
+            uniform = random.uniform(PROPOSALS * width, turn).reshape(PROPOSALS, width)
+            steered = turn == turns - 1
+            proposed = np.asarray(sampler.steer(self.known, uniform)) if steered else uniform[:, 5:]
+            chance = self.surrogate.chance(proposed)
+            if (chance >= bar).any():
+                first = int((chance >= bar).argmax())
+                return np.asarray(proposed[first : first + 1])
+            if chance.max() > greatest:
+                greatest = float(chance.max())
+                best = proposed[chance.argmax()][None]
+        return best
+
+    def round(self, sampler: Any, random: BatchRandom) -> Floats:
+        """(ROUND, d) the likeliest of many proposals, for the pilot to measure."""
+        assert self.surrogate is not None
+        width = len(self.names) + 5
+        uniform = random.uniform(PROPOSALS * width).reshape(ROUND, -1, width)
+        proposed = np.asarray(sampler.steer(self.known, uniform.reshape(-1, width)))
+        chance = self.surrogate.chance(proposed).reshape(ROUND, -1)
+        groups = proposed.reshape(ROUND, -1, len(self.names))
+        return np.asarray(groups[np.arange(ROUND), chance.argmax(axis=1)])
+
+
+def guided_search(worker: Worker, sampler: Any, scenes: Sequence[int]) -> Searched:
+    """The scenes of a block, each searched for by itself."""
+    judge, seed = worker.judge, worker.seed
+    pilot = judge.plan.once(("pilot", seed), lambda: run_pilot(judge, sampler, seed))
+    tally = Tally.empty(len(judge.requirements))
+    if 0 in scenes:
+        tally.add(pilot.tally)
+    made, missing, points = [], [], []
+    for scene in scenes:
+        found = first_accepted(judge, sampler, pilot, seed, scene, tally)
+        if found is None:
+            missing.append(scene)
+            continue
+        attempt, given = found
+        candidates = worker.single(scene, attempt, given)
+        candidates.asked = {}
+        made.append(instantiate(candidates, scene, worker.overrides))
+        points.append(worker.coordinates(candidates))
+    return made, missing, tally, points
+
+
+def run_pilot(judge: Judge, sampler: Any, seed: int) -> Pilot:
+    """Learn where the requirements hold: candidates drawn evenly first, then rounds of those that a
+    surrogate of the robustness takes for the likeliest, until enough of them hold."""
+    tally = Tally.empty(len(judge.requirements))
+    first = _candidates(judge, seed, _PILOT, 0, FIRST)
+    first.asked = {}
+    rho = judge.measure(first)
+    _count(tally, rho)
+    names = tuple(first.asked)
+    points = np.stack([*first.asked.values(), np.empty(FIRST)], axis=1)[:, :-1]
+    scale = _scale(rho)
+    values = _scaled(rho, scale)
+    pilot = Pilot(names, np.empty((0, len(names))), None, tally)
+    if not names or _held(values).sum() >= FIRST // 3:
+        return pilot
+    while True:
+        surrogate = Surrogate.fit(
+            points, values, None if pilot.surrogate is None else pilot.surrogate.lengths
+        )
+        pilot = Pilot(names, _leaders(points, values), surrogate, tally)
+        if _held(values).sum() >= ENOUGH or len(points) >= sampler.pilot:
+            return pilot
+        random = _candidates(judge, seed, _PILOT, len(points), 1).random(_PLACE)
+        proposed = pilot.round(sampler, random)
+        given = dict(zip(names, proposed.T, strict=True))
+        rho = judge.measure(_candidates(judge, seed, _PILOT, len(points), ROUND, given))
+        _count(tally, rho)
+        points = np.concatenate([points, proposed])
+        values = np.concatenate([values, _scaled(rho, scale)])
+
+
+def _leaders(points: Floats, values: Floats) -> Floats:
+    """All points that hold, or the best where those are too few."""
+    score = np.minimum(values, 0.0).sum(axis=1)
+    if (score >= 0.0).sum() >= LEADERS:
+        return np.asarray(points[score >= 0.0])
+    return np.asarray(points[np.argsort(-score, kind="stable")[:LEADERS]])
+
+
+def _held(values: Floats) -> NDArray[np.bool_]:
+    return np.asarray((values > 0.0).all(axis=1))
+
+
+def first_accepted(
+    judge: Judge, sampler: Any, pilot: Pilot, seed: int, scene: int, tally: Tally
+) -> tuple[int, Mapping[str, Floats]] | None:
+    """The first accepted attempt of a scene and the coordinates that it was given."""
+    for attempt in range(attempts_of(sampler, judge)):
+        candidates = _candidates(judge, seed, scene, attempt, 1)
+        if len(pilot.known):
+            proposed = pilot.choose(sampler, candidates.random(_PLACE))
+            given = dict(zip(pilot.names, proposed.T, strict=True))
+            candidates = _candidates(judge, seed, scene, attempt, 1, given)
+        judged = judge.judge(candidates)
+        tally.count(judged, np.ones(1, dtype=bool))
+        if judged.accepted[0]:
+            return attempt, candidates.given
+    return None
+
+
+def _candidates(
+    judge: Judge,
+    seed: int,
+    scene: int,
+    start: int,
+    count: int,
+    given: Mapping[str, Floats] | None = None,
+) -> CandidateBatch:
+    attempts = np.arange(start, start + count)
+    return CandidateBatch(judge.plan, seed, np.full(count, scene), attempts, given)
+
+
+def _scale(rho: Floats) -> Floats:
+    """(R, 1) the usual size of a violation of each requirement: units then do not matter."""
+    wrong = np.where(np.isfinite(rho) & (rho < 0.0), -rho, 0.0)
+    number = np.maximum((wrong > 0.0).sum(axis=1), 1)
+    size = wrong.sum(axis=1) / number
+    return np.where(size > 0.0, size, 1.0)[:, None]
+
+
+def _scaled(rho: Floats, scale: Floats) -> Floats:
+    """(V, R) robustness in usual violations, cut off where only the sign still matters."""
+    return np.asarray(np.clip(np.nan_to_num(rho, posinf=1.0, neginf=-9.0) / scale, -3.0, 1.0)).T
+
+
+def _count(tally: Tally, rho: Floats) -> None:
+    """The pilot measures every requirement; the first that fails counts as what rejected."""
+    fails = rho < 0.0
+    tally.candidates += rho.shape[1]
+    for index in range(rho.shape[0]):
+        before = fails[:index].any(axis=0)
+        tally.tried[index] += int((~before).sum())
+        tally.rejected[index] += int((fails[index] & ~before).sum())
+        finite = rho[index][np.isfinite(rho[index])]
+        tally.best[index] = max(tally.best[index], float(finite.max(initial=-np.inf)))

@@ -1,0 +1,108 @@
+"""How many candidates each requirement rejected, and how near it came to being satisfied."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..judging.acceptance import Judged
+from ..judging.requirements import Requirement
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """`share`: of the candidates that reached this requirement, how many it rejected.
+
+    `best` is the greatest robustness seen, None where it never had to be computed: `impossible`
+    tells that no draw can satisfy it.
+    """
+
+    name: str
+    text: str
+    line: int | None
+    tried: int
+    rejected: int
+    share: float
+    best: float | None
+    implied: bool
+    impossible: bool = False
+
+
+@dataclass
+class Tally:
+    """Counts for each requirement, merged in any order."""
+
+    candidates: int = 0
+    tried: list[int] = field(default_factory=list)
+    rejected: list[int] = field(default_factory=list)
+    best: list[float] = field(default_factory=list)
+
+    @classmethod
+    def empty(cls, requirements: int) -> Tally:
+        return cls(0, [0] * requirements, [0] * requirements, [-np.inf] * requirements)
+
+    def count(self, judged: Judged, rows: NDArray[np.bool_]) -> None:
+        """Count the candidates at `rows` (V,)."""
+        by = judged.rejected_by[rows]
+        self.candidates += int(rows.sum())
+        for index in range(len(self.tried)):
+            reached = ~np.isnan(judged.rho[index, rows]) | (by == index)
+            self.tried[index] += int(reached.sum())
+            self.rejected[index] += int((by == index).sum())
+            seen = judged.rho[index, rows][~np.isnan(judged.rho[index, rows])]
+            self.best[index] = max(self.best[index], float(seen.max(initial=-np.inf)))
+
+    def add(self, other: Tally) -> None:
+        self.candidates += other.candidates
+        for index in range(len(self.tried)):
+            self.tried[index] += other.tried[index]
+            self.rejected[index] += other.rejected[index]
+            self.best[index] = max(self.best[index], other.best[index])
+
+
+def rows_of(
+    tally: Tally, requirements: Sequence[Requirement], impossible: frozenset[int]
+) -> tuple[Row, ...]:
+    """The table, those that reject most first; what goes without saying only where it rejects."""
+    rows = []
+    for index, requirement in enumerate(requirements):
+        tried, rejected = tally.tried[index], tally.rejected[index]
+        if requirement.implied and not rejected:
+            continue
+        best = tally.best[index]
+        rows.append(
+            Row(
+                requirement.name,
+                requirement.text,
+                requirement.line,
+                tried,
+                rejected,
+                rejected / tried if tried else 0.0,
+                best if np.isfinite(best) else None,
+                requirement.implied,
+                index in impossible,
+            )
+        )
+    return tuple(sorted(rows, key=lambda row: -row.rejected))
+
+
+def as_text(rows: Sequence[Row], candidates: int) -> str:
+    """The table for people."""
+    head = ("requirement", "rejected", "of those tried", "best robustness", "line")
+    lines: list[tuple[str, ...]] = [head]
+    for row in rows:
+        best: Any = "-" if row.best is None else f"{row.best:.3g}"
+        share = "impossible" if row.impossible else f"{row.share:.1%}"
+        label = row.text if row.implied else f"{row.name}: {row.text}"
+        line = "" if row.line is None else str(row.line)
+        lines.append((label, f"{row.rejected:,} of {row.tried:,}", share, best, line))
+    widths = [max(len(line[column]) for line in lines) for column in range(len(head))]
+    table = "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()
+        for line in lines
+    )
+    return f"{candidates:,} candidates tried\n{table}"

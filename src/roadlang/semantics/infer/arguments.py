@@ -1,0 +1,160 @@
+"""Options, one by one, against the schema of a kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from ...diagnostics import Label, Span, nearest
+from ...ir.values import Value
+from ...plugins import option_types as opt
+from ...plugins.options import OptionSchema
+from ...syntax.tree import nodes as ast
+from ..types import types as ty
+from ..types.assignable import fit
+from ..types.types import Typed
+from ..types.units import common_dimension, dimension_of
+from .checker import Checker
+from .context import Context
+from .records import fit_record
+from .special import fit_condition, fit_file, fit_kind_name
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """The options that were given and fit. `complete`: no error was reported on the way."""
+
+    given: dict[str, Typed]
+    complete: bool
+    like: Typed | None = None
+    """One of the `Like` options, with the dimension that all of them have."""
+
+    @property
+    def values(self) -> tuple[tuple[str, Value], ...]:
+        """What the IR keeps, in the order of the kind's fields."""
+        return tuple(
+            (name, typed.value) for name, typed in self.given.items() if typed.value is not None
+        )
+
+
+def bind_options(
+    checker: Checker,
+    options: Iterable[ast.Option],
+    schema: Sequence[OptionSchema],
+    context: Context,
+    *,
+    owner: str,
+    span: Span,
+    whole: bool = True,
+) -> Bound:
+    """The options of a block. `whole`: the block could be read, so that what is not in it is
+    missing. `owner` has the options, for messages; `span` is blamed for what is missing."""
+    known = {option.name: option for option in schema}
+    first: dict[str, Span] = {}
+    given: dict[str, Typed] = {}
+    misspelled: list[str] = []
+    complete = True
+    for option in options:
+        name = option.key.text
+        if name not in known:
+            report_unknown(checker, option.key, known, owner)
+            misspelled.append(name)
+            complete = False
+        elif name in first:
+            labels = [Label(first[name], "given here first")]
+            checker.report("RL222", option.key.span, labels=labels, name=name)
+            complete = False
+        else:
+            first[name] = option.key.span
+            typed = infer_option(checker, option.value, known[name], context)
+            complete = typed is not None and complete
+            if typed is not None:
+                given[name] = typed
+    # An option that was misspelled is not missing as well.
+    meant = {nearest(name, known) for name in misspelled}
+    given_or_meant = {*first, *meant}
+    missing = [o.name for o in schema if o.required and o.name not in given_or_meant]
+    if missing and whole:
+        complete = report_missing(checker, owner, missing, known, span)
+    return bound_of(checker, given, schema, complete)
+
+
+def infer_option(
+    checker: Checker,
+    value: ast.Expression,
+    schema: OptionSchema,
+    context: Context,
+    *,
+    argument: bool = False,
+) -> Typed | None:
+    """The value of one option, or None, reported."""
+    inner = context.for_option(schema.name, schema.type, schema.words)
+    if argument:
+        # The draws of a call are numbered at its place, whatever its arguments are called.
+        inner = replace(inner, place=context.place)
+    match schema.type:
+        case opt.ConditionType():
+            return fit_condition(checker, value, inner)
+        case opt.RecordType(record):
+            return fit_record(checker, value, schema, record, inner)
+        case opt.FileType():
+            return fit_file(checker, value, schema, inner)
+        case opt.MapType(opt.KindNameType(verb)):
+            return fit_kind_name(checker, value, schema, verb, inner)
+    typed = checker.infer(value, inner)
+    return fit(checker, typed, schema)
+
+
+def bound_of(
+    checker: Checker, given: dict[str, Typed], schema: Sequence[OptionSchema], complete: bool
+) -> Bound:
+    ordered = {option.name: given[option.name] for option in schema if option.name in given}
+    alike: list[Typed] = []
+    for option in schema:
+        if option.name in ordered:
+            alike.extend(_alike(ordered[option.name], option.type))
+    if len(alike) < 1:
+        return Bound(ordered, complete)
+    dimension = common_dimension(checker, alike, "used together")
+    if dimension is None:
+        return Bound(ordered, False)
+    leader = next((part for part in alike if dimension_of(part) == dimension), alike[0])
+    return Bound(ordered, complete, leader)
+
+
+def _alike(typed: Typed, due: opt.OptionType) -> list[Typed]:
+    if isinstance(due, opt.LikeType) and isinstance(typed.type, ty.Quantity):
+        return [typed]
+    if isinstance(due, opt.ListType | opt.IntervalType):
+        return [part for item in typed.items for part in _alike(item, due.item)]
+    return []
+
+
+def report_unknown(
+    checker: Checker, key: ast.Word, known: dict[str, OptionSchema], owner: str
+) -> None:
+    """RL220, with the nearest option or all of them."""
+    meant = nearest(key.text, known)
+    listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
+    help_ = () if meant else (listed,)
+    checker.report("RL220", key.span, name=key.text, owner=owner, help=help_, meant=meant)
+
+
+def report_missing(
+    checker: Checker,
+    owner: str,
+    missing: Sequence[str],
+    known: dict[str, OptionSchema],
+    span: Span,
+    sort: str = "option",
+) -> bool:
+    """RL221, with what each of the missing is; always False."""
+    from ..types.describe_option import describe
+
+    names = ", ".join(f"`{name}`" for name in missing)
+    help_ = [
+        f"`{name}`: {describe(known[name].type, known[name].words)}; {known[name].help}"
+        for name in missing
+    ]
+    checker.report("RL221", span, owner=owner, names=names, sort=sort, help=help_)
+    return False

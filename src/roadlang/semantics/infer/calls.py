@@ -1,0 +1,207 @@
+"""Calls: built-in functions, signals, numbers of the scene, draws, pieces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from ...diagnostics import nearest
+from ...ir.values import PassCall
+from ...plugins.option_types import EntityType as EntityOption
+from ...plugins.option_types import UnionType
+from ...plugins.options import OptionSchema
+from ...syntax.tree import nodes as ast
+from ..types.arithmetic import of_functions, signal_of_functions
+from ..types.types import CallType, Quantity, SignalType, Typed, unknown
+from ..types.units import common_dimension
+from .call_arguments import bind_arguments
+from .checker import Checker
+from .context import Context
+from .draws import draw_of
+from .kinds import Found, find_kind
+from .signals import measured
+
+_VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select")
+_COUNTS = {"abs": (1, 1), "min": (2, None), "max": (2, None), "fresh": (1, 1)}
+
+
+def infer_call(checker: Checker, call: ast.Call, context: Context) -> Typed:
+    """`f(x)`; which `f` is meant depends on what is due here and, for overloads, on `x`."""
+    name = dotted(call.function)
+    if name is None:
+        return checker.report("RL225", call.function.span, name=call.function.span.text)
+    if name in _COUNTS:
+        return _built_in(checker, call, name, context)
+    verbs = [verb for verb in context.verbs if has(checker, verb, name)]
+    verbs = verbs[:1] or [verb for verb in _VERBS if has(checker, verb, name)]
+    if not verbs and context.verbs == () and name in checker.program.declarations:
+        checker.use(name, context)
+        return checker.report("RL226", call.function.span, name=name)
+    if not verbs:
+        return _no_function(checker, call, name, context)
+    if len(verbs) == 1:
+        return of_kind(checker, call, verbs[0], name, context)
+    return _overloaded(checker, call, verbs, name, context)
+
+
+def is_member(found: Found) -> bool:
+    """Whether a signal or number is written `ego.speed` rather than `speed(ego)`."""
+    return bool(getattr(found.kind, "member", False))
+
+
+def dotted(expression: ast.Expression) -> str | None:
+    """`acme.jerk` as one name; None if it is anything but names."""
+    if isinstance(expression, ast.Name):
+        return expression.text
+    if isinstance(expression, ast.Member):
+        inner = dotted(expression.of)
+        return f"{inner}.{expression.name.text}" if inner else None
+    return None
+
+
+def has(checker: Checker, verb: str, name: str) -> bool:
+    return checker.registry.has(verb, name) or checker.registry.is_announced(verb, name)
+
+
+def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) -> Typed:
+    span = call.function.span
+    if context.verbs:
+        find_kind(checker, context.verbs[0], name, span)
+        return unknown(call.span)
+    prefix = name.split(".")[0]
+    broken = [found for found in checker.registry.broken if found.origin.plugin == prefix]
+    if broken:
+        plugin, reason = broken[0].origin, broken[0].reason
+        checker.report("RL211", span, kind=name, plugin=plugin, reason=reason)
+        return unknown(call.span)
+    known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)}
+    checker.report("RL225", span, name=name, meant=nearest(name, known | set(_COUNTS)))
+    return unknown(call.span)
+
+
+def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> Typed:
+    if not _counted(checker, call, name):
+        return unknown(call.span)
+    if name == "fresh":
+        return _fresh(checker, call, context)
+    arguments = [checker.infer(argument.value, context) for argument in call.arguments]
+    if any(argument.is_unknown for argument in arguments):
+        return unknown(call.span)
+    for given in arguments:
+        if not isinstance(given.type, Quantity | SignalType):
+            what, found = f"`{name}`", given.type
+            return checker.report("RL206", given.span, what=what, due="a number", found=found)
+    dimension = common_dimension(checker, arguments, "compared")
+    if dimension is None:
+        return unknown(call.span)
+    if all(isinstance(argument.type, Quantity) for argument in arguments):
+        return of_functions(name, arguments, call.span, dimension)
+    return signal_of_functions(checker, name, arguments, call.span, dimension)
+
+
+def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
+    """Whether a built-in function has as many arguments as it takes, none of them named."""
+    least, most = _COUNTS[name]
+    count = len(call.arguments)
+    if count < least or (most is not None and count > most):
+        due = "two or more arguments" if most is None else "one argument"
+        span = call.arguments[most].span if most and count > most else call.span
+        checker.report("RL224", span, name=name, help=f"`{name}` takes {due}")
+        return False
+    for argument in call.arguments:
+        if argument.key is not None:
+            key = argument.key
+            checker.report("RL220", key.span, name=key.text, owner=f"`{name}`")
+            return False
+    return True
+
+
+def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
+    value = call.arguments[0].value
+    while isinstance(value, ast.Group):
+        value = value.inner
+    if not isinstance(value, ast.Name):
+        return checker.report("RL232", value.span, what=value.span.text)
+    typed = checker.infer(value, context)
+    if typed.is_unknown:
+        return typed
+    declared = checker.program.declarations.get(value.text)
+    if declared is None or declared.role not in ("param", "let") or not typed.random:
+        return checker.report("RL232", value.span, what=value.text)
+    again = checker.infer(value, replace(context, fresh=True))
+    return replace(again, span=call.span)
+
+
+def of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Context) -> Typed:
+    found = find_kind(checker, verb, name, call.function.span)
+    if found is None:
+        return unknown(call.span)
+    if is_member(found):
+        first = found.schema[0].name if found.schema else "agent"
+        help_ = f"write `{first}.{name}`, as in `ego.{name}`"
+        return checker.report("RL225", call.function.span, name=name, help=help_)
+    inner = context if verb == "distribution" else replace(context, words=(), verbs=())
+    rest = found.kind.rest
+    bound = bind_arguments(checker, call, found.schema, rest, inner)
+    if not bound.complete:
+        return unknown(call.span)
+    if verb == "distribution":
+        return draw_of(checker, call, found, bound, context)
+    if verb in ("signal", "drive_signal", "number"):
+        return measured(checker, call.span, found, bound, name)
+    random = any(typed.random for typed in bound.given.values())
+    value = PassCall(verb, found.entry.qualified, bound.values, name, call.span)
+    return Typed(call.span, CallType(verb), value, random)
+
+
+def _overloaded(
+    checker: Checker, call: ast.Call, verbs: list[str], name: str, context: Context
+) -> Typed:
+    """The one of several functions whose options take what the arguments name."""
+    roles = [_role(checker, argument.value) for argument in call.arguments]
+    if any(role == "unknown" for role in roles):
+        for argument in call.arguments:
+            checker.infer(argument.value, context)
+        return unknown(call.span)
+    candidates: list[tuple[str, Found]] = []
+    for verb in verbs:
+        found = find_kind(checker, verb, name, call.function.span)
+        if found is not None:
+            candidates.append((verb, found))
+    for verb, found in candidates:
+        if _takes(found.schema, roles) and not is_member(found):
+            return of_kind(checker, call, verb, name, context)
+    for argument in call.arguments:
+        checker.infer(argument.value, context)
+    takes = " or ".join(f"`{name}({signature(found.schema)})`" for _, found in candidates)
+    given = ", ".join(role or "a value" for role in roles)
+    return checker.report("RL227", call.span, name=name, given=given, help=f"there is {takes}")
+
+
+def _role(checker: Checker, value: ast.Expression) -> str | None:
+    """The role of the thing an argument names; None for values."""
+    while isinstance(value, ast.Group):
+        value = value.inner
+    if not isinstance(value, ast.Name):
+        return None
+    declared = checker.program.declarations.get(value.text)
+    if declared is None or value.text in checker.program.spoiled:
+        return "unknown"
+    return declared.role if declared.role not in ("param", "let") else None
+
+
+def _takes(schema: tuple[OptionSchema, ...], roles: list[str | None]) -> bool:
+    for option, role in zip(schema, roles, strict=False):
+        due = set(_roles_of(option))
+        if (role is not None or due) and role not in due:
+            return False
+    return True
+
+
+def _roles_of(option: OptionSchema) -> Iterable[str]:
+    parts = option.type.alternatives if isinstance(option.type, UnionType) else (option.type,)
+    return [role for part in parts if isinstance(part, EntityOption) for role in part.roles]
+
+
+def signature(schema: tuple[OptionSchema, ...]) -> str:
+    return ", ".join(" or ".join(_roles_of(option)) or option.name for option in schema)

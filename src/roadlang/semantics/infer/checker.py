@@ -1,0 +1,112 @@
+"""The state of one check: what was declared, found out and reported."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from ...diagnostics import Diagnostic, Fix, Label, Span, diagnose
+from ...plugins.registry import Registry
+from ...syntax.tree import nodes as ast
+from ..names.program import Program
+from ..types.types import Typed, unknown
+from .context import Context
+
+if TYPE_CHECKING:
+    from .kinds import Found
+
+Rule = Callable[["Checker", Any, Context], Typed]
+
+
+class Checker:
+    """Passed to every rule. `uses`: what must be evaluated before each declaration."""
+
+    def __init__(
+        self, program: Program, registry: Registry, rules: Mapping[type, Rule], define: Rule
+    ) -> None:
+        self.program = program
+        self.registry = registry
+        self.diagnostics: list[Diagnostic] = list(program.diagnostics)
+        self.uses: dict[str, dict[str, None]] = {}
+        self.used: set[str] = set()
+        self.kinds: dict[tuple[str, str], Found | None] = {}
+        self.divisors: list[tuple[str, Span]] = []
+        """The `s` of numbers such as `1/s`, and where."""
+        self.bounds: dict[int, tuple[float, float] | None] = {}
+        """Least and greatest number that an operand of a comparison can be, by the node's id."""
+        self._rules = rules
+        self._define = define
+        self._definitions: dict[str, Typed] = {}
+        self._open: list[str] = []
+        self._draws: dict[str, int] = {}
+
+    def report(
+        self,
+        code: str,
+        span: Span,
+        *,
+        help: str | Iterable[str] = (),
+        labels: Iterable[Label] = (),
+        fixes: Iterable[Fix] = (),
+        meant: str | None = None,
+        **values: Any,
+    ) -> Typed:
+        """Report and go on with a value that fits everywhere.
+
+        `meant`: what was probably meant by the text of `span`; it is suggested and is the fix.
+        """
+        if meant is not None:
+            more = (help,) if isinstance(help, str) else tuple(help)
+            help = (f"did you mean `{meant}`?", *more)
+            fixes = (*fixes, Fix(span, meant))
+        found = diagnose(code, span, help=help, labels=labels, fixes=fixes, **values)
+        self.diagnostics.append(found)
+        return unknown(span)
+
+    def infer(self, expression: ast.Expression, context: Context) -> Typed:
+        """Type and value of an expression; errors are reported once, here."""
+        return self._rules[type(expression)](self, expression, context)
+
+    def definition(self, name: str) -> Typed:
+        """What a `param` or `let` is."""
+        known = self._definitions.get(name)
+        if known is not None:
+            return known
+        declaration = self.program.declarations[name]
+        span = declaration.name.span
+        if name in self._open:
+            self.report_cycle(self._open[self._open.index(name) :])
+            return unknown(span)
+        self._open.append(name)
+        found = self._define(self, declaration, Context(user=name, place=name))
+        self._open.pop()
+        # A cycle was reported while it was open: what came of it is not to be trusted.
+        return self._definitions.setdefault(name, found)
+
+    def report_cycle(self, names: list[str]) -> None:
+        """RL104, with each name of the cycle shown once; all of them become unknown."""
+        first = min(names, key=lambda name: self.program.declarations[name].name.span.start)
+        turn = names.index(first)
+        names = [*names[turn:], *names[:turn]]
+        places = [self.program.declarations[name].name.span for name in names]
+        for name, place in zip(names, places, strict=True):
+            self._definitions[name] = unknown(place)
+        labels = [Label(place, "") for place in places[1:]]
+        cycle = " -> ".join(f"`{name}`" for name in [*names, first])
+        self.report("RL104", places[0], labels=labels, cycle=cycle)
+
+    def use(self, name: str, context: Context) -> None:
+        """Note that the context's declaration refers to `name`."""
+        if name != context.user or not context.drive_time:
+            self.used.add(name)
+            if not context.drive_time:
+                self.uses.setdefault(context.user, {})[name] = None
+
+    def draw_place(self, context: Context) -> str:
+        """The key of the next draw here: `bent/perturb 1/amplitude`, then `...#2`."""
+        count = self._draws[context.place] = self._draws.get(context.place, 0) + 1
+        return context.place if count == 1 else f"{context.place}#{count}"
+
+    @property
+    def has_errors(self) -> bool:
+        return any(found.is_error for found in self.diagnostics)

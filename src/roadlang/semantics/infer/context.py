@@ -1,0 +1,50 @@
+"""Where an expression stands: what its words may mean, and how its draws are keyed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ...plugins.option_types import (
+    CallType,
+    IntervalType,
+    KindNameType,
+    ListType,
+    MapType,
+    OptionType,
+    UnionType,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """`user` is the declaration that the expression belongs to, `place` keys its draws, `per` says
+    how often they are made. Names and calls are looked up among `words` and the kinds of `verbs`
+    before declared names. `fresh`: named draws are drawn anew too. `drive_time`: what is named
+    here is looked at while driving, so that it does not have to come before `user`."""
+
+    user: str
+    place: str
+    per: str = "scene"
+    words: tuple[str, ...] = ()
+    verbs: tuple[str, ...] = ()
+    fresh: bool = False
+    drive_time: bool = False
+    strings: bool = False
+    """A bare name that means nothing else is a string, as in `--set weather=rain`."""
+
+    def for_option(self, name: str, option: OptionType, words: tuple[str, ...]) -> Context:
+        """The context of an option's value."""
+        return replace(
+            self, place=f"{self.place}/{name}", words=words, verbs=verbs_in(option), strings=False
+        )
+
+
+def verbs_in(option: OptionType) -> tuple[str, ...]:
+    """The verbs whose kinds an option's value may name."""
+    if isinstance(option, CallType | KindNameType):
+        return (option.verb,)
+    if isinstance(option, ListType | IntervalType | MapType):
+        return verbs_in(option.item)
+    if isinstance(option, UnionType):
+        return tuple(verb for part in option.alternatives for verb in verbs_in(part))
+    return ()

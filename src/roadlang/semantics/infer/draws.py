@@ -1,0 +1,120 @@
+"""Random values written as calls: what type they have, and between which numbers they are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...ir.dimension import PURE
+from ...ir.values import Constant, Draw, Items, PassCall, Value
+from ...plugins.option_types import AnyType, ListType, QuantityType
+from ...syntax.tree import nodes as ast
+from ..types import bounds
+from ..types import types as ty
+from ..types.types import Typed, unknown
+from ..types.units import common_dimension, dimension_of
+from .arguments import Bound
+from .checker import Checker
+from .context import Context
+from .kinds import Found
+
+
+def draw_of(
+    checker: Checker, call: ast.Call, found: Found, bound: Bound, context: Context
+) -> Typed:
+    """The draw that the call of a distribution stands for."""
+    kind = _type_of(checker, found, bound)
+    if kind is None:
+        return unknown(call.span)
+    reach = _reach(found, bound)
+    if reach is not None and reach[0] > reach[1]:
+        return checker.report("RL207", call.span, what="range", help="the lower end comes first")
+    place = checker.draw_place(context)
+    options = bound.values
+    drawn = PassCall("distribution", found.entry.qualified, options, place, call.span)
+    value = Draw(place, drawn, context.per)
+    return Typed(call.span, kind, value, random=True, bounds=reach, items=_items(found, bound))
+
+
+def _items(found: Found, bound: Bound) -> tuple[Typed, ...]:
+    """What is chosen among, so that the parts of a random list or point can be checked."""
+    chosen = _chosen(found, bound)
+    if chosen and all(isinstance(part.type, ty.ListType | ty.PointType) for part in chosen):
+        return chosen[0].items
+    return chosen if chosen and isinstance(chosen[0].type, ty.TextType) else ()
+
+
+def _chosen(found: Found, bound: Bound) -> tuple[Typed, ...]:
+    for option in found.schema:
+        if option.name not in bound.given:
+            continue
+        if isinstance(option.type, AnyType):
+            return (bound.given[option.name],)
+        if isinstance(option.type, ListType) and isinstance(option.type.item, AnyType):
+            return bound.given[option.name].items
+    return ()
+
+
+def _type_of(checker: Checker, found: Found, bound: Bound) -> ty.Type | None:
+    if bound.like is not None:
+        return ty.Quantity(dimension_of(bound.like))
+    chosen = _chosen(found, bound)
+    if chosen:
+        return _common_type(checker, chosen)
+    numbers = [option.type for option in found.schema if isinstance(option.type, QuantityType)]
+    whole = bool(numbers) and all(number.whole for number in numbers)
+    return ty.Quantity(PURE, whole=whole)
+
+
+def _common_type(checker: Checker, parts: tuple[Typed, ...]) -> ty.Type | None:
+    """The type of any of several values; None, reported, where they have not one."""
+    first = parts[0]
+    for part in parts[1:]:
+        if type(part.type) is not type(first.type) or (
+            isinstance(part.type, ty.CallType) and part.type != first.type
+        ):
+            what = "each value to choose from"
+            checker.report("RL206", part.span, what=what, due=first.type, found=part.type)
+            return None
+    if isinstance(first.type, ty.Quantity):
+        dimension = common_dimension(checker, parts, "chosen from")
+        whole = all(isinstance(part.type, ty.Quantity) and part.type.whole for part in parts)
+        bare = all(isinstance(part.type, ty.Quantity) and part.type.bare for part in parts)
+        return None if dimension is None else ty.Quantity(dimension, whole=whole, bare=bare)
+    if isinstance(first.type, ty.TextType):
+        texts = [part.type.values for part in parts if isinstance(part.type, ty.TextType)]
+        known = [values for values in texts if values is not None]
+        return ty.TextType(frozenset().union(*known) if len(known) == len(texts) else None)
+    return first.type
+
+
+def _reach(found: Found, bound: Bound) -> tuple[float, float] | None:
+    chosen = _chosen(found, bound)
+    if chosen:
+        return bounds.hull([part.bounds for part in chosen])
+    by_name = {name: typed.bounds for name, typed in bound.given.items()}
+    if {"low", "high"} <= by_name.keys():
+        low, high = by_name["low"], by_name["high"]
+        return (low[0], high[1]) if low and high else None
+    return _support(found, bound)
+
+
+def _support(found: Found, bound: Bound) -> tuple[float, float] | None:
+    """What the distribution says itself, where all its options are constant."""
+    options = {name: constant_of(value) for name, value in bound.values}
+    if any(option is None for option in options.values()):
+        return None
+    try:
+        support = found.kind(**options).support()  # type: ignore[attr-defined]
+    except Exception:  # a plugin's mistake shows when it draws, with its name
+        return None
+    return support if isinstance(support, tuple) and len(support) == 2 else None
+
+
+def constant_of(value: Value) -> Any:
+    """A constant number, or a tuple of such; None for anything else."""
+    if isinstance(value, Constant):
+        return value.value
+    if isinstance(value, Items):
+        parts = tuple(constant_of(item) for item in value.items)
+        return None if any(part is None for part in parts) else parts
+    return None

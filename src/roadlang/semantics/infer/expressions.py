@@ -1,0 +1,267 @@
+"""Literals, names, arithmetic, draws, lists: everything but calls and formulas."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from ...diagnostics import Span, nearest
+from ...ir.values import (
+    Constant,
+    Draw,
+    Entity,
+    Entries,
+    Flag,
+    Items,
+    Operation,
+    PassCall,
+    Reference,
+    Text,
+)
+from ...syntax.tree import nodes as ast
+from ..names.program import expression_of
+from ..types import bounds
+from ..types.arithmetic import signal_arithmetic, signal_negation
+from ..types.types import (
+    ConstraintType,
+    EntityType,
+    FlagType,
+    ListType,
+    MapType,
+    PointType,
+    Quantity,
+    SignalType,
+    TextType,
+    Typed,
+    unknown,
+)
+from ..types.units import common_dimension
+from .checker import Checker
+from .context import Context
+from .kinds import find_kind
+
+_FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
+
+
+def infer_string(checker: Checker, string: ast.String | ast.Text, context: Context) -> Typed:
+    return Typed(string.span, TextType(frozenset({string.value})), Text(string.value))
+
+
+def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> Typed:
+    from ...stl import Truth
+
+    return Typed(boolean.span, FlagType(), Flag(boolean.value), formula=Truth(boolean.value))
+
+
+def infer_group(checker: Checker, group: ast.Group, context: Context) -> Typed:
+    return checker.infer(group.inner, context)
+
+
+def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> Typed:
+    operand = checker.infer(negation.operand, context)
+    if operand.is_unknown:
+        return operand
+    if isinstance(operand.type, SignalType):
+        return signal_negation(operand, negation.span)
+    if not isinstance(operand.type, Quantity):
+        return checker.report("RL206", operand.span, what="`-`", due="a number", found=operand.type)
+    value = operand.value
+    assert value is not None
+    negated = (
+        Constant(-value.value, value.dimension)
+        if isinstance(value, Constant)
+        else Operation("negate", (value,))
+    )
+    return replace(
+        operand, span=negation.span, value=negated, bounds=bounds.negated(operand.bounds)
+    )
+
+
+def infer_arithmetic(checker: Checker, node: ast.Arithmetic, context: Context) -> Typed:
+    """`+ - * / ^` of numbers, or of signals and numbers."""
+    left = checker.infer(node.left, context)
+    right = checker.infer(node.right, context)
+    if left.is_unknown or right.is_unknown:
+        return unknown(node.span)
+    for side in (left, right):
+        if not isinstance(side.type, Quantity | SignalType):
+            sign = f"`{node.operator}`"
+            return checker.report("RL206", side.span, what=sign, due="a number", found=side.type)
+    return signal_arithmetic(checker, node, left, right)
+
+
+def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
+    """`low..high`: a uniform draw."""
+    ends = [checker.infer(end, context) for end in (draw.low, draw.high)]
+    if any(end.is_unknown for end in ends):
+        return unknown(draw.span)
+    for end in ends:
+        if not isinstance(end.type, Quantity):
+            return checker.report("RL206", end.span, what="`..`", due="a number", found=end.type)
+    dimension = common_dimension(checker, ends, "the two ends of a range")
+    if dimension is None:
+        return unknown(draw.span)
+    low, high = ends
+    reach = bounds.hull([low.bounds, high.bounds])
+    if reach and math.inf in map(abs, reach):
+        return checker.report("RL209", draw.span, what="a range that is drawn from")
+    if low.constant is not None and high.constant is not None and low.constant > high.constant:
+        text = f"{draw.high.span.text}..{draw.low.span.text}"
+        return checker.report("RL207", draw.span, what="range", help=f"write `{text}`")
+    found = find_kind(checker, "distribution", "standard.uniform", draw.span)
+    if found is None or low.value is None or high.value is None:
+        return unknown(draw.span)
+    place = checker.draw_place(context)
+    options = (("low", low.value), ("high", high.value))
+    call = PassCall("distribution", found.entry.qualified, options, place, draw.span)
+    kinds = [end.type for end in ends if isinstance(end.type, Quantity)]
+    kind = Quantity(
+        dimension,
+        fits_any=all(k.fits_any for k in kinds),
+        bare=all(k.bare for k in kinds),
+        whole=low.constant is not None and low.constant == high.constant and kinds[0].whole,
+    )
+    value = Draw(place, call, context.per)
+    return Typed(draw.span, kind, value, random=True, bounds=reach, range=True)
+
+
+def infer_point(checker: Checker, point: ast.Point, context: Context) -> Typed:
+    items = tuple(checker.infer(item, context) for item in point.items)
+    return _collected(Typed(point.span, PointType(), items=items))
+
+
+def infer_list(checker: Checker, items: ast.ListValue, context: Context) -> Typed:
+    parts = tuple(checker.infer(item, context) for item in items.items)
+    return _collected(Typed(items.span, ListType(), items=parts))
+
+
+def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> Typed:
+    """`{ key: value }`; a key that is there twice is an error."""
+    keys: list[tuple[str, Span]] = []
+    items: list[Typed] = []
+    for entry in node.entries:
+        key = entry.key.value if isinstance(entry.key, ast.String) else entry.key.text
+        if key in (known for known, _ in keys):
+            checker.report("RL222", entry.key.span, name=key)
+            continue
+        keys.append((key, entry.key.span))
+        inner = replace(context, place=f"{context.place}/{key}")
+        items.append(checker.infer(entry.value, inner))
+    found = Typed(node.span, MapType(), items=tuple(items), keys=tuple(keys))
+    values = [item.value for item in items]
+    if any(value is None for value in values):
+        return found
+    named = tuple((key, value) for (key, _), value in zip(keys, values, strict=True) if value)
+    return replace(found, value=Entries(named), random=any(item.random for item in items))
+
+
+def _collected(typed: Typed) -> Typed:
+    values = tuple(item.value for item in typed.items if item.value is not None)
+    if len(values) < len(typed.items):
+        return typed
+    random = any(item.random for item in typed.items)
+    return replace(typed, value=Items(values), random=random)
+
+
+def infer_name(checker: Checker, name: ast.Name, context: Context) -> Typed:
+    """A word of the option, a declared thing, a kind, a built-in name."""
+    text = name.text
+    if text in context.words:
+        return Typed(name.span, TextType(frozenset({text}), word=True), Text(text))
+    declaration = checker.program.declarations.get(text)
+    if text in checker.program.spoiled and text != "time":
+        return unknown(name.span)
+    verb = _verb_due(checker, text, context)
+    if declaration is not None and verb is None:
+        return _declared(checker, name, declaration.role, context)
+    if text == "inf":
+        kind = Quantity(fits_any=True)
+        return Typed(name.span, kind, Constant(math.inf), bounds=(math.inf, math.inf))
+    if text == "time":
+        return checker.infer(ast.Call(name, (), span=name.span), context)
+    verb = verb or _verb_in_definition(checker, text, context)
+    if verb is not None:
+        return checker.infer(ast.Call(name, (), span=name.span), replace(context, verbs=(verb,)))
+    if context.strings:
+        return Typed(name.span, TextType(frozenset({text})), Text(text))
+    return _unresolved(checker, name, context)
+
+
+def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> Typed:
+    text, span = name.text, name.span
+    checker.use(text, context)
+    if role in ("require", "expect"):
+        return Typed(span, ConstraintType(role), Text(text))
+    if role not in ("param", "let"):
+        return Typed(span, EntityType(role), Entity(text, role))
+    found = checker.definition(text)
+    if found.is_unknown:
+        return unknown(span)
+    if context.fresh and found.random and found.value is not None:
+        again = checker.infer(expression_of(checker.program, text), context)
+        return replace(again, span=span, range=False)
+    if found.value is None:
+        return _signal_or_formula(found, text, span)
+    if isinstance(found.type, Quantity):
+        constant = isinstance(found.value, Constant)
+        value = found.value if constant else Reference(text)
+        kind = replace(found.type, bare=False)
+        return replace(found, span=span, type=kind, value=value, range=False)
+    return replace(found, span=span, value=Reference(text), range=False)
+
+
+def _signal_or_formula(found: Typed, text: str, span: Span) -> Typed:
+    """What a `let` names; a signal by itself is a variable of that name in formulas."""
+    from ...stl import Variable
+
+    evidence = replace(found.evidence, span=span, text=text) if found.evidence else None
+    found = replace(found, span=span, evidence=evidence)
+    if isinstance(found.term, Variable) and len(found.signals) == 1:
+        signals = (replace(found.signals[0], variable=text),)
+        return replace(found, term=Variable(text), signals=signals)
+    return found
+
+
+def _verb_due(checker: Checker, text: str, context: Context) -> str | None:
+    """The verb of the kind that a bare name means where kinds are due: `is car`."""
+    registry = checker.registry
+    for verb in context.verbs:
+        if registry.has(verb, text) or registry.is_announced(verb, text):
+            return verb
+    return None
+
+
+def _verb_in_definition(checker: Checker, text: str, context: Context) -> str | None:
+    """Where nothing says what is due, a name that is not declared may be a kind."""
+    declared = checker.program.declarations.get(context.user)
+    if declared is None or declared.role not in ("param", "let"):
+        return None
+    return next((verb for verb in ("agent", "object") if checker.registry.has(verb, text)), None)
+
+
+def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
+    if checker.program.incomplete and not (context.words or context.verbs):
+        return unknown(name.span)
+    declared = nearest(name.text, checker.program.declarations)
+    word = nearest(name.text, context.words)
+    if context.words and (word or not declared):
+        words = ", ".join(f"`{word}`" for word in context.words)
+        help_ = f"the words are {words}"
+        return checker.report("RL223", name.span, word=name.text, help=help_, meant=word)
+    if context.verbs:
+        verb = context.verbs[0]
+        if not declared or nearest(name.text, checker.registry.names(verb)):
+            find_kind(checker, verb, name.text, name.span)
+            return unknown(name.span)
+    meant = declared or _FLAGS.get(name.text.lower())
+    help_ = "" if meant else _about_functions(checker, name.text)
+    return checker.report(
+        "RL101", name.span, name=name.text, help=(help_,) if help_ else (), meant=meant
+    )
+
+
+def _about_functions(checker: Checker, text: str) -> str:
+    verbs = ("signal", "number")
+    if not any(checker.registry.has(verb, text) for verb in verbs):
+        return ""
+    return f"`{text}` is a function: write what it is of, as in `{text}(road)`"

@@ -1,0 +1,251 @@
+"""Comparisons, logic and temporal operators: from the syntax tree to STL."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from ...diagnostics import Span
+from ...ir.dimension import LENGTH, TIME
+from ...ir.values import NumberBinding, Reference
+from ...syntax.tree import nodes as ast
+from ..types.arithmetic import common_domain, terms_of
+from ..types.types import Evidence, FlagType, FormulaType, Quantity, SignalType, Typed, unknown
+from ..types.units import common_dimension, unit_missing
+from .checker import Checker
+from .context import Context
+
+if TYPE_CHECKING:
+    from ...stl import Formula, Interval
+
+
+def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -> Typed:
+    """`a < b`, or a chain: each operator holds."""
+    from ...stl import And, Comparison
+
+    parts = [checker.infer(operand, context) for operand in node.operands]
+    if any(part.is_unknown for part in parts):
+        return unknown(node.span)
+    for operand, part in zip(node.operands, parts, strict=True):
+        checker.bounds[id(operand)] = part.bounds
+    for part in parts:
+        if not isinstance(part.type, Quantity | SignalType):
+            due = "a number or a signal"
+            return checker.report("RL206", part.span, what="a comparison", due=due, found=part.type)
+    if common_dimension(checker, parts, "compared") is None:
+        return unknown(node.span)
+    for operator, right in zip(node.operators, parts[1:], strict=True):
+        if operator in ("==", "!=") and not _is_whole(right):
+            checker.report("RL291", node.span, operator=operator)
+    evidence = common_domain(checker, parts)
+    if isinstance(evidence, Typed):
+        return evidence
+    terms, numbers = terms_of(parts)
+    pairs = [
+        Comparison(op, left, right)  # type: ignore[arg-type]
+        for op, left, right in zip(node.operators, terms, terms[1:], strict=False)
+    ]
+    formula: Formula = pairs[0] if len(pairs) == 1 else And(tuple(pairs))
+    return _formula(node.span, formula, evidence, parts, numbers)
+
+
+def _is_whole(typed: Typed) -> bool:
+    return isinstance(typed.type, Quantity) and typed.type.whole and typed.type.dimension.is_pure
+
+
+def _formula(
+    span: Span,
+    formula: Formula,
+    evidence: Evidence | None,
+    parts: Sequence[Typed],
+    numbers: tuple[NumberBinding, ...],
+) -> Typed:
+    domain = evidence.domain if evidence else "scene"
+    signals = tuple(dict.fromkeys(signal for part in parts for signal in part.signals))
+    return Typed(
+        span,
+        FormulaType(domain),
+        formula=formula,
+        evidence=evidence,
+        signals=signals,
+        numbers=numbers,
+        random=any(part.random for part in parts),
+    )
+
+
+def infer_not(checker: Checker, node: ast.Not, context: Context) -> Typed:
+    from ...stl import Not
+
+    operand = _operand(checker, node.operand, context, "`not`")
+    if operand.formula is None:
+        return unknown(node.span)
+    return replace(operand, span=node.span, formula=Not(operand.formula))
+
+
+def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> Typed:
+    """`and`, `or`, `implies`, `iff`, `xor`."""
+    from ... import stl
+
+    what = f"`{node.word}`"
+    parts = [_operand(checker, operand, context, what) for operand in node.operands]
+    formulas = [part.formula for part in parts if part.formula is not None]
+    if len(formulas) < len(parts):
+        return unknown(node.span)
+    makers: dict[str, Any] = {
+        "and": lambda: stl.And(tuple(formulas)),
+        "or": lambda: stl.Or(tuple(formulas)),
+        "implies": lambda: stl.Implies(*formulas),
+        "iff": lambda: stl.Iff(*formulas),
+        "xor": lambda: stl.Xor(*formulas),
+    }
+    return _joined(checker, node.span, makers[node.word], parts)
+
+
+def _joined(checker: Checker, span: Span, make: Any, parts: Sequence[Typed]) -> Typed:
+    evidence = common_domain(checker, parts)
+    if isinstance(evidence, Typed):
+        return evidence
+    numbers = tuple(dict.fromkeys(number for part in parts for number in part.numbers))
+    return _formula(span, make(), evidence, parts, numbers)
+
+
+def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Typed:
+    """`always[a, b] p` and its kin."""
+    from ... import stl
+
+    operand = _operand(checker, node.operand, context, f"`{node.word}`")
+    ends = _ends(checker, node.interval, context)
+    if operand.formula is None or ends is None:
+        return unknown(node.span)
+    interval = _interval(checker, node, ends, operand.evidence)
+    if isinstance(interval, Typed):
+        return interval
+    maker = {
+        "always": stl.Always,
+        "eventually": stl.Eventually,
+        "once": stl.Once,
+        "historically": stl.Historically,
+    }[node.word]
+    return replace(operand, span=node.span, formula=maker(interval, operand.formula))
+
+
+def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> Typed:
+    """`left until[a, b] right` and `since`."""
+    from ... import stl
+
+    sides = (node.left, node.right)
+    parts = [_operand(checker, side, context, f"`{node.word}`") for side in sides]
+    ends = _ends(checker, node.interval, context)
+    if ends is None or any(part.formula is None for part in parts):
+        return unknown(node.span)
+    evidence = common_domain(checker, parts)
+    if isinstance(evidence, Typed):
+        return evidence
+    interval = _interval(checker, node, ends, evidence)
+    if isinstance(interval, Typed):
+        return interval
+    maker: Any = stl.Until if node.word == "until" else stl.Since
+    left, right = parts[0].formula, parts[1].formula
+    return _joined(checker, node.span, lambda: maker(interval, left, right), parts)
+
+
+def _operand(checker: Checker, node: ast.Expression, context: Context, what: str) -> Typed:
+    """A formula; anything else is reported and unknown."""
+    return as_formula(checker, checker.infer(node, context), what)
+
+
+def as_formula(checker: Checker, typed: Typed, what: str) -> Typed:
+    """The expression as a formula: one already, or a flag."""
+    if typed.is_unknown or isinstance(typed.type, FormulaType):
+        return typed
+    if isinstance(typed.type, FlagType):
+        if isinstance(typed.value, Reference):
+            return replace(typed, type=FormulaType("scene"), **_flag(typed.value))
+        return replace(typed, type=FormulaType("scene"))
+    help_ = (
+        ("compare it with something, as in `< 10m`",)
+        if isinstance(typed.type, Quantity | SignalType)
+        else ()
+    )
+    return checker.report("RL234", typed.span, what=what, found=typed.type, help=help_)
+
+
+def _flag(value: Reference) -> dict[str, Any]:
+    from ...stl import Comparison, Constant, Variable
+
+    # A flag counts as 1 or 0 where the pipeline computes with it.
+    formula = Comparison(">", Variable(value.name), Constant(0.5))
+    return {"formula": formula, "numbers": (NumberBinding(value.name, value),)}
+
+
+def _ends(
+    checker: Checker, interval: ast.Interval | None, context: Context
+) -> tuple[Typed, ...] | None:
+    """The two ends of an interval, constant numbers; () where there is none."""
+    if interval is None:
+        return ()
+    ends = [checker.infer(end, context) for end in (interval.low, interval.high)]
+    if any(end.is_unknown for end in ends):
+        return None
+    for end in ends:
+        if not isinstance(end.type, Quantity):
+            what = "the end of an interval"
+            checker.report("RL206", end.span, what=what, due="a number", found=end.type)
+            return None
+        if end.constant is None:
+            due = "the same in every scene"
+            checker.report("RL229", end.span, what="the end of an interval", due=due)
+            return None
+    return tuple(ends)
+
+
+def _interval(
+    checker: Checker,
+    node: ast.Temporal | ast.Binding,
+    ends: tuple[Typed, ...],
+    evidence: Evidence | None,
+) -> Interval | Typed | None:
+    """The interval in the unit of the formula's domain; unknown, reported, where it is not."""
+    from ...stl import Interval
+
+    if evidence is None:
+        return checker.report("RL352", node.word_span, word=node.word)
+    if not ends:
+        return None
+    due = LENGTH if evidence.domain == "road" else TIME
+    wrong = []
+    for end in ends:
+        assert isinstance(end.type, Quantity)
+        if end.type.fits_any or end.type.dimension == due:
+            continue
+        if end.type.bare:
+            return unit_missing(checker, end, due)
+        wrong.append(end)
+    if wrong:
+        return _wrong_unit(checker, wrong, evidence)
+    low, high = (end.constant for end in ends)
+    assert low is not None
+    assert high is not None
+    if not 0 <= low <= high or math.isinf(low):
+        span = ends[0].span.to(ends[1].span)
+        return checker.report("RL305", span, lo=ends[0].span.text, hi=ends[1].span.text)
+    return Interval(low, high)
+
+
+def _wrong_unit(checker: Checker, wrong: Sequence[Typed], evidence: Evidence) -> Typed:
+    from ...diagnostics import Label
+
+    road = evidence.domain == "road"
+    assert isinstance(wrong[0].type, Quantity)
+    return checker.report(
+        "RL351",
+        wrong[0].span.to(wrong[-1].span),
+        labels=[Label(evidence.span, "the signal is over " + ("the road" if road else "time"))],
+        found=wrong[0].type.dimension,
+        signal=evidence.text,
+        domain="arc length along the road" if road else "time",
+        unit="meters" if road else "seconds",
+        help="write meters, as in `[0m, 50m]`" if road else "write seconds, as in `[0s, 5s]`",
+    )  # fmt: skip

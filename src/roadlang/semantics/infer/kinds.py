@@ -1,0 +1,133 @@
+"""Kinds by name, and what to say of those that are not there."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from contextlib import redirect_stdout
+from dataclasses import dataclass
+
+from ...diagnostics import Span, nearest
+from ...plugins.kinds import VERBS, Kind
+from ...plugins.options import OptionSchema, schema_of
+from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
+from .checker import Checker
+
+_MOST_LISTED = 12
+_NOUNS = {
+    "agent": "kind of agent",
+    "object": "kind of object",
+    "piece": "piece of a road",
+    "select": "way to choose a road",
+    "monitor": "monitor",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A kind that is there, imported, with its options."""
+
+    entry: KindEntry
+    kind: type[Kind]
+    schema: tuple[OptionSchema, ...]
+
+
+def find_kind(checker: Checker, verb: str, name: str, span: Span) -> Found | None:
+    """The kind, or None, with the reason reported at `span`."""
+    key = (verb, name)
+    if key in checker.kinds and (known := checker.kinds[key]) is not None:
+        return known
+    try:
+        entry = checker.registry.find(verb, name)
+    except AmbiguousKind as error:
+        names = " or ".join(f"`{entry.qualified}`" for entry in error.entries)
+        owners = " and ".join(str(entry.origin) for entry in error.entries)
+        help_ = f"write {names}"
+        checker.report("RL213", span, kind=spoken(verb, name), owners=owners, help=help_)
+        return None
+    except UnknownKind:
+        _report_missing(checker, verb, name, span)
+        return None
+    found = _load(checker, entry, span)
+    checker.kinds[key] = found
+    return found
+
+
+def _load(checker: Checker, entry: KindEntry, span: Span) -> Found | None:
+    found = loaded(entry)
+    if isinstance(found, Found):
+        return found
+    kind_name = spoken(entry.verb, entry.name)
+    checker.report("RL211", span, kind=kind_name, plugin=entry.origin, reason=found)
+    return None
+
+
+def loaded(entry: KindEntry) -> Found | str:
+    """The kind, or why it cannot be had: a plugin may do anything when it is imported."""
+    try:
+        with redirect_stdout(sys.stderr):
+            kind = entry.load()
+        return Found(entry, kind, schema_of(kind))
+    except (KeyboardInterrupt, MemoryError):
+        raise
+    except BaseException as error:
+        return reason_of(error)
+
+
+def reason_of(error: BaseException) -> str:
+    """An exception in one line."""
+    return f"{type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def spoken(verb: str, name: str) -> str:
+    """A kind as the language writes it: `perturb with sine`, `emit svg`, `car`."""
+    if verb in ("emit",):
+        return f"emit {name}"
+    if verb in ("agent", "object", "piece", "select", "signal", "drive_signal", "number"):
+        return name
+    if verb in ("distribution", "monitor"):
+        return name
+    return f"{verb} with {name}"
+
+
+def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
+    registry = checker.registry
+    if registry.is_announced(verb, name):
+        built = _listing(verb, registry.names(verb))
+        checker.report("RL212", span, kind=spoken(verb, name), help=built)
+        return
+    for broken in registry.broken:
+        if name.split(".")[0] == broken.origin.plugin and "." in name:
+            checker.report(
+                "RL211", span, kind=spoken(verb, name), plugin=broken.origin, reason=broken.reason
+            )
+            return
+    known = (*registry.names(verb), *registry.announced_names(verb))
+    qualified = tuple(entry.qualified for entry in registry.of(verb))
+    meant = nearest(name, qualified if "." in name else known)
+    help_ = [] if meant else _elsewhere(checker, verb, name) or _not_installed(checker, name)
+    if not (meant or help_):
+        help_ += _listing(verb, registry.names(verb))
+    for broken in registry.broken:
+        help_.append(f"the plugin {broken.origin} could not be loaded: {broken.reason}")
+    noun = _NOUNS.get(verb, f"kind of `{verb}`")
+    checker.report("RL210", span, name=name, noun=noun, help=help_, meant=meant)
+
+
+def _not_installed(checker: Checker, name: str) -> list[str]:
+    plugin, dot, _ = name.rpartition(".")
+    there = {entry.origin.plugin for entry in checker.registry.entries}
+    return [f"no plugin called `{plugin}` is installed"] if dot and plugin not in there else []
+
+
+def _elsewhere(checker: Checker, verb: str, name: str) -> list[str]:
+    verbs = [other for other in VERBS if other != verb and checker.registry.has(other, name)]
+    return [f"`{spoken(other, name)}` is there" for other in verbs[:1]]
+
+
+def _listing(verb: str, names: Iterable[str]) -> list[str]:
+    known = list(names)
+    if not known:
+        return [f"no plugin that is installed brings a kind of `{verb}`"]
+    shown = ", ".join(known[:_MOST_LISTED]) + (", ..." if len(known) > _MOST_LISTED else "")
+    return [f"there are {shown}"]

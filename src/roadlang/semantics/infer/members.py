@@ -1,0 +1,80 @@
+"""What stands behind a dot: `ego.speed`, `lead.start`, `acme.robot`."""
+
+from __future__ import annotations
+
+from ...diagnostics import nearest
+from ...syntax.tree import nodes as ast
+from ..types.assignable import fit
+from ..types.types import EntityType, Typed, unknown
+from .arguments import Bound
+from .calls import dotted, has, is_member, of_kind, signature
+from .checker import Checker
+from .context import Context
+from .kinds import find_kind
+from .signals import measured
+
+_VERBS = ("drive_signal", "number")
+
+
+def infer_member(checker: Checker, member: ast.Member, context: Context) -> Typed:
+    """A signal or number of an agent or object, or a kind by its whole name."""
+    parts = dotted(member)
+    if parts is None:
+        return checker.report("RL227", member.name.span, name=member.name.text, given="a call")
+    base, _, name = parts.partition(".")
+    if base in checker.program.spoiled:
+        return unknown(member.span)
+    if base not in checker.program.declarations:
+        return _of_nothing(checker, member, parts, base, context)
+    root: ast.Expression = member
+    while isinstance(root, ast.Member):
+        root = root.of
+    owner = checker.infer(root, context)
+    if owner.is_unknown:
+        return unknown(member.span)
+    if not isinstance(owner.type, EntityType) or owner.type.role not in ("agent", "object"):
+        return checker.report("RL233", member.name.span, name=base, found=owner.type, member=name)
+    return _of_actor(checker, member, base, name, owner)
+
+
+def _of_nothing(
+    checker: Checker, member: ast.Member, parts: str, base: str, context: Context
+) -> Typed:
+    """The first name is not declared: perhaps it is a plugin's."""
+    if checker.program.incomplete:
+        return unknown(member.span)
+    for verb in (*context.verbs, "agent", "object"):
+        if checker.registry.has(verb, parts):
+            return of_kind(checker, ast.Call(member, (), span=member.span), verb, parts, context)
+    if context.verbs:
+        find_kind(checker, context.verbs[0], parts, member.span)
+        return unknown(member.span)
+    meant = nearest(base, checker.program.declarations)
+    return checker.report("RL101", member.of.span, name=base, meant=meant)
+
+
+def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner: Typed) -> Typed:
+    place = member.name.span
+    verb = next((verb for verb in _VERBS if has(checker, verb, name)), None)
+    if verb is None:
+        known = [entry.name for verb in _VERBS for entry in checker.registry.of(verb)]
+        meant = nearest(name, known)
+        return checker.report("RL227", place, name=name, given=f"`{base}`", meant=meant)
+    found = find_kind(checker, verb, name, place)
+    if found is None:
+        return unknown(member.span)
+    if not is_member(found) or not found.schema:
+        written = f"it is written `{name}({signature(found.schema)})`"
+        return checker.report("RL227", place, name=name, given=f"`{base}`", help=written)
+    if verb == "number" and not _is_on_road(checker, base):
+        return checker.report("RL240", member.span, name=base, member=name)
+    fitted = fit(checker, owner, found.schema[0])
+    if fitted is None:
+        return unknown(member.span)
+    bound = Bound({found.schema[0].name: fitted}, True)
+    return measured(checker, member.span, found, bound, f"{base}.{name}", member=True)
+
+
+def _is_on_road(checker: Checker, name: str) -> bool:
+    statement = checker.program.declarations[name].statement
+    return isinstance(statement, ast.Actor) and statement.on is not None

@@ -1,0 +1,146 @@
+"""Blocks: passes with their kinds, and statements' own options."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from ...diagnostics import Label, Span, nearest
+from ...ir.values import PassCall, Value
+from ...plugins.options import OptionSchema
+from ...syntax.tree import nodes as ast
+from .arguments import Bound, bind_options
+from .checker import Checker
+from .context import Context
+from .kinds import Found, find_kind, spoken
+from .statements import STATEMENTS, common_options
+
+_ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "drive")
+_SOURCES = ("extract", "read", "draw")
+
+
+def lower_passes(
+    checker: Checker, statement: str, block: ast.Block | None, context: Context
+) -> tuple[PassCall, ...] | None:
+    """The passes of a block in the order written; None where one of them is wrong."""
+    calls: list[PassCall] = []
+    counts: dict[str, int] = {}
+    sources: list[ast.Pass] = []
+    complete = True
+    for item in block.passes if block else ():
+        verb = item.verb.text
+        if not _verb_fits(checker, statement, item):
+            complete = False
+            continue
+        if verb in _SOURCES:
+            sources.append(item)
+            if len(sources) > 1:
+                labels = [Label(sources[0].span, "the first one")]
+                names = (sources[0].verb.text, verb)
+                checker.report(
+                    "RL217", item.verb.span, labels=labels, first=names[0], second=names[1]
+                )
+                complete = False
+        counts[verb] = counts.get(verb, 0) + 1
+        place = f"{context.place}/{verb} {counts[verb]}"
+        call = lower_pass(checker, item, statement, replace(context, place=place))
+        complete = call is not None and complete
+        if call is not None:
+            calls.append(call)
+    return tuple(calls) if complete else None
+
+
+def _verb_fits(checker: Checker, statement: str, item: ast.Pass) -> bool:
+    verb = item.verb.text
+    verbs = STATEMENTS[statement].verbs if statement in STATEMENTS else ()
+    if verb in verbs:
+        return True
+    meant = nearest(verb, verbs)
+    help_: list[str] = []
+    if not meant and verbs:
+        help_.append(f"`{statement}` takes " + ", ".join(f"`{known}`" for known in verbs))
+    code = "RL216" if verb in _ALL_VERBS else "RL215"
+    checker.report(code, item.verb.span, what=f"`{statement}`", verb=verb, help=help_, meant=meant)
+    return False
+
+
+def lower_pass(
+    checker: Checker, item: ast.Pass, statement: str, context: Context
+) -> PassCall | None:
+    """`verb with kind { ... }`: the call, or None, reported."""
+    verb = item.verb.text
+    found = find_kind(checker, verb, item.kind.text, item.kind.span)
+    if found is None:
+        return None
+    common = common_options(verb, statement)
+    owner = f"`{spoken(verb, item.kind.text)}`"
+    return lower_call(checker, found, item.block, common, context, owner, item.kind.span, item.span)
+
+
+def lower_call(
+    checker: Checker,
+    found: Found,
+    block: ast.Block | None,
+    common: Sequence[OptionSchema],
+    context: Context,
+    owner: str,
+    blamed: Span,
+    span: Span,
+) -> PassCall | None:
+    """The options of a kind, and of its verb, against their schema."""
+    names = {option.name for option in found.schema}
+    schema = [*found.schema, *(option for option in common if option.name not in names)]
+    bound = bind_options(
+        checker,
+        block.options if block else (),
+        schema,
+        context,
+        owner=owner,
+        span=blamed,
+        whole=_is_whole(block),
+    )
+    for inner in block.passes if block else ():
+        checker.report("RL216", inner.verb.span, what=owner, verb=inner.verb.text)
+    if not bound.complete or (block is not None and (block.passes or not block.complete)):
+        return None
+    options = tuple((name, value) for name, value in bound.values if name in names)
+    rest = tuple((name, value) for name, value in bound.values if name not in names)
+    verb, kind = found.entry.verb, found.entry.qualified
+    return PassCall(verb, kind, options, context.place, span, rest)
+
+
+def lower_options(
+    checker: Checker,
+    statement: str,
+    block: ast.Block | None,
+    schema: Sequence[OptionSchema],
+    context: Context,
+    span: Span,
+) -> Bound:
+    """The options of a statement."""
+    return bind_options(
+        checker,
+        block.options if block else (),
+        schema,
+        context,
+        owner=f"`{statement}`",
+        span=span,
+        whole=_is_whole(block),
+    )
+
+
+def _is_whole(block: ast.Block | None) -> bool:
+    """Whether what is not in a block is missing, rather than in a part that could not be read."""
+    return block is None or (block.complete and block.span.text.endswith("}"))
+
+
+def refuse_passes(checker: Checker, what: str, passes: Iterable[ast.Pass]) -> bool:
+    """False, reported, where a block that takes none has passes."""
+    fine = True
+    for item in passes:
+        checker.report("RL216", item.verb.span, what=f"`{what}`", verb=item.verb.text)
+        fine = False
+    return fine
+
+
+Options = tuple[tuple[str, Value], ...]

@@ -1,0 +1,47 @@
+"""Which kind reads a file, told by its name."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+
+from ...diagnostics import Span
+from .checker import Checker
+from .kinds import loaded, spoken
+
+
+def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
+    """The qualified name of the reader of a file, or None, reported."""
+    suffix = PurePath(path).suffix.lower()
+    fitting, suffixes, broken = [], set(), []
+    for entry in checker.registry.of("read"):
+        found = loaded(entry)
+        if isinstance(found, str):  # it may not be the reader that is wanted
+            broken.append((entry, found))
+            continue
+        if role not in found.kind.reads:  # type: ignore[attr-defined]
+            continue
+        suffixes.update(found.kind.suffixes)  # type: ignore[attr-defined]
+        if suffix in found.kind.suffixes:  # type: ignore[attr-defined]
+            fitting.append(entry)
+    if len(fitting) == 1:
+        return fitting[0].qualified
+    if fitting:
+        names = " or ".join(f"`read with {entry.qualified}`" for entry in fitting)
+        owners = " and ".join(str(entry.origin) for entry in fitting)
+        kind = f"a reader of {suffix} files"
+        checker.report("RL213", span, kind=kind, owners=owners, help=f"write {names} in its block")
+        return None
+    planned = checker.registry.announced_reader(suffix)
+    if planned is not None:
+        checker.report("RL212", span, kind=spoken("read", planned))
+        return None
+    for entry, reason in broken:
+        kind = spoken("read", entry.name)
+        checker.report("RL211", span, kind=kind, plugin=entry.origin, reason=reason)
+    if broken:
+        return None
+    known = ", ".join(sorted(suffixes)) or "none"
+    shown = f"`{suffix}`" if suffix else "no ending"
+    help_ = [f"a {role} can be read from: {known}", "or say how with `read with` in its block"]
+    checker.report("RL214", span, file=path, suffix=shown, role=role, help=help_)
+    return None

@@ -1,0 +1,58 @@
+"""Signals over roads and drives, and numbers of roads: dimension, domain, binding."""
+
+from __future__ import annotations
+
+from ...diagnostics import Span
+from ...ir.dimension import Dimension
+from ...ir.values import Measure, PassCall, SignalBinding
+from ..types.types import Evidence, Quantity, SignalType, Typed, unknown
+from .arguments import Bound
+from .checker import Checker
+from .draws import constant_of
+from .kinds import Found, reason_of
+from .terms import call_text
+
+_DOMAINS = {"signal": "road", "drive_signal": "drive"}
+
+
+def measured(
+    checker: Checker, span: Span, found: Found, bound: Bound, name: str, *, member: bool = False
+) -> Typed:
+    """`curvature(bent)`, `ego.speed`: a signal; `length(bent)`: a number of the scene."""
+    dimension = _dimension(checker, span, found, bound)
+    if dimension is None:
+        return unknown(span)
+    verb = found.entry.verb
+    text = name if member or not bound.values else call_text(name, bound.values)
+    call = PassCall(verb, found.entry.qualified, bound.values, text, span)
+    if verb == "number":
+        return Typed(span, Quantity(dimension), Measure(call), random=True)
+    from ...stl import Variable
+
+    domain = _DOMAINS[verb]
+    return Typed(
+        span,
+        SignalType(domain, dimension),
+        term=Variable(text),
+        evidence=Evidence(domain, span, " ".join(span.text.split())),
+        signals=(SignalBinding(text, call, dimension),),
+    )
+
+
+def _dimension(checker: Checker, span: Span, found: Found, bound: Bound) -> Dimension | None:
+    # What the dimension depends on (the p of d_p) has to be the same in every scene.
+    constants = {name: constant_of(value) for name, value in bound.values}
+    given = {name: value for name, value in constants.items() if value is not None}
+    for option in found.schema:
+        if option.name not in bound.given and not option.required:
+            given.setdefault(option.name, option.default)
+    try:
+        dimension = found.kind.dimension_of(given)  # type: ignore[attr-defined]
+        if not isinstance(dimension, Dimension):
+            raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
+        return dimension
+    except Exception as error:
+        plugin, reason = found.entry.origin, reason_of(error)
+        kind = found.entry.name
+        checker.report("RL211", span, kind=kind, plugin=plugin, reason=reason)
+        return None

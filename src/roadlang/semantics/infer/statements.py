@@ -1,0 +1,172 @@
+"""What each statement takes: its own options, its verbs, the options of every kind of a verb.
+
+Declared as kinds declare theirs, so that one reader checks them and one generator documents them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from ...ir.dimension import PURE
+from ...plugins.option_types import (
+    Angle,
+    CallType,
+    Condition,
+    Duration,
+    Flag,
+    KindNameType,
+    Length,
+    ListType,
+    MapType,
+    Number,
+    QuantityType,
+    RecordType,
+    Scale,
+    Speed,
+    Stretch,
+    Whole,
+    Word,
+)
+from ...plugins.options import OptionSchema, option, schema_of
+
+Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
+Selection = Annotated[Any, CallType("select")]
+RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
+
+
+@dataclass(frozen=True)
+class ImageOptions:
+    """A picture from above."""
+
+    scale: Scale = option(
+        None, above=0, maximum=1000, help="meters for each pixel; a world file may say it too"
+    )
+    legend: Legend = option(
+        None,
+        words=("road",),
+        help="what a character, or a color such as `white` or `#2e7d32`, stands for",
+    )
+
+
+@dataclass(frozen=True)
+class NetworkOptions:
+    """Roads that meet at nodes."""
+
+
+@dataclass(frozen=True)
+class RoadOptions:
+    """One curve."""
+
+    select: Selection = option(
+        "longest",
+        words=("longest", "any"),
+        help="which road of a network; `any` draws one for each scene",
+    )
+    width: Length = option(None, above=0, maximum=200, help="from edge to edge; the source's")
+    lanes: Whole = option(2, minimum=1, maximum=32, help="how many, both ways together")
+    closed: Flag = option(None, help="whether the end joins the start; the source's")
+
+
+@dataclass(frozen=True)
+class PlacementOptions:
+    """Where an agent or object stands, beside `on` and `at`."""
+
+    offset: Length = option(
+        None,
+        minimum=-1000,
+        maximum=1000,
+        help="left positive, from the center line, or from the lane's; outward with `side`",
+    )
+    lane: Whole = option(
+        None,
+        minimum=-32,
+        maximum=32,
+        help="OpenDRIVE's id: -1 is the first to the right of the center line, 1 to the left",
+    )
+    side: Word = option(None, words=("left", "right"), help="beside the road, from its edge")
+    facing: Word = option(
+        None, words=("forward", "back"), help="along the road or against it; the lane's way"
+    )
+    heading: Angle = option(None, help="counter-clockwise from the road's, or from east")
+    count: Whole = option(1, minimum=0, maximum=100_000, help="how many such")
+
+
+@dataclass(frozen=True)
+class SunOptions:
+    """Where the sun stands."""
+
+    azimuth: Angle = option(None, minimum=-7, maximum=7, help="clockwise from north")
+    elevation: Angle = option(None, minimum=-1.5708, maximum=1.5708, help="above the horizon")
+
+
+Sun = Annotated[dict[str, float], RecordType(SunOptions)]
+
+
+@dataclass(frozen=True)
+class WorldOptions:
+    """Light, weather and grip. A backend says which of them it cannot honor."""
+
+    time_of_day: Duration = option(None, minimum=0, maximum=86400, help="since midnight: `14h`")
+    weather: Word = option(
+        None,
+        words=("clear", "cloudy", "overcast", "rain", "fog", "snow"),
+        help="what the sky does",
+    )
+    rain: Speed = option(None, minimum=0, help="how much, as in `5mm/h`")
+    visibility: Length = option(None, above=0, help="how far one sees")
+    friction: Number = option(None, above=0, maximum=2, help="of the road: 1 is dry, 0.1 is ice")
+    sun: Sun = option(None, help="`{ azimuth: 90deg, elevation: 30deg }`")
+
+
+@dataclass(frozen=True)
+class PerturbOptions:
+    """Options that every kind of `perturb` has."""
+
+    over: Stretch = option(None, minimum=0, help="only on this stretch of the road")
+    taper: Length = option(None, minimum=0, help="how long it takes to fade at the stretch's ends")
+
+
+@dataclass(frozen=True)
+class NetworkPerturbOptions(PerturbOptions):
+    """In a network, these roads only."""
+
+    roads: RoadNumbers = option(None, minimum=0, help="numbers of the roads; all of them")
+
+
+@dataclass(frozen=True)
+class DriveOptions:
+    """Options that every kind of `drive` has."""
+
+    when: Condition = option(
+        None, help="takes over once this has come true; the last such is in charge"
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class StatementSpec:
+    """The options of a statement and the verbs that its block takes."""
+
+    options: type
+    verbs: tuple[str, ...] = ()
+
+    @property
+    def schema(self) -> tuple[OptionSchema, ...]:
+        return schema_of(self.options)
+
+
+STATEMENTS: dict[str, StatementSpec] = {
+    "image": StatementSpec(ImageOptions, ("read", "adjust")),
+    "network": StatementSpec(NetworkOptions, ("extract", "read", "perturb")),
+    "road": StatementSpec(RoadOptions, ("draw", "read", "perturb")),
+    "agent": StatementSpec(PlacementOptions, ("drive",)),
+    "object": StatementSpec(PlacementOptions),
+    "world": StatementSpec(WorldOptions),
+}
+
+
+def common_options(verb: str, statement: str) -> tuple[OptionSchema, ...]:
+    """The options that every kind of a verb has in a statement."""
+    if verb == "perturb":
+        return schema_of(NetworkPerturbOptions if statement == "network" else PerturbOptions)
+    return schema_of(DriveOptions) if verb == "drive" else ()

@@ -1,0 +1,77 @@
+"""Numbers of the scene as terms of a formula, and values as text."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...ir.values import (
+    Constant,
+    Draw,
+    Entity,
+    Entries,
+    Flag,
+    Items,
+    Measure,
+    NumberBinding,
+    Operation,
+    PassCall,
+    Reference,
+    Text,
+    Value,
+)
+
+
+def term_of(value: Value) -> tuple[Any, tuple[NumberBinding, ...]]:
+    """The term of a number, with a variable for each thing in it that a scene decides."""
+    from ... import stl
+
+    if isinstance(value, Constant):
+        return stl.Constant(value.value), ()
+    if not isinstance(value, Operation):
+        variable = text_of(value)
+        return stl.Variable(variable), (NumberBinding(variable, value),)
+    parts = [term_of(operand) for operand in value.operands]
+    terms = [term for term, _ in parts]
+    bindings = tuple(dict.fromkeys(binding for _, found in parts for binding in found))
+    if value.operator == "negate":
+        return stl.Negate(terms[0]), bindings
+    if value.operator in ("abs", "min", "max"):
+        return stl.Apply(value.operator, tuple(terms)), bindings  # type: ignore[arg-type]
+    return stl.Arithmetic(value.operator, terms[0], terms[1]), bindings  # type: ignore[arg-type]
+
+
+def text_of(value: Value | None) -> str:
+    """A value as the language writes it, in SI units; it names variables of formulas."""
+    match value:
+        case Constant(number, dimension):
+            return f"{number:.12g}{_glued(dimension.unit)}"
+        case Flag(flag):
+            return "true" if flag else "false"
+        case Text(text) | Reference(text) | Entity(text, _):
+            return text
+        case Draw(place, _, _):
+            return place
+        case Measure(call):
+            return call.place
+        case Items(items):
+            return "(" + ", ".join(text_of(item) for item in items) + ")"
+        case Entries(entries):
+            return "{" + ", ".join(f"{key}: {text_of(item)}" for key, item in entries) + "}"
+        case Operation("negate", (operand,)):
+            return f"-({text_of(operand)})"
+        case Operation(operator, operands) if operator in ("abs", "min", "max"):
+            return f"{operator}({', '.join(text_of(operand) for operand in operands)})"
+        case Operation(operator, (left, right)):
+            return f"({text_of(left)} {operator} {text_of(right)})"
+        case PassCall():
+            return call_text(value.kind.split(".")[-1], value.options)
+    return ""
+
+
+def call_text(name: str, options: tuple[tuple[str, Value], ...]) -> str:
+    """`curvature(bent)`: what a signal or number is called in reports."""
+    return f"{name}({', '.join(text_of(value) for _, value in options)})"
+
+
+def _glued(unit: str) -> str:
+    return unit.removeprefix("1") if unit.startswith("1/") else unit

@@ -1,0 +1,182 @@
+"""Agents and objects: what they are, where they stand, who drives."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...ir import scenario as ir
+from ...ir.dimension import LENGTH
+from ...ir.values import Entity, PassCall, Reference, Value
+from ...plugins.options import OptionSchema, schema_of
+from ...syntax.tree import nodes as ast
+from ..infer.actor_kinds import calls_in, shared_options, with_options
+from ..infer.checker import Checker
+from ..infer.context import Context
+from ..infer.passes import lower_options, lower_passes, refuse_passes
+from ..infer.statements import PlacementOptions
+from ..names.program import Declaration
+from ..types.types import CallType, EntityType, PointType, Quantity, Typed
+from ..types.units import unit_missing
+
+
+def lower_actor(checker: Checker, declaration: Declaration) -> ir.Actor | None:
+    """The statement, or None, reported."""
+    statement = declaration.statement
+    assert isinstance(statement, ast.Actor)
+    name = statement.name.text
+    copies = _has_count(statement)
+    context = Context(user=name, place=name, per="copy" if copies else "scene")
+    kind = _kind(checker, statement, context)
+    on = _road(checker, statement, context)
+    at = _place(checker, statement, context)
+    own, kind_options = _options(checker, statement, kind, context)
+    drive = _drive(checker, statement, context)
+    if statement.block is not None and not statement.block.complete:
+        return None
+    if kind is None or kind.value is None or on is False or at is None or at.value is None:
+        return None
+    if own is None or drive is None:
+        return None
+    placed = dict(own)
+    if statement.on is None and not _fits_without_road(checker, statement, placed):
+        return None
+    value = with_options(checker, kind.value, kind_options)
+    fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
+    road = on if isinstance(on, str) else None
+    options = tuple(placed.items())
+    return ir.Actor(name, value, road, at.value, fraction, options, drive, statement.span)
+
+
+def _has_count(statement: ast.Actor) -> bool:
+    return statement.block is not None and any(
+        option.key.text == "count" for option in statement.block.options
+    )
+
+
+def _kind(checker: Checker, statement: ast.Actor, context: Context) -> Typed | None:
+    word = statement.word
+    inner = replace(context, place=f"{context.place}/kind", verbs=(word,))
+    typed = checker.infer(statement.kind, inner)
+    if typed.is_unknown:
+        return None
+    if not isinstance(typed.type, CallType) or typed.type.verb != word:
+        due = f"a kind of {word}"
+        checker.report("RL206", typed.span, what=f"`{word}`", due=due, found=typed.type)
+        return None
+    while isinstance(typed.value, Reference):
+        typed = replace(checker.definition(typed.value.name), span=typed.span)
+    return typed
+
+
+def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | bool | None:
+    """The road's name, None without one, False where it was reported."""
+    if statement.on is None:
+        return None
+    typed = checker.infer(statement.on, context)
+    if typed.is_unknown:
+        return False
+    if isinstance(typed.type, EntityType) and typed.type.role == "road":
+        assert isinstance(typed.value, Entity)
+        return typed.value.name
+    what, found = "`on`", typed.type
+    if isinstance(typed.type, EntityType):
+        name = typed.span.text
+        help_ = (
+            f"choose one of its roads: `road street from {name}`"
+            if typed.type.role == "network"
+            else ()
+        )
+        checker.report(
+            "RL228", typed.span, name=name, found=found, due="a road", what=what, help=help_
+        )
+    else:
+        checker.report("RL206", typed.span, what=what, due="a road", found=found)
+    return False
+
+
+def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | None:
+    """`at`: along the road, a share of it, or a point in the world."""
+    if statement.at is None:
+        checker.report("RL236", statement.name.span, name=statement.name.text)
+        return None
+    typed = checker.infer(statement.at, replace(context, place=f"{context.place}/at"))
+    if typed.is_unknown:
+        return None
+    if isinstance(typed.type, PointType):
+        return _point(checker, statement, typed)
+    if not isinstance(typed.type, Quantity):
+        due = "a length or a share of the road" if statement.on else "a point `(x, y)`"
+        checker.report("RL206", typed.span, what="`at`", due=due, found=typed.type)
+        return None
+    if statement.on is None:
+        checker.report("RL237", typed.span, name=statement.name.text)
+        return None
+    if typed.type.fits_any or typed.type.dimension == LENGTH:
+        return typed
+    if typed.type.bare:
+        unit_missing(checker, typed, LENGTH)
+        return None
+    if typed.type.dimension.is_pure:
+        return typed
+    due = "a length or a share of the road"
+    checker.report("RL201", typed.span, what="`at`", due=due, found=typed.type.dimension)
+    return None
+
+
+def _point(checker: Checker, statement: ast.Actor, typed: Typed) -> Typed | None:
+    from ...plugins.option_types import PointType as PointOption
+    from ...plugins.options import Constraints
+    from ..types.assignable import fit
+
+    if statement.on is not None:
+        checker.report("RL238", typed.span, name=statement.name.text)
+        return None
+    schema = OptionSchema("at", PointOption(LENGTH), None, Constraints())
+    return fit(checker, typed, schema)
+
+
+def _options(
+    checker: Checker, statement: ast.Actor, kind: Typed | None, context: Context
+) -> tuple[tuple[tuple[str, Value], ...] | None, tuple[tuple[str, Value], ...]]:
+    """The options of the placement (None, reported, where wrong), and those of the kind."""
+    calls = calls_in(kind.value) if kind is not None and kind.value is not None else []
+    shared = shared_options(checker, calls)
+    placement = schema_of(PlacementOptions)
+    names = {option.name for option in placement}
+    block = statement.block
+    if block is not None and kind is None:
+        # Without the kind nobody knows its options: look at those of the placement only.
+        known = tuple(option for option in block.options if option.key.text in names)
+        block = ast.Block(known, span=block.span)
+    extra = [replace_required(option) for option in shared if option.name not in names]
+    bound = lower_options(
+        checker, statement.word, block, [*placement, *extra], context, statement.name.span
+    )
+    if "lane" in bound.given and "side" in bound.given:
+        checker.report("RL239", bound.given["side"].span)
+        return None, ()
+    own = tuple((name, value) for name, value in bound.values if name in names)
+    rest = tuple((name, value) for name, value in bound.values if name not in names)
+    return (own if bound.complete else None), rest
+
+
+def replace_required(option: OptionSchema) -> OptionSchema:
+    """An option that the call of the kind may have given already."""
+    return replace(option, default=None) if option.required else option
+
+
+def _fits_without_road(checker: Checker, statement: ast.Actor, placed: dict[str, Value]) -> bool:
+    assert statement.on is None
+    for option in statement.block.options if statement.block else ():
+        if option.key.text in ("lane", "side", "offset", "facing"):
+            name, key = statement.name.text, option.key
+            checker.report("RL241", key.span, name=name, option=key.text)
+            return False
+    return True
+
+
+def _drive(checker: Checker, statement: ast.Actor, context: Context) -> tuple[PassCall, ...] | None:
+    if statement.word == "object":
+        passes = statement.block.passes if statement.block else ()
+        return () if refuse_passes(checker, "object", passes) else None
+    return lower_passes(checker, "agent", statement.block, context)

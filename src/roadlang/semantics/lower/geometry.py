@@ -1,0 +1,170 @@
+"""Images, networks and roads."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ...ir import scenario as ir
+from ...ir.values import Entity, PassCall
+from ...syntax.tree import nodes as ast
+from ..infer.checker import Checker
+from ..infer.context import Context
+from ..infer.kinds import find_kind
+from ..infer.passes import lower_options, lower_passes
+from ..infer.readers import reader_of
+from ..infer.statements import STATEMENTS
+from ..names.files import file_fault
+from ..names.program import Declaration
+from ..types.types import EntityType
+
+_SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
+_MAKERS: dict[str, Any] = {"image": ir.Image, "network": ir.Network, "road": ir.Road}
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """A source that was read; `fine` is False where it was reported."""
+
+    source: ir.Source | None
+    fine: bool = True
+
+
+def lower_geometry(
+    checker: Checker, declaration: Declaration
+) -> ir.Image | ir.Network | ir.Road | None:
+    """The statement, or None, reported."""
+    statement = declaration.statement
+    assert isinstance(statement, ast.Geometry)
+    word, name = statement.word, statement.name.text
+    context = Context(user=name, place=name, per="road" if word == "network" else "scene")
+    source = _source(checker, statement, declaration.folder, context)
+    schema = STATEMENTS[word].schema
+    bound = lower_options(
+        checker, word, statement.block, schema, Context(name, name), statement.name.span
+    )
+    passes = lower_passes(checker, word, statement.block, context)
+    if not (source.fine and bound.complete) or passes is None:
+        return None
+    if statement.block is not None and not statement.block.complete:
+        return None
+    if not _belongs_together(checker, statement, source.source, passes):
+        return None
+    made = _with_default(checker, statement, source.source, passes)
+    if made is None:
+        return None
+    if isinstance(source.source, ir.FileSource):
+        checker.program.inputs.append(source.source.resolved)
+    lowered: ir.Image | ir.Network | ir.Road = _MAKERS[word](
+        name, source.source, bound.values, made, statement.span
+    )
+    return lowered
+
+
+def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Context) -> _Source:
+    source, word = statement.source, statement.word
+    if source is None:
+        return _Source(None)
+    if isinstance(source, ast.String):
+        picture = word == "image" and not _has_reader(statement)
+        fault = file_fault(folder, source.value, source.span, picture=picture)
+        if fault is not None:
+            checker.diagnostics.append(fault)
+            return _Source(None, fine=False)
+        resolved = os.path.join(folder, source.value)
+        return _Source(ir.FileSource(source.value, resolved))
+    if isinstance(source, ast.Text):
+        if word == "image":
+            return _Source(ir.TextSource(source.value))
+        due = _due(word)
+        checker.report("RL206", source.span, what=f"`{word}`", due=due, found="a text")
+        return _Source(None, fine=False)
+    typed = checker.infer(source, context)
+    if typed.is_unknown:
+        return _Source(None, fine=False)
+    roles = _SOURCE_ROLES[word]
+    if isinstance(typed.type, EntityType):
+        if typed.type.role in roles and isinstance(typed.value, Entity):
+            return _Source(ir.NameSource(typed.value.name, typed.value.role))
+        name, found = typed.span.text, typed.type
+        checker.report(
+            "RL228", typed.span, name=name, found=found, due=_due(word), what=f"`{word}`"
+        )
+    else:
+        what = f"`{word}`"
+        checker.report("RL206", typed.span, what=what, due=_due(word), found=typed.type)
+    return _Source(None, fine=False)
+
+
+def _due(word: str) -> str:
+    kinds = {"image": "a file, a text or an image", "network": "an image, a file or a network"}
+    return kinds.get(word, "a network, a road or a file")
+
+
+def _has_reader(statement: ast.Geometry) -> bool:
+    block = statement.block
+    return block is not None and any(item.verb.text == "read" for item in block.passes)
+
+
+def _belongs_together(
+    checker: Checker,
+    statement: ast.Geometry,
+    source: ir.Source | None,
+    passes: tuple[PassCall, ...],
+) -> bool:
+    """Whether the passes and options are at home with such a source."""
+    word, name = statement.word, statement.name
+    verbs = [call.verb for call in passes]
+    if source is None and (word != "road" or "draw" not in verbs):
+        help_ = (
+            "write `from` and a network, a road or a file, or `draw with` in its block"
+            if word == "road"
+            else f"write `from` and {_due(word)}"
+        )
+        checker.report("RL218", name.span, name=name.text, help=help_)
+        return False
+    role = source.role if isinstance(source, ir.NameSource) else None
+    wants = {
+        "draw": (source is None, "a road without `from`"),
+        "read": (isinstance(source, ir.FileSource), "a file"),
+        "extract": (role == "image", "an image"),
+    }
+    for call in passes:
+        fits, due = wants.get(call.verb, (True, ""))
+        if not fits and call.span is not None:
+            checker.report("RL219", call.span, verb=call.verb, due=due)
+            return False
+    if word == "road" and role != "network" and statement.block is not None:
+        for option in statement.block.options:
+            from_file = isinstance(source, ir.FileSource)
+            if option.key.text == "select" and not from_file:
+                checker.report("RL219", option.key.span, verb="select", due="a network")
+                return False
+    return True
+
+
+def _with_default(
+    checker: Checker,
+    statement: ast.Geometry,
+    source: ir.Source | None,
+    passes: tuple[PassCall, ...],
+) -> tuple[PassCall, ...] | None:
+    """The passes with the one that goes without saying: `extract with auto`, or a reader."""
+    if any(call.verb in ("extract", "read", "draw") for call in passes):
+        return passes
+    name = statement.name.text
+    if isinstance(source, ir.NameSource) and source.role == "image" and statement.word != "image":
+        assert statement.source is not None
+        found = find_kind(checker, "extract", "standard.auto", statement.source.span)
+        if found is None:
+            return None
+        return (PassCall("extract", found.entry.qualified, (), f"{name}/extract 1"), *passes)
+    if isinstance(source, ir.FileSource) and statement.word != "image":
+        assert statement.source is not None
+        kind = reader_of(checker, source.path, statement.word, statement.source.span)
+        if kind is None:
+            return None
+        return (PassCall("read", kind, (), f"{name}/read 1"), *passes)
+    return passes

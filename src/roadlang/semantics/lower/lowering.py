@@ -1,0 +1,111 @@
+"""From the checked program to the scenario, each group in an order that can be evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ...ir import scenario as ir
+from ...ir.dimension import Dimension
+from ...ir.values import PassCall
+from ...syntax.tree import nodes as ast
+from ..infer.checker import Checker
+from ..names.dependencies import definition_order
+from ..names.order import evaluation_order
+from ..names.program import Declaration, Placed
+from ..types.types import Quantity, Typed
+from .actors import lower_actor
+from .geometry import lower_geometry
+from .rest import lower_constraint, lower_emit, lower_plan, lower_world, only_one
+
+_LOWER = {
+    "image": lower_geometry,
+    "network": lower_geometry,
+    "road": lower_geometry,
+    "agent": lower_actor,
+    "object": lower_actor,
+    "require": lower_constraint,
+    "expect": lower_constraint,
+}
+
+
+def lower(checker: Checker) -> ir.Scenario:
+    """The scenario; where errors were reported it lacks what they concern."""
+    program = checker.program
+    for name in definition_order(program):
+        checker.definition(name)
+    made: dict[str, Any] = {}
+    for name, declaration in program.declarations.items():
+        made[name] = _lower_one(checker, declaration)
+    unnamed = _unnamed(checker)
+    order = evaluation_order(checker)
+
+    def of(*roles: str) -> tuple[Any, ...]:
+        wanted = (name for name in order if program.declarations[name].role in roles)
+        return tuple(made[name] for name in wanted if made[name] is not None)
+
+    def as_written(role: str) -> tuple[Any, ...]:
+        wanted = (found.name.text for found in program.in_role(role))
+        return tuple(made[name] for name in wanted if made[name] is not None)
+
+    return ir.Scenario(
+        header=_header(checker),
+        values=of("param", "let"),
+        images=of("image"),
+        networks=of("network"),
+        roads=of("road"),
+        requirements=as_written("require"),
+        expectations=as_written("expect"),
+        agents=of("agent"),
+        objects=of("object"),
+        inputs=tuple(ir.Input(path) for path in dict.fromkeys(program.inputs)),
+        **unnamed,
+    )
+
+
+def _lower_one(checker: Checker, declaration: Declaration) -> Any:
+    if declaration.role in ("param", "let"):
+        return _named(declaration, checker.definition(declaration.name.text))
+    return _LOWER[declaration.role](checker, declaration)
+
+
+def _named(declaration: Declaration, typed: Typed) -> ir.Named | None:
+    if typed.value is None:
+        return None
+    dimension: Dimension | None = None
+    if isinstance(typed.type, Quantity):
+        dimension = typed.type.dimension
+    is_param = declaration.role == "param"
+    span = declaration.statement.span
+    return ir.Named(declaration.name.text, typed.value, dimension, is_param, span)
+
+
+def _header(checker: Checker) -> ir.Header:
+    program = checker.program
+    if not program.headers:
+        return ir.Header(program.path.stem)
+    header = program.headers[0]
+    return ir.Header(header.name.text, header.title.value if header.title else "")
+
+
+def _unnamed(checker: Checker) -> dict[str, Any]:
+    placed = checker.program.unnamed
+    made: dict[str, Any] = {"world": ()}
+    world = only_one(checker, "world", _of(placed, ast.World))
+    if world is not None:
+        made["world"] = lower_world(checker, world)
+    for word in ("sample", "simulate", "falsify"):
+        plans = [found for found in _of(placed, ast.Plan) if found.statement.word == word]  # type: ignore[union-attr]
+        plan = only_one(checker, word, plans)
+        made[word] = lower_plan(checker, plan) if plan is not None else None
+    emits: list[PassCall] = []
+    for number, found in enumerate(_of(placed, ast.Emit), start=1):
+        call = lower_emit(checker, found, number)
+        if call is not None:
+            emits.append(call)
+    made["emits"] = tuple(emits)
+    return made
+
+
+def _of(placed: Iterable[Placed], kind: type) -> list[Placed]:
+    return [found for found in placed if isinstance(found.statement, kind)]

@@ -1,0 +1,1 @@
+"""Files, includes and declarations: what every name stands for."""

@@ -1,0 +1,53 @@
+"""Files that a scene names: they must be there, and be what their names say."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from ...diagnostics import Diagnostic, Span, diagnose, did_you_mean
+
+_MAGIC = {
+    ".png": (b"\x89PNG\r\n\x1a\n",),
+    ".jpg": (b"\xff\xd8\xff",),
+    ".jpeg": (b"\xff\xd8\xff",),
+    ".bmp": (b"BM",),
+    ".tif": (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
+    ".tiff": (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
+    ".webp": (b"RIFF",),
+}
+PICTURE_SUFFIXES = tuple(_MAGIC)
+
+
+def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnostic:
+    """RL450, with the nearest name in the folder."""
+    try:
+        present = os.listdir(folder)
+    except OSError:
+        return diagnose("RL450", span, file=written, help=f"there is no folder `{folder}`")
+    help_ = did_you_mean(name, present) or (f"looked in `{folder}`",)
+    return diagnose("RL450", span, file=written, help=help_)
+
+
+def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
+    """What is wrong with a file that the scene names, as far as its first bytes tell."""
+    target = folder / written
+    try:
+        if target.is_dir():
+            return diagnose("RL451", span, file=written, reason="it is a folder")
+        with target.open("rb") as file:
+            head = file.read(16)
+    except FileNotFoundError:
+        return missing_file(target.parent, target.name, span, written)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        return diagnose("RL451", span, file=written, reason=reason)
+    if not head:
+        return diagnose("RL451", span, file=written, reason="it is empty")
+    if picture and not _looks_like_a_picture(head):
+        return diagnose("RL451", span, file=written, reason="it is not a picture")
+    return None
+
+
+def _looks_like_a_picture(head: bytes) -> bool:
+    return any(head.startswith(magic) for magics in _MAGIC.values() for magic in magics)

@@ -1,0 +1,70 @@
+"""A scene file with all that it includes, as declarations by name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ...diagnostics import Diagnostic, Source, Span
+from ...syntax.tree import nodes as ast
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """A name and the statement that declares it. `role` is its statement word."""
+
+    name: ast.Word
+    role: str
+    statement: ast.Statement
+    folder: Path
+    """of the file that it stands in: paths are relative to it"""
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A value that replaces that of a `param`: from an `include` block or from `--set`."""
+
+    name: str
+    value: ast.Expression
+    span: Span
+    from_command_line: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A statement without a name (`emit`, `world`, ...) and the folder of its file."""
+
+    statement: ast.Statement
+    folder: Path
+
+
+@dataclass
+class Program:
+    """Everything that was read. `spoiled`: names of which it is not known what they are, since
+    their statement could not be read or there are two of them."""
+
+    path: Path
+    source: Source
+    headers: list[ast.Header] = field(default_factory=list)
+    declarations: dict[str, Declaration] = field(default_factory=dict)
+    unnamed: list[Placed] = field(default_factory=list)
+    settings: dict[str, Setting] = field(default_factory=dict)
+    spoiled: set[str] = field(default_factory=set)
+    inputs: list[str] = field(default_factory=list)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    incomplete: bool = False
+    """An included file could not be read: nobody knows what it declares."""
+
+    def in_role(self, *roles: str) -> list[Declaration]:
+        """The declarations with one of these statement words, in order."""
+        return [found for found in self.declarations.values() if found.role in roles]
+
+
+def expression_of(program: Program, name: str) -> ast.Expression:
+    """What a `param` or `let` is set to, here or from outside."""
+    setting = program.settings.get(name)
+    if setting is not None:
+        return setting.value
+    statement = program.declarations[name].statement
+    assert isinstance(statement, ast.Param | ast.Let)
+    return statement.value

@@ -1,0 +1,1 @@
+"""Types, dimensions, bounds of values, and what can be assigned to what."""

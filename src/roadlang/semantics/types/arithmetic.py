@@ -1,0 +1,223 @@
+"""Arithmetic on numbers and signals: dimensions, constants folded, terms for formulas."""
+
+from __future__ import annotations
+
+import math
+import operator as ops
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from ...diagnostics import Label, Span
+from ...ir.dimension import PURE, Dimension
+from ...ir.values import Constant, NumberBinding, Operation, Value
+from ...syntax.tree import nodes as ast
+from ..infer.checker import Checker
+from ..infer.terms import term_of
+from . import bounds
+from .types import Evidence, Quantity, SignalType, Typed, unknown
+from .units import common_dimension, dimension_of
+
+_OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": ops.pow}
+
+
+def signal_negation(operand: Typed, span: Span) -> Typed:
+    from ...stl import Negate
+
+    assert operand.term is not None
+    return replace(
+        operand, span=span, term=Negate(operand.term), bounds=bounds.negated(operand.bounds)
+    )
+
+
+def signal_arithmetic(checker: Checker, node: ast.Arithmetic, left: Typed, right: Typed) -> Typed:
+    """`left operator right` of two numbers, or with a signal on at least one side."""
+    dimension = _dimension(checker, node, left, right)
+    if dimension is None:
+        return unknown(node.span)
+    if node.operator == "/" and right.constant == 0:
+        return checker.report("RL209", node.right.span, what="a number divided by 0")
+    reach = bounds.arithmetic(node.operator, left.bounds, right.bounds)
+    both = (left, right)
+    if any(isinstance(side.type, SignalType) for side in both):
+        return _of_signals(checker, node, both, dimension, reach)
+    kinds = [side.type for side in both if isinstance(side.type, Quantity)]
+    kind = Quantity(
+        dimension,
+        fits_any=all(k.fits_any for k in kinds),
+        whole=node.operator in "+-*" and all(k.whole for k in kinds),
+    )
+    value = _folded(checker, node, left, right, dimension)
+    if value is None:
+        return unknown(node.span)
+    random = left.random or right.random
+    if isinstance(value, Constant):
+        reach = (value.value, value.value)
+    return Typed(node.span, kind, value, random=random, bounds=reach)
+
+
+def _dimension(
+    checker: Checker, node: ast.Arithmetic, left: Typed, right: Typed
+) -> Dimension | None:
+    if node.operator in "+-":
+        return common_dimension(checker, (left, right), "added" if node.operator == "+" else
+                                "subtracted")  # fmt: skip
+    if node.operator == "*":
+        return dimension_of(left) * dimension_of(right)
+    if node.operator == "/":
+        return dimension_of(left) / dimension_of(right)
+    exponent = right.constant
+    if not dimension_of(right).is_pure:
+        checker.report(
+            "RL201", right.span, what="an exponent", due="a pure number", found=right.type
+        )
+        return None
+    if dimension_of(left).is_pure:
+        return PURE
+    if exponent is None:
+        due = "the same in every scene, since the unit depends on it"
+        checker.report("RL229", right.span, what="an exponent", due=due)
+        return None
+    return dimension_of(left) ** exponent
+
+
+def _folded(
+    checker: Checker, node: ast.Arithmetic, left: Typed, right: Typed, dimension: Dimension
+) -> Value | None:
+    a, b = left.value, right.value
+    assert a is not None
+    assert b is not None
+    if not (isinstance(a, Constant) and isinstance(b, Constant)):
+        return Operation(node.operator, (a, b))
+    number = _computed(node.operator, a.value, b.value)
+    if number is None:
+        checker.report("RL209", node.span, what="this")
+        return None
+    return Constant(number, dimension)
+
+
+def _computed(operator: str, a: float, b: float) -> float | None:
+    try:
+        number: Any = _OPERATIONS[operator](a, b)
+    except (OverflowError, ZeroDivisionError):
+        return None
+    if isinstance(number, complex) or math.isnan(number):
+        return None
+    infinite = math.isinf(number) and not (math.isinf(a) or math.isinf(b))
+    return None if infinite else float(number)
+
+
+def _of_signals(
+    checker: Checker,
+    node: ast.Arithmetic,
+    sides: tuple[Typed, Typed],
+    dimension: Dimension,
+    reach: tuple[float, float] | None,
+) -> Typed:
+    from ...stl import Arithmetic
+
+    evidence = common_domain(checker, sides)
+    if isinstance(evidence, Typed):
+        return evidence
+    assert evidence is not None
+    terms, numbers = terms_of(sides)
+    signals = tuple(dict.fromkeys(s for side in sides for s in side.signals))
+    term = Arithmetic(node.operator, terms[0], terms[1])  # type: ignore[arg-type]
+    kind = SignalType(evidence.domain, dimension)
+    return Typed(
+        node.span, kind, bounds=reach, term=term, evidence=evidence, signals=signals,
+        numbers=numbers,
+    )  # fmt: skip
+
+
+def terms_of(sides: Sequence[Typed]) -> tuple[list[Any], tuple[NumberBinding, ...]]:
+    """The terms of numbers and signals, and the bindings of the numbers among them."""
+    terms: list[Any] = []
+    numbers: list[NumberBinding] = []
+    for side in sides:
+        if side.term is not None:
+            terms.append(side.term)
+            numbers.extend(side.numbers)
+        elif side.constant is not None:
+            terms.append(_constant(side.constant))
+        else:
+            assert side.value is not None
+            term, found = term_of(side.value)
+            terms.append(term)
+            numbers.extend(found)
+    return terms, tuple(dict.fromkeys(numbers))
+
+
+def _constant(value: float) -> Any:
+    from ...stl import Constant as ConstantTerm
+
+    return ConstantTerm(value)
+
+
+def common_domain(checker: Checker, parts: Sequence[Typed]) -> Evidence | Typed | None:
+    """The domain that signals and formulas share; None where all are numbers.
+
+    Unknown, reported with both places, where a road signal meets a drive signal.
+    """
+    found: Evidence | None = None
+    for part in parts:
+        if part.evidence is None:
+            continue
+        if found is not None and part.evidence.domain != found.domain:
+            labels = [Label(found.span, _what(found))]
+            return checker.report(
+                "RL350", part.evidence.span, labels=labels, one=found.text,
+                other=part.evidence.text, one_domain=_domain(found),
+                other_domain=_domain(part.evidence),
+            )  # fmt: skip
+        found = found or part.evidence
+    return found
+
+
+def _domain(evidence: Evidence) -> str:
+    return "the road" if evidence.domain == "road" else "the drive"
+
+
+def _what(evidence: Evidence) -> str:
+    return f"a signal over {_domain(evidence)}"
+
+
+def of_functions(name: str, arguments: Sequence[Typed], span: Span, dimension: Dimension) -> Typed:
+    """`abs`, `min` or `max` of numbers alone."""
+    values = tuple(argument.value for argument in arguments if argument.value is not None)
+    reach = function_bounds(name, arguments)
+    constants = [argument.constant for argument in arguments]
+    value: Value = Operation(name, values)
+    if reach is not None and all(constant is not None for constant in constants):
+        value = Constant(reach[0], dimension)
+    random = any(argument.random for argument in arguments)
+    kind = Quantity(dimension)
+    return Typed(span, kind, value, random=random, bounds=reach)
+
+
+def signal_of_functions(
+    checker: Checker, name: str, arguments: Sequence[Typed], span: Span, dimension: Dimension
+) -> Typed:
+    """`abs`, `min` or `max` where at least one argument is a signal."""
+    from ...stl import Apply
+
+    evidence = common_domain(checker, arguments)
+    if evidence is None or isinstance(evidence, Typed):
+        return unknown(span)
+    terms, numbers = terms_of(arguments)
+    return Typed(
+        span,
+        SignalType(evidence.domain, dimension),
+        bounds=function_bounds(name, arguments),
+        term=Apply(name, tuple(terms)),  # type: ignore[arg-type]
+        evidence=evidence,
+        signals=tuple(dict.fromkeys(s for argument in arguments for s in argument.signals)),
+        numbers=numbers,
+    )
+
+
+def function_bounds(name: str, arguments: Sequence[Typed]) -> tuple[float, float] | None:
+    parts = [argument.bounds for argument in arguments]
+    if name == "abs":
+        return bounds.absolute(parts[0])
+    return bounds.least(parts) if name == "min" else bounds.greatest(parts)

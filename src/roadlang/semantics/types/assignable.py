@@ -1,0 +1,239 @@
+"""Whether a value fits the type that an option declares; says why where it does not."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from ...diagnostics import Fix, nearest
+from ...ir.values import Items, Reference, Text, Value
+from ...plugins import option_types as opt
+from ...plugins.options import Constraints, OptionSchema
+from ..infer.checker import Checker
+from . import types as ty
+from .describe_option import describe
+from .limits import check_limits
+from .units import common_dimension, unit_missing
+
+if TYPE_CHECKING:
+    from .types import Typed
+
+
+def fit(checker: Checker, typed: Typed, schema: OptionSchema) -> Typed | None:
+    """The value as the option takes it, or None, reported."""
+    if typed.is_unknown:
+        return None
+    return _fit(checker, typed, schema.type, schema.constraints, f"`{schema.name}`")
+
+
+def _fit(
+    checker: Checker, typed: Typed, due: opt.OptionType, limits: Constraints, what: str
+) -> Typed | None:
+    if typed.is_unknown:
+        return None
+    if isinstance(typed.type, ty.TextType) and typed.type.word and limits.words:
+        return typed
+    match due:
+        case opt.QuantityType():
+            return _quantity(checker, typed, due, limits, what)
+        case opt.ListType(item) | opt.IntervalType(item):
+            return _sequence(checker, typed, due, item, limits, what)
+        case opt.UnionType(alternatives):
+            chosen = next((part for part in alternatives if _matches(typed, part)), None)
+            if chosen is not None:
+                return _fit(checker, typed, chosen, limits, what)
+        case opt.WordType():
+            return _word(checker, typed, limits, what)
+        case opt.NamesType():
+            return _names(checker, typed, what)
+        case opt.PointType(dimension):
+            return _point(checker, typed, dimension, what)
+        case opt.MapType(item):
+            return _map(checker, typed, item, limits, what)
+        case _ if _matches(typed, due):
+            return typed
+    return _mismatch(checker, typed, due, limits, what)
+
+
+def _mismatch(
+    checker: Checker, typed: Typed, due: opt.OptionType, limits: Constraints, what: str
+) -> Typed | None:
+    wanted = describe(due, limits.words)
+    if isinstance(typed.type, ty.SignalType | ty.FormulaType):
+        checker.report("RL231", typed.span, what=what, due=wanted, found=typed.type)
+    elif isinstance(due, opt.EntityType) and isinstance(typed.type, ty.EntityType):
+        name = typed.span.text
+        checker.report("RL228", typed.span, name=name, found=typed.type, due=wanted, what=what)
+    else:
+        checker.report("RL206", typed.span, what=what, due=wanted, found=typed.type)
+    return None
+
+
+def _matches(typed: Typed, due: opt.OptionType) -> bool:
+    """Whether the sort of value is right; units and limits are looked at afterwards."""
+    kind = typed.type
+    match due:
+        case opt.QuantityType() | opt.LikeType():
+            return isinstance(kind, ty.Quantity)
+        case opt.FlagType():
+            return isinstance(kind, ty.FlagType)
+        case opt.TextType() | opt.FileType() | opt.WordType():
+            return isinstance(kind, ty.TextType)
+        case opt.ListType() | opt.IntervalType():
+            return isinstance(kind, ty.ListType)
+        case opt.PointType():
+            return isinstance(kind, ty.PointType)
+        case opt.EntityType(roles):
+            return isinstance(kind, ty.EntityType) and kind.role in roles
+        case opt.NamesType():
+            return isinstance(kind, ty.ConstraintType | ty.ListType)
+        case opt.CallType(verb) | opt.KindNameType(verb):
+            return isinstance(kind, ty.CallType) and kind.verb == verb
+        case opt.MapType() | opt.RecordType():
+            return isinstance(kind, ty.MapType)
+        case opt.ConditionType():
+            return isinstance(kind, ty.FormulaType | ty.FlagType)
+        case opt.AnyType():
+            return typed.value is not None
+        case opt.UnionType(alternatives):
+            return any(_matches(typed, part) for part in alternatives)
+
+
+def _quantity(
+    checker: Checker, typed: Typed, due: opt.QuantityType, limits: Constraints, what: str
+) -> Typed | None:
+    kind = typed.type
+    if not isinstance(kind, ty.Quantity):
+        return _mismatch(checker, typed, due, limits, what)
+    if not kind.fits_any and kind.dimension != due.dimension:
+        if kind.bare:
+            unit_missing(checker, typed, due.dimension)
+        else:
+            wanted, found = due.dimension, kind.dimension
+            checker.report(
+                "RL201", typed.span, what=what, due=wanted, found=found,
+                help=f"{wanted} has a unit such as `{wanted.unit}`" if wanted.unit else (),
+            )  # fmt: skip
+        return None
+    if due.whole and not _is_whole(checker, typed, kind, what):
+        return None
+    return typed if check_limits(checker, typed, limits, what, due.dimension) else None
+
+
+def _is_whole(checker: Checker, typed: Typed, kind: ty.Quantity, what: str) -> bool:
+    if kind.whole or kind.fits_any:
+        return True
+    if typed.constant is None and not typed.random:
+        return True
+    if typed.range:
+        low, _, high = typed.span.text.partition("..")
+        better = f"integer({low.strip()}, {high.strip()})"
+        fixes = [Fix(typed.span, better)]
+        help_ = f"`..` draws real numbers; write `{better}`"
+        checker.report("RL230", typed.span, what=what, help=help_, fixes=fixes)
+    else:
+        checker.report("RL230", typed.span, what=what)
+    return False
+
+
+def _sequence(
+    checker: Checker,
+    typed: Typed,
+    due: opt.ListType | opt.IntervalType,
+    item: opt.OptionType,
+    limits: Constraints,
+    what: str,
+) -> Typed | None:
+    if not isinstance(typed.type, ty.ListType):
+        return _mismatch(checker, typed, due, limits, what)
+    pair = isinstance(due, opt.IntervalType)
+    if pair and len(typed.items) != 2:
+        return _count(checker, typed, what, "two", len(typed.items))
+    if isinstance(due, opt.ListType) and len(typed.items) < due.at_least:
+        return _count(checker, typed, what, f"{due.at_least} or more", len(typed.items))
+    # Each item has the limits of the option, apart from the words, which stand for the whole.
+    inner = replace(limits, words=()) if not isinstance(item, opt.WordType) else limits
+    items = [_fit(checker, part, item, inner, f"each item of {what}") for part in typed.items]
+    fitted = [part for part in items if part is not None]
+    if len(fitted) < len(items):
+        return None
+    if pair and not _in_order(checker, fitted, typed):
+        return None
+    return _with_items(typed, fitted)
+
+
+def _count(checker: Checker, typed: Typed, what: str, due: str, found: int) -> Typed | None:
+    checker.report("RL208", typed.span, what=what, due=f"have {due} items", found=f"has {found}")
+    return None
+
+
+def _in_order(checker: Checker, ends: list[Typed], whole: Typed) -> bool:
+    if not all(isinstance(end.type, ty.Quantity) for end in ends):
+        return True
+    if common_dimension(checker, ends, "the two ends of an interval") is None:
+        return False
+    low, high = ends[0].constant, ends[1].constant
+    if low is not None and high is not None and low > high:
+        text = f"[{ends[1].span.text}, {ends[0].span.text}]"
+        checker.report("RL207", whole.span, what="interval", help=f"write `{text}`")
+        return False
+    return True
+
+
+def _with_items(typed: Typed, items: list[Typed]) -> Typed:
+    value: Value | None = typed.value
+    if not isinstance(value, Reference):
+        values = tuple(part.value for part in items if part.value is not None)
+        value = Items(values) if len(values) == len(items) else None
+    return replace(typed, items=tuple(items), value=value)
+
+
+def _word(checker: Checker, typed: Typed, limits: Constraints, what: str) -> Typed | None:
+    kind = typed.type
+    if not isinstance(kind, ty.TextType):
+        return _mismatch(checker, typed, opt.WordType(), limits, what)
+    wrong = sorted((kind.values or frozenset()) - set(limits.words))
+    if not wrong:
+        return typed
+    words = ", ".join(f"`{word}`" for word in limits.words)
+    places = [item.span for item in typed.items if item.value == Text(wrong[0])]
+    place = places[0] if places else typed.span
+    is_written = place.text.strip('"') == wrong[0]
+    meant = nearest(wrong[0], limits.words) if is_written else None
+    checker.report("RL223", place, word=wrong[0], help=f"the words are {words}", meant=meant)
+    return None
+
+
+def _names(checker: Checker, typed: Typed, what: str) -> Typed | None:
+    if isinstance(typed.type, ty.ConstraintType) and typed.value is not None:
+        return replace(typed, value=Items((typed.value,)))
+    if not isinstance(typed.type, ty.ListType):
+        return _mismatch(checker, typed, opt.NamesType(), Constraints(), what)
+    for item in typed.items:
+        if not isinstance(item.type, ty.ConstraintType):
+            if not item.is_unknown:
+                _mismatch(checker, item, opt.NamesType(), Constraints(), what)
+            return None
+    names = (Text(item.span.text) for item in typed.items)
+    return replace(typed, value=Items(tuple(names)))
+
+
+def _point(checker: Checker, typed: Typed, dimension: object, what: str) -> Typed | None:
+    due = opt.PointType(dimension)  # type: ignore[arg-type]
+    if not isinstance(typed.type, ty.PointType):
+        return _mismatch(checker, typed, due, Constraints(), what)
+    if typed.items and len(typed.items) != 2:
+        return _count(checker, typed, what, "two", len(typed.items))
+    part = opt.QuantityType(due.dimension)
+    items = [_fit(checker, item, part, Constraints(), "a coordinate") for item in typed.items]
+    fitted = [item for item in items if item is not None]
+    return _with_items(typed, fitted) if len(fitted) == len(items) else None
+
+
+def _map(
+    checker: Checker, typed: Typed, item: opt.OptionType, limits: Constraints, what: str
+) -> Typed | None:
+    if not isinstance(typed.type, ty.MapType):
+        return _mismatch(checker, typed, opt.MapType(item), limits, what)
+    fitted = [_fit(checker, part, item, limits, f"each entry of {what}") for part in typed.items]
+    return typed if all(part is not None for part in fitted) else None

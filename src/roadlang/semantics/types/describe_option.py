@@ -1,0 +1,60 @@
+"""What an option takes, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...plugins import option_types as opt
+
+_CALLS = {"piece": "a piece of a road, such as `straight(80m)`", "select": "a way to choose a road"}
+
+
+def describe(due: opt.OptionType, words: Iterable[str] = ()) -> str:
+    """`a length`, `a list`, `one of clear, rain`: for messages and tables."""
+    named = ", ".join(f"`{word}`" for word in words)
+    if isinstance(due, opt.WordType):
+        return f"one of {named}"
+    text = _describe(due)
+    return f"{text}, or {named}" if named else text
+
+
+def _describe(due: opt.OptionType) -> str:
+    match due:
+        case opt.QuantityType(dimension, whole):
+            return "a whole number" if whole else str(dimension)
+        case opt.LikeType():
+            return "a number"
+        case opt.FlagType():
+            return "`true` or `false`"
+        case opt.TextType():
+            return "a string"
+        case opt.FileType():
+            return "a string that names a file"
+        case opt.WordType():
+            return "a word"
+        case opt.ListType(item):
+            return f"a list, each item {_describe(item)}"
+        case opt.IntervalType():
+            return "an interval `[low, high]`"
+        case opt.PointType(dimension):
+            return f"a point `(x, y)` in {dimension.unit or 'pure numbers'}"
+        case opt.EntityType(roles):
+            return "the name of " + " or ".join(_a(role) for role in roles)
+        case opt.NamesType():
+            return "the name of a `require` or `expect`, or a list of such"
+        case opt.CallType(verb):
+            return _CALLS.get(verb, f"a kind of {verb}")
+        case opt.KindNameType(verb):
+            return f"a kind of {verb}"
+        case opt.MapType() | opt.RecordType():
+            return "a map `{ key: value }`"
+        case opt.ConditionType():
+            return "a condition on the drive"
+        case opt.AnyType():
+            return "a value"
+        case opt.UnionType(alternatives):
+            return " or ".join(_describe(part) for part in alternatives)
+
+
+def _a(role: str) -> str:
+    return f"an {role}" if role[0] in "aeio" else f"a {role}"

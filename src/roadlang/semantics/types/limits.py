@@ -1,0 +1,53 @@
+"""Whether a number keeps the limits of its option, in every scene as far as can be told."""
+
+from __future__ import annotations
+
+from ...ir.dimension import Dimension
+from ...plugins.describing import value_text
+from ...plugins.option_types import QuantityType
+from ...plugins.options import Constraints
+from ..infer.checker import Checker
+from .types import Typed
+
+
+def check_limits(
+    checker: Checker, typed: Typed, limits: Constraints, what: str, dimension: Dimension
+) -> bool:
+    """False, reported, where the number can be beyond a limit."""
+    if typed.bounds is None:
+        return True
+    low, high = typed.bounds
+    fault = _below(limits, low) or _above(limits, high)
+    if fault is None:
+        return True
+    word, limit, number = fault
+    verb = "can be" if low != high else "is"
+    checker.report(
+        "RL208",
+        typed.span,
+        what=what,
+        due=f"be {word} {_quantity(limit, dimension)}",
+        found=f"{verb} {_quantity(number, dimension)}",
+    )
+    return False
+
+
+def _below(limits: Constraints, low: float) -> tuple[str, float, float] | None:
+    # Unit conversion leaves the last digit to chance: `5cm` is 0.05, `0.3ft` is not exact.
+    if limits.minimum is not None and low < limits.minimum - 1e-12 * abs(limits.minimum):
+        return "at least", limits.minimum, low
+    if limits.above is not None and low <= limits.above:
+        return "greater than", limits.above, low
+    return None
+
+
+def _above(limits: Constraints, high: float) -> tuple[str, float, float] | None:
+    if limits.maximum is not None and high > limits.maximum + 1e-12 * abs(limits.maximum):
+        return "at most", limits.maximum, high
+    if limits.below is not None and high >= limits.below:
+        return "less than", limits.below, high
+    return None
+
+
+def _quantity(value: float, dimension: Dimension) -> str:
+    return value_text(value, QuantityType(dimension))

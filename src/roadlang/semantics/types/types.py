@@ -1,0 +1,196 @@
+"""The types of expressions, and what the checker knows of one: its type, value and bounds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+from ...diagnostics import Span
+from ...ir.dimension import PURE, Dimension
+from ...ir.values import NumberBinding, SignalBinding, Value
+
+if TYPE_CHECKING:
+    from ...stl import Formula, Term
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number. `fits_any`: a bare 0 or `inf`; `bare`: written without a unit."""
+
+    dimension: Dimension = PURE
+    fits_any: bool = False
+    bare: bool = False
+    whole: bool = False
+
+    def __str__(self) -> str:
+        return "a number" if self.fits_any else str(self.dimension)
+
+
+@dataclass(frozen=True, slots=True)
+class FlagType:
+    """`true` or `false`."""
+
+    def __str__(self) -> str:
+        return "`true` or `false`"
+
+
+@dataclass(frozen=True, slots=True)
+class TextType:
+    """A string or a word. `values`: all that it can be, where that is known."""
+
+    values: frozenset[str] | None = None
+    word: bool = False
+
+    def __str__(self) -> str:
+        return "a word" if self.word else "a string"
+
+
+@dataclass(frozen=True, slots=True)
+class PointType:
+    """`(x, y)`."""
+
+    def __str__(self) -> str:
+        return "a point"
+
+
+@dataclass(frozen=True, slots=True)
+class ListType:
+    """`[a, b]`."""
+
+    def __str__(self) -> str:
+        return "a list"
+
+
+@dataclass(frozen=True, slots=True)
+class MapType:
+    """`{ key: value }`."""
+
+    def __str__(self) -> str:
+        return "a map"
+
+
+@dataclass(frozen=True, slots=True)
+class EntityType:
+    """A declared thing: `role` is its statement word."""
+
+    role: str
+
+    def __str__(self) -> str:
+        return f"{'an' if self.role[0] in 'aeio' else 'a'} {self.role}"
+
+
+@dataclass(frozen=True, slots=True)
+class ConstraintType:
+    """The name of a `require` or `expect`."""
+
+    word: str
+
+    def __str__(self) -> str:
+        return "a requirement" if self.word == "require" else "an expectation"
+
+
+@dataclass(frozen=True, slots=True)
+class SignalType:
+    """A number at every place of a road, or at every time of a drive."""
+
+    domain: str
+    dimension: Dimension
+
+    def __str__(self) -> str:
+        over = "over a road" if self.domain == "road" else "of the drive"
+        return f"a signal {over}"
+
+
+@dataclass(frozen=True, slots=True)
+class FormulaType:
+    """True or false, at every place or time. `domain`: "road", "drive", "scene" (numbers alone)."""
+
+    domain: str
+
+    def __str__(self) -> str:
+        return "a formula"
+
+
+@dataclass(frozen=True, slots=True)
+class CallType:
+    """The call of a kind: a piece, a selector, an agent or object kind."""
+
+    verb: str
+
+    def __str__(self) -> str:
+        nouns = {"piece": "a piece of a road", "select": "a way to choose a road"}
+        return nouns.get(self.verb, f"a kind of {self.verb}")
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """What an error that was already reported left behind: it fits everywhere, silently."""
+
+    def __str__(self) -> str:
+        return "unknown"
+
+
+Type: TypeAlias = (
+    Quantity
+    | FlagType
+    | TextType
+    | PointType
+    | ListType
+    | MapType
+    | EntityType
+    | ConstraintType
+    | SignalType
+    | FormulaType
+    | CallType
+    | Unknown
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """Which domain an expression has, and the place that says so."""
+
+    domain: str
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """An expression that was looked at.
+
+    `value` is set for what the pipeline evaluates once per scene, `term` for signals and
+    `formula` for formulas, with the bindings of their variables. `bounds` are the least and
+    greatest number it can be; `items` the parts of lists and points, `keys` those of maps.
+    """
+
+    span: Span
+    type: Type
+    value: Value | None = None
+    random: bool = False
+    bounds: tuple[float, float] | None = None
+    term: Term | None = None
+    formula: Formula | None = None
+    evidence: Evidence | None = None
+    signals: tuple[SignalBinding, ...] = ()
+    numbers: tuple[NumberBinding, ...] = ()
+    items: tuple[Typed, ...] = ()
+    keys: tuple[tuple[str, Span], ...] = ()
+    range: bool = False
+    """Written `a..b`."""
+
+    @property
+    def is_unknown(self) -> bool:
+        return isinstance(self.type, Unknown)
+
+    @property
+    def constant(self) -> float | None:
+        """The number it is in every scene."""
+        if self.bounds is None or self.random or self.bounds[0] != self.bounds[1]:
+            return None
+        return self.bounds[0]
+
+
+def unknown(span: Span) -> Typed:
+    """The remains of a reported error."""
+    return Typed(span, Unknown())

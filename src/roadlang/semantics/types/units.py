@@ -1,0 +1,137 @@
+"""Numbers with units, and whether dimensions agree."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import cache
+
+from ...diagnostics import Fix, Label, nearest
+from ...ir.dimension import ANGLE, Dimension
+from ...ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
+from ...ir.values import Constant
+from ...syntax.tree import nodes as ast
+from ..infer.checker import Checker
+from ..infer.context import Context
+from .types import Quantity, SignalType, Typed, unknown
+
+_parse = cache(parse_unit)
+_DIGITS = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+_MEANT = {
+    "meter": "m", "meters": "m", "metre": "m", "metres": "m", "mtr": "m",
+    "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minutes": "min", "hour": "h",
+    "degree": "deg", "degrees": "deg", "radians": "rad", "pixel": "px", "pixels": "px",
+    "kmh": "km/h", "kph": "km/h", "mps": "m/s", "percent": "%", "feet": "ft", "miles": "mi",
+}  # fmt: skip
+
+
+def infer_number(checker: Checker, number: ast.Number, context: Context) -> Typed:
+    """`8m`: the quantity in SI units."""
+    value = float(number.digits)
+    if not number.unit:
+        if value in (float("inf"), float("-inf")):
+            return checker.report("RL209", number.span, what=f"`{number.digits}`")
+        whole = value.is_integer()
+        kind = Quantity(fits_any=value == 0, bare=True, whole=whole)
+        return Typed(number.span, kind, Constant(value), bounds=(value, value))
+    unit = _unit(checker, number)
+    if unit is None:
+        return unknown(number.span)
+    if number.unit.startswith("/") and number.unit[1:].isalpha():
+        checker.divisors.append((number.unit[1:], number.span))
+    value *= unit.factor
+    if value in (float("inf"), float("-inf")):
+        return checker.report("RL209", number.span, what=f"`{number.digits}{number.unit}`")
+    kind = Quantity(unit.dimension, whole=unit.dimension.is_pure and value.is_integer())
+    return Typed(number.span, kind, Constant(value, unit.dimension), bounds=(value, value))
+
+
+def _unit(checker: Checker, number: ast.Number) -> Unit | None:
+    try:
+        return _parse(number.unit)
+    except TwoSlashes:
+        better = _one_slash(number.unit)
+        fixes = [Fix(number.span, number.digits + better)]
+        help_ = f"write `{number.digits}{better}`: everything behind the one `/` divides"
+        checker.report("RL204", number.span, unit=number.unit, help=help_, fixes=fixes)
+    except UnknownUnit as error:
+        _report_unknown_unit(checker, number, error.word)
+    except (OverflowError, ZeroDivisionError):
+        checker.report("RL209", number.span, what=f"`{number.digits}{number.unit}`")
+    return None
+
+
+def _report_unknown_unit(checker: Checker, number: ast.Number, word: str) -> None:
+    # `5mtr` looks like `m` and `tr` to a matcher of strings; people mean what they spell out.
+    meant = _MEANT.get(word.lower()) or nearest(word, UNITS)
+    if meant is None:
+        known = ", ".join(unit for unit in UNITS)
+        checker.report("RL203", number.span, unit=word, help=f"the units are {known}")
+        return
+    better = number.digits + number.unit.replace(word, meant, 1)
+    checker.report("RL203", number.span, unit=word, meant=better)
+
+
+def _one_slash(text: str) -> str:
+    above, *below = text.split("/")
+    parts: dict[str, int] = {}
+    for part in below:
+        parts[part] = parts.get(part, 0) + 1
+    divisor = "*".join(f"{part}^{n}" if n > 1 else part for part, n in parts.items())
+    return f"{above}/{divisor}"
+
+
+def unit_missing(checker: Checker, typed: Typed, due: Dimension) -> Typed:
+    """RL202: a bare number where a unit is due, with the number in that unit as fix."""
+    unit = "deg" if due == ANGLE else due.unit
+    better = _DIGITS.sub(lambda match: match[0] + unit, typed.span.text)
+    if unit.startswith("1/"):
+        better = _DIGITS.sub(lambda match: match[0] + unit[1:], typed.span.text)
+    return checker.report(
+        "RL202",
+        typed.span,
+        number=typed.span.text,
+        due=due,
+        help=f"write `{better}`",
+        fixes=[Fix(typed.span, better)],
+    )
+
+
+def dimension_of(typed: Typed) -> Dimension:
+    assert isinstance(typed.type, Quantity | SignalType)
+    return typed.type.dimension
+
+
+def common_dimension(checker: Checker, parts: Sequence[Typed], verb: str) -> Dimension | None:
+    """The one dimension of numbers or signals that are added, compared or listed.
+
+    None, reported, where they differ. A bare 0 and `inf` go with everything.
+    """
+    firm = [part for part in parts if not (isinstance(part.type, Quantity) and part.type.fits_any)]
+    if not firm:
+        return dimension_of(parts[0])
+    with_unit = [part for part in firm if not (isinstance(part.type, Quantity) and part.type.bare)]
+    leader = (with_unit or firm)[0]
+    due = dimension_of(leader)
+    agreed = True
+    for part in firm:
+        if dimension_of(part) == due:
+            continue
+        agreed = False
+        if isinstance(part.type, Quantity) and part.type.bare:
+            unit_missing(checker, part, due)
+        else:
+            labels = [Label(leader.span, f"{due}")]
+            found = dimension_of(part)
+            checker.report(
+                "RL205", part.span, labels=labels, verb=verb, due=due, found=found,
+                left=short(leader), right=short(part),
+            )  # fmt: skip
+        break
+    return due if agreed else None
+
+
+def short(typed: Typed) -> str:
+    """The source of an expression, for a message."""
+    text = " ".join(typed.span.text.split())
+    return text if len(text) <= 40 else text[:37] + "..."

@@ -1,0 +1,163 @@
+"""Positions of the samples, and which of them each window of a temporal operator holds."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..formula.interval import UNBOUNDED, Interval
+from .trace import FloatArray
+
+IntArray = NDArray[np.intp]
+
+TOLERANCE = 1e-9
+"""A sample belongs to a window if it misses it by at most TOLERANCE * max(1, |bound|)."""
+
+
+@dataclass(frozen=True)
+class Windows:
+    """Samples `starts[k]..ends[k]` of the operand for each sample asked about; end < start: none.
+
+    Past operators look at time backwards (`flipped`), closed roads repeat the operand (`laps`);
+    `starts`, `ends` and `first` count from the beginning of the operand's `span` seen that way.
+    `span` is the samples of the operand that are needed, in their own order.
+    """
+
+    starts: IntArray
+    ends: IntArray
+    first: int
+    span: tuple[int, int]
+    flipped: bool
+    laps: int
+
+    @property
+    def count(self) -> int:
+        return int(self.starts.size)
+
+    def samples(self, window: int) -> IntArray:
+        """The samples of one window as indices on the axis, from its near end to its far end."""
+        return self._on_axis(np.arange(self.starts[window], self.ends[window] + 1))
+
+    def before(self, window: int, sample: int) -> IntArray:
+        """For until: the samples from the one asked about to the `sample`-th of its window."""
+        return self._on_axis(np.arange(self.first + window, self.starts[window] + sample))
+
+    def _on_axis(self, counted: IntArray) -> IntArray:
+        low, high = self.span
+        counted = counted % (high - low + 1)
+        return high - counted if self.flipped else low + counted
+
+    @cached_property
+    def even(self) -> tuple[int, int] | None:
+        """(offset, width) if window k is [k + offset, k + offset + width), clipped at the end."""
+        last = (self.span[1] - self.span[0] + 1) * self.laps - 1
+        steps = np.arange(self.count)
+        offset = int(self.starts[0])
+        width = int((self.ends - steps).max()) - offset + 1
+        regular = (self.starts == np.minimum(offset + steps, last + 1)).all()
+        clipped = np.minimum(offset + width - 1 + steps, last)
+        return (offset, width) if regular and (self.ends == clipped).all() else None
+
+
+@dataclass(frozen=True)
+class Axis:
+    """The samples of a trace: `positions` (S,), and the length of the road if it is closed.
+
+    `ends` (S,) differs from `positions` for stand-ins only (`ahead.py`): such a sample is anywhere
+    between the two.
+    """
+
+    positions: FloatArray
+    wrap: float | None = None
+    ends: FloatArray | None = None
+
+    @property
+    def size(self) -> int:
+        """How many samples there are, stand-ins included."""
+        return int(self.positions.size)
+
+    def windows(
+        self,
+        interval: Interval | None,
+        asked: tuple[int, int],
+        *,
+        past: bool,
+        whole: bool = False,
+    ) -> Windows | None:
+        """Windows of the samples `asked` (first, last), or None if all of them are empty.
+
+        `whole` extends the operand's span to the samples asked about, as until needs.
+        """
+        interval = interval or UNBOUNDED
+        laps = 1
+        if self.wrap is not None:
+            interval = _unrolled(interval, self.wrap, keep_lead=whole)
+            laps = 1 + math.ceil((interval.hi - TOLERANCE) / self.wrap)
+        lows, highs = self.positions, self.positions if self.ends is None else self.ends
+        if past:
+            lows, highs = -highs[::-1], -lows[::-1]
+            asked = (self.size - 1 - asked[1], self.size - 1 - asked[0])
+        if laps > 1 and self.wrap is not None:
+            lows = highs = (lows + self.wrap * np.arange(laps)[:, None]).ravel()
+        starts, ends = _bounds(lows, highs, interval, asked)
+        if (ends < starts).all():
+            return None
+        return self._relative(starts, ends, asked, laps, past, whole)
+
+    def _relative(
+        self,
+        starts: IntArray,
+        ends: IntArray,
+        asked: tuple[int, int],
+        laps: int,
+        past: bool,
+        whole: bool,
+    ) -> Windows:
+        held = ends >= starts
+        low = asked[0] if whole else int(starts[held].min())
+        low, high = (0, self.size - 1) if laps > 1 else (low, int(ends.max()))
+        span = (self.size - 1 - high, self.size - 1 - low) if past else (low, high)
+        limit = (high - low + 1) * laps
+        return Windows(
+            starts=np.clip(starts - low, 0, limit),
+            ends=np.clip(ends - low, -1, limit - 1),
+            first=asked[0] - low,
+            span=span,
+            flipped=past,
+            laps=laps,
+        )
+
+
+def _bounds(
+    lows: FloatArray, highs: FloatArray, interval: Interval, asked: tuple[int, int]
+) -> tuple[IntArray, IntArray]:
+    """First and last sample that meets the window of each sample asked about."""
+    indices = np.arange(asked[0], asked[1] + 1)
+    near = lows[indices] + interval.lo
+    starts = np.maximum(np.searchsorted(highs, near - _slack(near), "left"), indices)
+    if math.isinf(interval.hi):
+        return starts, np.full(starts.shape, lows.size - 1, dtype=np.intp)
+    far = highs[indices] + interval.hi
+    ends = np.searchsorted(lows, far + _slack(far), "right") - 1
+    return starts, ends
+
+
+def _slack(bound: FloatArray) -> FloatArray:
+    slack: FloatArray = TOLERANCE * np.maximum(1.0, np.abs(bound))
+    return np.where(np.isinf(slack), 0.0, slack)
+
+
+def _unrolled(interval: Interval, period: float, *, keep_lead: bool) -> Interval:
+    """The same window on a closed road, at most one lap long and begun in an early lap.
+
+    Until keeps one whole lap before the window (`keep_lead`): its left operand holds there.
+    """
+    length = min(interval.hi - interval.lo, period)
+    laps = math.floor((interval.lo + TOLERANCE) / period)
+    lead = 1 if keep_lead and laps >= 1 else 0
+    lo = max(0.0, interval.lo - (laps - lead) * period)
+    return Interval(lo, lo + length)

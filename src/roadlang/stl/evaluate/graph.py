@@ -1,0 +1,103 @@
+"""A formula as a graph of array operations in which equal parts are one node."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..formula import formulas as f
+from ..formula import terms as t
+from ..formula.normal_form import normal_form
+from .kernels import GREATEST, LEAST
+from .operations import (
+    ROBUST,
+    TERM_FUNCTIONS,
+    Function,
+    Number,
+    Operation,
+    Pointwise,
+    Reaching,
+    Read,
+    Sliding,
+    greatest,
+    least,
+    negative,
+)
+
+
+@dataclass(frozen=True)
+class Node:
+    """An operation and the indices of the nodes that feed it; all of them come before it."""
+
+    operation: Operation
+    inputs: tuple[int, ...]
+
+
+class Graph:
+    """Nodes in an order in which they can be computed. `leaves` gives comparisons their value."""
+
+    def __init__(self, leaves: Mapping[str, Function] = ROBUST) -> None:
+        self.leaves = leaves
+        self.nodes: list[Node] = []
+        self._indices: dict[Node, int] = {}
+
+    @classmethod
+    def of(cls, formula: f.Formula, leaves: Mapping[str, Function] = ROBUST) -> Graph:
+        """The graph of a formula; its last node is the formula itself."""
+        graph = cls(leaves)
+        graph.formula(normal_form(formula))
+        return graph
+
+    def add(self, operation: Operation, *inputs: int) -> int:
+        """The index of this node, made only if there is none like it."""
+        node = Node(operation, inputs)
+        if node not in self._indices:
+            self._indices[node] = len(self.nodes)
+            self.nodes.append(node)
+        return self._indices[node]
+
+    def term(self, term: t.Term) -> int:
+        """Add a term and what it is made of."""
+        match term:
+            case t.Constant(value):
+                return self.add(Number(value))
+            case t.Variable(name):
+                return self.add(Read(name))
+        parts = [self.term(part) for part in term.parts]
+        if isinstance(term, t.Negate):
+            return self.add(Pointwise(negative), *parts)
+        if isinstance(term, t.Arithmetic):
+            return self.add(Pointwise(TERM_FUNCTIONS[term.op]), *parts)
+        if isinstance(term, t.Apply):
+            return self.add(Pointwise(TERM_FUNCTIONS[term.function]), *parts)
+        raise TypeError(f"not a term: {term!r}")
+
+    def formula(self, formula: f.Formula) -> int:
+        """Add a formula in normal form and what it is made of."""
+        match formula:
+            case f.Truth(value):
+                return self.add(Number(np.inf if value else -np.inf))
+            case f.Comparison(op, left, right):
+                sides = self.term(left), self.term(right)
+                return self.add(Pointwise(self.leaves[op]), *sides)
+        parts = [self.formula(part) for part in formula.parts]
+        match formula:
+            case f.Not():
+                return self.add(Pointwise(negative), *parts)
+            case f.And() | f.Or():
+                if not parts:
+                    return self.formula(f.Truth(isinstance(formula, f.And)))
+                return self.add(
+                    Pointwise(least if isinstance(formula, f.And) else greatest), *parts
+                )
+            case f.Always(interval) | f.Historically(interval):
+                past = isinstance(formula, f.Historically)
+                return self.add(Sliding(LEAST, interval, past), *parts)
+            case f.Eventually(interval) | f.Once(interval):
+                past = isinstance(formula, f.Once)
+                return self.add(Sliding(GREATEST, interval, past), *parts)
+            case f.Until(interval) | f.Since(interval):
+                return self.add(Reaching(interval, isinstance(formula, f.Since)), *parts)
+        raise TypeError(f"not in normal form: {formula!r}")

@@ -1,0 +1,97 @@
+"""A monitor that takes samples as they come and always knows what it can and cannot say."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..errors import stl_error
+from ..formula import formulas as f
+from ..formula.reach import horizon
+from .ranges import range_at_start
+from .trace import Trace
+from .verdicts import Verdict, decided
+
+_SETTLED_AT_ONCE = 64
+
+
+class Monitor:
+    """Watches the robustness of one formula at the first sample of a growing trace.
+
+    For `always p` and `eventually p` without bounds, samples that can no longer change `p` are
+    folded into one number, so that a step costs as much as the horizon of `p`, not as the past.
+    """
+
+    def __init__(self, formula: f.Formula) -> None:
+        self.formula = formula
+        self.lo, self.hi = -math.inf, math.inf
+        self.verdict: Verdict = "unknown"
+        self._names = sorted(formula.variables)
+        self._positions: list[float] = []
+        self._values: dict[str, list[float]] = {name: [] for name in self._names}
+        self._settled: float | None = None
+        self._settled_truth: bool | None = None
+        self._foldable = _is_foldable(formula)
+
+    def push(self, position: float, values: Mapping[str, float]) -> tuple[float, float]:
+        """Take the next sample; return [lo, hi] over all continuations of what was seen.
+
+        Raises DiagnosticError RL301 to RL304 for a sample that does not fit, and forgets it.
+        """
+        if self._positions and not position > self._positions[-1]:
+            pair = f"{self._positions[-1]:g} is followed by {position:g}"
+            raise stl_error("RL301", problem=pair)
+        Trace.of([position], values, self._names).check()
+        self._positions.append(float(position))
+        for name in self._names:
+            self._values[name].append(float(values[name]))
+        self._update()
+        return self.lo, self.hi
+
+    def _update(self) -> None:
+        trace = self._trace()
+        ends = range_at_start(self.formula, trace)
+        verdict: Verdict = decided(self.formula, trace, *ends)[0].item()
+        lo, hi = (float(end[0]) for end in ends)
+        if self._settled is not None:
+            join = min if isinstance(self.formula, f.Always) else max
+            lo, hi = join(lo, self._settled), join(hi, self._settled)
+            fatal = isinstance(self.formula, f.Always)
+            if self._settled_truth is not fatal:
+                verdict = "violated" if fatal else "satisfied"
+        self.lo, self.hi, self.verdict = lo, hi, verdict
+        if self._foldable:
+            self._fold(trace)
+
+    def _fold(self, trace: Trace) -> None:
+        """Settle the samples whose windows have ended, many at a time."""
+        assert isinstance(self.formula, f.Always | f.Eventually)
+        body = self.formula.operand
+        reach = horizon(body)
+        settled = int(np.searchsorted(trace.positions, trace.positions[-1] - reach * (1 + 1e-6)))
+        if settled < _SETTLED_AT_ONCE:
+            return
+        signals = {name: np.asarray(self._values[name]) for name in self._names}
+        rho = body.robustness(trace.positions, signals)[:settled]
+        truth = body.truth(trace.positions, signals)[:settled]
+        least = isinstance(self.formula, f.Always)
+        known = () if self._settled is None else (self._settled,)
+        self._settled = min(*known, *rho.tolist()) if least else max(*known, *rho.tolist())
+        told = () if self._settled_truth is None else (self._settled_truth,)
+        self._settled_truth = all((*told, *truth)) if least else any((*told, *truth))
+        del self._positions[:settled]
+        for column in self._values.values():
+            del column[:settled]
+
+    def _trace(self) -> Trace:
+        signals = {name: np.asarray(values) for name, values in self._values.items()}
+        return Trace.of(self._positions, signals, self._names)
+
+
+def _is_foldable(formula: f.Formula) -> bool:
+    if not isinstance(formula, f.Always | f.Eventually) or formula.interval is not None:
+        return False
+    looks_back = any(isinstance(node, f.PAST) for node in formula.walk())
+    return not looks_back and math.isfinite(horizon(formula.operand))

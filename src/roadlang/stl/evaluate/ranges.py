@@ -1,0 +1,162 @@
+"""The least and the greatest robustness that any continuation of a trace can give a formula.
+
+A continuation adds samples behind the last one, as many as it likes and wherever it likes. So a
+later sample can make a minimum lower, whatever its value; it cannot make it higher, but it can
+refrain from coming. See docs/stl.md for the rules of each operator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from ..formula import formulas as f
+from ..formula.normal_form import normal_form
+from ..formula.strengthening import strengthened
+from .ahead import extended_axis
+from .axis import Axis
+from .evaluation import run_at_start
+from .graph import Graph
+from .kernels import GREATEST, LEAST
+from .operations import (
+    BOOLEAN,
+    ROBUST,
+    AtUnseen,
+    Extend,
+    Function,
+    Given,
+    Number,
+    Pointwise,
+    Reaching,
+    Sliding,
+    greatest,
+    least,
+    negative,
+)
+from .trace import FloatArray, Trace
+from .unseen import unseen_range
+
+Side: TypeAlias = Literal["lower", "upper"]
+
+
+def range_at_start(
+    formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
+) -> tuple[FloatArray, FloatArray]:
+    """(lo, hi) at the first sample of each variant, each (V,)."""
+    plain = normal_form(formula)
+    if trace.wrap is not None or not any(isinstance(node, f.FUTURE) for node in plain.walk()):
+        graph = Graph.of(formula, leaves)
+        exact = run_at_start(graph, trace, Axis(trace.positions, trace.wrap))
+        return exact, exact
+    lower = _bound_at_start(strengthened(plain), trace, "lower", leaves)
+    other = strengthened(normal_form(formula, greatest=True))
+    return lower, _bound_at_start(other, trace, "upper", leaves)
+
+
+def _bound_at_start(
+    formula: f.Formula, trace: Trace, side: Side, leaves: Mapping[str, Function]
+) -> FloatArray:
+    graph = BoundGraph(trace, leaves)
+    graph.bound(formula, side, False)
+    extended = replace(trace, signals={**trace.signals, **graph.given})
+    return run_at_start(graph, extended, extended_axis(formula, trace.positions))
+
+
+class BoundGraph(Graph):
+    """The graph of one end of the range. `given` is what unseen samples are worth."""
+
+    def __init__(self, trace: Trace, leaves: Mapping[str, Function]) -> None:
+        super().__init__(leaves)
+        self.seen = trace.samples
+        self.given: dict[str, FloatArray] = {}
+        self._constants = {
+            name: np.asarray(trace.signals[name][:, 0], dtype=np.float64)
+            for name in trace.constants
+        }
+
+    def bound(self, formula: f.Formula, side: Side, later: bool) -> int:
+        """The node of one end of the range of `formula`; `later`: at unseen samples as well."""
+        if not formula.temporal:
+            seen = self.formula(formula)
+            return self.add(Extend(self.seen), seen, self._unseen(formula, side)) if later else seen
+        match formula:
+            case f.Not(operand):
+                other: Side = "upper" if side == "lower" else "lower"
+                return self.add(Pointwise(negative), self.bound(operand, other, later))
+            case f.And(operands) | f.Or(operands):
+                function = least if isinstance(formula, f.And) else greatest
+                parts = _state_parts_together(type(formula), operands)
+                bounds = [self.bound(part, side, later) for part in parts]
+                return bounds[0] if len(bounds) == 1 else self.add(Pointwise(function), *bounds)
+            case f.Until() | f.Since():
+                return self._reach(formula, side, later)
+            case f.Always() | f.Eventually() | f.Historically() | f.Once():
+                return self._slide(formula, side, later)
+        raise TypeError(f"not in normal form: {formula!r}")
+
+    def _slide(
+        self, formula: f.Always | f.Eventually | f.Historically | f.Once, side: Side, later: bool
+    ) -> int:
+        """Samples that are yet to come count where they help, and stay away where they do not."""
+        extreme = LEAST if isinstance(formula, f.Always | f.Historically) else GREATEST
+        past = isinstance(formula, f.PAST)
+        helped = (side == "lower") == (extreme is LEAST)
+        operand = self.bound(formula.operand, side, later or (helped and not past))
+        sliding = Sliding(extreme, formula.interval, past)
+        if helped or (past and not later):
+            return self.add(sliding, operand)
+        absent = self._extended(operand, extreme.identity)
+        result = self.add(sliding, absent)
+        if later and _holds_own_sample(formula):
+            join = least if extreme is LEAST else greatest
+            return self.add(AtUnseen(self.seen, join), result, operand)
+        return result
+
+    def _reach(self, formula: f.Until | f.Since, side: Side, later: bool) -> int:
+        """Later witnesses count for the upper end only, later failures for the lower end only."""
+        past = isinstance(formula, f.Since)
+        reaching = Reaching(formula.interval, past)
+        upper = side == "upper"
+        left = self.bound(formula.left, side, later)
+        right = self.bound(formula.right, side, later or (upper and not past))
+        if past and not later:
+            return self.add(reaching, left, right)
+        if not upper:
+            before = left if later else self._extended(left, np.inf)
+            result = self.add(reaching, before, self._extended(right, -np.inf))
+        else:
+            result = self.add(reaching, self._extended(left, np.inf), right)
+            if later and (past or not _holds_own_sample(formula)):
+                result = self.add(AtUnseen(self.seen, least), result, left)
+        if later and _holds_own_sample(formula):
+            result = self.add(AtUnseen(self.seen, greatest), result, right)
+        return result
+
+    def _extended(self, seen: int, unseen: float) -> int:
+        return self.add(Extend(self.seen), seen, self.add(Number(unseen)))
+
+    def _unseen(self, formula: f.Formula, side: Side) -> int:
+        lowest, highest = unseen_range(formula, self._constants)
+        if self.leaves is BOOLEAN:
+            lowest = np.where(lowest <= 0, -1.0, 1.0)
+            highest = np.where(highest >= 0, 1.0, -1.0)
+        name = f"{side} of {formula} at an unseen sample"
+        self.given[name] = (lowest if side == "lower" else highest)[:, None]
+        return self.add(Given(name))
+
+
+def _holds_own_sample(formula: f.Formula) -> bool:
+    interval = getattr(formula, "interval", None)
+    return interval is None or interval.lo == 0
+
+
+def _state_parts_together(
+    kind: type[f.And] | type[f.Or], operands: tuple[f.Formula, ...]
+) -> tuple[f.Formula, ...]:
+    """Operands without temporal operators joined into one: their signals are the same."""
+    states = tuple(operand for operand in operands if not operand.temporal)
+    others = tuple(operand for operand in operands if operand.temporal)
+    return others if not states else (kind(states), *others)

@@ -1,0 +1,247 @@
+"""Smooth robustness: minima and maxima replaced by soft ones, with the gradient by every sample.
+
+The soft minimum is -log(sum(exp(-k x))) / k, the soft maximum its mirror image (Leung, Arechiga,
+Pavone: Backpropagation through signal temporal logic specifications, IJRR 2023). As the sharpness
+k grows, the value goes to `rho`; a soft extreme of n numbers is off by log(n) / k at most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import stl_error
+from ..formula import formulas as f
+from . import operations as o
+from .axis import Axis, IntArray, Windows
+from .graph import Graph
+from .kernels import LEAST
+from .schedule import Plan, Step
+from .trace import FloatArray, Positions, Signals, Trace
+
+Backward = Callable[[FloatArray], tuple[FloatArray, ...]]
+"""From the gradient by a node to the gradients by its inputs."""
+
+
+class Smooth(NamedTuple):
+    """The smooth robustness at the first sample, and its derivative by each signal's samples."""
+
+    rho: float
+    gradient: dict[str, FloatArray]
+
+
+def smooth_rho(
+    formula: f.Formula,
+    positions: Positions,
+    signals: Signals,
+    *,
+    sharpness: float = 10.0,
+    wrap: float | None = None,
+) -> Smooth:
+    """Smooth robustness of one trace; `sharpness` is 1 / (units of the robustness).
+
+    Gradients have shape (S,), or (1,) for a signal that is one number. Raises DiagnosticError as
+    `rho` does, RL303 for a batch, and RL343 for terms without a derivative rule (`^`).
+    """
+    trace = Trace.of(positions, signals, formula.variables, wrap)
+    if trace.batched:
+        shape = "has a variant axis"
+        raise stl_error("RL303", what="the trace", expected="be a single one", found=f"it {shape}")
+    plan = Plan.of(Graph.of(formula), Axis(trace.positions, wrap), (0, 0))
+    return _Tape(trace, sharpness).run(plan)
+
+
+@dataclass
+class _Tape:
+    """Computes a plan forward and remembers how to go back."""
+
+    trace: Trace
+    sharpness: float
+
+    def run(self, plan: Plan) -> Smooth:
+        values: list[FloatArray] = []
+        ways: list[Backward | None] = []
+        for step in plan.steps:
+            value, way = self._forward(plan, step, values) if step else (np.zeros(1), None)
+            values.append(value)
+            ways.append(way)
+        gradients = [np.zeros_like(value) for value in values]
+        gradients[-1][...] = 1.0
+        by_name: dict[str, FloatArray] = {}
+        for index in range(len(plan.steps) - 1, -1, -1):
+            step, way = plan.steps[index], ways[index]
+            if step is None:
+                continue
+            if isinstance(step.node.operation, o.Read):
+                by_name[step.node.operation.name] = self._placed(step, gradients[index])
+            if way is not None:
+                parts = way(gradients[index])
+                for source, need, part in zip(step.node.inputs, step.needs, parts, strict=True):
+                    _add(gradients[source], plan.steps[source], need, part)
+        return Smooth(float(values[-1][0]), by_name)
+
+    def _placed(self, step: Step, gradient: FloatArray) -> FloatArray:
+        assert isinstance(step.node.operation, o.Read)
+        samples = self.trace.signals[step.node.operation.name].shape[1]
+        placed = np.zeros(samples)
+        first = 0 if samples == 1 else step.span[0]
+        placed[first : first + gradient.size] = gradient
+        return placed
+
+    def _forward(
+        self, plan: Plan, step: Step, values: list[FloatArray]
+    ) -> tuple[FloatArray, Backward | None]:
+        match step.node.operation:
+            case o.Number(value):
+                return np.full(1, value), None
+            case o.Read(name):
+                row = self.trace.rows(name, 0, 1)[0]
+                return (row if row.size == 1 else row[step.span[0] : step.span[1] + 1]), None
+        inputs = []
+        for source, need in zip(step.node.inputs, step.needs, strict=True):
+            known = plan.steps[source]
+            if need is None or known is None:
+                inputs.append(np.empty(0))
+                continue
+            start = need[0] - known.span[0]
+            whole = values[source]
+            inputs.append(whole if whole.size == 1 else whole[start : start + _length(need)])
+        match step.node.operation:
+            case o.Pointwise(function):
+                return self._pointwise(function, inputs)
+            case o.Sliding(extreme):
+                if step.windows is None:
+                    return np.full(1, extreme.identity), None
+                sign = -1.0 if extreme is LEAST else 1.0
+                return self._slide(inputs[0], step.windows, sign)
+            case o.Reaching():
+                if step.windows is None:
+                    return np.full(1, -np.inf), None
+                return self._until(inputs[0], inputs[1], step.windows)
+        raise TypeError(f"not an operation: {step.node.operation!r}")
+
+    def _pointwise(
+        self, function: o.Function, inputs: list[FloatArray]
+    ) -> tuple[FloatArray, Backward]:
+        if function in (o.least, o.greatest):
+            stack = np.stack(np.broadcast_arrays(*inputs))
+            value, weights = self._soft(stack, -1.0 if function is o.least else 1.0)
+            return value, lambda g: tuple(g * weight for weight in weights)
+        rule = _DERIVATIVES.get(function)
+        if rule is None:
+            raise stl_error("RL343")
+        value = function(*inputs)
+        return value, lambda g: tuple(g * slope for slope in rule(*inputs))
+
+    def _soft(self, stack: FloatArray, sign: float) -> tuple[FloatArray, FloatArray]:
+        """The soft extreme over the first axis, and its derivatives; sign +1 for the greatest."""
+        hard = stack.max(axis=0) if sign > 0 else stack.min(axis=0)
+        center = np.where(np.isfinite(hard), hard, 0.0)
+        with np.errstate(invalid="ignore", over="ignore"):
+            shares = np.exp(sign * self.sharpness * (stack - center))
+        total = shares.sum(axis=0)
+        finite = np.isfinite(hard)
+        safe = np.where(finite, total, 1.0)
+        value = np.where(finite, center + sign * np.log(safe) / self.sharpness, hard)
+        return value, np.where(finite, shares / safe, 0.0)
+
+    def _slide(
+        self, values: FloatArray, windows: Windows, sign: float
+    ) -> tuple[FloatArray, Backward]:
+        """Every window gathered into a column, those that are shorter padded."""
+        indices, held = _gathered(windows, windows.starts)
+        samples = windows.span[1] - windows.span[0] + 1
+        operand = np.broadcast_to(values, (samples,))
+        stack = np.where(held, operand[indices], -sign * np.inf)
+        value, weights = self._soft(stack, sign)
+
+        def back(gradient: FloatArray) -> tuple[FloatArray, ...]:
+            spread = np.zeros(samples)
+            ordered = gradient[::-1] if windows.flipped else gradient
+            np.add.at(spread, indices, weights * ordered)
+            return (spread,)
+
+        return (value[::-1] if windows.flipped else value), back
+
+    def _until(
+        self, left: FloatArray, right: FloatArray, windows: Windows
+    ) -> tuple[FloatArray, Backward]:
+        """max over the witness of min(right there, left on the way), window by window."""
+        samples = windows.span[1] - windows.span[0] + 1
+        left, right = np.broadcast_to(left, (samples,)), np.broadcast_to(right, (samples,))
+        own = windows.first + np.arange(windows.count)
+        indices, inside = _gathered(windows, own)
+        witness = inside & (np.arange(len(indices))[:, None] >= windows.starts - own)
+        k = self.sharpness
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+            onward = np.logaddexp.accumulate(np.where(inside, -k * left[indices], -np.inf), axis=0)
+            way = np.concatenate([np.full((1, windows.count), -np.inf), onward[:-1]])
+            costs = np.logaddexp(way, -k * right[indices])
+        stack = np.where(witness, -costs / k, -np.inf)
+        value, weights = self._soft(stack, 1.0)
+
+        def back(gradient: FloatArray) -> tuple[FloatArray, ...]:
+            ordered = gradient[::-1] if windows.flipped else gradient
+            share = weights * ordered
+            by_left, by_right = np.zeros(samples), np.zeros(samples)
+            at_witness = _shares(witness, -k * right[indices], costs)
+            np.add.at(by_right, indices, share * at_witness)
+            for step in range(len(indices) - 1):
+                later = slice(step + 1, None)
+                shares = _shares(witness[later], -k * left[indices[step]], costs[later])
+                np.add.at(by_left, indices[step], (share[later] * shares).sum(axis=0))
+            return by_left, by_right
+
+        return (value[::-1] if windows.flipped else value), back
+
+
+def _shares(witness: NDArray[np.bool_], costs: FloatArray, total: FloatArray) -> FloatArray:
+    """exp(costs - total), which is at most one, where there is a witness of finite cost."""
+    with np.errstate(invalid="ignore"):
+        exponents = np.where(witness & np.isfinite(total), costs - total, -np.inf)
+    return np.exp(exponents)
+
+
+def _gathered(windows: Windows, starts: IntArray) -> tuple[IntArray, NDArray[np.bool_]]:
+    """Indices (longest window, windows) into the operand from `starts`, and which are inside."""
+    longest = int((windows.ends - starts).max()) + 1
+    counted = starts + np.arange(longest)[:, None]
+    inside = counted <= windows.ends
+    samples = windows.span[1] - windows.span[0] + 1
+    indices = np.where(inside, counted, 0) % samples
+    return (samples - 1 - indices if windows.flipped else indices), inside
+
+
+def _add(
+    target: FloatArray, step: Step | None, need: tuple[int, int] | None, part: FloatArray
+) -> None:
+    """Add a gradient to the samples of the node that it is about."""
+    if step is None or need is None:
+        return
+    if target.size == 1:
+        target += part.sum()
+        return
+    start = need[0] - step.span[0]
+    target[start : start + _length(need)] += part
+
+
+def _length(span: tuple[int, int]) -> int:
+    return span[1] - span[0] + 1
+
+
+_DERIVATIVES: dict[o.Function, Callable[..., tuple[FloatArray | float, ...]]] = {
+    o.TERM_FUNCTIONS["+"]: lambda x, y: (1.0, 1.0),
+    o.difference: lambda x, y: (1.0, -1.0),
+    o.ROBUST["<"]: lambda x, y: (-1.0, 1.0),
+    o.TERM_FUNCTIONS["*"]: lambda x, y: (y, x),
+    o.quotient: lambda x, y: (1.0 / y, -x / y**2),
+    o.negative: lambda x: (-1.0,),
+    o.TERM_FUNCTIONS["abs"]: lambda x: (np.sign(x),),
+    o.distance: lambda x, y: (np.sign(x - y), np.sign(y - x)),
+    o.closeness: lambda x, y: (np.sign(y - x), np.sign(x - y)),
+}
+"""The derivatives of a function by each of its inputs."""

@@ -1,0 +1,162 @@
+"""Sampled signals, checked once: positions, shapes, names and finite values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...diagnostics import did_you_mean
+from ..errors import stl_error
+
+FloatArray: TypeAlias = NDArray[np.float64]
+Positions: TypeAlias = ArrayLike
+Signals: TypeAlias = Mapping[str, ArrayLike]
+
+
+@dataclass(frozen=True)
+class Trace:
+    """`positions` (S,), strictly increasing; each signal (r, n), r in {1, V}, n in {1, S}.
+
+    `batched` is False when no signal had two dimensions, whether the formula reads it or not;
+    results then lose the variant axis.
+    `wrap` is the length of a closed road, or None.
+    """
+
+    positions: FloatArray
+    signals: Mapping[str, NDArray[np.generic]]
+    variants: int
+    batched: bool
+    wrap: float | None = None
+    constants: frozenset[str] = frozenset()
+    """The signals that are one number per variant, at every sample now and later."""
+
+    @classmethod
+    def of(
+        cls,
+        positions: Positions,
+        signals: Signals,
+        names: Iterable[str],
+        wrap: float | None = None,
+    ) -> Trace:
+        """Check the signals called `names`. Raises DiagnosticError RL300 to RL306."""
+        stations = checked_positions(positions)
+        checked = {name: _checked_signal(name, signals, stations) for name in sorted(names)}
+        variants = _variants(signals)
+        _check_wrap(wrap, stations)
+        return cls(
+            positions=stations,
+            signals={name: np.atleast_2d(array) for name, array in checked.items()},
+            variants=variants or 1,
+            batched=variants is not None,
+            wrap=wrap,
+            constants=frozenset(
+                name
+                for name, array in checked.items()
+                if array.ndim == 0 or array.shape[-1] == 1 < stations.size
+            ),
+        )
+
+    @property
+    def samples(self) -> int:
+        """How many samples there are."""
+        return int(self.positions.size)
+
+    def rows(self, name: str, first: int, last: int) -> FloatArray:
+        """Variants first..last-1 of a signal, shape (r, n). Raises DiagnosticError RL302."""
+        array = self.signals[name]
+        part = array if array.shape[0] == 1 else array[first:last]
+        values = np.asarray(part, dtype=np.float64)
+        if not np.isfinite(values.sum()):
+            _check_finite(name, values, first, self.positions)
+        return values
+
+    def check(self) -> None:
+        """Read every signal once. Raises DiagnosticError RL302 for a value that is no number."""
+        for name in self.signals:
+            self.rows(name, 0, self.variants)
+
+    def given(self, name: str, first: int, last: int) -> FloatArray:
+        """Numbers per variant that need no check, shape (1, r)."""
+        array = self.signals[name]
+        part = array if array.shape[0] == 1 else array[first:last]
+        return np.asarray(part, dtype=np.float64).T
+
+    def alone(self, variant: int) -> Trace:
+        """The trace of one variant."""
+        chosen = {
+            name: array if array.shape[0] == 1 else array[variant : variant + 1]
+            for name, array in self.signals.items()
+        }
+        return Trace(self.positions, chosen, 1, False, self.wrap, self.constants)
+
+
+def _variants(signals: Signals) -> int | None:
+    """How many variants the two-dimensional signals have; None where there is no such signal."""
+    shapes = {name: np.shape(values) for name, values in signals.items()}
+    counts = {name: shape[0] for name, shape in shapes.items() if len(shape) == 2}
+    if len(set(counts.values()) - {1}) > 1:
+        found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
+        raise stl_error("RL303", what="the signals", expected="agree in variants", found=found)
+    return max(counts.values(), default=None)
+
+
+def checked_positions(positions: Positions) -> FloatArray:
+    """Positions as a float array (S,). Raises DiagnosticError RL300 or RL301."""
+    try:
+        stations = np.asarray(positions, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise stl_error("RL301", problem="they are not numbers") from None
+    if stations.ndim != 1:
+        raise stl_error("RL301", problem=f"their shape is {stations.shape}, not (S,)")
+    if stations.size == 0:
+        raise stl_error("RL300")
+    if not np.isfinite(stations).all():
+        index = int(np.argmin(np.isfinite(stations)))
+        raise stl_error("RL301", problem=f"position {index} is {stations[index]}")
+    steps = np.diff(stations)
+    if steps.size and not steps.min() > 0:
+        index = int(np.argmax(steps <= 0))
+        pair = f"{stations[index]:g} is followed by {stations[index + 1]:g}"
+        raise stl_error("RL301", problem=f"{pair} (sample {index + 1})")
+    return stations
+
+
+def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArray[np.generic]:
+    if name not in signals:
+        known = ", ".join(f"`{other}`" for other in sorted(signals)) or "none"
+        hints = (*did_you_mean(name, signals), f"the signals given are: {known}")
+        raise stl_error("RL304", name=name, help=hints)
+    array: NDArray[np.generic] = np.asarray(signals[name])
+    if array.dtype.kind not in "fiub":
+        raise stl_error(
+            "RL303", what=f"`{name}`", expected="be numbers", found=f"is of type {array.dtype}"
+        )
+    samples = stations.size
+    if array.ndim > 2 or (array.ndim > 0 and array.shape[-1] not in (1, samples)):
+        expected = f"have shape ({samples},), (V, {samples}) or (V, 1)"
+        raise stl_error("RL303", what=f"`{name}`", expected=expected, found=f"has {array.shape}")
+    if array.ndim == 2 and array.shape[0] == 0:
+        raise stl_error("RL300")
+    return array
+
+
+def _check_finite(name: str, values: FloatArray, first: int, positions: FloatArray) -> None:
+    """The sum overflowed or a value is not finite: say where it is in the second case."""
+    wrong = ~np.isfinite(values)
+    if not wrong.any():
+        return
+    row, column = (int(index) for index in np.argwhere(wrong)[0])
+    place = f"position {positions[column]:g}" if values.shape[1] > 1 else "every position"
+    if values.shape[0] > 1:
+        place += f" of variant {first + row}"
+    raise stl_error("RL302", name=name, value=values[row, column], place=place)
+
+
+def _check_wrap(wrap: float | None, stations: FloatArray) -> None:
+    length = float(stations[-1] - stations[0])
+    if wrap is not None and not (np.isfinite(wrap) and wrap > length):
+        raise stl_error("RL306", wrap=f"{wrap:g}", length=f"{length:g}")

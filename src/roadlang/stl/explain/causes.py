@@ -1,0 +1,114 @@
+"""Where along a trace the comparisons fail that a violated formula would have needed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.axis import Axis
+from ..evaluate.evaluation import everywhere
+from ..evaluate.operations import BOOLEAN
+from ..evaluate.trace import FloatArray, Trace
+from ..formula import formulas as f
+from ..formula.interval import Interval
+from ..formula.normal_form import normal_form
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Neighboring samples, `start` to `end`, at all of which `predicate` (of `signals`) fails."""
+
+    start: float
+    end: float
+    predicate: str
+    signals: tuple[str, ...]
+    worst: float
+    worst_position: float
+
+
+def violated_stretches(formula: f.Formula, trace: Trace) -> tuple[Stretch, ...]:
+    """All stretches to blame if the one trace violates `formula` at its start; else none."""
+    plain = normal_form(formula)
+    finder = _Blame(trace)
+    start = np.zeros(trace.samples, dtype=bool)
+    start[0] = True
+    finder.spread(plain, start, False)
+    found = [
+        stretch
+        for comparison, mask in finder.blamed.items()
+        for stretch in _stretches(comparison, mask, trace)
+    ]
+    return tuple(sorted(found, key=lambda stretch: (stretch.start, stretch.end, stretch.predicate)))
+
+
+class _Blame:
+    """Spreads blame from the root to the comparisons, for all samples at once."""
+
+    def __init__(self, trace: Trace) -> None:
+        self.trace = trace
+        self.axis = Axis(trace.positions, trace.wrap)
+        self.blamed: dict[f.Comparison, Mask] = {}
+
+    def spread(self, formula: f.Formula, asked: Mask, holding: bool) -> None:
+        """Blame the parts of `formula` for being false (true, if `holding`) at samples `asked`."""
+        truth = everywhere(formula, self.trace, BOOLEAN)[0] > 0
+        asked = asked & (truth == holding)
+        if not asked.any():
+            return
+        match formula:
+            case f.Comparison():
+                blamed = normal_form(formula, negated=True) if holding else formula
+                assert isinstance(blamed, f.Comparison)
+                self.blamed[blamed] = self.blamed.get(blamed, False) | asked
+            case f.Not(operand):
+                self.spread(operand, asked, not holding)
+            case f.Until(interval, left, right) | f.Since(interval, left, right):
+                self.spread(left, self._reached(formula, interval, asked, whole=True), holding)
+                self.spread(right, self._reached(formula, interval, asked, whole=False), holding)
+            case f.Always() | f.Eventually() | f.Once() | f.Historically():
+                reached = self._reached(formula, formula.interval, asked, whole=False)
+                self.spread(formula.operand, reached, holding)
+            case _:
+                for part in formula.parts:
+                    self.spread(part, asked, holding)
+
+    def _reached(
+        self, formula: f.Formula, interval: Interval | None, asked: Mask, *, whole: bool
+    ) -> Mask:
+        """The samples in the windows of `asked`; `whole`: and those on the way to them."""
+        past = isinstance(formula, f.PAST)
+        reached = np.zeros(self.trace.samples, dtype=bool)
+        windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, whole=whole)
+        if windows is None:
+            return reached
+        samples = self.trace.samples
+        for sample in np.flatnonzero(asked).tolist():
+            window = samples - 1 - sample if past else sample
+            reached[windows.samples(window)] = True
+            if whole:
+                held = int(windows.ends[window] - windows.starts[window] + 1)
+                reached[windows.before(window, held)] = True
+        return reached
+
+
+def _stretches(comparison: f.Comparison, mask: Mask, trace: Trace) -> list[Stretch]:
+    margins: FloatArray = everywhere(comparison, trace)[0]
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(np.int8)))
+    found = []
+    for first, behind in zip(edges[::2], edges[1::2], strict=True):
+        worst = int(first + np.argmin(margins[first:behind]))
+        found.append(
+            Stretch(
+                start=float(trace.positions[first]),
+                end=float(trace.positions[behind - 1]),
+                predicate=str(comparison),
+                signals=tuple(sorted(comparison.left.variables | comparison.right.variables)),
+                worst=float(margins[worst]),
+                worst_position=float(trace.positions[worst]),
+            )
+        )
+    return found

@@ -1,0 +1,193 @@
+"""Why a formula is worth what it is: the sub-formulas, samples and comparisons to blame."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from ..evaluate.axis import Axis
+from ..evaluate.evaluation import everywhere
+from ..evaluate.ranges import range_at_start
+from ..evaluate.trace import FloatArray, Positions, Signals, Trace
+from ..evaluate.verdicts import Verdict, verdicts_of
+from ..formula import formulas as f
+from .causes import Stretch, violated_stretches
+
+
+@dataclass(frozen=True)
+class Link:
+    """A sub-formula at the sample where its robustness is the robustness of the whole."""
+
+    formula: str
+    position: float
+    rho: float
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """`chain` leads from the formula to the comparison that decides; `stretches` are all the
+    stretches where a comparison fails that the formula would have needed; `values` are the
+    signals of the deciding comparison at `position`. `window_empty`: what decides is that an
+    operator has no sample to look at.
+    """
+
+    formula: str
+    rho: float
+    range: tuple[float, float]
+    verdict: Verdict
+    chain: tuple[Link, ...]
+    position: float
+    predicate: str
+    values: dict[str, float]
+    window_empty: bool
+    stretches: tuple[Stretch, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain dicts, lists and numbers; infinities as the texts "inf" and "-inf"."""
+        value: dict[str, Any] = _finite(asdict(self))
+        return value
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines())
+
+    def lines(self) -> list[str]:
+        """The explanation in words, one finding a line."""
+        lo, hi = self.range
+        told = [f"{self.verdict}: robustness {self.rho:.6g}, range [{lo:.6g}, {hi:.6g}]"]
+        if self.window_empty:
+            told.append(
+                f"decided at {self.position:g}: no sample in the window of {self.predicate}"
+            )
+        else:
+            values = ", ".join(f"{name} = {value:.6g}" for name, value in self.values.items())
+            told.append(
+                f"decided at {self.position:g}: {self.predicate}"
+                + f", where {values}" * bool(values)
+            )
+        for stretch in self.stretches:
+            told.append(
+                f"from {stretch.start:g} to {stretch.end:g} not {stretch.predicate}, "
+                f"worst {stretch.worst:.6g} at {stretch.worst_position:g}"
+            )
+        return told
+
+
+def explain(
+    formula: f.Formula,
+    positions: Positions,
+    signals: Signals,
+    *,
+    variant: int = 0,
+    wrap: float | None = None,
+) -> Explanation:
+    """Explain the robustness at the first sample of one variant."""
+    trace = Trace.of(positions, signals, formula.variables, wrap).alone(variant)
+    lo, hi = range_at_start(formula, trace)
+    finder = _Finder(trace)
+    chain, empty = finder.chain(formula)
+    last, sample = chain[-1]
+    names = sorted(last.variables) if isinstance(last, f.Comparison) else []
+    values = {
+        name: float(np.broadcast_to(trace.rows(name, 0, 1)[0], trace.samples)[sample])
+        for name in names
+    }
+    return Explanation(
+        formula=str(formula),
+        rho=finder.value(formula, 0),
+        range=(float(lo[0]), float(hi[0])),
+        verdict=verdicts_of(formula, trace)[0].item(),
+        chain=tuple(
+            Link(str(part), float(trace.positions[at]), finder.value(part, at))
+            for part, at in chain
+        ),
+        position=float(trace.positions[sample]),
+        predicate=str(last),
+        values=values,
+        window_empty=empty,
+        stretches=violated_stretches(formula, trace),
+    )
+
+
+class _Finder:
+    """Follows the extremes from the root down; traces of sub-formulas are computed once."""
+
+    def __init__(self, trace: Trace) -> None:
+        self.trace = trace
+        self.axis = Axis(trace.positions, trace.wrap)
+        self._traces: dict[f.Formula, FloatArray] = {}
+
+    def values(self, formula: f.Formula) -> FloatArray:
+        if formula not in self._traces:
+            self._traces[formula] = everywhere(formula, self.trace)[0]
+        return self._traces[formula]
+
+    def value(self, formula: f.Formula, sample: int) -> float:
+        return float(self.values(formula)[sample])
+
+    def chain(self, formula: f.Formula) -> tuple[list[tuple[f.Formula, int]], bool]:
+        """Sub-formulas and samples down to what decides, and whether that is an empty window."""
+        links = [(formula, 0)]
+        while not isinstance(links[-1][0], f.Comparison | f.Truth):
+            following = self._next(*links[-1])
+            if following is None:
+                return links, bool(links[-1][0].parts)
+            links.append(following)
+        return links, False
+
+    def _next(self, formula: f.Formula, sample: int) -> tuple[f.Formula, int] | None:
+        match formula:
+            case f.Not(operand):
+                return operand, sample
+            case f.And(operands) | f.Or(operands):
+                pick = min if isinstance(formula, f.And) else max
+                chosen = pick(operands, key=lambda part: self.value(part, sample), default=None)
+                return None if chosen is None else (chosen, sample)
+            case f.Implies(left, right):
+                refuted = -self.value(left, sample) >= self.value(right, sample)
+                return (left if refuted else right), sample
+            case f.Iff(left, right) | f.Xor(left, right):
+                sides = (left, right)
+                return min(sides, key=lambda part: abs(self.value(part, sample))), sample
+            case f.Until() | f.Since():
+                return self._decider(formula, sample)
+        return self._extreme(formula, sample)
+
+    def _extreme(self, formula: f.Formula, sample: int) -> tuple[f.Formula, int] | None:
+        assert isinstance(formula, f.Always | f.Eventually | f.Once | f.Historically)
+        past = isinstance(formula, f.PAST)
+        windows = self.axis.windows(formula.interval, (sample, sample), past=past)
+        if windows is None:
+            return None
+        held = windows.samples(0)
+        values = self.values(formula.operand)[held]
+        least = isinstance(formula, f.Always | f.Historically)
+        return formula.operand, int(held[np.argmin(values) if least else np.argmax(values)])
+
+    def _decider(self, formula: f.Until | f.Since, sample: int) -> tuple[f.Formula, int] | None:
+        """The best witness, and whether it or a sample on the way to it decides."""
+        past = isinstance(formula, f.Since)
+        windows = self.axis.windows(formula.interval, (sample, sample), past=past, whole=True)
+        if windows is None:
+            return None
+        held = windows.samples(0)
+        left, right = self.values(formula.left), self.values(formula.right)
+        way = windows.before(0, held.size)
+        lead = way.size - held.size
+        reached = np.minimum.accumulate(np.append(np.inf, left[way]))[lead : lead + held.size]
+        best = int(np.argmax(np.minimum(right[held], reached)))
+        if right[held[best]] <= reached[best]:
+            return formula.right, int(held[best])
+        way = way[: lead + best]
+        return formula.left, int(way[np.argmin(left[way])])
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(part) for part in value]
+    if isinstance(value, float) and not np.isfinite(value):
+        return str(value)
+    return value

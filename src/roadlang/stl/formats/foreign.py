@@ -1,0 +1,72 @@
+"""Formulas pasted from Breach and from papers, rewritten in the language and then parsed."""
+
+from __future__ import annotations
+
+import re
+
+from ...diagnostics import Source
+from ..errors import stl_error
+from ..formula import formulas as f
+from .text import parse
+
+_SIGNAL = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*t\s*([^\]]*)\]")
+_BREACH_WORDS = {
+    "alw": "always", "always": "always", "ev": "eventually", "eventually": "eventually",
+    "until": "until", "once": "once", "hist": "historically", "historically": "historically",
+    "since": "since", "not": "not",
+}  # fmt: skip
+_BREACH_TEMPORAL = re.compile(
+    r"\b(alw|always|ev|eventually|until|once|hist|historically|since)\b_?"
+)
+_UNDERSCORE = re.compile(
+    r"\b(alw|always|ev|eventually|until|once|hist|historically|since)_(?=\s*\[)"
+)
+_COMMENT = re.compile(r"%[^\n]*")
+
+_BINARY_FONT = re.compile(r"\\math(?:bin|rel|op)\s*\{(\\math\w+\s*\{\w+\}|\w+|\\[A-Za-z]+)\s*\}")
+_SUBSCRIPTED_NAME = re.compile(r"([A-Za-z]\w*)_\{([A-Za-z0-9_]+)\}")
+_OPEN_INTERVAL = re.compile(r"_\s*\{?\s*([\[(])([^\[\](){}]*)([\])])\s*\}?")
+_MAGNITUDE = re.compile(r"\\lvert\s*(.*?)\s*\\rvert|(?<!\|)\|([^|]+)\|(?!\|)")
+_DEFINITION = re.compile(r"^\s*\\?[A-Za-z_]+(?:_\{?\w+\}?)?\s*(?::=|=(?!=)|\\equiv|\\triangleq)")
+
+
+def read_breach(text: str) -> f.Formula:
+    """A formula as Breach writes it: `alw_[0, 5] (x[t] > 3 => ev_[0, 2] y[t] < 1)`.
+
+    Raises DiagnosticError: RL331 for a signal at another time than t, and what `parse` raises for
+    the text in the language.
+    """
+    text = _COMMENT.sub("", text)
+    for match in _SIGNAL.finditer(text):
+        if match[2].strip():
+            span = Source("<Breach formula>", text).span(*match.span())
+            raise stl_error("RL331", span, signal=" ".join(match[0].split()), name=match[1])
+    text = _SIGNAL.sub(r"\1", text).replace("~=", "!=").replace("~", "!")
+    text = _UNDERSCORE.sub(r"\1", text)
+    text = _BREACH_TEMPORAL.sub(lambda match: _BREACH_WORDS[match[1]], text)
+    return parse(" ".join(text.split()), path="<Breach formula>")
+
+
+def read_latex(text: str) -> f.Formula:
+    r"""A formula as papers print it: `\mathbf{G}_{[0, 5]} (x > 3 \implies \mathbf{F} y < 1)`.
+
+    `|x|` is abs(x), and `[0, \infty)` has no end. Raises what `parse` raises for the text in the
+    language: RL026 for other half-open intervals.
+    """
+    from ...syntax.recovery.foreign_notation import from_latex
+
+    text = _DEFINITION.sub("", text.strip().strip("$"))
+    text = re.sub(r"\\left|\\right(?![a-z])", "", text).replace("~", " ")
+    text = _BINARY_FONT.sub(r"\1", text)
+    text = _MAGNITUDE.sub(lambda match: f"abs({match[1] or match[2]})", text)
+    text = _OPEN_INTERVAL.sub(_interval, text)
+    text = _SUBSCRIPTED_NAME.sub(r"\1_\2", text)
+    return parse(from_latex(text).replace("{", "(").replace("}", ")"), path="<LaTeX formula>")
+
+
+def _interval(match: re.Match[str]) -> str:
+    """As it stands, but infinity may be written on the open side, where papers have it."""
+    opening, bounds, closing = match.groups()
+    if opening == "[" and bounds.strip().endswith(("infty", "inf")):
+        closing = "]"
+    return f"_{{[{bounds}]}}" if (opening, closing) == ("[", "]") else f"{opening}{bounds}{closing}"

@@ -1,0 +1,207 @@
+"""From the syntax tree of a formula to the formula: numbers are told from statements."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, cast, get_args
+
+from ...diagnostics import Diagnostic, DiagnosticError, Fix, Span, diagnose, did_you_mean, nearest
+from ...syntax.tree import nodes as ast
+from ..formula import formulas as f
+from ..formula import terms as t
+from ..formula.interval import Interval
+from . import units
+
+_UNARY: dict[str, Any] = {
+    "always": f.Always, "eventually": f.Eventually, "once": f.Once,
+    "historically": f.Historically,
+}  # fmt: skip
+_PAIRS: dict[str, Any] = {"implies": f.Implies, "iff": f.Iff, "xor": f.Xor}
+_NUMBER_NODES = (ast.Number, ast.Name, ast.Member, ast.Negate, ast.Arithmetic, ast.Call)
+_FORMULA_NODES = (ast.Boolean, ast.Comparison, ast.Not, ast.Temporal, ast.Binding, ast.Logic)
+_NOTHING = f.Truth(False)
+_ZERO = t.Constant(0.0)
+
+
+class Reader:
+    """Converts expressions; what is wrong with them is collected in `faults`."""
+
+    def __init__(self) -> None:
+        self.faults: list[Diagnostic] = []
+        self._axes: dict[str, Span] = {}
+
+    def formula(self, node: ast.Expression) -> f.Formula:
+        """A statement that holds or not. A number in its place is RL320."""
+        match node:
+            case ast.Group(inner):
+                return self.formula(inner)
+            case ast.Boolean(value):
+                return f.Truth(value)
+            case ast.Comparison():
+                return self._comparison(node)
+            case ast.Not(operand):
+                return f.Not(self.formula(operand))
+            case ast.Temporal(word, interval, operand):
+                bounds = self._interval(interval)
+                return cast(f.Formula, _UNARY[word](bounds, self.formula(operand)))
+            case ast.Binding(word, interval, left, right):
+                kind = f.Until if word == "until" else f.Since
+                before, bounds = self.formula(left), self._interval(interval)
+                return kind(bounds, before, self.formula(right))
+            case ast.Logic(word, operands):
+                formulas = tuple(self.formula(operand) for operand in operands)
+                if word in ("and", "or"):
+                    return f.And(formulas) if word == "and" else f.Or(formulas)
+                return cast(f.Formula, _PAIRS[word](*formulas))
+        if isinstance(node, ast.Call) and _dotted(node.function) not in get_args(t.FunctionName):
+            self._unknown_function(node.function)
+            return _NOTHING
+        if isinstance(node, _NUMBER_NODES):
+            text = " ".join(node.span.text.split())
+            self._fault(
+                "RL320",
+                node.span,
+                help=f"compare it: `{text} > 0`",
+                fixes=(Fix(node.span, f"({text} > 0)"),),
+                text=text,
+            )
+            return _NOTHING
+        self._unfit(node)
+        return _NOTHING
+
+    def term(self, node: ast.Expression) -> t.Term:
+        """A number at each sample. A statement in its place is RL321."""
+        match node:
+            case ast.Group(inner):
+                return self.term(inner)
+            case ast.Number():
+                return t.Constant(self._number(node))
+            case ast.Name(text):
+                return t.Constant(math.inf) if text == "inf" else t.Variable(text)
+            case ast.Member():
+                return t.Variable(_dotted(node))
+            case ast.Negate(operand):
+                negated = self.term(operand)
+                if isinstance(negated, t.Constant):
+                    return t.Constant(-negated.value)
+                return t.Negate(negated)
+            case ast.Arithmetic(operator, left, right):
+                op = cast(t.ArithmeticOperator, operator)
+                return t.Arithmetic(op, self.term(left), self.term(right))
+            case ast.Call():
+                return self._call(node)
+        if isinstance(node, _FORMULA_NODES):
+            hint = "for two formulas that hold together write `iff`, for exactly one `xor`"
+            self._fault("RL321", node.span, help=hint, text=" ".join(node.span.text.split()))
+        else:
+            self._unfit(node)
+        return _ZERO
+
+    def _comparison(self, node: ast.Comparison) -> f.Formula:
+        """`a < b < c` says both, of the same `b`."""
+        terms = [self.term(operand) for operand in node.operands]
+        pairs = tuple(
+            f.Comparison(cast(f.ComparisonOperator, operator), left, right)
+            for operator, left, right in zip(node.operators, terms, terms[1:], strict=False)
+        )
+        return pairs[0] if len(pairs) == 1 else f.And(pairs)
+
+    def _call(self, node: ast.Call) -> t.Term:
+        name = _dotted(node.function)
+        known = get_args(t.FunctionName)
+        arguments = [self.term(argument.value) for argument in node.arguments]
+        if name not in known:
+            self._unknown_function(node.function)
+            return _ZERO
+        fits = len(arguments) == 1 if name == "abs" else len(arguments) >= 2
+        if not fits or any(argument.key for argument in node.arguments):
+            due = "one number" if name == "abs" else "two numbers or more, without names"
+            hint = "write `abs(x)`" if name == "abs" else f"write `{name}(x, y)`"
+            self._fault("RL327", node.span, help=hint, name=name, due=due)
+            return _ZERO
+        return t.Apply(cast(t.FunctionName, name), tuple(arguments))
+
+    def _unknown_function(self, node: ast.Name | ast.Member) -> None:
+        name, known = _dotted(node), get_args(t.FunctionName)
+        if name in ("next", "nxt", "X", "Y", "prev"):
+            hint = "samples have no `next`: write `eventually[d, d] (...)` with a distance d"
+            self._fault("RL322", node.span, help=hint, name=name)
+            return
+        found = nearest(name, known)
+        hints = (*did_you_mean(name, known), f"the functions are {', '.join(known)}")
+        fixes = (Fix(node.span, found),) if found else ()
+        self._fault("RL322", node.span, help=hints, fixes=fixes, name=name)
+
+    def _number(self, node: ast.Number) -> float:
+        try:
+            return node.value * units.factor(node.unit)
+        except KeyError:
+            hints = (
+                *did_you_mean(node.unit, units.known_units()),
+                f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
+            )
+            fixes = (Fix(node.span, node.digits),)
+            self._fault("RL324", node.span, help=hints, fixes=fixes, unit=node.unit)
+            return 0.0
+
+    def _interval(self, node: ast.Interval | None) -> Interval | None:
+        if node is None:
+            return None
+        low, high = self._bound(node.low), self._bound(node.high)
+        units_of = [getattr(bound, "unit", "") for bound in (node.low, node.high)]
+        if not units_of[0] and units.axis_of(units_of[1]):
+            low *= units.factor(units_of[1])
+        self._check_axis(node)
+        try:
+            return Interval(low, high)
+        except DiagnosticError:
+            lo, hi = (" ".join(bound.span.text.split()) for bound in (node.low, node.high))
+            mended = f"[{hi}, {lo}]" if low > high >= 0 else f"[0, {hi}]" if high >= 0 else None
+            hints = [f"write `{mended}`"] if mended else []
+            if low < 0:
+                hints.append("to look back, use `once`, `historically` or `since`")
+            fixes = (Fix(node.span, mended),) if mended else ()
+            self._fault("RL305", node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
+            return None
+
+    def _bound(self, node: ast.Expression) -> float:
+        term = self.term(node)
+        if isinstance(term, t.Constant):
+            return term.value
+        hint = "write a number or `inf`; `roadlang mine` finds a number for a name"
+        self._fault("RL326", node.span, help=hint, text=" ".join(node.span.text.split()))
+        return 0.0
+
+    def _check_axis(self, node: ast.Interval) -> None:
+        """A formula is about one axis: meters along a road, or seconds."""
+        for bound in (node.low, node.high):
+            axis = units.axis_of(bound.unit) if isinstance(bound, ast.Number) else None
+            if axis is None:
+                continue
+            self._axes.setdefault(axis, bound.span)
+            if len(self._axes) == 2:
+                other = next(span for known, span in self._axes.items() if known != axis)
+                hint = "write one formula for the road and one for the drive"
+                self._fault("RL325", bound.span, help=hint, here=bound.span.text, there=other.text)
+                return
+
+    def _unfit(self, node: ast.Expression) -> None:
+        fixes: tuple[Fix, ...] = ()
+        hint = "a formula has numbers, signals, comparisons and operators"
+        if isinstance(node, ast.String) and node.value.isidentifier():
+            hint, fixes = f"a signal has no quotes: `{node.value}`", (Fix(node.span, node.value),)
+        elif isinstance(node, ast.Draw):
+            low, high = node.low.span.text, node.high.span.text
+            hint = f"draws belong to scene files; between two bounds is `{low} < x < {high}`"
+        text = " ".join(node.span.text.split())
+        self._fault("RL323", node.span, help=hint, fixes=fixes, text=text)
+
+    def _fault(self, code: str, span: Span, **values: Any) -> None:
+        self.faults.append(diagnose(code, span, **values))
+
+
+def _dotted(node: ast.Expression) -> str:
+    """`ego.speed` as one name."""
+    if isinstance(node, ast.Member):
+        return f"{_dotted(node.of)}.{node.name.text}"
+    return node.text if isinstance(node, ast.Name) else " ".join(node.span.text.split())

@@ -1,0 +1,93 @@
+"""Formulas in the syntax of RTAMT, to cross-check with it; RTAMT itself is not needed."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from ..errors import stl_error
+from ..formula import formulas as f
+from ..formula import terms as t
+from ..formula.interval import Interval
+from ..formula.printing import number_text
+
+_RESERVED = frozenset(
+    {"G", "F", "U", "X", "H", "O", "S", "Y", "W", "s", "ms", "us", "ns", "ps", "abs", "sqrt"}
+    | {"exp", "pow", "rise", "fall"}
+)
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
+_LOGIC: dict[type[f.Formula], str] = {f.And: "and", f.Or: "or", f.Implies: "->"}
+
+
+def to_rtamt(formula: f.Formula) -> str:
+    """Text for `rtamt.StlDiscreteTimeSpecification`, every operator in parentheses.
+
+    On evenly spaced samples its robustness is ours; set RTAMT's sampling period to the spacing.
+    Raises DiagnosticError RL330 for what RTAMT cannot say.
+    """
+    match formula:
+        case f.Comparison(op, left, right):
+            sign = "!==" if op == "!=" else op
+            return f"({_term(left)} {sign} {_term(right)})"
+        case f.Not(operand):
+            return f"(not {to_rtamt(operand)})"
+        case f.And(parts) | f.Or(parts) if parts:
+            return _nested(_LOGIC[type(formula)], [to_rtamt(part) for part in parts])
+        case f.Implies(left, right):
+            return _nested("->", [to_rtamt(left), to_rtamt(right)])
+        case f.Iff(left, right):
+            return to_rtamt(f.And((f.Implies(left, right), f.Implies(right, left))))
+        case f.Xor(left, right):
+            return to_rtamt(f.Or((f.And((left, f.Not(right))), f.And((f.Not(left), right)))))
+        case f.Always() | f.Eventually() | f.Once() | f.Historically():
+            return _unary(formula)
+        case f.Until(interval, left, right) | f.Since(interval, left, right):
+            word = type(formula).__name__.lower()
+            if interval is not None and interval.lo > 0 and math.isinf(interval.hi):
+                raise _cannot(f"{word}[{number_text(interval.lo)}, inf]")
+            return f"({to_rtamt(left)} {word}{_bounds(interval)} {to_rtamt(right)})"
+    raise _cannot(str(formula))
+
+
+def _unary(formula: f.Always | f.Eventually | f.Once | f.Historically) -> str:
+    """[a, inf] is said in two steps: a ahead, and then without bounds."""
+    word = type(formula).__name__.lower()
+    interval = formula.interval
+    text = to_rtamt(formula.operand)
+    if interval is not None and interval.lo > 0 and math.isinf(interval.hi):
+        text, interval = f"({word} {text})", Interval(interval.lo, interval.lo)
+    return f"({word}{_bounds(interval)} {text})"
+
+
+def _bounds(interval: Interval | None) -> str:
+    if interval is None or math.isinf(interval.hi):
+        return ""
+    return f"[{number_text(interval.lo)},{number_text(interval.hi)}]"
+
+
+def _nested(sign: str, parts: list[str]) -> str:
+    text = parts[0]
+    for part in parts[1:]:
+        text = f"({text} {sign} {part})"
+    return text
+
+
+def _term(term: t.Term) -> str:
+    match term:
+        case t.Constant(value) if math.isfinite(value):
+            return number_text(value) if value >= 0 else f"(0 - {number_text(-value)})"
+        case t.Variable(name):
+            if name in _RESERVED or not _NAME.match(name):
+                raise _cannot(name)
+            return name
+        case t.Negate(operand):
+            return f"(0 - {_term(operand)})"
+        case t.Arithmetic("+" | "-" | "*" | "/" as op, left, right):
+            return f"({_term(left)} {op} {_term(right)})"
+        case t.Apply("abs", (argument,)):
+            return f"abs({_term(argument)})"
+    raise _cannot(str(term))
+
+
+def _cannot(text: str) -> Exception:
+    return stl_error("RL330", text=text)

@@ -1,0 +1,41 @@
+"""Formulas from text, in the formula grammar of scene files; bare numbers are welcome here."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ...diagnostics import Diagnostic, DiagnosticError, Source
+from ...syntax.parsing.parser import parse_formula
+from ..formula import formulas as f
+from .reading import Reader
+
+_BREACH = re.compile(r"\b(?:alw|ev|until|once|hist)_\s*\[|\b\w+\s*\[\s*t\s*[-+\]]|\balw\b")
+
+
+def parse(text: str, *, path: str = "<formula>") -> f.Formula:
+    """The formula written in `text`; `path` is the name that diagnostics give the text.
+
+    Numbers without a unit are in the units of the signals and positions that the formula will
+    see; numbers with one are converted to SI. Raises DiagnosticError with all faults found:
+    RL0xx where the text is no formula, RL305 and RL320 to RL326 where it makes no sense.
+    """
+    source = Source(path, text)
+    expression, diagnostics = parse_formula(source)
+    errors = [diagnostic for diagnostic in diagnostics if diagnostic.is_error]
+    if expression is None or errors:
+        raise DiagnosticError(*_with_origin(text, errors))
+    reader = Reader()
+    formula = reader.formula(expression)
+    if reader.faults:
+        raise DiagnosticError(*reader.faults)
+    return formula
+
+
+def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
+    """Formulas of Breach are told how they can be read."""
+    if not errors or not _BREACH.search(text):
+        return errors
+    hint = "this looks like Breach: `roadlang.stl.read_breach` reads it"
+    return [replace(errors[0], help=(*errors[0].help, hint)), *errors[1:]]

@@ -1,0 +1,1 @@
+"""Formulas and terms, how they are printed and rewritten."""

@@ -1,0 +1,101 @@
+"""What every formula can be asked; the work is imported only when it is asked."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, cast
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..evaluate.trace import FloatArray, Positions, Signals
+    from ..evaluate.verdicts import Range, Verdict
+    from ..explain.explanation import Explanation
+    from .formulas import Formula
+
+
+class Evaluable:
+    """Evaluation of a formula over sampled signals.
+
+    `positions` has shape (S,), strictly increasing. A signal is a number, (S,), (V, S), or
+    (V, 1) for one number per variant. With a two-dimensional signal results have a leading
+    variant axis of length V; otherwise they have none. `wrap` is the length of a closed road,
+    over whose start windows then reach. Bad input raises DiagnosticError (RL300 to RL307).
+    """
+
+    __slots__ = ()
+
+    @property
+    def _formula(self) -> Formula:
+        return cast("Formula", self)
+
+    def rho(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> FloatArray:
+        """Robustness at the first sample, (V,) or a scalar; computes no more than that needs."""
+        from ..evaluate.evaluation import rho
+
+        return rho(self._formula, positions, signals, wrap=wrap)
+
+    def robustness(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> FloatArray:
+        """Robustness at every sample, (V, S) or (S,)."""
+        from ..evaluate.evaluation import robustness
+
+        return robustness(self._formula, positions, signals, wrap=wrap)
+
+    def satisfied(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> NDArray[np.bool_]:
+        """Boolean satisfaction at the first sample, (V,) or a scalar: `<` and `<=` differ here."""
+        from ..evaluate.evaluation import satisfied
+
+        return satisfied(self._formula, positions, signals, wrap=wrap)
+
+    def truth(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> NDArray[np.bool_]:
+        """Boolean satisfaction at every sample, (V, S) or (S,)."""
+        from ..evaluate.evaluation import truth
+
+        return truth(self._formula, positions, signals, wrap=wrap)
+
+    def range(self, positions: Positions, signals: Signals, *, wrap: float | None = None) -> Range:
+        """The least and the greatest `rho` over all continuations of the trace: (lo, hi)."""
+        from ..evaluate.verdicts import robustness_range
+
+        return robustness_range(self._formula, positions, signals, wrap=wrap)
+
+    def verdict(
+        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+    ) -> NDArray[np.str_] | Verdict:
+        """ "satisfied", "violated" or "unknown"; an array (V,) of them for a batch."""
+        from ..evaluate.verdicts import verdict
+
+        return verdict(self._formula, positions, signals, wrap=wrap)
+
+    def explain(
+        self,
+        positions: Positions,
+        signals: Signals,
+        *,
+        variant: int = 0,
+        wrap: float | None = None,
+    ) -> Explanation:
+        """What decides the robustness at the start of one variant, and where the formula fails."""
+        from ..explain.explanation import explain
+
+        return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
+
+    def to_rtamt(self) -> str:
+        """The formula in the syntax of RTAMT; DiagnosticError RL330 for what RTAMT cannot say."""
+        from ..formats.rtamt import to_rtamt
+
+        return to_rtamt(self._formula)
+
+    def to_json(self) -> Any:
+        """The formula as a JSON value; `roadlang.stl.from_json` reads it back."""
+        from ..formats.json_form import to_json
+
+        return to_json(self._formula)

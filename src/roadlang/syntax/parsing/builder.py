@@ -1,0 +1,263 @@
+"""What each rule of the grammar becomes in the tree. Methods are named after the rules."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from ...diagnostics import Source, Span
+from ..tree import nodes as ast
+from ..tree.strings import dedented, unescaped
+from .tokens import Token
+
+_DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?")
+CANONICAL = {
+    "ALWAYS": "always",
+    "EVENTUALLY": "eventually",
+    "ONCE": "once",
+    "HISTORICALLY": "historically",
+    "G": "always",
+    "F": "eventually",
+    "O": "once",
+    "H": "historically",
+    "UNTIL": "until",
+    "SINCE": "since",
+    "U": "until",
+    "S": "since",
+    "AND": "and",
+    "OR": "or",
+    "XOR": "xor",
+    "IMPLIES": "implies",
+    "IFF": "iff",
+}
+
+
+class Builder:
+    """Makes the nodes of one source. Each method gets the rule's offsets and its children."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.spoiled: list[ast.Word] = []
+
+    def _word(self, token: Token) -> ast.Word:
+        return ast.Word(token[1], span=Span(self.source, token[2], token[3]))
+
+    def _span(self, token: Token) -> Span:
+        return Span(self.source, token[2], token[3])
+
+    # --- statements ---------------------------------------------------------------------
+
+    def file(self, start: int, end: int, *statements: ast.Statement | None) -> ast.File:
+        read = tuple(statement for statement in statements if statement is not None)
+        return ast.File(read, span=Span(self.source, 0, len(self.source.text)))
+
+    def header(self, start: int, end: int, name: Token, title: ast.String | None) -> ast.Header:
+        return ast.Header(self._word(name), title, span=Span(self.source, start, end))
+
+    def include(
+        self, start: int, end: int, path: ast.String, block: ast.Block | None
+    ) -> ast.Include:
+        return ast.Include(path, block, span=Span(self.source, start, end))
+
+    def param(self, start: int, end: int, name: Token, value: ast.Expression) -> ast.Param:
+        return ast.Param(self._word(name), value, span=Span(self.source, start, end))
+
+    def let(self, start: int, end: int, name: Token, value: ast.Expression) -> ast.Let:
+        return ast.Let(self._word(name), value, span=Span(self.source, start, end))
+
+    def geometry(
+        self,
+        start: int,
+        end: int,
+        word: Token,
+        name: Token,
+        source: ast.Expression | None,
+        block: ast.Block | None,
+    ) -> ast.Geometry:
+        span = Span(self.source, start, end)
+        return ast.Geometry(word[1], self._word(name), source, block, span=span)
+
+    def constraint(
+        self, start: int, end: int, word: Token, name: Token, formula: ast.Expression
+    ) -> ast.Constraint:
+        span = Span(self.source, start, end)
+        return ast.Constraint(word[1], self._word(name), formula, span=span)
+
+    def judged_constraint(
+        self,
+        start: int,
+        end: int,
+        word: Token,
+        name: Token,
+        kind: ast.Kind,
+        block: ast.Block | None,
+    ) -> ast.Constraint:
+        span = Span(self.source, start, end)
+        return ast.Constraint(word[1], self._word(name), None, kind, block, span=span)
+
+    def actor(
+        self,
+        start: int,
+        end: int,
+        word: Token,
+        name: Token,
+        kind: ast.Expression,
+        on: ast.Expression | None,
+        at: ast.Expression,
+        block: ast.Block | None,
+    ) -> ast.Actor:
+        span = Span(self.source, start, end)
+        return ast.Actor(word[1], self._word(name), kind, on, at, block, span=span)
+
+    def world(self, start: int, end: int, block: ast.Block | None) -> ast.World:
+        return ast.World(block, span=Span(self.source, start, end))
+
+    def plan(
+        self, start: int, end: int, word: Token, kind: ast.Kind | None, block: ast.Block | None
+    ) -> ast.Plan:
+        return ast.Plan(word[1], kind, block, span=Span(self.source, start, end))
+
+    def emit(self, start: int, end: int, kind: ast.Kind, block: ast.Block | None) -> ast.Emit:
+        return ast.Emit(kind, block, span=Span(self.source, start, end))
+
+    def unreadable(self, start: int, end: int, token: Token) -> None:
+        return None
+
+    # --- blocks -------------------------------------------------------------------------
+
+    def block(self, start: int, end: int, *items: ast.Option | ast.Pass | None) -> ast.Block:
+        read = tuple(item for item in items if item is not None)
+        span = Span(self.source, start, end)
+        return ast.Block(read, complete=len(read) == len(items), span=span)
+
+    def option(self, start: int, end: int, key: ast.Word, value: ast.Expression) -> ast.Option:
+        return ast.Option(key, value, span=Span(self.source, start, end))
+
+    def pass_(
+        self, start: int, end: int, verb: Token, kind: ast.Kind, block: ast.Block | None
+    ) -> ast.Pass:
+        return ast.Pass(self._word(verb), kind, block, span=Span(self.source, start, end))
+
+    def kind(self, start: int, end: int, *words: Token) -> ast.Kind:
+        text = ".".join(word[1] for word in words)
+        return ast.Kind(text, span=Span(self.source, start, end))
+
+    def key(self, start: int, end: int, token: Token) -> ast.Word:
+        return self._word(token)
+
+    # --- values -------------------------------------------------------------------------
+
+    def list(self, start: int, end: int, *items: ast.Expression | None) -> ast.ListValue:
+        values = tuple(item for item in items if item is not None)
+        return ast.ListValue(values, span=Span(self.source, start, end))
+
+    def map(self, start: int, end: int, *entries: ast.MapEntry) -> ast.MapValue:
+        return ast.MapValue(entries, span=Span(self.source, start, end))
+
+    def entry(
+        self, start: int, end: int, key: ast.Word | ast.String, value: ast.Expression
+    ) -> ast.MapEntry:
+        return ast.MapEntry(key, value, span=Span(self.source, start, end))
+
+    def number(self, start: int, end: int, token: Token) -> ast.Number:
+        text = token[1]
+        match = _DIGITS.match(text)
+        assert match is not None, "the lexer lets only numbers through"
+        digits = match[0]
+        return ast.Number(digits, text[len(digits) :], span=Span(self.source, start, end))
+
+    def string(self, start: int, end: int, token: Token) -> ast.String:
+        return ast.String(unescaped(token[1]), span=Span(self.source, start, end))
+
+    def text(self, start: int, end: int, token: Token) -> ast.Text:
+        return ast.Text(dedented(token[1]), span=Span(self.source, start, end))
+
+    def boolean(self, start: int, end: int, token: Token) -> ast.Boolean:
+        return ast.Boolean(token[0] == "TRUE", span=Span(self.source, start, end))
+
+    # --- expressions --------------------------------------------------------------------
+
+    def name(self, start: int, end: int, token: Token) -> ast.Name:
+        return ast.Name(token[1], span=Span(self.source, start, end))
+
+    def member(self, start: int, end: int, of: ast.Expression, name: Token) -> ast.Member:
+        return ast.Member(of, self._word(name), span=Span(self.source, start, end))
+
+    def call(
+        self, start: int, end: int, function: ast.Name | ast.Member, *arguments: ast.Argument | None
+    ) -> ast.Call:
+        given = tuple(argument for argument in arguments if argument is not None)
+        return ast.Call(function, given, span=Span(self.source, start, end))
+
+    def positional(self, start: int, end: int, value: ast.Expression) -> ast.Argument:
+        return ast.Argument(value, span=Span(self.source, start, end))
+
+    def named(self, start: int, end: int, key: ast.Word, value: ast.Expression) -> ast.Argument:
+        return ast.Argument(value, key, span=Span(self.source, start, end))
+
+    def group(self, start: int, end: int, inner: ast.Expression) -> ast.Group:
+        return ast.Group(inner, span=Span(self.source, start, end))
+
+    def point(self, start: int, end: int, *items: ast.Expression) -> ast.Point:
+        return ast.Point(items, span=Span(self.source, start, end))
+
+    def negate(self, start: int, end: int, sign: Token, operand: ast.Expression) -> ast.Negate:
+        return ast.Negate(operand, span=Span(self.source, start, end))
+
+    def draw(
+        self, start: int, end: int, low: ast.Expression, dots: Token, high: ast.Expression
+    ) -> ast.Draw:
+        return ast.Draw(low, high, span=Span(self.source, start, end))
+
+    def arithmetic(
+        self, start: int, end: int, left: ast.Expression, sign: Token, right: ast.Expression
+    ) -> ast.Arithmetic:
+        span = Span(self.source, start, end)
+        return ast.Arithmetic(sign[1], left, right, operator_span=self._span(sign), span=span)
+
+    def comparison(self, start: int, end: int, *parts: Any) -> ast.Comparison:
+        signs = tuple(sign[1] for sign in parts[1::2])
+        return ast.Comparison(tuple(parts[::2]), signs, span=Span(self.source, start, end))
+
+    def not_(self, start: int, end: int, word: Token, operand: ast.Expression) -> ast.Not:
+        return ast.Not(operand, span=Span(self.source, start, end))
+
+    def temporal(
+        self,
+        start: int,
+        end: int,
+        word: Token,
+        interval: ast.Interval | None,
+        operand: ast.Expression,
+    ) -> ast.Temporal:
+        span = Span(self.source, start, end)
+        canonical = CANONICAL[word[0]]
+        return ast.Temporal(canonical, interval, operand, word_span=self._span(word), span=span)
+
+    def interval(
+        self, start: int, end: int, low: ast.Expression, high: ast.Expression
+    ) -> ast.Interval:
+        return ast.Interval(low, high, span=Span(self.source, start, end))
+
+    def binding(
+        self,
+        start: int,
+        end: int,
+        left: ast.Expression,
+        word: Token,
+        interval: ast.Interval | None,
+        right: ast.Expression,
+    ) -> ast.Binding:
+        span = Span(self.source, start, end)
+        canonical = CANONICAL[word[0]]
+        return ast.Binding(canonical, interval, left, right, word_span=self._span(word), span=span)
+
+    def logic(self, start: int, end: int, *parts: Any) -> ast.Logic:
+        word = CANONICAL[parts[1][0]]
+        return ast.Logic(word, tuple(parts[::2]), span=Span(self.source, start, end))
+
+    def pair(
+        self, start: int, end: int, left: ast.Expression, word: Token, right: ast.Expression
+    ) -> ast.Logic:
+        canonical = CANONICAL[word[0]]
+        return ast.Logic(canonical, (left, right), span=Span(self.source, start, end))

@@ -1,0 +1,24 @@
+"""Where the grammar file is: inside the wheel, or at the root of a checkout."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+_PACKAGE = Path(__file__).parents[2]
+
+
+def grammar_path() -> Path:
+    """`grammar/roadlang.lark`; the same call serves a checkout and an installed wheel."""
+    shipped = _PACKAGE / "_shipped" / "grammar"
+    room = shipped if shipped.is_dir() else _PACKAGE.parents[1] / "grammar"
+    return room / "roadlang.lark"
+
+
+def grammar_text() -> str:
+    return grammar_path().read_text(encoding="utf-8")
+
+
+def digest(grammar: str) -> str:
+    """What tells whether parse tables were made from this grammar, whatever its line ends."""
+    return hashlib.sha256("\n".join(grammar.splitlines()).encode()).hexdigest()

@@ -1,0 +1,93 @@
+"""Source to syntax tree and diagnostics. Always returns what could be read."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from ...diagnostics import Diagnostic, Source
+from ..recovery.operator_spelling import misspelled_temporal
+from ..tree import nodes as ast
+from .builder import Builder
+from .checks import check, check_nodes
+from .engine import Build, Stuck, run
+from .lexer import lex
+from .tables import Tables, tables
+from .tokens import Lexed
+
+_MOST_REPORTED = 100
+
+
+def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
+    """The tree of a scene file, as far as it can be read, and what is wrong with it."""
+    grammar = tables()
+    lexed = lex(source, grammar)
+    builder = Builder(source)
+    builds = _builds(grammar, builder)
+    value = _whole(grammar, "file", lexed, builds)
+    found = list(lexed.diagnostics)
+    spoiled: list[ast.Word] = []
+    if isinstance(value, Stuck):
+        from ..recovery.recovery import Recovery
+
+        recovery = Recovery(source, grammar, builds, _lines(found))
+        value = builder.file(0, 0, *recovery.file(lexed))
+        found.extend(recovery.diagnostics)
+        spoiled = recovery.spoiled
+    checked = check(value)
+    quiet = _lines(lexed.diagnostics)
+    found.extend(each for each in checked.diagnostics if not _echo(each, quiet))
+    tree = replace(
+        value,
+        statements=tuple(checked.kept),
+        comments=tuple(lexed.comments),
+        spoiled=(*spoiled, *checked.spoiled),
+    )
+    return tree, _reported(found)
+
+
+def parse_formula(source: Source) -> tuple[ast.Expression | None, list[Diagnostic]]:
+    """One formula, as the library reads it: the expression, or None and why not."""
+    grammar = tables()
+    lexed = lex(source, grammar)
+    builds = _builds(grammar, Builder(source))
+    value = _whole(grammar, "formula", lexed, builds)
+    found = list(lexed.diagnostics)
+    if isinstance(value, Stuck):
+        from ..recovery.recovery import Recovery
+
+        recovery = Recovery(source, grammar, builds, _lines(found))
+        value = recovery.piece("formula", lexed.tokens)
+        found.extend(recovery.diagnostics)
+    if value is None:
+        return None, _reported(found)
+    refused, fit = check_nodes(value)
+    found.extend(refused)
+    return (value if fit else None), _reported(found)
+
+
+def _builds(grammar: Tables, builder: Builder) -> list[Build]:
+    return [getattr(builder, rule.build, tuple) for rule in grammar.rules]
+
+
+def _whole(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> Any:
+    """The value of all tokens, or where they do not fit."""
+    slip = misspelled_temporal(lexed.tokens)
+    if slip is not None:
+        return Stuck(slip)
+    return run(grammar, start, lexed.tokens, builds)
+
+
+def _lines(diagnostics: list[Diagnostic]) -> frozenset[int]:
+    return frozenset(found.span.line for found in diagnostics if found.span is not None)
+
+
+def _echo(found: Diagnostic, quiet: frozenset[int]) -> bool:
+    """A missing comma or line end where a foreign character has been left out."""
+    return found.code in ("RL013", "RL014") and found.span is not None and found.span.line in quiet
+
+
+def _reported(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+    """In order of place; a hopeless file is not told all."""
+    ordered = sorted(diagnostics, key=lambda found: found.span.start if found.span else -1)
+    return ordered[:_MOST_REPORTED]

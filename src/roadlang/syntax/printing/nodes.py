@@ -1,0 +1,173 @@
+"""Nodes of the tree as documents: expressions, and statements up to their block."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from ..tree import nodes as ast
+from ..tree.strings import quoted
+from .layout import HARD, LINE, SOFT, Doc, Group, Nest, enclosed, joined
+
+Braced: TypeAlias = ast.Block | ast.MapValue
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A statement or item: what stands before its braces, and the braces, if any."""
+
+    head: Doc
+    braced: Braced | None = None
+
+
+def expression(node: ast.Node) -> Doc:
+    """An expression in canonical words; no parentheses are added or taken away."""
+    match node:
+        case ast.Number():
+            return node.digits + node.unit
+        case ast.String():
+            return quoted(node.value)
+        case ast.Text():
+            return _text(node.value)
+        case ast.Boolean():
+            return "true" if node.value else "false"
+        case ast.Name() | ast.Word() | ast.Kind():
+            return node.text
+        case ast.Member():
+            return (expression(node.of), ".", node.name.text)
+        case ast.Call():
+            return (expression(node.function), enclosed("(", _all(node.arguments), ")"))
+        case ast.Argument(key=None):
+            return expression(node.value)
+        case ast.Argument(key=ast.Word(text=key)):
+            return (key, ": ", expression(node.value))
+        case ast.Group():
+            return Group(("(", Nest(2, (SOFT, expression(node.inner))), SOFT, ")"))
+        case ast.Point():
+            return enclosed("(", _all(node.items), ")")
+        case ast.ListValue():
+            return enclosed("[", _all(node.items), "]")
+        case ast.Interval():
+            return enclosed("[", [expression(node.low), expression(node.high)], "]")
+        case ast.MapValue():
+            return braces([(item, False) for item in map(_flat_entry, node.entries)])
+        case _:
+            return _operation(node)
+
+
+def _operation(node: ast.Node) -> Doc:
+    match node:
+        case ast.Negate():
+            return ("-", expression(node.operand))
+        case ast.Draw():
+            return (expression(node.low), "..", expression(node.high))
+        case ast.Arithmetic(operator="^"):
+            # `2m^2` is one number, two square meters: a number and `^` are kept apart.
+            sign = " ^ " if isinstance(node.left, ast.Number) else "^"
+            return (expression(node.left), sign, expression(node.right))
+        case ast.Arithmetic():
+            return _chain([expression(node.left), expression(node.right)], [node.operator])
+        case ast.Comparison():
+            return _chain(_all(node.operands), list(node.operators))
+        case ast.Logic():
+            return _chain(_all(node.operands), [node.word] * (len(node.operands) - 1))
+        case ast.Not():
+            return ("not ", expression(node.operand))
+        case ast.Temporal():
+            return (node.word, *_interval(node.interval), " ", expression(node.operand))
+        case ast.Binding():
+            left, right = expression(node.left), expression(node.right)
+            word: Doc = (node.word, *_interval(node.interval))
+            return Group((left, Nest(2, (LINE, word, " ", right))))
+    raise TypeError(f"no expression: {type(node).__name__}")
+
+
+def _interval(interval: ast.Interval | None) -> tuple[Doc, ...]:
+    return () if interval is None else (expression(interval),)
+
+
+def _all(nodes: tuple[ast.Node, ...]) -> list[Doc]:
+    return [expression(node) for node in nodes]
+
+
+def _chain(operands: list[Doc], signs: list[str]) -> Doc:
+    """Operands with signs between them; lines break before a sign."""
+    rest = tuple(
+        (LINE, f"{sign} ", operand) for sign, operand in zip(signs, operands[1:], strict=True)
+    )
+    return Group((operands[0], Nest(2, rest)))
+
+
+def _text(value: str) -> Doc:
+    if not value:
+        return '""""""'
+    lines = [("  " + line if line else "") for line in value.split("\n")]
+    return ('"""', *((HARD, line) for line in lines), HARD, '"""')
+
+
+def _flat_entry(entry: ast.MapEntry) -> Doc:
+    return (expression(entry.key), ": ", expression(entry.value))
+
+
+def braces(items: list[tuple[Doc, bool]]) -> Doc:
+    """`{ a, b }`; an item that is flagged ends with `}` and needs no comma behind it."""
+    if not items:
+        return "{}"
+    inner: list[Doc] = []
+    for index, (item, closed) in enumerate(items):
+        inner.append(item)
+        if index + 1 < len(items):
+            inner.append(LINE if closed else (",", LINE))
+    return Group(("{", Nest(2, (LINE, *inner)), LINE, "}"))
+
+
+def part(node: ast.Node) -> Part:
+    """A statement, an item of a block or an entry of a map."""
+    match node:
+        case ast.Option(key=key, value=value) | ast.MapEntry(key=key, value=value):
+            return _valued((expression(key), ":"), value)
+        case ast.Param():
+            return _valued(("param ", node.name.text, " ="), node.value)
+        case ast.Let():
+            return _valued(("let ", node.name.text, " ="), node.value)
+        case ast.Pass():
+            return Part((node.verb.text, " with ", node.kind.text), node.block)
+        case ast.Header():
+            return Part(_words("scenario", node.name, node.title))
+        case ast.Include():
+            return Part(_words("include", node.path), node.block)
+        case ast.Geometry():
+            source = () if node.source is None else ("from", node.source)
+            return Part(_words(node.word, node.name, *source), node.block)
+        case ast.Actor():
+            on = () if node.on is None else ("on", node.on)
+            at = () if node.at is None else ("at", node.at)
+            return Part(_words(node.word, node.name, "is", node.kind, *on, *at), node.block)
+        case ast.Constraint():
+            return _constraint(node)
+        case ast.World():
+            return Part("world", node.block)
+        case ast.Plan():
+            kind = () if node.kind is None else ("with", node.kind)
+            return Part(_words(node.word, *kind), node.block)
+        case ast.Emit():
+            return Part(_words("emit", node.kind), node.block)
+    raise TypeError(f"no statement or item: {type(node).__name__}")
+
+
+def _constraint(node: ast.Constraint) -> Part:
+    if node.formula is not None:
+        return _valued((node.word, " ", node.name.text, ":"), node.formula)
+    assert node.kind is not None, "a constraint has a formula or a kind"
+    return Part(_words(node.word, node.name, "with", node.kind), node.block)
+
+
+def _valued(head: Doc, value: ast.Expression) -> Part:
+    if isinstance(value, ast.MapValue):
+        return Part(head, value)
+    return Part((head, " ", expression(value)))
+
+
+def _words(*parts: str | ast.Node | None) -> Doc:
+    docs = [part if isinstance(part, str) else expression(part) for part in parts if part]
+    return joined(" ", docs)

@@ -1,0 +1,142 @@
+"""Brackets of a piece that are never closed: reported where they are opened, and closed."""
+
+from __future__ import annotations
+
+from ...diagnostics import Diagnostic, Fix, Source, diagnose
+from ..parsing.tables import END
+from ..parsing.tokens import Token
+from ..words import CLOSERS, DEEPEST, OPENERS, SIGNS
+from .block_items import UNREADABLE, spoil
+from .stuck_position import indentation, looks_like_item, starts_line
+
+
+def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:
+    """The tokens with every bracket closed, and what was not. A closer too many is left alone."""
+    found: list[Diagnostic] = []
+    for _ in range(20):
+        fault = _first_fault(source, tokens)
+        if fault is None:
+            break
+        opener, place = fault
+        if tokens[place][0] in CLOSERS and not _opened(tokens, opener, tokens[place][0]):
+            tokens = _exchange(source, tokens, opener, place, found)
+        else:
+            tokens = _close(source, tokens, opener, place, found)
+    return tokens, found
+
+
+def _exchange(
+    source: Source, tokens: list[Token], opener: int, place: int, found: list[Diagnostic]
+) -> list[Token]:
+    """`(a]`: the closing bracket is of another form than the opening one."""
+    kind, text, start, end = tokens[opener]
+    wrong, closer = tokens[place], SIGNS[OPENERS[kind]]
+    there = source.span(wrong[2], wrong[3])
+    line = source.span(start, end).line
+    help = f"`{text}` of line {line} is closed by `{closer}`"
+    fixes = [Fix(there, closer)]
+    found.append(diagnose("RL004", there, what=wrong[1], help=help, fixes=fixes))
+    return [*tokens[:place], (OPENERS[kind], closer, *wrong[2:]), *tokens[place + 1 :]]
+
+
+def _close(
+    source: Source, tokens: list[Token], opener: int, place: int, found: list[Diagnostic]
+) -> list[Token]:
+    """Report a bracket that is never closed, and close it where it should have been."""
+    kind, text, start, end = tokens[opener]
+    closer = SIGNS[OPENERS[kind]]
+    span = source.span(start, end)
+    found.append(diagnose("RL003", span, what=text, help=f"close it with `{closer}`"))
+    behind, before = tokens[place - 1][3], tokens[place - 1][0]
+    closed = [*tokens[:place], (OPENERS[kind], closer, behind, behind), *tokens[place:]]
+    if kind == "LBRACE":
+        return closed
+    # What the bracket holds is a guess: say nothing more about the item around it.
+    if before in OPENERS or before == "COMMA":
+        everything: Token = (UNREADABLE, "", tokens[0][2], behind)
+        return spoil(source, closed, opener) or [everything, tokens[-1]]
+    if tokens[place][0] != END:
+        return spoil(source, closed, opener) or closed
+    return closed
+
+
+def too_deep(tokens: list[Token]) -> int | None:
+    """The index of the first bracket that is nested too deep to be read."""
+    depth = 0
+    for index, token in enumerate(tokens):
+        if token[0] in OPENERS:
+            depth += 1
+            if depth > DEEPEST:
+                return index
+        elif token[0] in CLOSERS:
+            depth = max(0, depth - 1)
+    return None
+
+
+def _opened(tokens: list[Token], before: int, closer: str) -> bool:
+    """Whether a bracket that this one closes is open before the token `before`."""
+    depth = 0
+    for token in tokens[:before]:
+        depth += (token[0] == CLOSERS[closer]) - (token[0] == closer)
+    return depth > 0
+
+
+def _first_fault(source: Source, tokens: list[Token]) -> tuple[int, int] | None:
+    """An opener without its closer, and the index of the token before which it should be closed."""
+    stack: list[int] = []
+    for index, token in enumerate(tokens):
+        kind = token[0]
+        if kind in OPENERS:
+            stack.append(index)
+        elif kind in CLOSERS and stack:
+            top = stack[-1]
+            further_out = _belongs_further_out(source, tokens, stack, token)
+            if CLOSERS[kind] != tokens[top][0] or further_out:
+                return top, _where(source, tokens, top, index)
+            stack.pop()
+        elif kind not in CLOSERS and stack and _item_inside(source, tokens, stack[-1], index):
+            return stack[-1], index
+    if stack:
+        return stack[-1], _where(source, tokens, stack[-1], len(tokens) - 1)
+    return None
+
+
+def _item_inside(source: Source, tokens: list[Token], opener: int, index: int) -> bool:
+    """A line begins `key:` or `verb with` where a `(` or `[` is open.
+
+    Within `f(`, such lines are arguments.
+    """
+    if tokens[opener][0] == "LBRACE" or not starts_line(source, tokens[index]):
+        return False
+    in_call = (
+        tokens[opener][0] == "LPAR"
+        and tokens[opener - 1][0] == "NAME"
+        and tokens[opener - 1][3] == tokens[opener][2]
+    )
+    return not in_call and looks_like_item(tokens, index)
+
+
+def _belongs_further_out(
+    source: Source, tokens: list[Token], stack: list[int], closer: Token
+) -> bool:
+    """`}` on a line of its own stands under the line of another `{` than the innermost."""
+    if closer[0] != "RBRACE" or len(stack) < 2 or not starts_line(source, closer):
+        return False
+    column = indentation(source, closer[2])
+    innermost = indentation(source, tokens[stack[-1]][2])
+    outer = [indentation(source, tokens[opener][2]) for opener in stack[:-1]]
+    return innermost > column and column in outer
+
+
+def _where(source: Source, tokens: list[Token], opener: int, latest: int) -> int:
+    """Before which token a bracket should be closed: a `{` before the next line not further in."""
+    if tokens[opener][0] == "LBRACE":
+        column = indentation(source, tokens[opener][2])
+        inside = any(token[0] == "LBRACE" for token in tokens[:opener])
+        for index in range(opener + 1, latest):
+            token = tokens[index]
+            if not starts_line(source, token) or indentation(source, token[2]) > column:
+                continue
+            if inside or not looks_like_item(tokens, index):
+                return index
+    return latest

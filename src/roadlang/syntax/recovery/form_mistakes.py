@@ -1,0 +1,81 @@
+"""Intervals, lists and agents in another form than the language has."""
+
+from __future__ import annotations
+
+from ...diagnostics import Fix, diagnose
+from ..parsing.tables import END
+from ..words import BINDING_KINDS, TEMPORAL_KINDS
+from .stuck_position import Edit, Mistake, Place
+
+
+def interval_form(place: Place) -> Mistake | None:
+    """`always[0s..5s]`, `always[5s]`, `always(0s, 5s) (p)`."""
+    if place.kind() == "LPAR" and place.kind(-1) == "RPAR":
+        return _round_interval(place)
+    if place.kind() != "RSQB" or not place.expects("COMMA") or place.expects("RSQB"):
+        return None
+    opener = _opener(place, place.index, "LSQB", "RSQB")
+    if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS | BINDING_KINDS:
+        return None
+    inside = range(opener + 1, place.index)
+    dots = [index for index in inside if place.tokens[index][0] == "RANGE"]
+    span = place.source.span(place.tokens[opener][2], place.token()[3])
+    if dots:
+        fixed = span.text.replace("..", ", ", 1)
+        found = diagnose("RL026", span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)])
+        dot = place.tokens[dots[0]]
+        return Mistake(found, Edit(dots[0], dots[0] + 1, (("COMMA", ",", dot[2], dot[3]),)))
+    zero = "[0, " + span.text[1:].strip()
+    found = diagnose("RL026", span, help=f"from now on: `{zero}`", fixes=[Fix(span, zero)])
+    start = place.tokens[opener][3]
+    low = (("NUMBER", "0", start, start), ("COMMA", ",", start, start))
+    return Mistake(found, Edit(opener + 1, opener + 1, low))
+
+
+def _round_interval(place: Place) -> Mistake | None:
+    opener = _opener(place, place.index - 1, "LPAR", "RPAR")
+    if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS:
+        return None
+    span = place.source.span(place.tokens[opener][2], place.token(-1)[3])
+    fixed = f"[{span.text[1:-1]}]"
+    found = diagnose("RL026", span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)])
+    inside = place.tokens[opener + 1 : place.index - 1]
+    first, last = place.tokens[opener], place.token(-1)
+    tokens = (("LSQB", "[", first[2], first[3]), *inside, ("RSQB", "]", last[2], last[3]))
+    return Mistake(found, Edit(opener, place.index, tokens))
+
+
+def _opener(place: Place, closer: int, opens: str, closes: str) -> int | None:
+    depth = 0
+    for index in range(closer, 0, -1):
+        depth += (place.tokens[index][0] == closes) - (place.tokens[index][0] == opens)
+        if depth == 0:
+            return index
+    return None
+
+
+def list_operand(place: Place) -> Mistake | None:
+    """A list beside an operator, or where an operand is due."""
+    behind = place.kind(-1) == "RSQB" and place.kind() in (
+        "PLUS", "MINUS", "TIMES", "DIVIDE", "COMPARISON", "RANGE", "POWER", "AND", "OR",
+    )  # fmt: skip
+    before = place.kind() == "LSQB" and place.wants_value
+    if not behind and not before:
+        return None
+    return Mistake(diagnose("RL025", place.span()))
+
+
+def actor_order(place: Place) -> Mistake | None:
+    """`is K at P on R`: the order is fixed."""
+    if place.first_kind not in ("AGENT", "OBJECT") or place.kind() not in ("ON", "IS"):
+        return None
+    kinds = [token[0] for token in place.tokens[: place.index]]
+    if place.kind() != "ON" or "AT" not in kinds or "ON" in kinds:
+        return None
+    at = kinds.index("AT")
+    end = place.index + 1
+    while place.tokens[end][0] not in ("LBRACE", END):
+        end += 1
+    moved = (*place.tokens[place.index : end], *place.tokens[at : place.index])
+    found = diagnose("RL022", place.span(), help="the order is `is KIND on ROAD at PLACE { ... }`")
+    return Mistake(found, Edit(at, end, moved))

@@ -1,0 +1,68 @@
+"""Numbers written another way: `5 m`, `.5`, `1,5m`."""
+
+from __future__ import annotations
+
+import re
+
+from ...diagnostics import Fix, diagnose
+from ..words import UNITS
+from .stuck_position import Edit, Mistake, Place
+
+_UNIT = re.compile(rf"[ \t]+((?:{'|'.join(UNITS)})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b")
+
+
+def loose_unit(place: Place) -> Mistake | None:
+    """`5 m`: the unit is read as a name, and the parser stumbles over it or behind it."""
+    for offset in (0, -1):
+        number = place.token(offset - 1)
+        if number[0] != "NUMBER" or place.kind(offset) not in ("NAME",):
+            continue
+        match = _UNIT.match(place.source.text, number[3])
+        if match is None or not number[1][-1].isdigit():
+            continue
+        last = place.index + offset
+        while place.tokens[last][3] < match.end():
+            last += 1
+        span = place.source.span(number[2], match.end())
+        fixed = number[1] + match[1]
+        found = diagnose(
+            "RL009", span, number=number[1], unit=match[1], help=f"write `{fixed}`",
+            fixes=[Fix(span, fixed)],
+        )  # fmt: skip
+        meant = ("NUMBER", fixed, span.start, span.end)
+        return Mistake(found, Edit(place.index + offset - 1, last + 1, (meant,)))
+    return None
+
+
+def decimal_point(place: Place) -> Mistake | None:
+    """`.5`, `5.` and `5.m`: a digit is needed on both sides of the point."""
+    if place.kind() != "DOT":
+        return None
+    first, last, fixed = 0, 0, ""
+    if place.wants_value and place.kind(1) == "NUMBER" and place.glued(1):
+        last, fixed = 1, "0." + place.word(1)
+    elif place.kind(-1) == "NUMBER" and place.glued(0) and place.word(-1).isdigit():
+        glued_name = place.kind(1) == "NAME" and place.glued(1)
+        first, last = -1, int(glued_name)
+        fixed = f"{place.word(-1)}.0{place.word(1) if glued_name else ''}"
+    if not fixed:
+        return None
+    span = place.span(first, last)
+    help = f"write `{fixed}`"
+    found = diagnose("RL008", span, number=span.text, help=help, fixes=[Fix(span, fixed)])
+    meant = ("NUMBER", fixed, span.start, span.end)
+    return Mistake(found, Edit(place.index + first, place.index + last + 1, (meant,)))
+
+
+def decimal_comma(place: Place) -> Mistake | None:
+    """`1,5m`: a comma where the decimal point belongs."""
+    if place.kind() != "NUMBER" or place.kind(-1) != "COMMA" or place.kind(-2) != "NUMBER":
+        return None
+    if not (place.glued(0) and place.glued(-1) and place.word(-2).isdigit()):
+        return None
+    span = place.span(-2, 0)
+    fixed = f"{place.word(-2)}.{place.word()}"
+    help = f"write `{fixed}`"
+    found = diagnose("RL008", span, number=span.text, help=help, fixes=[Fix(span, fixed)])
+    meant = ("NUMBER", fixed, span.start, span.end)
+    return Mistake(found, Edit(place.index - 2, place.index + 1, (meant,)))

@@ -1,0 +1,71 @@
+"""Signs and brackets: the wrong one, one too many, or another language's."""
+
+from __future__ import annotations
+
+from ...diagnostics import Fix, diagnose
+from ..words import CLOSERS
+from .stuck_position import Edit, Mistake, Place
+from .token_names import expectation, finding
+
+
+def wrong_sign(place: Place) -> Mistake | None:
+    """`=` for `:`, `:` for `=`, `=` for `==`."""
+    kind = place.kind()
+    if kind not in ("EQUAL", "COLON"):
+        return None
+    for meant, sign in (("COLON", ":"), ("EQUAL", "="), ("COMPARISON", "==")):
+        if meant != kind and place.expects(meant) and (kind == "EQUAL" or meant == "EQUAL"):
+            span = place.span()
+            last = 1
+            if place.kind(1) == "EQUAL" and place.glued(1):
+                last = 2
+            found = diagnose(
+                "RL010", span, right=sign, wrong=place.word(), help=f"write `{sign}`",
+                fixes=[Fix(span, sign)],
+            )  # fmt: skip
+            token = (meant, sign, span.start, span.end)
+            return Mistake(found, Edit(place.index, place.index + last, (token,)))
+    return None
+
+
+def stray_closer(place: Place) -> Mistake | None:
+    """A closing bracket that nothing opens."""
+    if place.kind() not in CLOSERS:
+        return None
+    depth = 0
+    for token in place.tokens[: place.index]:
+        depth += (token[0] == CLOSERS[place.kind()]) - (token[0] == place.kind())
+    if depth > 0:
+        return None
+    help = "leave it out, or open it where it belongs"
+    found = diagnose("RL004", place.span(), what=place.word(), help=help)
+    return Mistake(found, Edit(place.index, place.index + 1))
+
+
+def one_too_many(place: Place) -> Mistake | None:
+    """A comma or a `with` that can be left out."""
+    if place.kind() not in ("COMMA", "WITH") or not place.goes_on(skip=1):
+        return None
+    found = diagnose("RL001", place.span(), expected=expectation(place), found=finding(place))
+    return Mistake(found, Edit(place.index, place.index + 1))
+
+
+def power_of_python(place: Place) -> Mistake | None:
+    if place.kind() != "TIMES" or place.kind(-1) != "TIMES" or not place.glued(0):
+        return None
+    span = place.span(-1, 0)
+    found = diagnose(
+        "RL006", span, what="**", help="a power is written with `^`", fixes=[Fix(span, "^")]
+    )
+    meant = ("POWER", "^", span.start, span.end)
+    return Mistake(found, Edit(place.index - 1, place.index + 1, (meant,)))
+
+
+def turned_comparison(place: Place) -> Mistake | None:
+    """`=<` for `<=`."""
+    if place.kind() != "EQUAL" or place.word(1) != "<" or not place.glued(1):
+        return None
+    span = place.span(0, 1)
+    found = diagnose("RL006", span, what="=<", help="write `<=`", fixes=[Fix(span, "<=")])
+    meant = ("COMPARISON", "<=", span.start, span.end)
+    return Mistake(found, Edit(place.index, place.index + 2, (meant,)))

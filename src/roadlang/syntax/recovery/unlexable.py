@@ -1,0 +1,265 @@
+"""What the scanner cannot read: say what it is, and put the token there that was meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from ...diagnostics import Diagnostic, Fix, Source, diagnose
+from ..parsing.tables import Tables
+from ..parsing.tokens import Lexed, Token
+from ..tree.strings import ESCAPES
+from .foreign_notation import SYMBOLS, from_latex
+
+_WORD = re.compile(r"\w+")
+_LATEX = re.compile(r"\$[^$\n]*\$|\\[A-Za-z]+|\\")
+_SINGLE = re.compile(r"'([^'\r\n]*)'|[“”„«]([^“”»\"\r\n]*)[“”»]")
+_CLOSED = re.compile(r'"(?:[^"\\\r\n]|\\[^\r\n])*"')
+_ESCAPE = re.compile(r"\\(.)")
+_BARE_STRING = re.compile(r"\"[\w./\\-]*(?=\s*[{,)\]}:])")
+_COLOR = re.compile(r"#(?:[0-9a-fA-F]{8}|[0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![^\s,:)\]}])")
+_KEY = re.compile(r"\s*:")
+_MARGIN_STATEMENT = re.compile(
+    r"^(?:scenario|include|param|let|image|network|road|require|expect|agent|object|world|sample"
+    r"|simulate|falsify|emit)\b",
+    re.MULTILINE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Misread:
+    """Where the scanner stands, and what it has read so far."""
+
+    source: Source
+    tables: Tables
+    lexed: Lexed
+    start: int
+
+    @property
+    def tokens(self) -> list[Token]:
+        return self.lexed.tokens
+
+    @property
+    def text(self) -> str:
+        return self.source.text
+
+    def line_end(self) -> int:
+        found = re.compile(r"[\r\n]|\Z").search(self.text, self.start)
+        return found.start() if found else len(self.text)
+
+    def read_as(self, kind: str, text: str, end: int) -> int:
+        self.tokens.append((kind, text, self.start, end))
+        return end
+
+
+Answer: TypeAlias = tuple[Diagnostic | None, int]
+"""What to report, and where to go on."""
+
+
+def misread(place: Misread) -> Answer:
+    """Explain the character at `place.start`; adds the token that was meant, if any."""
+    char = place.text[place.start]
+    if char == '"':
+        if place.text.startswith('"""', place.start):
+            return _text(place)
+        closed = _CLOSED.match(place.text, place.start)
+        return _escape(place, closed.end()) if closed else _string(place)
+    for explain in _EXPLAINERS:
+        answer = explain(place)
+        if answer is not None:
+            return answer
+    return _foreign(place)
+
+
+def _text(place: Misread) -> Answer:
+    """`\"\"\"` without its end: the text probably ended before the next statement."""
+    following = _MARGIN_STATEMENT.search(place.text, place.start + 3)
+    end = following.start() if following else len(place.text)
+    place.tokens.append(("TEXT", place.text[place.start : end].rstrip() + '"""', place.start, end))
+    span = place.source.span(place.start, place.start + 3)
+    return diagnose("RL005", span, what="text", help='close it with `"""`'), end
+
+
+def _escape(place: Misread, end: int) -> Answer:
+    """A string with an escape that means nothing; the string is read all the same."""
+    place.read_as("STRING", place.text[place.start : end], end)
+    match = next(match for match in _ESCAPE.finditer(place.text, place.start, end) if _bad(match))
+    span = place.source.span(*match.span())
+    meant = "\\" + match[0]
+    help = f"a backslash is written `\\\\`: `{meant}`"
+    return diagnose("RL020", span, escape=match[0], help=help, fixes=[Fix(span, meant)]), end
+
+
+def _bad(match: re.Match[str]) -> bool:
+    return match[1] not in ESCAPES
+
+
+def _string(place: Misread) -> Answer:
+    bare = _BARE_STRING.match(place.text, place.start)
+    end = bare.end() if bare else place.line_end()
+    while not bare and end > place.start + 1 and place.text[end - 1] in " \t":
+        end -= 1
+    place.tokens.append(("STRING", place.text[place.start : end] + '"', place.start, end))
+    span = place.source.span(place.start, end)
+    fixes = [Fix(place.source.span(end, end), '"')]
+    return diagnose("RL005", span, what="string", help='close it with `"`', fixes=fixes), end
+
+
+def _single_quotes(place: Misread) -> Answer | None:
+    match = _SINGLE.match(place.text, place.start)
+    if match is None:
+        return None
+    inner = match[1] if match[1] is not None else match[2]
+    meant = '"' + inner.replace("\\", "\\\\") + '"'
+    place.read_as("STRING", meant, match.end())
+    span = place.source.span(*match.span())
+    found = diagnose(
+        "RL006", span, what=match[0][0], help=f"write `{meant}`", fixes=[Fix(span, meant)]
+    )
+    return found, match.end()
+
+
+def _latex(place: Misread) -> Answer | None:
+    """LaTeX spoils its line: the form in roadlang is shown, the line is left out."""
+    match = _LATEX.match(place.text, place.start)
+    if match is None:
+        return None
+    end = place.line_end()
+    line = place.text[place.text.rfind("\n", 0, place.start) + 1 : end]
+    formula = line.partition(":")[2] if ":" in line.partition("\\")[0] else line
+    span = place.source.span(*match.span())
+    shown = from_latex(formula)
+    return diagnose("RL019", span, help=f"in roadlang: `{shown}`"), end
+
+
+def _symbol(place: Misread) -> Answer | None:
+    char = place.text[place.start]
+    meant = SYMBOLS.get(char)
+    if meant is None:
+        return None
+    end = place.start + 1
+    match = place.tables.scanner.match(meant)
+    if meant and match is not None and match.lastgroup is not None:
+        kind = place.tables.keywords.get(meant, match.lastgroup)
+        place.read_as(kind, meant, end)
+    span = place.source.span(place.start, end)
+    help = f"write `{meant}`" if meant else "leave it out: a statement ends where the next begins"
+    return diagnose("RL006", span, what=char, help=help, fixes=[Fix(span, meant)]), end
+
+
+def _percent(place: Misread) -> Answer | None:
+    """`5 %`: the sign belongs to the number before it."""
+    if place.text[place.start] != "%" or not place.tokens:
+        return None
+    kind, number, start, end = place.tokens[-1]
+    if kind != "NUMBER" or place.text[end : place.start].strip(" \t"):
+        return None
+    place.tokens[-1] = (kind, number + "%", start, place.start + 1)
+    span = place.source.span(start, place.start + 1)
+    fixed = number + "%"
+    help = f"write `{fixed}`"
+    found = diagnose("RL009", span, number=number, unit="%", help=help, fixes=[Fix(span, fixed)])
+    return found, place.start + 1
+
+
+def _letter(place: Misread) -> Answer | None:
+    """A name with letters that are not ASCII. It is kept, so that its uses are not unknown."""
+    match = _WORD.match(place.text, place.start)
+    if match is None:
+        return None
+    start, end = match.span()
+    if place.tokens and place.tokens[-1][3] == start and _WORD.fullmatch(place.tokens[-1][1]):
+        start = place.tokens.pop()[2]
+    name = place.text[start:end]
+    place.tokens.append(("NAME", name, start, end))
+    if name in place.lexed.names:
+        return None, end
+    place.lexed.names.add(name)
+    span = place.source.span(start, end)
+    return diagnose("RL007", span, name=name, help="use the letters a-z, digits and `_`"), end
+
+
+def _color(place: Misread) -> Answer | None:
+    """`key: #2e7d32`: a comment that looks like a color where a value is due."""
+    match = _COLOR.match(place.text, place.start)
+    if match is None:
+        return None
+    meant = f'"{match[0]}"'
+    place.read_as("STRING", meant, match.end())
+    span = place.source.span(*match.span())
+    help = f"a color is a string: `{meant}`"
+    return diagnose("RL028", span, help=help, fixes=[Fix(span, meant)]), match.end()
+
+
+def _comment(place: Misread) -> Answer | None:
+    """`// ...` and `/* ... */` are comments elsewhere."""
+    if not place.text.startswith(("//", "/*"), place.start):
+        return None
+    mark = place.text[place.start : place.start + 2]
+    end = place.line_end()
+    if mark == "/*":
+        closer = place.text.find("*/", place.start)
+        end = closer + 2 if closer >= 0 else len(place.text)
+    span = place.source.span(place.start, place.start + 2)
+    return diagnose("RL030", span, what=mark, help="a comment begins with `#`"), end
+
+
+def _foreign(place: Misread) -> Answer:
+    """Anything else; a run of the same kind of character is one mistake."""
+    text, start = place.text, place.start
+    end = start + 1
+    if not text[start].isascii() or not text[start].isprintable():
+        while end < len(text) and _same(text[start], text[end]):
+            end += 1
+    shown = text[start] if text[start].isprintable() else f"U+{ord(text[start]):04X}"
+    return diagnose("RL006", place.source.span(start, end), what=shown), end
+
+
+def _same(first: str, char: str) -> bool:
+    if char.isspace() or char in SYMBOLS or char.isalnum():
+        return False
+    return char.isprintable() == first.isprintable() and not (char.isascii() and char.isprintable())
+
+
+_EXPLAINERS: tuple[Callable[[Misread], Answer | None], ...] = (
+    _color,
+    _comment,
+    _single_quotes,
+    _latex,
+    _symbol,
+    _percent,
+    _letter,
+)
+
+
+def _looks_like_color(lexed: Lexed, text: str, start: int, end: int) -> bool:
+    match = _COLOR.match(text, start)
+    if match is None or not lexed.tokens:
+        return False
+    before = lexed.tokens[-1][0]
+    if before in ("COLON", "EQUAL") or _KEY.match(text, match.end()):
+        return True
+    digits = match[0][1:]
+    return len(digits) >= 6 and not digits.isalpha() and before in ("LPAR", "LSQB", "COMMA")
+
+
+def _faulty_string(lexed: Lexed, text: str, start: int, end: int) -> bool:
+    """`\"\"\"` that no other one closes is read as an empty string before a quote."""
+    if end - start == 2:
+        return text.startswith('"', end)
+    return "\\" in text[start:end] and any(map(_bad, _ESCAPE.finditer(text, start, end)))
+
+
+def _foreign_comment(lexed: Lexed, text: str, start: int, end: int) -> bool:
+    return text.startswith(("/", "*"), end)
+
+
+SUSPECTS: dict[str, Callable[[Lexed, str, int, int], bool]] = {
+    "BAD": lambda lexed, text, start, end: True,
+    "COMMENT": _looks_like_color,
+    "STRING": _faulty_string,
+    "DIVIDE": _foreign_comment,
+}
+"""Kinds of token that may be a mistake, and when they are."""

@@ -1,0 +1,1 @@
+"""The syntax tree and how it is walked."""

@@ -1,0 +1,1 @@
+"""What candidates describe: pictures, networks, roads, perturbation, signals, placement."""

@@ -1,0 +1,189 @@
+"""Networks: extracted from pictures or read from files, edge by edge in many candidates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError, Span, diagnose
+from ..evaluate.building import build
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.scenario_index import Plan
+from ..geometry import Edge, Frame, RoadNetwork, WidthProfile
+from ..ir.batch import RoadBatch
+from ..ir.picture import Extraction, FoundObject
+from ..ir.scenario import FileSource, Image, Network
+from ..ir.values import PassCall
+from .perturbation import perturbed
+from .pictures import is_drawn, picture
+from .reading import read_by_name, read_with
+from .stations import stations_of, still
+
+
+@dataclass(frozen=True, eq=False)
+class NetworkRoot:
+    """A network before any `perturb`. `mask` are the road pixels, where the extractor has them."""
+
+    name: str
+    network: RoadNetwork
+    objects: tuple[FoundObject, ...] = ()
+    confidence: float = 1.0
+    remarks: tuple[str, ...] = ()
+    mask: NDArray[np.bool_] | None = None
+    scale: float | None = None
+    _frames: dict[int, Frame] = field(default_factory=dict)
+
+    def frame(self, edge: int) -> Frame:
+        """The frame of an edge at its stations; always the same object."""
+        if edge not in self._frames:
+            curve = self.network.edge(edge).curve
+            self._frames[edge] = Frame.of(curve, stations_of(curve))
+        return self._frames[edge]
+
+    @cached_property
+    def edges(self) -> tuple[Edge, ...]:
+        return self.network.edges
+
+
+def network_root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
+    """The network at the bottom of a chain of networks."""
+    plan = candidates.plan
+    bottom: Any = list(_networks(network, plan))[-1]
+    if plan.is_varying(bottom.name):
+        return candidates.once(("network root", bottom.name), lambda: _root(bottom, candidates))
+    return plan.once(("network root", bottom.name), lambda: _root(bottom, plan.fixed))
+
+
+def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+    """One road of a network in all candidates, perturbed by all passes."""
+
+    def make() -> RoadBatch:
+        origin = candidates.plan.source_of(network)
+        if isinstance(origin, Network):
+            batch = edge_batch(origin, edge, candidates)
+        else:
+            batch = _still_edge(network, edge, candidates)
+        return _bent(batch, network, edge, candidates)
+
+    return candidates.once(("edge", network.name, edge), make)
+
+
+def _still_edge(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+    root = network_root(network, candidates)
+    frame = root.frame(edge)
+    found = root.network.edge(edge)
+    width: WidthProfile = found.width
+    name = f"{root.name}/{edge}"
+    batch = still(name, name, frame, width.at(frame.stations)[None, :])
+    return replace(batch, confidence=found.confidence)
+
+
+def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+    from ..geometry.joints import junction_window
+
+    calls = [call for call in network.passes if call.verb == "perturb"]
+    if not calls:
+        return batch
+    root = network_root(network, candidates)
+    window = junction_window(root.network, root.network.edge(edge), batch.stations)
+    for call in calls:
+        if edge in _chosen_edges(call, root.network, candidates):
+            batch = perturbed(batch, call, candidates, edge, window)
+    return batch
+
+
+def _chosen_edges(
+    call: PassCall, network: RoadNetwork, candidates: CandidateBatch
+) -> frozenset[int]:
+    from ..evaluate.evaluation import evaluate, scalar
+
+    given = dict(call.common).get("roads")
+    every = frozenset(edge.id for edge in network.edges)
+    if given is None:
+        return every
+    ids = scalar(evaluate(given, candidates))
+    chosen = frozenset(round(id) for id in (ids if isinstance(ids, tuple) else (ids,)))
+    if chosen - every:
+        raise _no_such_road(min(chosen - every), network, call.span)
+    return chosen
+
+
+def _no_such_road(id: int, network: RoadNetwork, span: Span | None) -> DiagnosticError:
+    known = ", ".join(str(edge.id) for edge in network.edges[:20])
+    return DiagnosticError(diagnose("RL411", span, id=id, help=f"its roads are {known}"))
+
+
+def _networks(network: Network, plan: Plan) -> Any:
+    return (link for link in plan.chain(network) if isinstance(link, Network))
+
+
+def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
+    source = network.source
+    if isinstance(source, FileSource):
+        found = _from_file(network, source, candidates.plan)
+    else:
+        image = candidates.plan.source_of(network)
+        assert isinstance(image, Image)
+        found = _extracted(network, image, candidates)
+    if not found.network.edges:
+        raise DiagnosticError(
+            diagnose(
+                "RL412",
+                network.span,
+                name=network.name,
+                help=found.remarks or ("try `extract with contour { threshold: ... }`",),
+            )
+        )
+    _check_finite(found, network)
+    return found
+
+
+def _from_file(network: Network, source: FileSource, plan: Plan) -> NetworkRoot:
+    reading = [call for call in network.passes if call.verb == "read"]
+    if reading:
+        found: Any = read_with(reading[0], source, "network", plan, network.span)
+    else:
+        found, _ = read_by_name(source, "network", plan, network.span)
+    if isinstance(found, RoadNetwork):
+        return NetworkRoot(network.name, found)
+    return _root_of(network.name, found)
+
+
+def _root_of(name: str, found: Extraction, scale: float | None = None) -> NetworkRoot:
+    return NetworkRoot(
+        name, found.network, found.objects, found.confidence, found.remarks, found.mask, scale
+    )
+
+
+def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> NetworkRoot:
+    calls = [call for call in network.passes if call.verb == "extract"]
+    call = (
+        calls[0] if calls else PassCall("extract", "standard.auto", (), f"{network.name}/extract")
+    )
+    plan = candidates.plan
+    shot = picture(image.name, candidates if is_drawn(image, plan) else plan.fixed)
+    built = build(call, candidates, single=True)
+    with built.blamed:
+        found = built.kind.extract(shot)
+    if not isinstance(found, Extraction):
+        raise DiagnosticError(
+            diagnose(
+                "RL474",
+                call.span or network.span,
+                kind=f"extract {built.entry.qualified}",
+                plugin=str(built.entry.origin),
+                fault=f"gave a {type(found).__name__}, not an Extraction",
+            )
+        )
+    return _root_of(network.name, found, shot.scale)
+
+
+def _check_finite(root: NetworkRoot, network: Network) -> None:
+    for edge in root.edges:
+        points = edge.curve.points
+        if not (np.isfinite(points).all() and np.isfinite(edge.curve.length)):
+            raise DiagnosticError(diagnose("RL413", network.span, name=network.name, id=edge.id))

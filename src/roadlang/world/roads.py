@@ -1,0 +1,224 @@
+"""Roads: drawn, read or selected of a network, then perturbed, in many candidates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..evaluate.building import build
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate, scalar
+from ..evaluate.scenario_index import Plan
+from ..geometry import Curve, Frame, Path, WidthProfile
+from ..geometry import Road as RoadShape
+from ..ir.batch import RoadBatch
+from ..ir.scenario import FileSource, Network, Road
+from ..ir.values import PassCall
+from ..plugins.guard import wrong_result
+from .networks import edge_batch, network_root
+from .perturbation import displaced, perturbed
+from .reading import read_by_name, read_with
+from .selection import selected
+from .stations import stations_of, still
+
+Floats = NDArray[np.float64]
+USUAL_WIDTH = 7.0
+USUAL_LANES = 2
+
+
+@dataclass(frozen=True, eq=False)
+class RoadRoot:
+    """A road before any `perturb`. `path`: its way through a network, where it comes of one."""
+
+    id: str
+    frame: Frame
+    width: WidthProfile | None = None
+    lanes: int | None = None
+    path: Path | None = None
+    network: Network | None = None
+
+
+def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
+    """A road in all candidates, after all its passes."""
+    road = candidates.plan.roads[name]
+
+    def make() -> RoadBatch:
+        origin = candidates.plan.source_of(road)
+        if isinstance(origin, Road):
+            batch = road_batch(origin.name, candidates)
+        else:
+            batch = _carried(road, candidates)
+        batch = replace(batch, name=name, width=_width(road, batch, candidates))
+        for call in road.passes:
+            if call.verb == "perturb":
+                batch = perturbed(batch, call, candidates)
+        return batch
+
+    return candidates.once(("road", name), make)
+
+
+def road_root(name: str, candidates: CandidateBatch) -> RoadRoot:
+    """What a road is before anything was perturbed."""
+    plan = candidates.plan
+    bottom = list(_roads(plan.roads[name], plan))[-1]
+    if plan.is_varying(bottom.name):
+        return candidates.once(("road root", bottom.name), lambda: _root(bottom, candidates))
+    return plan.once(("road root", bottom.name), lambda: _root(bottom, plan.fixed))
+
+
+def lanes_of(name: str, candidates: CandidateBatch) -> int:
+    """How many lanes a road of a single candidate has."""
+    plan = candidates.plan
+    for link in _roads(plan.roads[name], plan):
+        given = dict(link.options).get("lanes")
+        if given is not None:
+            return max(1, round(float(scalar(evaluate(given, candidates)))))
+    return road_root(name, candidates).lanes or USUAL_LANES
+
+
+def _roads(road: Road, plan: Plan) -> Iterator[Road]:
+    return (link for link in plan.chain(road) if isinstance(link, Road))
+
+
+def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
+    given = dict(road.options).get("width")
+    if given is None:
+        return before.width
+    value = np.atleast_2d(np.asarray(evaluate(given, candidates), float))
+    if not (value > 0).all() or not np.isfinite(value).all():
+        raise DiagnosticError(
+            diagnose("RL415", road.span, name=road.name, width=f"{float(value.min()):g}m")
+        )
+    return value
+
+
+def _carried(road: Road, candidates: CandidateBatch) -> RoadBatch:
+    """A root road, or the way through a network that has been perturbed before."""
+    root = road_root(road.name, candidates)
+    stations = root.frame.stations
+    width = np.full((1, 1), USUAL_WIDTH) if root.width is None else root.width.at(stations)[None, :]
+    batch = still(road.name, root.id, root.frame, width)
+    network = root.network
+    if network is None or root.path is None or not _is_bent(network, candidates.plan):
+        return batch
+    return displaced(batch, _along_path(root, network, candidates))
+
+
+def _is_bent(network: Network, plan: Plan) -> bool:
+    return any(call.verb == "perturb" for link in plan.chain(network) for call in link.passes)
+
+
+def _along_path(root: RoadRoot, network: Network, candidates: CandidateBatch) -> Floats:
+    """(V, S) displacements of the edges under a path, at the stations of the path."""
+    assert root.path is not None
+    traveled = root.frame.stations * (root.path.length / root.frame.curve.length)
+    ends = np.cumsum([step.length for step in root.path.steps])
+    moves = np.zeros((1, len(traveled)))
+    before = 0.0
+    for index, step in enumerate(root.path.steps):
+        last = index == len(root.path.steps) - 1
+        here = (traveled >= before) & (traveled < ends[index] if not last else True)
+        batch = edge_batch(network, step.edge, candidates)
+        way = 1.0 if step.stop >= step.start else -1.0
+        at = step.start + way * (traveled[here] - before)
+        part = way * _interpolated(batch, at)
+        if part.shape[0] > moves.shape[0]:
+            moves = np.repeat(moves, part.shape[0], axis=0)
+        moves[:, here] = part
+        before = float(ends[index])
+    return moves
+
+
+def _interpolated(batch: RoadBatch, at: Floats) -> Floats:
+    """(V, n) displacements of an edge at arc lengths between its stations."""
+    stations, moves = batch.stations, batch.displacement
+    if batch.period is not None:
+        stations = np.append(stations, batch.period)
+        moves = np.concatenate([moves, moves[:, :1]], axis=1)
+    right = np.clip(np.searchsorted(stations, at), 1, len(stations) - 1)
+    gap = stations[right] - stations[right - 1]
+    share = np.clip((at - stations[right - 1]) / gap, 0.0, 1.0)
+    return moves[:, right - 1] * (1.0 - share) + moves[:, right] * share
+
+
+def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
+    plan = candidates.plan
+    if road.source is None:
+        curve = _drawn(road, candidates)
+        return RoadRoot(road.name, Frame.of(curve, stations_of(curve)))
+    if isinstance(road.source, FileSource):
+        return _from_file(road, road.source, candidates)
+    network = plan.source_of(road)
+    assert isinstance(network, Network)
+    root = network_root(network, candidates)
+    path = selected(road, root, candidates)
+    steps = path.steps
+    if len(steps) == 1 and steps[0].start == 0.0 and steps[0].length >= path.length:
+        edge = root.network.edge(steps[0].edge)
+        if steps[0].stop >= edge.length:
+            id = f"{root.name}/{edge.id}"
+            return RoadRoot(id, root.frame(edge.id), edge.width, None, path, network)
+    return _way(root.name, path, network, candidates)
+
+
+def _way(name: str, path: Path, network: Network, candidates: CandidateBatch) -> RoadRoot:
+    """The same way through the same network is one root, whichever road statement names it."""
+    steps = "+".join(f"{step.edge}:{step.start:.6g}:{step.stop:.6g}" for step in path.steps)
+    keeper = candidates if candidates.plan.is_varying(network.name) else candidates.plan
+
+    def frame() -> Frame:
+        return Frame.of(path.curve, stations_of(path.curve))
+
+    id = f"{name}/{steps}"
+    return RoadRoot(id, keeper.once(("way", id), frame), path.width, None, path, network)
+
+
+def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
+    calls = [call for call in road.passes if call.verb == "draw"]
+    if not calls:
+        raise DiagnosticError(diagnose("RL416", road.span, name=road.name))
+    closed = _is_closed(road, candidates)
+    built = build(calls[0], candidates, single=True)
+    with built.blamed:
+        curve = built.kind.draw(closed)
+    if not isinstance(curve, Curve):
+        fault = f"gave a {type(curve).__name__}, not a Curve"
+        raise wrong_result(built.entry, calls[0].span, fault)
+    return _checked(curve, road, calls[0])
+
+
+def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
+    plan = candidates.plan
+    reading = [call for call in road.passes if call.verb == "read"]
+    if reading:
+        found = read_with(reading[0], source, "road", plan, road.span)
+    else:
+        found, _ = read_by_name(source, "road", plan, road.span)
+    curve = found.curve if isinstance(found, RoadShape) else found
+    width = found.width if isinstance(found, RoadShape) else None
+    lanes = found.lanes if isinstance(found, RoadShape) else None
+    closed = dict(road.options).get("closed")
+    if closed is not None and bool(scalar(evaluate(closed, candidates))) != curve.closed:
+        curve = Curve.through(curve.points, not curve.closed)
+        width = None if width is None else WidthProfile.even(width.widths, curve.length)
+    curve = _checked(curve, road, reading[0] if reading else None)
+    return RoadRoot(road.name, Frame.of(curve, stations_of(curve)), width, lanes)
+
+
+def _is_closed(road: Road, candidates: CandidateBatch) -> bool:
+    given = dict(road.options).get("closed")
+    return given is not None and bool(scalar(evaluate(given, candidates)))
+
+
+def _checked(curve: Any, road: Road, call: PassCall | None) -> Curve:
+    span = call.span if call is not None else road.span
+    usable = isinstance(curve, Curve) and np.isfinite(curve.points).all() and 0 < curve.length < 1e7
+    if not usable:
+        raise DiagnosticError(diagnose("RL417", span, name=road.name))
+    checked: Curve = curve
+    return checked

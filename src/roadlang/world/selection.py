@@ -1,0 +1,48 @@
+"""Which road of a network: `longest`, `any`, `route(p, q)`, `road(id)`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..diagnostics import DiagnosticError, diagnose
+from ..evaluate.building import build
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate, scalar
+from ..geometry import GeometryError, Path, Step
+from ..ir.scenario import Road
+from ..ir.values import PassCall
+from ..plugins.guard import wrong_result
+from .networks import NetworkRoot
+
+
+def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
+    """The way through the network. Raises RL411, RL418."""
+    given = dict(road.options).get("select")
+    choice: Any = "longest" if given is None else evaluate(given, candidates)
+    try:
+        if isinstance(choice, PassCall):
+            return _called(choice, root, candidates)
+        if scalar(choice) == "any":
+            return _any(road, root, candidates)
+        return root.network.longest()
+    except GeometryError as error:
+        span = choice.span if isinstance(choice, PassCall) else road.span
+        raise DiagnosticError(
+            diagnose("RL418", span, network=root.name, reason=str(error))
+        ) from None
+
+
+def _called(call: PassCall, root: NetworkRoot, candidates: CandidateBatch) -> Path:
+    built = build(call, candidates, single=True)
+    with built.blamed:
+        path = built.kind.select(root.network)
+    if not isinstance(path, Path):
+        fault = f"gave a {type(path).__name__}, not a Path of the network"
+        raise wrong_result(built.entry, call.span, fault)
+    return path
+
+
+def _any(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
+    share = float(candidates.uniform(f"{road.name}/select")[0, 0])
+    edge = root.edges[min(int(share * len(root.edges)), len(root.edges) - 1)]
+    return Path(root.network, (Step(edge.id, 0.0, edge.length),))

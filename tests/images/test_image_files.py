@@ -1,0 +1,169 @@
+"""Pictures of any quality are opened, or refused with a code; none raises anything else."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from roadlang.diagnostics import DiagnosticError
+from roadlang.images.image_file import MOST_PIXELS, OpenedImage, open_image
+
+
+def shown(height: int = 40, width: int = 60, channels: int = 3, depth: str = "uint8") -> np.ndarray:
+    ramp = np.linspace(0, np.iinfo(depth).max, height * width * channels)
+    return ramp.reshape(height, width, channels).astype(depth)
+
+
+def written(path: Path, pixels: np.ndarray) -> Path:
+    assert cv2.imwrite(str(path), pixels)
+    return path
+
+
+def opened(path: Path) -> OpenedImage:
+    return open_image(path, path.name, None)
+
+
+def refused(path: Path) -> str:
+    with pytest.raises(DiagnosticError) as caught:
+        opened(path)
+    assert caught.value.diagnostics[0].path == path.name
+    return caught.value.diagnostics[0].code
+
+
+def huge_png(path: Path, side: int) -> Path:
+    """A valid PNG header of any size, with hardly any content."""
+
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
+
+    head = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
+    body = chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b"")
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + body)
+    return path
+
+
+@pytest.mark.parametrize("ending", ["png", "jpg", "tif", "bmp", "webp"])
+def test_the_usual_formats_are_read_in_color(tmp_path: Path, ending: str) -> None:
+    found = opened(written(tmp_path / f"a.{ending}", shown()))
+    assert found.pixels.shape == (40, 60, 3)
+    assert found.pixels.dtype == np.uint8
+    assert len(found.sha256) == 64
+
+
+@pytest.mark.parametrize("channels", [1, 4])
+def test_gray_and_transparent_pictures_become_color(tmp_path: Path, channels: int) -> None:
+    assert opened(written(tmp_path / "a.png", shown(channels=channels))).pixels.shape == (40, 60, 3)
+
+
+def test_what_is_transparent_becomes_white(tmp_path: Path) -> None:
+    clear = np.zeros((8, 8, 4), np.uint8)
+    assert (opened(written(tmp_path / "a.png", clear)).pixels == 255).all()
+
+
+def test_sixteen_bits_keep_their_range(tmp_path: Path) -> None:
+    pixels = opened(written(tmp_path / "a.png", shown(depth="uint16"))).pixels
+    assert pixels.min() == 0
+    assert pixels.max() == 255
+
+
+def test_twelve_bits_in_sixteen_are_stretched(tmp_path: Path) -> None:
+    dim = (shown(depth="uint16") // 16).astype(np.uint16)
+    assert opened(written(tmp_path / "a.png", dim)).pixels.max() == 255
+
+
+def test_a_text_file_called_png_is_no_picture(tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_text("road main {}")
+    assert refused(tmp_path / "a.png") == "RL402"
+
+
+def test_an_empty_file_and_a_missing_one_cannot_be_read(tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(b"")
+    assert refused(tmp_path / "a.png") == "RL400"
+    assert refused(tmp_path / "b.png") == "RL400"
+    assert refused(tmp_path) == "RL400"
+
+
+def test_a_single_pixel_holds_no_road(tmp_path: Path) -> None:
+    assert refused(written(tmp_path / "a.png", shown(1, 1))) == "RL405"
+
+
+def test_too_many_pixels_are_refused_before_they_are_decoded(tmp_path: Path) -> None:
+    assert MOST_PIXELS < 12_000**2
+    assert refused(huge_png(tmp_path / "a.png", 12_000)) == "RL401"
+    assert refused(huge_png(tmp_path / "b.png", 2**31 - 1)) == "RL401"
+
+
+@pytest.mark.parametrize("ending", ["png", "jpg", "bmp", "webp"])
+def test_a_picture_without_its_end_is_cut_off(tmp_path: Path, ending: str) -> None:
+    whole = written(tmp_path / f"a.{ending}", shown(400, 600))
+    whole.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
+    assert refused(whole) == "RL403"
+
+
+def test_a_header_without_content_is_damaged(tmp_path: Path) -> None:
+    assert refused(huge_png(tmp_path / "a.png", 64)) == "RL404"
+
+
+@settings(
+    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(
+    ending=st.sampled_from(["png", "jpg", "tif", "bmp", "webp"]),
+    place=st.floats(0, 1),
+    noise=st.binary(min_size=1, max_size=40),
+)
+def test_damage_anywhere_is_refused_or_survived(
+    tmp_path: Path, ending: str, place: float, noise: bytes
+) -> None:
+    path = written(tmp_path / f"a.{ending}", shown())
+    content = bytearray(path.read_bytes())
+    at = int(place * (len(content) - 1))
+    content[at : at + len(noise)] = noise
+    path.write_bytes(bytes(content))
+    try:
+        assert opened(path).pixels.ndim == 3
+    except DiagnosticError as error:
+        codes = {"RL401", "RL402", "RL403", "RL404", "RL405"}
+        assert error.diagnostics[0].code in codes  # noqa: PT017
+
+
+def geotiff(path: Path, scale: float, unit: int, model: int = 1) -> Path:
+    """A 2 x 2 TIFF, uncompressed, with the tags of GeoTIFF."""
+    keys = (1, 1, 0, 2, 1024, 0, 1, model, 3076, 0, 1, unit)
+    extra = struct.pack("<3d", scale, scale, 0) + struct.pack(f"<{len(keys)}H", *keys)
+    entries = [
+        (256, 3, 1, 2), (257, 3, 1, 2), (258, 3, 1, 8), (259, 3, 1, 1), (262, 3, 1, 1),
+        (273, 4, 1, 8), (277, 3, 1, 1), (278, 3, 1, 2), (279, 4, 1, 4),
+        (33550, 12, 3, 12), (34735, 3, len(keys), 36),
+    ]  # fmt: skip
+    start = 12 + len(extra)
+    table = struct.pack("<H", len(entries))
+    table += b"".join(struct.pack("<HHII", *entry) for entry in entries) + b"\0\0\0\0"
+    path.write_bytes(b"II*\0" + struct.pack("<I", start) + b"\x01\x02\x03\x04" + extra + table)
+    return path
+
+
+@pytest.mark.parametrize(("unit", "meters"), [(9001, 0.5), (9002, 0.1524)])
+def test_a_geotiff_says_its_scale_in_meters_or_feet(
+    tmp_path: Path, unit: int, meters: float
+) -> None:
+    assert opened(geotiff(tmp_path / "a.tif", 0.5, unit)).scale == pytest.approx(meters)
+
+
+def test_a_geotiff_in_degrees_says_no_scale(tmp_path: Path) -> None:
+    assert opened(geotiff(tmp_path / "a.tif", 0.5, 9001, model=2)).scale is None
+
+
+@pytest.mark.parametrize("beside", ["a.pgw", "a.pngw", "a.wld"])
+def test_a_world_file_beside_the_picture_says_its_scale(tmp_path: Path, beside: str) -> None:
+    (tmp_path / beside).write_text("0.25\n0\n0\n-0.25\n1000\n2000\n")
+    assert opened(written(tmp_path / "a.png", shown())).scale == pytest.approx(0.25)

@@ -1,0 +1,107 @@
+"""Where agents and objects stand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+
+from roadlang.diagnostics import DiagnosticError
+from roadlang.search.sampling import SamplingResult
+from straight_road import STRAIGHT
+
+Sample = Callable[..., SamplingResult]
+
+
+def placed(sample: Sample, text: str, **more: object) -> dict[str, object]:
+    (scene,) = sample(STRAIGHT + text, **more).scenes
+    return {thing.name: thing for thing in (*scene.agents, *scene.objects)}
+
+
+@pytest.mark.parametrize(
+    ("where", "x", "y"),
+    [
+        ("at 20m", 20, 0),
+        ("at 50%", 100, 0),
+        ("at 20m { offset: 1.5m }", 20, 1.5),
+        ("at 20m { lane: -1 }", 20, -2),
+        ("at 20m { lane: 1, offset: 0.5m }", 20, 2.5),
+        ("at 20m { side: left, offset: 1m }", 20, 4 + 1 + 0.9),
+        ("at 20m { side: right }", 20, -4 - 0.9),
+    ],
+)
+def test_a_car_stands_where_it_is_put(sample: Sample, where: str, x: float, y: float) -> None:
+    car = placed(sample, f"agent ego is car on main {where}")["ego"]
+    assert (car.x, car.y) == (pytest.approx(x), pytest.approx(y, abs=1e-9))
+
+
+@pytest.mark.parametrize(
+    ("options", "degrees"),
+    [
+        ("", 0),
+        ("facing: back", 180),
+        ("lane: 1", 180),
+        ("lane: 1, facing: forward", 0),
+        ("heading: 30deg", 30),
+    ],
+)
+def test_a_car_points_the_way_of_its_lane(sample: Sample, options: str, degrees: float) -> None:
+    car = placed(sample, f"agent ego is car on main at 9m {{ {options} }}")["ego"]
+    assert math.cos(car.heading - math.radians(degrees)) == pytest.approx(1)
+
+
+def test_without_a_road_a_point_of_the_world_is_meant(sample: Sample) -> None:
+    kiosk = placed(sample, "object kiosk is building at (40m, 32m) { heading: 30deg }")["kiosk"]
+    assert (kiosk.x, kiosk.y, kiosk.heading) == (40, 32, pytest.approx(math.pi / 6))
+    assert kiosk.road is None
+
+
+def test_one_may_be_placed_from_another(sample: Sample) -> None:
+    things = placed(
+        sample,
+        "agent ego is car on main at 20m\nagent lead is car on main at ego.start + (10m..30m)\n"
+        "require apart: lead.start - ego.start > 25m\n",
+    )
+    assert 45 < things["lead"].start < 50
+
+
+def test_each_copy_of_a_group_has_draws_of_its_own(sample: Sample) -> None:
+    things = placed(sample, "object trees is tree on main at 0%..100% { count: 6, offset: 2m..8m }")
+    assert list(things) == [f"trees[{i}]" for i in range(6)]
+    assert len({thing.x for thing in things.values()}) == 6
+    assert len({thing.y for thing in things.values()}) == 6
+
+
+def test_a_formula_holds_for_each_copy(sample: Sample) -> None:
+    text = "agent cars is car on main at 0%..100% { count: 3 }\nrequire far: cars.start > 100m\n"
+    for seed in range(3):
+        assert all(car.start > 100 for car in placed(sample, text, seed=seed).values())
+
+
+def test_the_number_of_copies_may_be_drawn(sample: Sample) -> None:
+    text = (
+        STRAIGHT + "agent cars is choice(car, truck) on main at 0%..100% { count: integer(0, 3) }\n"
+    )
+    scenes = sample(text, 30).scenes
+    assert {len(scene.agents) for scene in scenes} == {0, 1, 2, 3}
+    assert {car.kind for scene in scenes for car in scene.agents} == {"car", "truck"}
+
+
+def test_who_would_stand_beyond_the_end_is_drawn_again(sample: Sample) -> None:
+    result = sample(STRAIGHT + "agent ego is car on main at 150m..300m\n", 10)
+    assert all(150 <= scene.agents[0].start <= 200 for scene in result.scenes)
+    assert any("begins on" in row.text for row in result.table)
+
+
+def test_beyond_the_end_for_certain_is_impossible(sample: Sample) -> None:
+    assert sample(STRAIGHT + "agent ego is car on main at 300m\n").impossible == (
+        "`ego` begins on `main`",
+    )
+
+
+def test_a_lane_that_is_not_there_is_refused(sample: Sample) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        sample(STRAIGHT + "agent ego is car on main at 3m { lane: 2 }\n")
+    assert caught.value.diagnostics[0].code == "RL613"
+    assert "-1" in caught.value.diagnostics[0].help[0]

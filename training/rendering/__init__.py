@@ -1,0 +1,1 @@
+"""Aerial pictures and drawings of roads with known truth, for training, examples and tests."""

@@ -1,0 +1,1 @@
+"""Road layouts that are rendered."""
