@@ -7,7 +7,7 @@ import operator
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.semantics.types.types import bounds
+from roadlang.semantics.types import bounds
 
 numbers = st.floats(-100, 100, allow_nan=False)
 intervals = st.tuples(numbers, numbers).map(lambda ends: (min(ends), max(ends)))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.stl.explain.mining import Parameter, mine
+from roadlang.stl.formula.printing import number_text
 
 POSITIONS = np.arange(0.0, 50.0, 0.5)
 RECORDINGS = [
@@ -27,7 +27,7 @@ def test_thresholds_from_above_and_below():
 
 def test_the_shortest_interval():
     mined = mine("eventually[0, tau] (e < 3.6)", [Parameter("tau", 0, 40)], RECORDINGS)
-    assert str(mined.formula) == f"eventually[0, {stl.printing.number_text(mined.values['tau'])}]" \
+    assert str(mined.formula) == f"eventually[0, {number_text(mined.values['tau'])}]" \
         " (e < 3.6)"  # fmt: skip
     first = min(p for p, e in zip(POSITIONS, RECORDINGS[1][1]["e"], strict=True) if e < 3.6)
     assert mined.values["tau"] == pytest.approx(first, abs=1e-4)

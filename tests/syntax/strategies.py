@@ -9,9 +9,9 @@ from collections.abc import Callable
 from typing import Any
 
 from hypothesis import strategies as st
-from roadlang.syntax.recovery.recovery.operator_spelling import meant_temporal
 
 from roadlang.diagnostics import Source, Span
+from roadlang.syntax.recovery.operator_spelling import meant_temporal
 from roadlang.syntax.tree import nodes as ast
 from roadlang.syntax.tree.strings import dedented
 from roadlang.syntax.words import CONNECTIVES, RESERVED, STATEMENTS

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from roadlang.syntax.parse import tables
+from roadlang.syntax.parsing import tables
 from roadlang.syntax.parsing.generate import generate
 from roadlang.syntax.parsing.grammar import grammar_text
 
