@@ -143,7 +143,7 @@ def api_page() -> str:
         "## Hooks",
         "",
     ]
-    for name in ("roadlang_kinds", "roadlang_announced"):
+    for name in ("roadlang_kinds", "roadlang_planned"):
         lines += _member(name, getattr(hookspecs, name))
     lines += ["## Options", ""]
     lines += _member("option", api.option)

@@ -11,7 +11,7 @@ import pytest
 
 import roadlang_godot.plugin
 import roadlang_standard
-from roadlang.evaluate.scenario_index import Plan
+from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.ir.scenario import Scenario
 from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import registry_of
@@ -63,4 +63,4 @@ def sample(registry: Registry, tmp_path: Path) -> Callable[..., SamplingResult]:
 @pytest.fixture
 def judge(registry: Registry) -> Callable[[str], Judge]:
     """The judge of a text's requirements."""
-    return lambda text: Judge(Plan(scenario_of(text, registry), registry))
+    return lambda text: Judge(IndexedScenario(scenario_of(text, registry), registry))

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from roadlang.evaluate.candidates import CandidateBatch
-from roadlang.evaluate.scenario_index import Plan
+from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
@@ -52,7 +52,7 @@ def main() -> None:
         text = ROAD.replace("REACH", reach).replace("BOUND", bound)
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
-        judge = Judge(Plan(scenario, registry))
+        judge = Judge(IndexedScenario(scenario, registry))
         rate, share = measure(judge)
         print(f"{title:36} {rate:9,.0f} candidates/s   {share:6.1%} accepted")
 
@@ -61,11 +61,13 @@ def measure(judge: Judge) -> tuple[float, float]:
     """Candidates per second and the share accepted."""
     scenes = np.zeros(BATCH, np.int64)
     accepted = 0
-    judge.judge(CandidateBatch(judge.plan, 0, scenes, np.arange(BATCH)))
+    judge.judge(CandidateBatch(judge.scenario, 0, scenes, np.arange(BATCH)))
     start = time.process_time()
     for round_ in range(ROUNDS):
         attempts = np.arange(BATCH) + round_ * BATCH
-        accepted += int(judge.judge(CandidateBatch(judge.plan, 1, scenes, attempts)).accepted.sum())
+        accepted += int(
+            judge.judge(CandidateBatch(judge.scenario, 1, scenes, attempts)).accepted.sum()
+        )
     spent = time.process_time() - start
     return ROUNDS * BATCH / spent, accepted / (ROUNDS * BATCH)
 

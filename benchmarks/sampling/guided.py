@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
-from roadlang.evaluate.scenario_index import Plan
+from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.plugins.discovery import load_registry
 from roadlang.search.diversity import mean_nearest
 from roadlang.search.guiding import first_accepted, run_pilot
-from roadlang.search.rejection_report import Tally
+from roadlang.search.rejection_report import RejectionStats
 from roadlang.search.searching import accepted_attempts
 from roadlang.search.workers import Worker
 from roadlang.semantics import check_text
@@ -80,7 +80,7 @@ def main() -> None:
         text = ROAD + rules + "sample with guided\n"
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
-        worker = Worker(Plan(scenario, registry), 1, {})
+        worker = Worker(IndexedScenario(scenario, registry), 1, {})
         plain, plain_spread = rejection(worker, number)
         steered, spread, learned = guided(worker, number)
         print(
@@ -90,14 +90,14 @@ def main() -> None:
 
 
 def rejection(worker: Worker, number: int) -> tuple[float, float]:
-    accepted, tally = accepted_attempts(worker.judge, 1, range(number), 1_000_000)
+    accepted, stats = accepted_attempts(worker.judge, 1, range(number), 1_000_000)
     points = []
     for scene, attempt in accepted.items():
         variants = worker.single(scene, attempt, {})
         variants.asked = {}
         worker.judge.measure(variants)
         points.append(worker.coordinates(variants))
-    return tally.candidates / len(accepted), mean_nearest(points) or 0.0
+    return stats.candidates / len(accepted), mean_nearest(points) or 0.0
 
 
 def guided(worker: Worker, number: int) -> tuple[float, float, int]:
@@ -105,17 +105,17 @@ def guided(worker: Worker, number: int) -> tuple[float, float, int]:
 
     judge, sampler = worker.judge, Guided()
     pilot = run_pilot(judge, sampler, 1)
-    tally = Tally.empty(len(judge.requirements))
-    tally.add(pilot.tally)
+    stats = RejectionStats.empty(len(judge.requirements))
+    stats.add(pilot.stats)
     points = []
     for scene in range(number):
-        found = first_accepted(judge, sampler, pilot, 1, scene, tally)
+        found = first_accepted(judge, sampler, pilot, 1, scene, stats)
         assert found is not None
         variants = worker.single(scene, *found)
         variants.asked = {}
         worker.judge.measure(variants)
         points.append(worker.coordinates(variants))
-    return tally.candidates / number, mean_nearest(points) or 0.0, pilot.tally.candidates
+    return stats.candidates / number, mean_nearest(points) or 0.0, pilot.stats.candidates
 
 
 if __name__ == "__main__":

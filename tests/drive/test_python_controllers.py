@@ -24,7 +24,7 @@ class Steady(Controller):
 
 @dataclass(frozen=True)
 class Elsewhere(Controller):
-    """Built into engines."""
+    """KindInstance into engines."""
 
     name: ClassVar[str] = "elsewhere"
 

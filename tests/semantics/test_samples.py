@@ -26,7 +26,7 @@ def registry() -> Registry:
         sys.path.remove(str(ACME))
     installed = load_registry()
     acme = collect([_Candidate("acme", None, roadlang_acme)])
-    return Registry(installed.entries + acme.entries, installed.broken, installed.announced)
+    return Registry(installed.entries + acme.entries, installed.broken, installed.planned)
 
 
 def test_there_are_samples() -> None:

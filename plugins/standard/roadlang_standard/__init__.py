@@ -108,8 +108,8 @@ def roadlang_kinds() -> Mapping[str, str]:
 
 
 @hookimpl
-def roadlang_announced() -> Iterable[str]:
+def roadlang_planned() -> Iterable[str]:
     """Kinds that are planned."""
-    from .announced import ANNOUNCED
+    from .planned import PLANNED
 
-    return ANNOUNCED
+    return PLANNED

@@ -129,7 +129,7 @@ def _extracted(
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
     from ..ir.picture import Extraction
     from ..plugins.discovery import load_registry
-    from ..plugins.guard import blaming, wrong_result
+    from ..plugins.guard import plugin_guard, wrong_result
     from ..plugins.registry import UnknownKind
 
     registry = load_registry()
@@ -141,7 +141,7 @@ def _extracted(
         raise DiagnosticError(
             diagnose("RL425", kind=given["kind"], help=(*did_you_mean(given["kind"], names), known))
         ) from None
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         kind = entry.load()
     options = _options(picture, scale, given)
     fields = {field.name for field in dataclasses.fields(kind)}
@@ -150,7 +150,7 @@ def _extracted(
         raise DiagnosticError(
             diagnose("RL426", kind=given["kind"], option=f"--{unfit[0].replace('_', '-')}")
         )
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
         _load()
         begun = time.process_time()

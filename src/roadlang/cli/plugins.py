@@ -52,11 +52,11 @@ def _complete(
 def show(words: tuple[str, ...], as_json: bool) -> None:
     """Show the options of a kind: `roadlang plugins show sine`, `... show emit svg`."""
     from ..plugins.discovery import load_registry
-    from ..plugins.guard import blaming
+    from ..plugins.guard import plugin_guard
 
     entries = _find(load_registry(), words)
     for entry in entries:
-        with blaming(entry, None):
+        with plugin_guard(entry, None):
             entry.load()
     if as_json:
         click.echo(json.dumps([_kind_record(entry) for entry in entries], indent=2))

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .. import __version__
-from ..evaluate.building import Built
+from ..evaluate.building import KindInstance
 from ..ir.manifest import Manifest, OutputFile, RequirementRecord
 from ..ir.scenario import Scenario
 from ..scenes.emitting import Output
@@ -21,7 +21,7 @@ def manifest_of(
     source: str,
     seed: int,
     overrides: Mapping[str, str],
-    backends: Sequence[Built],
+    backends: Sequence[KindInstance],
 ) -> Manifest:
     """What was written, from what, and how the requirements fared."""
     made = result.scenes[0].provenance

@@ -77,7 +77,7 @@ def simulator_of(
     made: MadeScenes, engine: str | None, changes: dict[str, Any]
 ) -> tuple[Simulator, KindEntry]:
     """The simulator that the command line or the file names, with the file's options."""
-    from ..plugins.guard import blaming
+    from ..plugins.guard import plugin_guard
 
     call = made.scenes[0].simulate
     names = made.registry.names("simulate")
@@ -86,12 +86,12 @@ def simulator_of(
         hints = did_you_mean(name, names) or (f"there are {', '.join(names)}",)
         raise DiagnosticError(diagnose("RL930", what="engine", name=name, help=hints))
     entry = made.registry.find_recorded("simulate", name)
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         kind: Any = entry.load()
     options = dict(call.options) if call is not None and call.kind == name else {}
     known = {field.name for field in dataclasses.fields(kind)}
     options |= {key: value for key, value in changes.items() if key in known}
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         simulator: Simulator = kind(**options)
     return simulator, entry
 
@@ -102,10 +102,10 @@ def _driven(
     from ..drive.controllers import python_controllers
     from ..ir.trace import Trace
     from ..judging.drives import judge
-    from ..plugins.guard import blaming, wrong_result
+    from ..plugins.guard import plugin_guard, wrong_result
 
     controllers = [python_controllers(scene, made.registry) for scene in made.scenes]
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         traces = list(simulator.drive_all(made.scenes, controllers))
     for trace in traces:
         if not isinstance(trace, Trace):

@@ -46,7 +46,7 @@ def _scenario() -> dict[str, Any]:
 def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
     from ..plugins.discovery import load_registry
-    from ..plugins.guard import blaming
+    from ..plugins.guard import plugin_guard
     from ..plugins.json_schema import schema_of_kind
 
     verb, name = (words[0], words[1]) if len(words) > 1 else (None, words[0])
@@ -54,7 +54,7 @@ def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
     found = []
     for entry in entries:
         if name in (entry.name, entry.qualified) and verb in (None, entry.verb):
-            with blaming(entry, None):
+            with plugin_guard(entry, None):
                 found.append(schema_of_kind(entry))
     if not found:
         hints = did_you_mean(name, [*schemas, *(entry.name for entry in entries)])

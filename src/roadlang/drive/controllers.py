@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ..ir.scene import Scene, SceneActor
-from ..plugins.guard import blaming, wrong_result
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry, Registry
 from .contract import Control, Observation
@@ -21,12 +21,12 @@ class Guarded(Controller):
 
     def control(self, observation: Observation) -> Control:
         """What the controller decides. Raises DiagnosticError RL470, RL474."""
-        with blaming(self._entry, None):
+        with plugin_guard(self._entry, None):
             decision: Any = self._controller.control(observation)
         if not isinstance(decision, Control):
             fault = f"gave a {type(decision).__name__}, not a Control"
             raise wrong_result(self._entry, None, fault)
-        with blaming(self._entry, None):
+        with plugin_guard(self._entry, None):
             control = Control(float(decision.steering), float(decision.acceleration))
         if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
             raise wrong_result(self._entry, None, f"gave {control}, which is not finite")
@@ -48,7 +48,7 @@ def _controller(actor: SceneActor, registry: Registry) -> Controller | None:
     if not steady or not registry.has("drive", steady[-1].kind):
         return None
     entry = registry.find_recorded("drive", steady[-1].kind)
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         kind = entry.load()
         if not issubclass(kind, Controller) or kind.control is Controller.control:
             return None

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.values import Entity, PassCall
-from ..plugins.guard import blaming
+from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
 from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
 from ..plugins.options import OptionSchema, schema_of
@@ -24,7 +24,7 @@ Resolve = Callable[[Entity], Any]
 
 
 @dataclass(frozen=True)
-class Built:
+class KindInstance:
     """A kind with concrete options, and whom to blame when it fails."""
 
     kind: Any
@@ -32,8 +32,8 @@ class Built:
     call: PassCall
 
     @property
-    def blamed(self) -> AbstractContextManager[None]:
-        return blaming(self.entry, self.call.span)
+    def guarded(self) -> AbstractContextManager[None]:
+        return plugin_guard(self.entry, self.call.span)
 
 
 def build(
@@ -43,9 +43,9 @@ def build(
     *,
     single: bool = False,
     resolve: Resolve | None = None,
-) -> Built:
+) -> KindInstance:
     """The kind of a call. `single`: plain numbers of one candidate instead of columns."""
-    entry, kind = candidates.plan.kind(call)
+    entry, kind = candidates.scenario.kind(call)
     given = dict(call.options)
     fields: dict[str, Any] = {}
     for option in schema_of(kind):
@@ -56,8 +56,8 @@ def build(
             fields[option.name] = _converted(option, value, candidates, element, single, resolve)
         elif not option.required:
             fields[option.name] = option.default
-    with blaming(entry, call.span):
-        return Built(kind(**fields), entry, call)
+    with plugin_guard(entry, call.span):
+        return KindInstance(kind(**fields), entry, call)
 
 
 def one_of_batch(kind: Any, row: int) -> Any:

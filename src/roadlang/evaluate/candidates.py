@@ -12,7 +12,7 @@ from ..ir.batch import BatchRandom, RoadBatch, unit_interval
 from .randomness import place_keys, variant_keys
 
 if TYPE_CHECKING:
-    from .scenario_index import Plan
+    from .indexed_scenario import IndexedScenario
 
 Floats = NDArray[np.float64]
 T = TypeVar("T")
@@ -28,13 +28,13 @@ class CandidateBatch:
 
     def __init__(
         self,
-        plan: Plan,
+        scenario: IndexedScenario,
         seed: int,
         scenes: NDArray[np.int64],
         attempts: NDArray[np.int64],
         given: Mapping[str, Floats] | None = None,
     ) -> None:
-        self.plan = plan
+        self.scenario = scenario
         self.seed = seed
         self.scenes = scenes
         self.attempts = attempts
@@ -52,7 +52,9 @@ class CandidateBatch:
     def take(self, rows: NDArray[np.intp]) -> CandidateBatch:
         """The candidates at `rows`."""
         given = {name: values[rows] for name, values in self.given.items()}
-        chosen = CandidateBatch(self.plan, self.seed, self.scenes[rows], self.attempts[rows], given)
+        chosen = CandidateBatch(
+            self.scenario, self.seed, self.scenes[rows], self.attempts[rows], given
+        )
         chosen._parent = (self, rows)
         return chosen
 

@@ -21,7 +21,7 @@ from ..ir.values import (
 )
 
 if TYPE_CHECKING:
-    from .scenario_index import Plan
+    from .indexed_scenario import IndexedScenario
 
 
 def children(value: Value) -> Iterator[Value]:
@@ -68,25 +68,27 @@ class Varying:
     Such roads differ in their stations, so that candidates are evaluated one by one.
     """
 
-    def __init__(self, plan: Plan) -> None:
-        self._plan = plan
+    def __init__(self, scenario: IndexedScenario) -> None:
+        self._scenario = scenario
         self._known: dict[str, bool] = {}
 
     def __call__(self, name: str) -> bool:
         if name not in self._known:
-            self._known[name] = any(map(self._is_drawn, self._plan.chain(self._thing(name))))
+            self._known[name] = any(map(self._is_drawn, self._scenario.chain(self._thing(name))))
         return self._known[name]
 
     def _thing(self, name: str) -> Image | Network | Road:
-        plan = self._plan
-        thing: Image | Network | Road | None = plan.roads.get(name) or plan.networks.get(name)
-        return thing if thing is not None else plan.images[name]
+        scenario = self._scenario
+        thing: Image | Network | Road | None = scenario.roads.get(name) or scenario.networks.get(
+            name
+        )
+        return thing if thing is not None else scenario.images[name]
 
     def _is_drawn(self, thing: Image | Network | Road) -> bool:
         shaping = [call for call in thing.passes if call.verb != "perturb"]
-        if any(getattr(self._plan.kind(call)[1], "is_random", False) for call in shaping):
+        if any(getattr(self._scenario.kind(call)[1], "is_random", False) for call in shaping):
             return True
         options = [value for name, value in thing.options if name not in ("width", "lanes")]
         if dict(thing.options).get("select") == Text("any"):
             return True
-        return any(True for v in (*shaping, *options) for _ in draws_in(v, self._plan.values))
+        return any(True for v in (*shaping, *options) for _ in draws_in(v, self._scenario.values))

@@ -74,7 +74,7 @@ def named(name: str, candidates: CandidateBatch) -> Any:
             raise DiagnosticError(diagnose("RL478", declared.span, name=name))
         return found
 
-    declared = candidates.plan.values[name]
+    declared = candidates.scenario.values[name]
     return candidates.once(("value", name), make)
 
 
@@ -86,7 +86,7 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
 
     def quantile() -> Any:
         built = build(draw.call, candidates, element)
-        with built.blamed:
+        with built.guarded:
             found = built.kind.quantile(candidates.uniform(draw.place, element))
             return np.asarray(found).reshape(candidates.count, 1)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.values import Condition
 from .bounds import settled_rows
 from .requirements import Requirement, requirements_of
@@ -34,15 +34,17 @@ class Judged:
 
 
 class Judge:
-    """All requirements of a plan, in the order in which they are tried."""
+    """All requirements of a scenario, in the order in which they are tried."""
 
-    def __init__(self, plan: Plan, requirements: Sequence[Requirement] | None = None) -> None:
-        self.plan = plan
-        self.requirements = requirements_of(plan) if requirements is None else requirements
+    def __init__(
+        self, scenario: IndexedScenario, requirements: Sequence[Requirement] | None = None
+    ) -> None:
+        self.scenario = scenario
+        self.requirements = requirements_of(scenario) if requirements is None else requirements
 
     def only(self, indices: Sequence[int]) -> Judge:
         """A judge of some of the requirements."""
-        return Judge(self.plan, [self.requirements[index] for index in indices])
+        return Judge(self.scenario, [self.requirements[index] for index in indices])
 
     @cached_property
     def one_by_one(self) -> bool:
@@ -117,6 +119,6 @@ class Judge:
         return zero
 
     def _is_varying(self, requirement: Requirement) -> bool:
-        plan = self.plan
-        geometric = (n for n in requirement.names if n in plan.roads or n in plan.networks)
-        return any(plan.is_varying(name) for name in geometric)
+        scenario = self.scenario
+        geometric = (n for n in requirement.names if n in scenario.roads or n in scenario.networks)
+        return any(scenario.is_varying(name) for name in geometric)

@@ -17,7 +17,7 @@ from ..diagnostics import DiagnosticError
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Road
 from ..ir.values import (
     Condition,
@@ -30,7 +30,7 @@ from ..ir.values import (
     Reference,
     Value,
 )
-from ..plugins.guard import blaming, wrong_result
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry
 from ..stl.formula import formulas as f
 from ..stl.formula import terms as t
@@ -53,11 +53,11 @@ def settled_rows(requirement: Requirement, candidates: CandidateBatch) -> NDArra
     return np.broadcast_to(np.asarray(low) > _ROUNDING, (candidates.count,))
 
 
-def is_impossible(requirement: Requirement, plan: Plan) -> bool:
+def is_impossible(requirement: Requirement, scenario: IndexedScenario) -> bool:
     """Whether no draw of the scenario can satisfy a requirement, as far as intervals tell."""
     if not isinstance(requirement.test, Condition):
         return False
-    _, high = formula_range(requirement.test, _Anything(plan))
+    _, high = formula_range(requirement.test, _Anything(scenario))
     return bool(np.all(np.asarray(high) < -_ROUNDING))
 
 
@@ -65,11 +65,11 @@ class _Candidates:
     """Ranges for given candidates: their draws are known."""
 
     def __init__(self, candidates: CandidateBatch) -> None:
-        self.plan = candidates.plan
+        self.scenario = candidates.scenario
         self._variants = candidates
 
     def number(self, value: Value) -> Range:
-        if _is_geometric(value, self.plan):
+        if _is_geometric(value, self.scenario):
             return _UNKNOWN
         found = np.asarray(evaluate(value, self._variants), dtype=float).reshape(-1)
         return found, found
@@ -77,7 +77,7 @@ class _Candidates:
     def reach(self, call: PassCall) -> Any:
         candidates = self._variants
         built = build(call, candidates)
-        with built.blamed:
+        with built.guarded:
             reach = np.asarray(built.kind.reach(), dtype=float).reshape(-1)
         _check_reach(reach, candidates.count, built.entry, call)
         return reach
@@ -86,18 +86,18 @@ class _Candidates:
 class _Anything:
     """Ranges for every candidate that the scenario has."""
 
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
+    def __init__(self, scenario: IndexedScenario) -> None:
+        self.scenario = scenario
 
     def number(self, value: Value) -> Range:
-        return value_range(value, self.plan)
+        return value_range(value, self.scenario)
 
     def reach(self, call: PassCall) -> Any:
         """The greatest reach at the ends of the ranges of all options."""
-        entry, kind = self.plan.kind(call)
+        entry, kind = self.scenario.kind(call)
         ends: list[dict[str, float]] = [{}]
         for name, value in call.options:
-            low, high = value_range(value, self.plan)
+            low, high = value_range(value, self.scenario)
             if not (math.isfinite(low) and math.isfinite(high)):
                 return math.inf
             both = {low, high}
@@ -108,7 +108,7 @@ class _Anything:
         reach = 0.0
         for given in ends:
             fields = {k: round(v) if k in whole else v for k, v in given.items()}
-            with blaming(entry, call.span):
+            with plugin_guard(entry, call.span):
                 made: Any = kind(**fields)
                 found = np.asarray(made.reach(), dtype=float).reshape(-1)
             _check_reach(found, 1, entry, call)
@@ -132,33 +132,33 @@ def formula_range(condition: Condition, known: _Candidates | _Anything) -> Range
         return _formula(condition.formula, ranges)
 
 
-def value_range(value: Value, plan: Plan) -> tuple[float, float]:
+def value_range(value: Value, scenario: IndexedScenario) -> tuple[float, float]:
     """Least and greatest number that a value can be."""
     if isinstance(value, Constant):
         return value.value, value.value
     if isinstance(value, Reference):
-        return value_range(plan.values[value.name].value, plan)
+        return value_range(scenario.values[value.name].value, scenario)
     if isinstance(value, Draw):
-        return _support(value, plan)
+        return _support(value, scenario)
     if isinstance(value, Operation):
-        parts = [value_range(operand, plan) for operand in value.operands]
+        parts = [value_range(operand, scenario) for operand in value.operands]
         return _operation(value.operator, parts)
     return -math.inf, math.inf
 
 
-def _support(draw: Draw, plan: Plan) -> tuple[float, float]:
+def _support(draw: Draw, scenario: IndexedScenario) -> tuple[float, float]:
     ranges = dict(draw.call.options)
     if draw.call.kind in _FROM_LOW_TO_HIGH:
-        return value_range(ranges["low"], plan)[0], value_range(ranges["high"], plan)[1]
+        return value_range(ranges["low"], scenario)[0], value_range(ranges["high"], scenario)[1]
     from ..evaluate.dependencies import draws_in
 
-    if any(True for _, v in draw.call.options for _ in draws_in(v, plan.values)):
+    if any(True for _, v in draw.call.options for _ in draws_in(v, scenario.values)):
         return -math.inf, math.inf
     try:
-        built = build(draw.call, plan.fixed, single=True)
+        built = build(draw.call, scenario.fixed, single=True)
     except DiagnosticError:  # bounds are a convenience: what is wrong shows when it is drawn
         return -math.inf, math.inf
-    with built.blamed:
+    with built.guarded:
         support = built.kind.support()
         low, high = (-math.inf, math.inf) if support is None else map(float, support)
     if not low <= high:
@@ -250,18 +250,18 @@ def _signal_range(call: PassCall, known: _Candidates | _Anything) -> Range:
     standard = call.kind.startswith("standard.")
     if not standard or name not in _DISPLACED or len(roads) != 2:
         return _UNKNOWN
-    between = _passes_between(roads[0], roads[1], known.plan)
+    between = _passes_between(roads[0], roads[1], known.scenario)
     if between is None:
         return (0.0, math.inf)
     return 0.0, sum((known.reach(call) for call in between), start=0.0)
 
 
-def _passes_between(a: Entity, b: Entity, plan: Plan) -> list[PassCall] | None:
+def _passes_between(a: Entity, b: Entity, scenario: IndexedScenario) -> list[PassCall] | None:
     """The passes by which two roads of one root differ; None where they have not one root."""
     if a.role != "road" or b.role != "road":
         return None
-    first = [link for link in plan.chain(plan.roads[a.name]) if isinstance(link, Road)]
-    second = [link for link in plan.chain(plan.roads[b.name]) if isinstance(link, Road)]
+    first = [link for link in scenario.chain(scenario.roads[a.name]) if isinstance(link, Road)]
+    second = [link for link in scenario.chain(scenario.roads[b.name]) if isinstance(link, Road)]
     if first[-1] is not second[-1]:
         return None
     shared = {link.name for link in first} & {link.name for link in second}
@@ -269,7 +269,7 @@ def _passes_between(a: Entity, b: Entity, plan: Plan) -> list[PassCall] | None:
     return [call for link in apart for call in link.passes if call.verb == "perturb"]
 
 
-def _is_geometric(value: Value, plan: Plan) -> bool:
+def _is_geometric(value: Value, scenario: IndexedScenario) -> bool:
     from ..evaluate.dependencies import walk
 
-    return any(isinstance(item, Measure) for item in walk(value, plan.values))
+    return any(isinstance(item, Measure) for item in walk(value, scenario.values))

@@ -13,7 +13,7 @@ import numpy as np
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
-from ..plugins.guard import blaming, wrong_result
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import DriveSignal
 from ..plugins.registry import Registry
 from ..stl import from_json
@@ -99,7 +99,7 @@ def _values(
     if kind.name == "time":
         return trace.time
     entry = registry.find_recorded("drive_signal", str(call["kind"]))
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         values = np.asarray(kind(**options).values(), dtype=float)
     if values.shape != trace.time.shape and entry.origin.plugin != "standard":
         fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
@@ -121,7 +121,7 @@ def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> flo
         key: (group(value, trace) or (value,))[0] if isinstance(value, str) else value
         for key, value in call.get("options", {}).items()
     }
-    with blaming(entry, None):
+    with plugin_guard(entry, None):
         kind: Any = entry.load()
         rho = float(kind(**options).judge(trace))
     if math.isnan(rho):

@@ -15,7 +15,7 @@ from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in, entities_in, walk
 from ..evaluate.evaluation import evaluate
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Actor, Constraint, Network, Road
 from ..ir.values import Condition, Draw, PassCall
@@ -50,11 +50,13 @@ class Requirement:
         return self.span.line if self.span is not None else None
 
 
-def requirements_of(plan: Plan) -> tuple[Requirement, ...]:
+def requirements_of(scenario: IndexedScenario) -> tuple[Requirement, ...]:
     """All requirements of a scenario, cheapest first; the order written breaks ties."""
-    found = [_written(constraint, plan) for constraint in plan.scenario.requirements]
-    found += [_placed(actor, plan) for actor in plan.actors.values() if actor.on is not None]
-    found += [_unfolded(name, plan) for name in _bent_roads(plan)]
+    found = [_written(constraint, scenario) for constraint in scenario.source.requirements]
+    found += [
+        _placed(actor, scenario) for actor in scenario.actors.values() if actor.on is not None
+    ]
+    found += [_unfolded(name, scenario) for name in _bent_roads(scenario)]
     return tuple(sorted(found, key=lambda requirement: requirement.cost))
 
 
@@ -97,10 +99,10 @@ def copies_named(condition: Condition, candidates: CandidateBatch) -> int:
     """How many copies the largest group has whose `start` the formula uses; 1 without any."""
     from ..world.placement import most_copies
 
-    actors = candidates.plan.actors
+    actors = candidates.scenario.actors
     groups = [
         actors[entity.name]
-        for entity in entities_in(condition, candidates.plan.values)
+        for entity in entities_in(condition, candidates.scenario.values)
         if entity.role in ("agent", "object")
     ]
     return max((most_copies(actor, candidates) for actor in groups), default=1)
@@ -125,12 +127,12 @@ def _check_shapes(condition: Condition, positions: Floats, values: dict[str, Any
 def _roads_named(call: PassCall, candidates: CandidateBatch) -> Any:
     return (
         entity
-        for entity in entities_in(call, candidates.plan.values)
+        for entity in entities_in(call, candidates.scenario.values)
         if entity.role in ("road", "network")
     )
 
 
-def _written(constraint: Constraint, plan: Plan) -> Requirement:
+def _written(constraint: Constraint, scenario: IndexedScenario) -> Requirement:
     test = constraint.test
     if isinstance(test, Condition):
         condition = test
@@ -150,9 +152,9 @@ def _written(constraint: Constraint, plan: Plan) -> Requirement:
         constraint.name,
         text,
         rho,
-        _cost(test, plan),
-        _names(test, plan),
-        influences(test, plan),
+        _cost(test, scenario),
+        _names(test, scenario),
+        influences(test, scenario),
         test=test,
         span=constraint.span,
     )
@@ -163,7 +165,7 @@ def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
     worst = np.full(candidates.count, np.inf)
     for axis in axes_of(call, candidates):
         built = build(call, candidates, resolve=partial(axis.resolve, candidates=candidates))
-        with built.blamed:
+        with built.guarded:
             rho = np.asarray(built.kind.robustness(), dtype=np.float64).reshape(-1)
         if rho.shape[0] not in (1, candidates.count):
             fault = f"gave a robustness of shape {rho.shape}, not ({candidates.count},)"
@@ -174,12 +176,13 @@ def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
     return worst
 
 
-def _cost(test: Condition | PassCall, plan: Plan) -> float:
+def _cost(test: Condition | PassCall, scenario: IndexedScenario) -> float:
     """Signals cost what their kinds say, temporal operators about what two displacements do."""
-    inside = (v for v in walk(test, plan.values) if isinstance(v, PassCall))
+    inside = (v for v in walk(test, scenario.values) if isinstance(v, PassCall))
     calls = [call for call in inside if call.verb in ("signal", "number", "monitor")]
     work = sum(
-        getattr(plan.kind(call)[1], "cost", 0.0) * (_PROJECTION if _is_apart(call, plan) else 1.0)
+        getattr(scenario.kind(call)[1], "cost", 0.0)
+        * (_PROJECTION if _is_apart(call, scenario) else 1.0)
         for call in calls
     )
     if isinstance(test, Condition):
@@ -187,66 +190,68 @@ def _cost(test: Condition | PassCall, plan: Plan) -> float:
     return work + 100.0
 
 
-def _is_apart(call: PassCall, plan: Plan) -> bool:
+def _is_apart(call: PassCall, scenario: IndexedScenario) -> bool:
     """Whether a call compares roads of different roots, by the nearest point."""
     roots = set()
-    for entity in entities_in(call, plan.values):
-        thing: Any = plan.roads.get(entity.name) or plan.networks.get(entity.name)
+    for entity in entities_in(call, scenario.values):
+        thing: Any = scenario.roads.get(entity.name) or scenario.networks.get(entity.name)
         if thing is not None:
-            links = [link for link in plan.chain(thing) if link.name not in plan.images]
-            roots.add((links[-1].name, any(link.name in plan.roads for link in links)))
+            links = [link for link in scenario.chain(thing) if link.name not in scenario.images]
+            roots.add((links[-1].name, any(link.name in scenario.roads for link in links)))
     return len(roots) > 1
 
 
-def _names(test: Condition | PassCall, plan: Plan) -> frozenset[str]:
-    named = {e.name for e in entities_in(test, plan.values)}
-    for actor in [plan.actors[name] for name in named if name in plan.actors]:
-        named |= _actor_names(actor, plan)
+def _names(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:
+    named = {e.name for e in entities_in(test, scenario.values)}
+    for actor in [scenario.actors[name] for name in named if name in scenario.actors]:
+        named |= _actor_names(actor, scenario)
     return frozenset(named)
 
 
-def _actor_names(actor: Actor, plan: Plan) -> set[str]:
+def _actor_names(actor: Actor, scenario: IndexedScenario) -> set[str]:
     values = [actor.at, *(value for _, value in actor.options)]
-    names = {e.name for value in values for e in entities_in(value, plan.values)} - {actor.name}
+    names = {e.name for value in values for e in entities_in(value, scenario.values)} - {actor.name}
     names |= {actor.on} if actor.on is not None else set()
     for name in list(names):
-        if name in plan.actors:
-            names |= _actor_names(plan.actors[name], plan)
+        if name in scenario.actors:
+            names |= _actor_names(scenario.actors[name], scenario)
     return names
 
 
-def influences(test: Condition | PassCall, plan: Plan) -> frozenset[str]:
+def influences(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:
     """The places of all draws that can change a verdict, through the things that it names."""
-    places = {draw.place for draw in draws_in(test, plan.values)}
-    for name in _names(test, plan):
-        places |= draws_of_thing(name, plan)
+    places = {draw.place for draw in draws_in(test, scenario.values)}
+    for name in _names(test, scenario):
+        places |= draws_of_thing(name, scenario)
     return frozenset(places)
 
 
-def draws_of_thing(name: str, plan: Plan) -> set[str]:
+def draws_of_thing(name: str, scenario: IndexedScenario) -> set[str]:
     """The places of the draws behind a road, network, image, agent or object."""
-    if name in plan.actors:
-        actor = plan.actors[name]
+    if name in scenario.actors:
+        actor = scenario.actors[name]
         values = (actor.at, *(value for _, value in actor.options))
-        return {d.place for value in values for d in draws_in(value, plan.values)}
-    thing: Any = plan.roads.get(name) or plan.networks.get(name) or plan.images.get(name)
+        return {d.place for value in values for d in draws_in(value, scenario.values)}
+    thing: Any = (
+        scenario.roads.get(name) or scenario.networks.get(name) or scenario.images.get(name)
+    )
     places: set[str] = set()
-    for link in plan.chain(thing):
+    for link in scenario.chain(thing):
         values = (*(value for _, value in link.options), *link.passes)
-        places |= {d.place for value in values for d in draws_in(value, plan.values)}
+        places |= {d.place for value in values for d in draws_in(value, scenario.values)}
         # A pass that draws by itself (`harmonics`) differs between candidates without any draw.
-        places |= {call.place for call in link.passes if _draws_itself(call, plan)}
-        if plan.is_varying(name):
+        places |= {call.place for call in link.passes if _draws_itself(call, scenario)}
+        if scenario.is_varying(name):
             places.add(f"{name}/select")
     return places
 
 
-def _draws_itself(call: PassCall, plan: Plan) -> bool:
-    kind: Any = plan.kind(call)[1]
+def _draws_itself(call: PassCall, scenario: IndexedScenario) -> bool:
+    kind: Any = scenario.kind(call)[1]
     return bool(getattr(kind, "is_random", False))
 
 
-def _placed(actor: Actor, plan: Plan) -> Requirement:
+def _placed(actor: Actor, scenario: IndexedScenario) -> Requirement:
     """An agent or object on a road begins on the road."""
 
     def rho(candidates: CandidateBatch) -> Floats:
@@ -254,15 +259,15 @@ def _placed(actor: Actor, plan: Plan) -> Requirement:
 
         return room(actor, candidates)
 
-    names = frozenset(_actor_names(actor, plan))
-    places: set[str] = {d.place for v in (actor.at,) for d in draws_in(v, plan.values)}
+    names = frozenset(_actor_names(actor, scenario))
+    places: set[str] = {d.place for v in (actor.at,) for d in draws_in(v, scenario.values)}
     for name in names:
-        places |= draws_of_thing(name, plan)
+        places |= draws_of_thing(name, scenario)
     return Requirement(
         actor.name,
         f"`{actor.name}` begins on `{actor.on}`",
         rho,
-        8.0 if any(isinstance(v, Draw) for v in walk(actor.at, plan.values)) else 6.0,
+        8.0 if any(isinstance(v, Draw) for v in walk(actor.at, scenario.values)) else 6.0,
         names,
         frozenset(places),
         implied=True,
@@ -270,22 +275,22 @@ def _placed(actor: Actor, plan: Plan) -> Requirement:
     )
 
 
-def _bent_roads(plan: Plan) -> list[str]:
-    things: tuple[Road | Network, ...] = (*plan.roads.values(), *plan.networks.values())
+def _bent_roads(scenario: IndexedScenario) -> list[str]:
+    things: tuple[Road | Network, ...] = (*scenario.roads.values(), *scenario.networks.values())
     return [thing.name for thing in things if any(call.verb == "perturb" for call in thing.passes)]
 
 
-def _unfolded(name: str, plan: Plan) -> Requirement:
+def _unfolded(name: str, scenario: IndexedScenario) -> Requirement:
     """A road does not run backwards where it was pushed beyond the center of a bend."""
 
     def rho(candidates: CandidateBatch) -> Floats:
         from ..world.networks import edge_batch, network_root
         from ..world.roads import road_batch
 
-        if name in plan.roads:
+        if name in scenario.roads:
             batches = [road_batch(name, candidates)]
         else:
-            network = plan.networks[name]
+            network = scenario.networks[name]
             edges = network_root(network, candidates).edges
             batches = [edge_batch(network, edge.id, candidates) for edge in edges]
         folded = np.zeros(candidates.count, dtype=bool)
@@ -293,7 +298,7 @@ def _unfolded(name: str, plan: Plan) -> Requirement:
             folded |= batch.folded
         return np.where(folded, -1.0, 1.0)
 
-    thing: Any = plan.roads.get(name) or plan.networks[name]
-    places = frozenset(draws_of_thing(name, plan))
+    thing: Any = scenario.roads.get(name) or scenario.networks[name]
+    places = frozenset(draws_of_thing(name, scenario))
     text = f"`{name}` does not fold back on itself"
     return Requirement(name, text, rho, 3.0, frozenset([name]), places, True, None, thing.span)

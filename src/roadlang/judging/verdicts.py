@@ -21,7 +21,7 @@ def verdict(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
     test = constraint.test
     if isinstance(test, Condition):
         return _of_condition(constraint.name, test, candidates)
-    entry, kind = candidates.plan.kind(test)
+    entry, kind = candidates.scenario.kind(test)
     domain: str = getattr(kind, "domain", "road")
     text = f"with {entry.name}"
     if domain == "drive":

@@ -68,20 +68,20 @@ def collect(candidates: Iterable[_Candidate]) -> Registry:
     """Load each candidate by itself and gather what the healthy ones bring."""
     entries: list[KindEntry] = []
     broken: list[BrokenPlugin] = []
-    announced: set[str] = set()
+    planned: set[str] = set()
     for candidate in candidates:
         origin = candidate.origin
         try:
             with redirect_stdout(sys.stderr):  # standard output is for the JSON of commands
-                found, planned = _load(candidate, origin)
+                found, expected = _load(candidate, origin)
         except (KeyboardInterrupt, MemoryError):
             raise
         except BaseException as error:  # a plugin may even call sys.exit on import
             broken.append(BrokenPlugin(origin, _reason(error)))
         else:
             entries.extend(found)
-            announced.update(planned)
-    return Registry(tuple(entries), tuple(broken), frozenset(announced))
+            planned.update(expected)
+    return Registry(tuple(entries), tuple(broken), frozenset(planned))
 
 
 def _load(candidate: _Candidate, origin: Origin) -> tuple[list[KindEntry], list[str]]:
@@ -97,7 +97,7 @@ def _load(candidate: _Candidate, origin: Origin) -> tuple[list[KindEntry], list[
     for kinds in manager.hook.roadlang_kinds():
         entries.extend(entries_of(kinds, origin))
     _refuse_duplicates(entries)
-    planned = [text for announced in manager.hook.roadlang_announced() for text in announced]
+    planned = [text for texts in manager.hook.roadlang_planned() for text in texts]
     if not (entries or planned):
         raise TypeError("its hook `roadlang_kinds` returned no kinds")
     return entries, planned

@@ -13,7 +13,7 @@ from .registry import KindEntry
 
 
 @contextmanager
-def blaming(entry: KindEntry, span: Span | None) -> Iterator[None]:
+def plugin_guard(entry: KindEntry, span: Span | None) -> Iterator[None]:
     """Turn whatever a kind raises into RL470; its own diagnostics pass, at this place.
 
     What it prints goes to standard error: standard output is for the JSON of commands.

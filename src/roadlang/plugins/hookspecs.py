@@ -20,5 +20,5 @@ def roadlang_kinds() -> Iterable[type] | Mapping[str, str]:  # type: ignore[empt
 
 
 @hookspec
-def roadlang_announced() -> Iterable[str]:  # type: ignore[empty-body]
+def roadlang_planned() -> Iterable[str]:  # type: ignore[empty-body]
     """Kinds that are planned and do not exist yet (`"emit gltf"`), so that the error says so."""

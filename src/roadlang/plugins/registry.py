@@ -105,7 +105,7 @@ class Registry:
 
     entries: tuple[KindEntry, ...] = ()
     broken: tuple[BrokenPlugin, ...] = ()
-    announced: frozenset[str] = frozenset()
+    planned: frozenset[str] = frozenset()
     _by_name: Mapping[tuple[str, str], tuple[KindEntry, ...]] = field(
         init=False, repr=False, compare=False
     )
@@ -141,18 +141,18 @@ class Registry:
         """Plain names of all kinds of a verb, in order."""
         return tuple(sorted({entry.name for entry in self.entries if entry.verb == verb}))
 
-    def is_announced(self, verb: str, name: str) -> bool:
-        """Whether a kind is planned; `announced` holds `"emit gltf"`, `"read opendrive .xodr"`."""
-        return name in self.announced_names(verb)
+    def is_planned(self, verb: str, name: str) -> bool:
+        """Whether a kind is planned; `planned` holds `"emit gltf"`, `"read opendrive .xodr"`."""
+        return name in self.planned_names(verb)
 
-    def announced_names(self, verb: str) -> tuple[str, ...]:
+    def planned_names(self, verb: str) -> tuple[str, ...]:
         """The planned kinds of a verb, in order."""
-        words = (text.split() for text in sorted(self.announced))
+        words = (text.split() for text in sorted(self.planned))
         return tuple(word[1] for word in words if len(word) > 1 and word[0] == verb)
 
-    def announced_reader(self, suffix: str) -> str | None:
+    def planned_reader(self, suffix: str) -> str | None:
         """The planned reader of files with this ending."""
-        for text in sorted(self.announced):
+        for text in sorted(self.planned):
             verb, *rest = text.split()
             if verb == "read" and suffix in rest[1:]:
                 return rest[0]

@@ -35,8 +35,8 @@ def scene_actors(actors: tuple[Actor, ...], candidates: CandidateBatch) -> tuple
 def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
     """What the legends of the images named, beside roads: `town/tree[0]`."""
     found: list[SceneActor] = []
-    networks = candidates.plan.networks.values()
-    bottoms = [n for n in networks if not isinstance(candidates.plan.source_of(n), Network)]
+    networks = candidates.scenario.networks.values()
+    bottoms = [n for n in networks if not isinstance(candidates.scenario.source_of(n), Network)]
     for network in bottoms:
         numbers: dict[str, int] = {}
         for thing in network_root(network, candidates).objects:
@@ -64,7 +64,7 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
 
 def call_of(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Call:
     """A call with every option concrete, defaults included."""
-    entry, kind = candidates.plan.kind(call)
+    entry, kind = candidates.scenario.kind(call)
     options = {
         option.name: concrete(option.default) for option in schema_of(kind) if not option.required
     }
@@ -85,7 +85,7 @@ def condition_json(
         "formula": _finite(to_json(condition.formula)),
         "signals": {
             binding.variable: {
-                "kind": candidates.plan.kind(binding.call)[0].recorded,
+                "kind": candidates.scenario.kind(binding.call)[0].recorded,
                 "options": {
                     name: concrete(evaluate(value, candidates, element), candidates, element)
                     for name, value in binding.call.options
@@ -143,7 +143,7 @@ def _placed(name: str, actor: Actor, copy: int, candidates: CandidateBatch) -> S
 
 
 def _kind_defaults(kind: str, candidates: CandidateBatch) -> dict[str, Any]:
-    registry = candidates.plan.registry
+    registry = candidates.scenario.registry
     if not registry.has("object", kind):
         return {}
     schema = schema_of(registry.find("object", kind).load())

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..diagnostics import DiagnosticError, diagnose
-from ..evaluate.building import Built, build
-from ..evaluate.scenario_index import Plan
+from ..evaluate.building import KindInstance, build
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import PassCall
@@ -29,25 +29,27 @@ class Output:
     scene: int | None
 
 
-def backends_of(scenario: Scenario, registry: Registry, names: Sequence[str] | None) -> list[Built]:
+def backends_of(
+    source: Scenario, registry: Registry, names: Sequence[str] | None
+) -> list[KindInstance]:
     """The scenario's `emit`s, or those called `names`: with the file's options where it has such.
 
     Raises `DiagnosticError` for options that are out of bounds and for kinds that are not there.
     """
-    plan = Plan(scenario, registry)
-    calls = scenario.emits if names is None else [_call(scenario, name) for name in names]
-    return [build(call, plan.fixed, single=True) for call in calls]
+    scenario = IndexedScenario(source, registry)
+    calls = source.emits if names is None else [_call(source, name) for name in names]
+    return [build(call, scenario.fixed, single=True) for call in calls]
 
 
-def _call(scenario: Scenario, name: str) -> PassCall:
-    for call in scenario.emits:
+def _call(source: Scenario, name: str) -> PassCall:
+    for call in source.emits:
         if name in (call.kind, call.kind.rpartition(".")[2]):
             return call
     return PassCall("emit", name, (), f"--emit {name}")
 
 
 def outputs(
-    backends: Sequence[Built],
+    backends: Sequence[KindInstance],
     scenes: Sequence[Scene],
     progress: Callable[[int, int], None] | None = None,
 ) -> list[Output]:
@@ -71,29 +73,29 @@ def outputs(
     return list(found.values())
 
 
-def send(backends: Iterable[Built], scenes: Iterable[Scene]) -> None:
+def send(backends: Iterable[KindInstance], scenes: Iterable[Scene]) -> None:
     """Deliver the scenes through the backends that speak to an engine."""
     live = [backend for backend in backends if type(backend.kind).send is not Backend.send]
     for scene in scenes:
         for backend in live:
-            with backend.blamed:
+            with backend.guarded:
                 backend.kind.send(scene)
 
 
-def _outputs_of(backend: Built, scenes: Sequence[Scene]) -> Iterator[Output]:
+def _outputs_of(backend: KindInstance, scenes: Sequence[Scene]) -> Iterator[Output]:
     name = backend.entry.recorded
     for scene in scenes:
-        with backend.blamed:
+        with backend.guarded:
             files = backend.kind.files(scene)
         for ending, content in _checked(files, backend).items():
             yield Output(f"scene-{scene.index:04d}.{ending}", content, name, scene.index)
-    with backend.blamed:
+    with backend.guarded:
         files = backend.kind.collection(scenes)
     for path, content in _checked(files, backend).items():
         yield Output(path, content, name, None)
 
 
-def _checked(files: Any, backend: Built) -> Mapping[str, bytes]:
+def _checked(files: Any, backend: KindInstance) -> Mapping[str, bytes]:
     """File contents as bytes. Raises `DiagnosticError` RL474 for anything else."""
     fault = None
     if not isinstance(files, Mapping):

@@ -23,22 +23,18 @@ def instantiate(
 
     Evaluated by itself, so that its bytes do not depend on what it was searched with.
     """
-    plan = candidates.plan
-    scenario = plan.scenario
+    scenario = candidates.scenario
+    source = scenario.source
     # All that is drawn is drawn before it is listed.
     roads, networks = scene_roads(candidates), scene_networks(candidates)
-    agents = scene_actors(scenario.agents, candidates)
-    objects = (*scene_actors(scenario.objects, candidates), *legend_objects(candidates))
-    values = {
-        item.name: _plain(named(item.name, candidates), candidates) for item in scenario.values
-    }
-    world = {
-        name: _plain(evaluate(value, candidates), candidates) for name, value in scenario.world
-    }
-    simulate = None if scenario.simulate is None else call_of(scenario.simulate, candidates)
+    agents = scene_actors(source.agents, candidates)
+    objects = (*scene_actors(source.objects, candidates), *legend_objects(candidates))
+    values = {item.name: _plain(named(item.name, candidates), candidates) for item in source.values}
+    world = {name: _plain(evaluate(value, candidates), candidates) for name, value in source.world}
+    simulate = None if source.simulate is None else call_of(source.simulate, candidates)
     return Scene(
-        name=scenario.header.name,
-        title=scenario.header.title,
+        name=source.header.name,
+        title=source.header.title,
         index=index,
         provenance=provenance(candidates, index, overrides or {}),
         values=values,
@@ -48,22 +44,22 @@ def instantiate(
         agents=agents,
         objects=objects,
         world=world,
-        requirements=tuple(verdict(item, candidates) for item in scenario.requirements),
-        expectations=tuple(verdict(item, candidates) for item in scenario.expectations),
+        requirements=tuple(verdict(item, candidates) for item in source.requirements),
+        expectations=tuple(verdict(item, candidates) for item in source.expectations),
         simulate=simulate,
     )
 
 
 def provenance(candidates: CandidateBatch, index: int, overrides: dict[str, str]) -> Provenance:
     """What a scene was made from and by."""
-    plan = candidates.plan
+    scenario = candidates.scenario
     return Provenance(
         roadlang=_version("roadlang"),
         seed=candidates.seed,
         scene=index,
         attempt=int(candidates.attempts[0]),
-        inputs=dict(sorted(plan.digests.items())),
-        plugins=plan.origins(),
+        inputs=dict(sorted(scenario.digests.items())),
+        plugins=scenario.origins(),
         overrides=overrides,
     )
 

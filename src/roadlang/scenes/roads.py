@@ -10,32 +10,32 @@ from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Network, Road
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..world.networks import NetworkRoot, edge_batch, network_root
-from ..world.roads import USUAL_LANES, lanes_of, road_batch, road_root
+from ..world.roads import DEFAULT_LANES, lanes_of, road_batch, road_root
 
 
 def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
     """Declared roads and the edges of all networks (`town/3`)."""
-    plan = candidates.plan
-    roads = [_declared(road, candidates) for road in plan.roads.values()]
-    for network in plan.networks.values():
-        derived = not _has_bent_heirs(network, plan)
-        bottom = _bottom(network, plan)
+    scenario = candidates.scenario
+    roads = [_declared(road, candidates) for road in scenario.roads.values()]
+    for network in scenario.networks.values():
+        derived = not _has_bent_heirs(network, scenario)
+        bottom = _bottom(network, scenario)
         for edge in network_root(network, candidates).edges:
             batch = edge_batch(network, edge.id, candidates)
             name, root = f"{network.name}/{edge.id}", f"{bottom}/{edge.id}"
-            whole = scene_road(name, root, batch, USUAL_LANES, derived)
+            whole = scene_road(name, root, batch, DEFAULT_LANES, derived)
             roads.append(_of_network(whole, network.name, edge.id))
     return tuple(roads)
 
 
 def scene_networks(candidates: CandidateBatch) -> tuple[SceneNetwork, ...]:
     """Nodes, the names of the roads, and the mask for tiles."""
-    return tuple(_network(network, candidates) for network in candidates.plan.networks.values())
+    return tuple(_network(network, candidates) for network in candidates.scenario.networks.values())
 
 
 def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool) -> SceneRoad:
@@ -66,8 +66,8 @@ def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool
 
 
 def _declared(road: Road, candidates: CandidateBatch) -> SceneRoad:
-    plan = candidates.plan
-    heirs = any(plan.source_of(other) is road for other in plan.roads.values())
+    scenario = candidates.scenario
+    heirs = any(scenario.source_of(other) is road for other in scenario.roads.values())
     batch = road_batch(road.name, candidates)
     root = _root_name(road, candidates)
     return scene_road(road.name, root, batch, lanes_of(road.name, candidates), not heirs)
@@ -75,11 +75,11 @@ def _declared(road: Road, candidates: CandidateBatch) -> SceneRoad:
 
 def _root_name(road: Road, candidates: CandidateBatch) -> str:
     """The road of the scene that this one was before anything bent it."""
-    plan = candidates.plan
-    bottom = [link for link in plan.chain(road) if isinstance(link, Road)][-1]
+    scenario = candidates.scenario
+    bottom = [link for link in scenario.chain(road) if isinstance(link, Road)][-1]
     root = road_root(road.name, candidates)
     bent_network = root.network is not None and any(
-        call.verb == "perturb" for link in plan.chain(root.network) for call in link.passes
+        call.verb == "perturb" for link in scenario.chain(root.network) for call in link.passes
     )
     if not bent_network:
         return bottom.name
@@ -92,14 +92,14 @@ def _of_network(road: SceneRoad, network: str, edge: int) -> SceneRoad:
     return replace(road, network=network, edge=edge)
 
 
-def _bottom(network: Network, plan: Plan) -> str:
-    return [link for link in plan.chain(network) if isinstance(link, Network)][-1].name
+def _bottom(network: Network, scenario: IndexedScenario) -> str:
+    return [link for link in scenario.chain(network) if isinstance(link, Network)][-1].name
 
 
-def _has_bent_heirs(network: Network, plan: Plan) -> bool:
+def _has_bent_heirs(network: Network, scenario: IndexedScenario) -> bool:
     """Whether something bent is made from it, which then stands in its place."""
-    things: list[Any] = [*plan.roads.values(), *plan.networks.values()]
-    heirs = [thing for thing in things if thing is not network and network in plan.chain(thing)]
+    things: list[Any] = [*scenario.roads.values(), *scenario.networks.values()]
+    heirs = [thing for thing in things if thing is not network and network in scenario.chain(thing)]
     return any(call.verb == "perturb" for heir in heirs for call in heir.passes)
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Image
 from ..judging.acceptance import Judge
 from ..world.pictures import is_drawn
@@ -28,42 +28,45 @@ WITH_PICTURES = 20
 def attempts_of(sampler: Any, judge: Judge) -> int:
     """The sampler's `attempts`, or as many as are done in about five seconds."""
     given = getattr(sampler, "attempts", None)
-    return int(given) if given is not None else usual_attempts(judge)
+    return int(given) if given is not None else default_attempts(judge)
 
 
-def usual_attempts(judge: Judge) -> int:
+def default_attempts(judge: Judge) -> int:
     """A guess from what the requirements look at."""
-    plan = judge.plan
+    scenario = judge.scenario
     names = {name for requirement in judge.requirements for name in requirement.names}
-    if any(_has_drawn_picture(name, plan) for name in names):
+    if any(_has_drawn_picture(name, scenario) for name in names):
         return WITH_PICTURES
     if judge.one_by_one:
         return ONE_BY_ONE
     work = sum(
-        requirement.cost * _stations(requirement.names, plan) for requirement in judge.requirements
+        requirement.cost * _stations(requirement.names, scenario)
+        for requirement in judge.requirements
     )
     return int(np.clip(BUDGET / max(work, 1.0), FEWEST, MOST))
 
 
-def _has_drawn_picture(name: str, plan: Plan) -> bool:
-    thing: Any = plan.roads.get(name) or plan.networks.get(name) or plan.images.get(name)
+def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
+    thing: Any = (
+        scenario.roads.get(name) or scenario.networks.get(name) or scenario.images.get(name)
+    )
     if thing is None:
         return False
-    links = (link for link in plan.chain(thing) if isinstance(link, Image))
-    return any(is_drawn(link, plan) for link in links)
+    links = (link for link in scenario.chain(thing) if isinstance(link, Image))
+    return any(is_drawn(link, scenario) for link in links)
 
 
-def _stations(names: frozenset[str], plan: Plan) -> int:
+def _stations(names: frozenset[str], scenario: IndexedScenario) -> int:
     """Of all the roads that are looked at."""
     from ..world.networks import network_root
     from ..world.roads import road_root
 
-    fixed: CandidateBatch = plan.fixed
+    fixed: CandidateBatch = scenario.fixed
     count = 1
     for name in names:
-        if name in plan.roads:
+        if name in scenario.roads:
             count = max(count, len(road_root(name, fixed).frame.stations))
-        elif name in plan.networks:
-            root = network_root(plan.networks[name], fixed)
+        elif name in scenario.networks:
+            root = network_root(scenario.networks[name], fixed)
             count = max(count, sum(len(root.frame(edge.id).stations) for edge in root.edges))
     return count

@@ -19,7 +19,7 @@ from ..ir.batch import BatchRandom
 from ..judging.acceptance import Judge
 from ..scenes.instantiate import instantiate
 from .effort import attempts_of
-from .rejection_report import Tally
+from .rejection_report import RejectionStats
 from .surrogate import Surrogate
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class Pilot:
     names: tuple[str, ...]
     known: Floats
     surrogate: Surrogate | None
-    tally: Tally
+    stats: RejectionStats
 
     @cached_property
     def is_rare(self) -> bool:
@@ -97,13 +97,13 @@ class Pilot:
 def guided_search(worker: Worker, sampler: Any, scenes: Sequence[int]) -> Searched:
     """The scenes of a block, each searched for by itself."""
     judge, seed = worker.judge, worker.seed
-    pilot = judge.plan.once(("pilot", seed), lambda: run_pilot(judge, sampler, seed))
-    tally = Tally.empty(len(judge.requirements))
+    pilot = judge.scenario.once(("pilot", seed), lambda: run_pilot(judge, sampler, seed))
+    stats = RejectionStats.empty(len(judge.requirements))
     if 0 in scenes:
-        tally.add(pilot.tally)
+        stats.add(pilot.stats)
     made, missing, points = [], [], []
     for scene in scenes:
-        found = first_accepted(judge, sampler, pilot, seed, scene, tally)
+        found = first_accepted(judge, sampler, pilot, seed, scene, stats)
         if found is None:
             missing.append(scene)
             continue
@@ -112,36 +112,36 @@ def guided_search(worker: Worker, sampler: Any, scenes: Sequence[int]) -> Search
         candidates.asked = {}
         made.append(instantiate(candidates, scene, worker.overrides))
         points.append(worker.coordinates(candidates))
-    return made, missing, tally, points
+    return made, missing, stats, points
 
 
 def run_pilot(judge: Judge, sampler: Any, seed: int) -> Pilot:
     """Learn where the requirements hold: candidates drawn evenly first, then rounds of those that a
     surrogate of the robustness takes for the likeliest, until enough of them hold."""
-    tally = Tally.empty(len(judge.requirements))
+    stats = RejectionStats.empty(len(judge.requirements))
     first = _candidates(judge, seed, _PILOT, 0, FIRST)
     first.asked = {}
     rho = judge.measure(first)
-    _count(tally, rho)
+    _count(stats, rho)
     names = tuple(first.asked)
     points = np.stack([*first.asked.values(), np.empty(FIRST)], axis=1)[:, :-1]
     scale = _scale(rho)
     values = _scaled(rho, scale)
-    pilot = Pilot(names, np.empty((0, len(names))), None, tally)
+    pilot = Pilot(names, np.empty((0, len(names))), None, stats)
     if not names or _held(values).sum() >= FIRST // 3:
         return pilot
     while True:
         surrogate = Surrogate.fit(
             points, values, None if pilot.surrogate is None else pilot.surrogate.lengths
         )
-        pilot = Pilot(names, _leaders(points, values), surrogate, tally)
+        pilot = Pilot(names, _leaders(points, values), surrogate, stats)
         if _held(values).sum() >= ENOUGH or len(points) >= sampler.pilot:
             return pilot
         random = _candidates(judge, seed, _PILOT, len(points), 1).random(_PLACE)
         proposed = pilot.round(sampler, random)
         given = dict(zip(names, proposed.T, strict=True))
         rho = judge.measure(_candidates(judge, seed, _PILOT, len(points), ROUND, given))
-        _count(tally, rho)
+        _count(stats, rho)
         points = np.concatenate([points, proposed])
         values = np.concatenate([values, _scaled(rho, scale)])
 
@@ -159,7 +159,7 @@ def _held(values: Floats) -> NDArray[np.bool_]:
 
 
 def first_accepted(
-    judge: Judge, sampler: Any, pilot: Pilot, seed: int, scene: int, tally: Tally
+    judge: Judge, sampler: Any, pilot: Pilot, seed: int, scene: int, stats: RejectionStats
 ) -> tuple[int, Mapping[str, Floats]] | None:
     """The first accepted attempt of a scene and the coordinates that it was given."""
     for attempt in range(attempts_of(sampler, judge)):
@@ -169,7 +169,7 @@ def first_accepted(
             given = dict(zip(pilot.names, proposed.T, strict=True))
             candidates = _candidates(judge, seed, scene, attempt, 1, given)
         judged = judge.judge(candidates)
-        tally.count(judged, np.ones(1, dtype=bool))
+        stats.count(judged, np.ones(1, dtype=bool))
         if judged.accepted[0]:
             return attempt, candidates.given
     return None
@@ -184,7 +184,7 @@ def _candidates(
     given: Mapping[str, Floats] | None = None,
 ) -> CandidateBatch:
     attempts = np.arange(start, start + count)
-    return CandidateBatch(judge.plan, seed, np.full(count, scene), attempts, given)
+    return CandidateBatch(judge.scenario, seed, np.full(count, scene), attempts, given)
 
 
 def _scale(rho: Floats) -> Floats:
@@ -200,13 +200,13 @@ def _scaled(rho: Floats, scale: Floats) -> Floats:
     return np.asarray(np.clip(np.nan_to_num(rho, posinf=1.0, neginf=-9.0) / scale, -3.0, 1.0)).T
 
 
-def _count(tally: Tally, rho: Floats) -> None:
+def _count(stats: RejectionStats, rho: Floats) -> None:
     """The pilot measures every requirement; the first that fails counts as what rejected."""
     fails = rho < 0.0
-    tally.candidates += rho.shape[1]
+    stats.candidates += rho.shape[1]
     for index in range(rho.shape[0]):
         before = fails[:index].any(axis=0)
-        tally.tried[index] += int((~before).sum())
-        tally.rejected[index] += int((fails[index] & ~before).sum())
+        stats.tried[index] += int((~before).sum())
+        stats.rejected[index] += int((fails[index] & ~before).sum())
         finite = rho[index][np.isfinite(rho[index])]
-        tally.best[index] = max(tally.best[index], float(finite.max(initial=-np.inf)))
+        stats.best[index] = max(stats.best[index], float(finite.max(initial=-np.inf)))

@@ -33,7 +33,7 @@ class Row:
 
 
 @dataclass
-class Tally:
+class RejectionStats:
     """Counts for each requirement, merged in any order."""
 
     candidates: int = 0
@@ -42,7 +42,7 @@ class Tally:
     best: list[float] = field(default_factory=list)
 
     @classmethod
-    def empty(cls, requirements: int) -> Tally:
+    def empty(cls, requirements: int) -> RejectionStats:
         return cls(0, [0] * requirements, [0] * requirements, [-np.inf] * requirements)
 
     def count(self, judged: Judged, rows: NDArray[np.bool_]) -> None:
@@ -56,7 +56,7 @@ class Tally:
             seen = judged.rho[index, rows][~np.isnan(judged.rho[index, rows])]
             self.best[index] = max(self.best[index], float(seen.max(initial=-np.inf)))
 
-    def add(self, other: Tally) -> None:
+    def add(self, other: RejectionStats) -> None:
         self.candidates += other.candidates
         for index in range(len(self.tried)):
             self.tried[index] += other.tried[index]
@@ -65,15 +65,15 @@ class Tally:
 
 
 def rows_of(
-    tally: Tally, requirements: Sequence[Requirement], impossible: frozenset[int]
+    stats: RejectionStats, requirements: Sequence[Requirement], impossible: frozenset[int]
 ) -> tuple[Row, ...]:
     """The table, those that reject most first; what goes without saying only where it rejects."""
     rows = []
     for index, requirement in enumerate(requirements):
-        tried, rejected = tally.tried[index], tally.rejected[index]
+        tried, rejected = stats.tried[index], stats.rejected[index]
         if requirement.implied and not rejected:
             continue
-        best = tally.best[index]
+        best = stats.best[index]
         rows.append(
             Row(
                 requirement.name,

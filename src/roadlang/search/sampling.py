@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import PassCall
 from ..judging.acceptance import Judge
 from ..judging.bounds import is_impossible
 from ..plugins.registry import Registry
-from .rejection_report import Row, Tally, as_text, rows_of
+from .rejection_report import RejectionStats, Row, as_text, rows_of
 
 Progress = Callable[[int, int], None]
 
@@ -47,7 +47,7 @@ class SamplingResult:
 
 
 def sample_scenes(
-    scenario: Scenario,
+    source: Scenario,
     registry: Registry,
     n: int | None = None,
     seed: int = 0,
@@ -61,37 +61,37 @@ def sample_scenes(
     inputs or a plugin; that nothing was accepted is no error, but told by the result.
     """
     from .searching import search
-    from .workers import Crew
+    from .workers import WorkerPool
 
-    plan = Plan(scenario, registry)
-    judge = Judge(plan)
+    scenario = IndexedScenario(source, registry)
+    judge = Judge(scenario)
     impossible = _impossible(judge, seed)
     if impossible:
         return _nothing(judge, impossible, n or 1)
-    with Crew(plan, seed, jobs, overrides or {}) as crew:
-        found = search(judge, seed, n, crew, progress)
+    with WorkerPool(scenario, seed, jobs, overrides or {}) as pool:
+        found = search(judge, seed, n, pool, progress)
     names = frozenset(found.impossible)
     return SamplingResult(
         scenes=tuple(found.scenes),
         wanted=found.wanted,
-        candidates=found.tally.candidates,
-        table=rows_of(found.tally, judge.requirements, names),
+        candidates=found.stats.candidates,
+        table=rows_of(found.stats, judge.requirements, names),
         missing=tuple(found.missing),
         impossible=tuple(judge.requirements[index].text for index in sorted(names)),
-        remarks=remarks_of(plan),
+        remarks=remarks_of(scenario),
         diversity=found.diversity,
     )
 
 
-def remarks_of(plan: Plan) -> tuple[str, ...]:
+def remarks_of(scenario: IndexedScenario) -> tuple[str, ...]:
     """What extractors had to say of the pictures."""
-    roots: list[Any] = [value for key, value in plan.kept("network root")]
+    roots: list[Any] = [value for key, value in scenario.kept("network root")]
     return tuple(dict.fromkeys(remark for root in roots for remark in root.remarks))
 
 
-def sampler_call(plan: Plan) -> PassCall:
+def sampler_call(scenario: IndexedScenario) -> PassCall:
     """The `sample with` of the file, or `random`."""
-    return plan.scenario.sample or PassCall("sample", "standard.random", (), "sample")
+    return scenario.source.sample or PassCall("sample", "standard.random", (), "sample")
 
 
 def _impossible(judge: Judge, seed: int) -> frozenset[int]:
@@ -101,11 +101,11 @@ def _impossible(judge: Judge, seed: int) -> frozenset[int]:
     refuted = {
         index
         for index, requirement in enumerate(judge.requirements)
-        if is_impossible(requirement, judge.plan)
+        if is_impossible(requirement, judge.scenario)
     }
     if refuted:
         return frozenset(refuted)
-    first = CandidateBatch(judge.plan, seed, np.zeros(1, np.int64), np.zeros(1, np.int64))
+    first = CandidateBatch(judge.scenario, seed, np.zeros(1, np.int64), np.zeros(1, np.int64))
     fixed = [index for index, r in enumerate(judge.requirements) if not r.draws]
     if not fixed:
         return frozenset()
@@ -114,7 +114,7 @@ def _impossible(judge: Judge, seed: int) -> frozenset[int]:
 
 
 def _nothing(judge: Judge, impossible: frozenset[int], wanted: int) -> SamplingResult:
-    rows = rows_of(Tally.empty(len(judge.requirements)), judge.requirements, impossible)
+    rows = rows_of(RejectionStats.empty(len(judge.requirements)), judge.requirements, impossible)
     known = {row.name for row in rows}
     for index in sorted(impossible):
         requirement = judge.requirements[index]

@@ -11,23 +11,23 @@ import numpy as np
 
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Judge
 from ..plugins.kinds import Sampler
 from ..scenes.instantiate import instantiate
 from .effort import attempts_of
-from .rejection_report import Tally
+from .rejection_report import RejectionStats
 
 Block = Sequence[int]
-Searched = tuple[list[Scene], list[int], Tally, list[Any]]
+Searched = tuple[list[Scene], list[int], RejectionStats, list[Any]]
 
 
 class Worker:
-    """Searches and instantiates scenes of one plan."""
+    """Searches and instantiates scenes of one scenario."""
 
-    def __init__(self, plan: Plan, seed: int, overrides: dict[str, str]) -> None:
-        self.judge = Judge(plan)
+    def __init__(self, scenario: IndexedScenario, seed: int, overrides: dict[str, str]) -> None:
+        self.judge = Judge(scenario)
         self.seed = seed
         self.overrides = overrides
 
@@ -35,8 +35,8 @@ class Worker:
         """The scenes of a block, those given up, and the counts."""
         from .sampling import sampler_call
 
-        plan = self.judge.plan
-        sampler = build(sampler_call(plan), plan.fixed, single=True).kind
+        scenario = self.judge.scenario
+        sampler = build(sampler_call(scenario), scenario.fixed, single=True).kind
         if is_steering(sampler):
             from .guiding import guided_search
 
@@ -44,19 +44,19 @@ class Worker:
         from .searching import accepted_attempts
 
         attempts = attempts_of(sampler, self.judge)
-        accepted, tally = accepted_attempts(self.judge, self.seed, scenes, attempts)
+        accepted, stats = accepted_attempts(self.judge, self.seed, scenes, attempts)
         made, points = [], []
         for scene, attempt in sorted(accepted.items()):
             candidates = self.single(scene, attempt, {})
             candidates.asked = {}
             made.append(instantiate(candidates, scene, self.overrides))
             points.append(self.coordinates(candidates))
-        return made, [scene for scene in scenes if scene not in accepted], tally, points
+        return made, [scene for scene in scenes if scene not in accepted], stats, points
 
     def single(self, scene: int, attempt: int, given: Mapping[str, Any]) -> CandidateBatch:
         """One candidate by itself."""
-        plan = self.judge.plan
-        return CandidateBatch(plan, self.seed, np.array([scene]), np.array([attempt]), given)
+        scenario = self.judge.scenario
+        return CandidateBatch(scenario, self.seed, np.array([scene]), np.array([attempt]), given)
 
     def coordinates(self, candidates: CandidateBatch) -> dict[str, float]:
         """The draws of one candidate in the unit cube, by name."""
@@ -72,15 +72,17 @@ def is_steering(sampler: Any) -> bool:
     return type(sampler).steer is not Sampler.steer
 
 
-class Crew:
+class WorkerPool:
     """One worker here, or `jobs` of them in processes of their own."""
 
-    def __init__(self, plan: Plan, seed: int, jobs: int, overrides: dict[str, str]) -> None:
-        self._worker = Worker(plan, seed, overrides)
+    def __init__(
+        self, scenario: IndexedScenario, seed: int, jobs: int, overrides: dict[str, str]
+    ) -> None:
+        self._worker = Worker(scenario, seed, overrides)
         self._jobs = max(1, jobs)
         self._pool: ProcessPoolExecutor | None = None
 
-    def __enter__(self) -> Crew:
+    def __enter__(self) -> WorkerPool:
         return self
 
     def __exit__(self, *error: object) -> None:
@@ -112,7 +114,7 @@ class Crew:
                 # Spawned: a fork may copy the locked locks of threads that OpenCV has started.
                 mp_context=multiprocessing.get_context("spawn"),
                 initializer=_start,
-                initargs=(worker.judge.plan, worker.seed, worker.overrides),
+                initargs=(worker.judge.scenario, worker.seed, worker.overrides),
             )
         return self._pool
 
@@ -120,9 +122,9 @@ class Crew:
 _worker: Worker | None = None
 
 
-def _start(plan: Plan, seed: int, overrides: dict[str, str]) -> None:
+def _start(scenario: IndexedScenario, seed: int, overrides: dict[str, str]) -> None:
     global _worker
-    _worker = Worker(plan, seed, overrides)
+    _worker = Worker(scenario, seed, overrides)
 
 
 def _search(block: Block) -> Searched:

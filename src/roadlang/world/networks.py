@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..diagnostics import DiagnosticError, Span, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Edge, Frame, RoadNetwork, WidthProfile
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
@@ -51,18 +51,18 @@ class NetworkRoot:
 
 def network_root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     """The network at the bottom of a chain of networks."""
-    plan = candidates.plan
-    bottom: Any = list(_networks(network, plan))[-1]
-    if plan.is_varying(bottom.name):
+    scenario = candidates.scenario
+    bottom: Any = list(_networks(network, scenario))[-1]
+    if scenario.is_varying(bottom.name):
         return candidates.once(("network root", bottom.name), lambda: _root(bottom, candidates))
-    return plan.once(("network root", bottom.name), lambda: _root(bottom, plan.fixed))
+    return scenario.once(("network root", bottom.name), lambda: _root(bottom, scenario.fixed))
 
 
 def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
     """One road of a network in all candidates, perturbed by all passes."""
 
     def make() -> RoadBatch:
-        origin = candidates.plan.source_of(network)
+        origin = candidates.scenario.source_of(network)
         if isinstance(origin, Network):
             batch = edge_batch(origin, edge, candidates)
         else:
@@ -117,16 +117,16 @@ def _no_such_road(id: int, network: RoadNetwork, span: Span | None) -> Diagnosti
     return DiagnosticError(diagnose("RL411", span, id=id, help=f"its roads are {known}"))
 
 
-def _networks(network: Network, plan: Plan) -> Any:
-    return (link for link in plan.chain(network) if isinstance(link, Network))
+def _networks(network: Network, scenario: IndexedScenario) -> Any:
+    return (link for link in scenario.chain(network) if isinstance(link, Network))
 
 
 def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     source = network.source
     if isinstance(source, FileSource):
-        found = _from_file(network, source, candidates.plan)
+        found = _from_file(network, source, candidates.scenario)
     else:
-        image = candidates.plan.source_of(network)
+        image = candidates.scenario.source_of(network)
         assert isinstance(image, Image)
         found = _extracted(network, image, candidates)
     if not found.network.edges:
@@ -142,12 +142,12 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     return found
 
 
-def _from_file(network: Network, source: FileSource, plan: Plan) -> NetworkRoot:
+def _from_file(network: Network, source: FileSource, scenario: IndexedScenario) -> NetworkRoot:
     reading = [call for call in network.passes if call.verb == "read"]
     if reading:
-        found: Any = read_with(reading[0], source, "network", plan, network.span)
+        found: Any = read_with(reading[0], source, "network", scenario, network.span)
     else:
-        found, _ = read_by_name(source, "network", plan, network.span)
+        found, _ = read_by_name(source, "network", scenario, network.span)
     if isinstance(found, RoadNetwork):
         return NetworkRoot(network.name, found)
     return _root_of(network.name, found)
@@ -164,10 +164,10 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
     call = (
         calls[0] if calls else PassCall("extract", "standard.auto", (), f"{network.name}/extract")
     )
-    plan = candidates.plan
-    shot = picture(image.name, candidates if is_drawn(image, plan) else plan.fixed)
+    scenario = candidates.scenario
+    shot = picture(image.name, candidates if is_drawn(image, scenario) else scenario.fixed)
     built = build(call, candidates, single=True)
-    with built.blamed:
+    with built.guarded:
         found = built.kind.extract(shot)
     if not isinstance(found, Extraction):
         raise DiagnosticError(

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError, diagnose
-from ..evaluate.building import Built, build, one_of_batch
+from ..evaluate.building import KindInstance, build, one_of_batch
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry import Window, displace, over
@@ -32,7 +32,7 @@ def perturbed(
 ) -> RoadBatch:
     """A road after one pass. `window` fades the displacement at junctions.
 
-    Raises RL470, RL474 (blaming the kind) and RL414 for a stretch that is none.
+    Raises RL470, RL474 (plugin_guard the kind) and RL414 for a stretch that is none.
     """
     built = build(call, candidates, element)
     stretch = _stretch(call, candidates, element)
@@ -55,12 +55,12 @@ def displaced(before: RoadBatch, moves: Floats) -> RoadBatch:
 
 
 def _displacements(
-    built: Built, road: RoadBatch, random: BatchRandom, candidates: CandidateBatch
+    built: KindInstance, road: RoadBatch, random: BatchRandom, candidates: CandidateBatch
 ) -> Floats:
     kind = built.kind
     stations = len(road.stations)
     if type(kind).displacements is not Perturber.displacements:
-        with built.blamed:
+        with built.guarded:
             moves = np.asarray(kind.displacements(road, random), dtype=np.float64)
         if moves.shape == (stations,):  # no option is random: alike in all candidates
             moves = moves[None, :]
@@ -82,11 +82,11 @@ def _displacements(
     return moves
 
 
-def _displacement(built: Built, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
+def _displacement(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
     """(S,) meters of one variant."""
     one = road.take(np.array([row if road.variants > 1 else 0]))
     kind = one_of_batch(built.kind, row)
-    with built.blamed:
+    with built.guarded:
         moves = np.asarray(kind.displacement(one, random.generator(row)), dtype=np.float64)
     stations = len(road.stations)
     # What is computed of `road.length` or `road.curvature` has the one row of the road.

@@ -14,7 +14,7 @@ from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in
 from ..evaluate.evaluation import evaluate, scalar
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..images.image_file import OpenedImage, open_image
 from ..ir.picture import Picture
 from ..ir.scenario import FileSource, Image, TextSource
@@ -34,8 +34,8 @@ class _Draft:
 
 def picture(name: str, candidates: CandidateBatch) -> Picture:
     """The image of the only candidate. Raises DiagnosticError RL400 to RL408."""
-    image = candidates.plan.images[name]
-    candidates = candidates if is_drawn(image, candidates.plan) else candidates.plan.fixed
+    image = candidates.scenario.images[name]
+    candidates = candidates if is_drawn(image, candidates.scenario) else candidates.scenario.fixed
     draft = _draft(image, candidates)
     if draft.scale is None:
         raise DiagnosticError(
@@ -48,17 +48,17 @@ def picture(name: str, candidates: CandidateBatch) -> Picture:
     return replace(draft.picture, scale=draft.scale)
 
 
-def is_drawn(image: Image, plan: Plan) -> bool:
+def is_drawn(image: Image, scenario: IndexedScenario) -> bool:
     """Whether an image differs between candidates."""
-    values = [value for link in plan.chain(image) for _, value in link.options]
-    calls = [call for link in plan.chain(image) for call in link.passes]
-    if any(getattr(plan.kind(call)[1], "is_random", False) for call in calls):
+    values = [value for link in scenario.chain(image) for _, value in link.options]
+    calls = [call for link in scenario.chain(image) for call in link.passes]
+    if any(getattr(scenario.kind(call)[1], "is_random", False) for call in calls):
         return True
-    return any(True for value in (*values, *calls) for _ in draws_in(value, plan.values))
+    return any(True for value in (*values, *calls) for _ in draws_in(value, scenario.values))
 
 
 def _draft(image: Image, candidates: CandidateBatch) -> _Draft:
-    plan = candidates.plan
+    scenario = candidates.scenario
 
     def make() -> _Draft:
         draft = _base(image, candidates)
@@ -73,9 +73,9 @@ def _draft(image: Image, candidates: CandidateBatch) -> _Draft:
                 draft = replace(draft, picture=_adjusted(draft.picture, call, candidates))
         return draft
 
-    if is_drawn(image, plan):
+    if is_drawn(image, scenario):
         return candidates.once(("picture", image.name), make)
-    return plan.once(("picture", image.name), make)
+    return scenario.once(("picture", image.name), make)
 
 
 def _base(image: Image, candidates: CandidateBatch) -> _Draft:
@@ -86,9 +86,9 @@ def _base(image: Image, candidates: CandidateBatch) -> _Draft:
             raise DiagnosticError(diagnose("RL408", image.span, name=image.name))
         return _Draft(Picture(None, 1.0, characters=_squared(rows)), None)
     if isinstance(source, FileSource):
-        opened = _opened(source, image, candidates.plan)
+        opened = _opened(source, image, candidates.scenario)
         return _Draft(Picture(opened.pixels, 1.0, path=source.path), opened.scale)
-    origin = candidates.plan.source_of(image)
+    origin = candidates.scenario.source_of(image)
     assert isinstance(origin, Image)
     return _draft(origin, candidates)
 
@@ -98,27 +98,31 @@ def _squared(rows: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(row.ljust(width) for row in rows)
 
 
-def _opened(source: FileSource, image: Image, plan: Plan) -> OpenedImage:
+def _opened(source: FileSource, image: Image, scenario: IndexedScenario) -> OpenedImage:
     reading = [call for call in image.passes if call.verb == "read"]
     if reading:
-        return plan.once(("read", source.resolved), lambda: _read(source, reading[0], image, plan))
+        return scenario.once(
+            ("read", source.resolved), lambda: _read(source, reading[0], image, scenario)
+        )
 
     def opening() -> OpenedImage:
         opened = open_image(Path(source.resolved), source.path, image.span)
-        plan.digests[source.path] = opened.sha256
+        scenario.digests[source.path] = opened.sha256
         return opened
 
-    return plan.once(("open", source.resolved), opening)
+    return scenario.once(("open", source.resolved), opening)
 
 
-def _read(source: FileSource, call: PassCall, image: Image, plan: Plan) -> OpenedImage:
+def _read(
+    source: FileSource, call: PassCall, image: Image, scenario: IndexedScenario
+) -> OpenedImage:
     from .reading import read_with
 
-    found = read_with(call, source, "image", plan, image.span)
+    found = read_with(call, source, "image", scenario, image.span)
     pixels = np.asarray(found, np.uint8)
     if pixels.ndim == 2:
         pixels = np.repeat(pixels[..., None], 3, axis=2)
-    return OpenedImage(np.ascontiguousarray(pixels[..., :3]), None, plan.digests[source.path])
+    return OpenedImage(np.ascontiguousarray(pixels[..., :3]), None, scenario.digests[source.path])
 
 
 def _adjusted(before: Picture, call: PassCall, candidates: CandidateBatch) -> Picture:
@@ -126,7 +130,7 @@ def _adjusted(before: Picture, call: PassCall, candidates: CandidateBatch) -> Pi
         raise DiagnosticError(diagnose("RL409", call.span, kind=call.kind.rpartition(".")[2]))
     built = build(call, candidates, single=True)
     generator = candidates.random(call.place).generator(0)
-    with built.blamed:
+    with built.guarded:
         pixels = np.asarray(built.kind.adjust(before.pixels.copy(), generator))
     _check_adjusted(pixels, before, built.entry, call)
     return replace(before, pixels=pixels)

@@ -76,9 +76,9 @@ def is_absent(
 ) -> NDArray[np.bool_] | None:
     """(V,) candidates that do not have this copy of a group that a formula speaks of."""
     absent = None
-    for entity in entities_in(condition, candidates.plan.values):
+    for entity in entities_in(condition, candidates.scenario.values):
         if entity.role in ("agent", "object"):
-            actor = candidates.plan.actors[entity.name]
+            actor = candidates.scenario.actors[entity.name]
             if "count" in dict(actor.options):
                 missing = counts(actor, candidates) < copy
                 absent = missing if absent is None else absent | missing
@@ -211,5 +211,5 @@ def _element(actor: Actor, copy: int) -> int:
 
 def _differs(actor: Actor, candidates: CandidateBatch) -> bool:
     """Whether the copies of a group stand at different places."""
-    named = candidates.plan.values
+    named = candidates.scenario.values
     return any(draw.per == "copy" for draw in draws_in(actor.at, named))

@@ -11,37 +11,39 @@ import numpy as np
 from ..diagnostics import DiagnosticError, Span, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Curve, Road, RoadNetwork
 from ..images.image_file import read_input
 from ..ir.picture import Extraction
 from ..ir.scenario import FileSource
 from ..ir.values import PassCall
-from ..plugins.guard import blaming, wrong_result
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry
 
 
-def read_with(call: PassCall, source: FileSource, reads: str, plan: Plan, span: Span | None) -> Any:
+def read_with(
+    call: PassCall, source: FileSource, reads: str, scenario: IndexedScenario, span: Span | None
+) -> Any:
     """What the reader of a call makes of a file."""
-    only = CandidateBatch(plan, 0, np.zeros(1, np.int64), np.zeros(1, np.int64))
-    note_digest(source, plan, call.span or span)
+    only = CandidateBatch(scenario, 0, np.zeros(1, np.int64), np.zeros(1, np.int64))
+    note_digest(source, scenario, call.span or span)
     built = build(call, only, single=True)
-    with built.blamed:
+    with built.guarded:
         found = built.kind.read(Path(source.resolved))
     return checked_input(found, reads, built.entry, call.span or span)
 
 
 def read_by_name(
-    source: FileSource, reads: str, plan: Plan, span: Span | None
+    source: FileSource, reads: str, scenario: IndexedScenario, span: Span | None
 ) -> tuple[Any, KindEntry]:
     """What the reader of a file's ending makes of it. Raises RL410 when there is none."""
     ending = Path(source.path).suffix.lower()
-    note_digest(source, plan, span)
+    note_digest(source, scenario, span)
     known: set[str] = set()
     failures: list[DiagnosticError] = []
-    for entry in plan.registry.of("read"):
+    for entry in scenario.registry.of("read"):
         try:
-            with blaming(entry, span):
+            with plugin_guard(entry, span):
                 kind: Any = entry.load()
                 suffixes = set(kind.suffixes) if reads in kind.reads else set()
         except DiagnosticError as failure:  # it may not be the reader that is wanted
@@ -49,7 +51,7 @@ def read_by_name(
             continue
         known |= suffixes
         if ending in suffixes:
-            with blaming(entry, span):
+            with plugin_guard(entry, span):
                 found = kind().read(Path(source.resolved))
             return checked_input(found, reads, entry, span), entry
     if failures:
@@ -91,8 +93,8 @@ def _described(found: Any) -> str:
     return f"a {type(found).__name__}"
 
 
-def note_digest(source: FileSource, plan: Plan, span: Span | None) -> None:
+def note_digest(source: FileSource, scenario: IndexedScenario, span: Span | None) -> None:
     """Keep the sha256 of an input for the provenance. Raises RL400, RL401."""
-    if source.path not in plan.digests:
+    if source.path not in scenario.digests:
         content = read_input(Path(source.resolved), source.path, span)
-        plan.digests[source.path] = hashlib.sha256(content).hexdigest()
+        scenario.digests[source.path] = hashlib.sha256(content).hexdigest()

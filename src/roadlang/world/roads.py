@@ -13,7 +13,7 @@ from ..diagnostics import DiagnosticError, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate, scalar
-from ..evaluate.scenario_index import Plan
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Curve, Frame, Path, WidthProfile
 from ..geometry import Road as RoadShape
 from ..ir.batch import RoadBatch
@@ -27,8 +27,8 @@ from .selection import selected
 from .stations import stations_of, still
 
 Floats = NDArray[np.float64]
-USUAL_WIDTH = 7.0
-USUAL_LANES = 2
+DEFAULT_WIDTH = 7.0
+DEFAULT_LANES = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,10 +45,10 @@ class RoadRoot:
 
 def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
     """A road in all candidates, after all its passes."""
-    road = candidates.plan.roads[name]
+    road = candidates.scenario.roads[name]
 
     def make() -> RoadBatch:
-        origin = candidates.plan.source_of(road)
+        origin = candidates.scenario.source_of(road)
         if isinstance(origin, Road):
             batch = road_batch(origin.name, candidates)
         else:
@@ -64,25 +64,25 @@ def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
 
 def road_root(name: str, candidates: CandidateBatch) -> RoadRoot:
     """What a road is before anything was perturbed."""
-    plan = candidates.plan
-    bottom = list(_roads(plan.roads[name], plan))[-1]
-    if plan.is_varying(bottom.name):
+    scenario = candidates.scenario
+    bottom = list(_roads(scenario.roads[name], scenario))[-1]
+    if scenario.is_varying(bottom.name):
         return candidates.once(("road root", bottom.name), lambda: _root(bottom, candidates))
-    return plan.once(("road root", bottom.name), lambda: _root(bottom, plan.fixed))
+    return scenario.once(("road root", bottom.name), lambda: _root(bottom, scenario.fixed))
 
 
 def lanes_of(name: str, candidates: CandidateBatch) -> int:
     """How many lanes a road of a single candidate has."""
-    plan = candidates.plan
-    for link in _roads(plan.roads[name], plan):
+    scenario = candidates.scenario
+    for link in _roads(scenario.roads[name], scenario):
         given = dict(link.options).get("lanes")
         if given is not None:
             return max(1, round(float(scalar(evaluate(given, candidates)))))
-    return road_root(name, candidates).lanes or USUAL_LANES
+    return road_root(name, candidates).lanes or DEFAULT_LANES
 
 
-def _roads(road: Road, plan: Plan) -> Iterator[Road]:
-    return (link for link in plan.chain(road) if isinstance(link, Road))
+def _roads(road: Road, scenario: IndexedScenario) -> Iterator[Road]:
+    return (link for link in scenario.chain(road) if isinstance(link, Road))
 
 
 def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
@@ -101,16 +101,18 @@ def _carried(road: Road, candidates: CandidateBatch) -> RoadBatch:
     """A root road, or the way through a network that has been perturbed before."""
     root = road_root(road.name, candidates)
     stations = root.frame.stations
-    width = np.full((1, 1), USUAL_WIDTH) if root.width is None else root.width.at(stations)[None, :]
+    width = (
+        np.full((1, 1), DEFAULT_WIDTH) if root.width is None else root.width.at(stations)[None, :]
+    )
     batch = still(road.name, root.id, root.frame, width)
     network = root.network
-    if network is None or root.path is None or not _is_bent(network, candidates.plan):
+    if network is None or root.path is None or not _is_bent(network, candidates.scenario):
         return batch
     return displaced(batch, _along_path(root, network, candidates))
 
 
-def _is_bent(network: Network, plan: Plan) -> bool:
-    return any(call.verb == "perturb" for link in plan.chain(network) for call in link.passes)
+def _is_bent(network: Network, scenario: IndexedScenario) -> bool:
+    return any(call.verb == "perturb" for link in scenario.chain(network) for call in link.passes)
 
 
 def _along_path(root: RoadRoot, network: Network, candidates: CandidateBatch) -> Floats:
@@ -147,13 +149,13 @@ def _interpolated(batch: RoadBatch, at: Floats) -> Floats:
 
 
 def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
-    plan = candidates.plan
+    scenario = candidates.scenario
     if road.source is None:
         curve = _drawn(road, candidates)
         return RoadRoot(road.name, Frame.of(curve, stations_of(curve)))
     if isinstance(road.source, FileSource):
         return _from_file(road, road.source, candidates)
-    network = plan.source_of(road)
+    network = scenario.source_of(road)
     assert isinstance(network, Network)
     root = network_root(network, candidates)
     path = selected(road, root, candidates)
@@ -169,7 +171,7 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
 def _way(name: str, path: Path, network: Network, candidates: CandidateBatch) -> RoadRoot:
     """The same way through the same network is one root, whichever road statement names it."""
     steps = "+".join(f"{step.edge}:{step.start:.6g}:{step.stop:.6g}" for step in path.steps)
-    keeper = candidates if candidates.plan.is_varying(network.name) else candidates.plan
+    keeper = candidates if candidates.scenario.is_varying(network.name) else candidates.scenario
 
     def frame() -> Frame:
         return Frame.of(path.curve, stations_of(path.curve))
@@ -184,7 +186,7 @@ def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
         raise DiagnosticError(diagnose("RL416", road.span, name=road.name))
     closed = _is_closed(road, candidates)
     built = build(calls[0], candidates, single=True)
-    with built.blamed:
+    with built.guarded:
         curve = built.kind.draw(closed)
     if not isinstance(curve, Curve):
         fault = f"gave a {type(curve).__name__}, not a Curve"
@@ -193,12 +195,12 @@ def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
 
 
 def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
-    plan = candidates.plan
+    scenario = candidates.scenario
     reading = [call for call in road.passes if call.verb == "read"]
     if reading:
-        found = read_with(reading[0], source, "road", plan, road.span)
+        found = read_with(reading[0], source, "road", scenario, road.span)
     else:
-        found, _ = read_by_name(source, "road", plan, road.span)
+        found, _ = read_by_name(source, "road", scenario, road.span)
     curve = found.curve if isinstance(found, RoadShape) else found
     width = found.width if isinstance(found, RoadShape) else None
     lanes = found.lanes if isinstance(found, RoadShape) else None

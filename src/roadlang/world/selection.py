@@ -34,7 +34,7 @@ def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
 
 def _called(call: PassCall, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     built = build(call, candidates, single=True)
-    with built.blamed:
+    with built.guarded:
         path = built.kind.select(root.network)
     if not isinstance(path, Path):
         fault = f"gave a {type(path).__name__}, not a Path of the network"

@@ -32,7 +32,7 @@ class Axis:
         """The road that a name stands for on this axis; the whole network off all axes."""
         if entity.role == "road":
             return road_batch(entity.name, candidates)
-        network = candidates.plan.networks[entity.name]
+        network = candidates.scenario.networks[entity.name]
         if self.edge is None:
             return network_root(network, candidates)
         return edge_with_others(network, self.edge, candidates)
@@ -49,12 +49,13 @@ def edge_with_others(network: Network, edge: int, candidates: CandidateBatch) ->
 
 def axes_of(call: Value, candidates: CandidateBatch) -> tuple[Axis, ...]:
     """The axes of a formula or call: one for each road of the networks that it names."""
-    plan = candidates.plan
-    names = [e.name for e in entities_in(call, plan.values) if e.role == "network"]
+    scenario = candidates.scenario
+    names = [e.name for e in entities_in(call, scenario.values) if e.role == "network"]
     if not names:
         return (Axis(),)
     ids = [
-        {edge.id for edge in network_root(plan.networks[name], candidates).edges} for name in names
+        {edge.id for edge in network_root(scenario.networks[name], candidates).edges}
+        for name in names
     ]
     return tuple(Axis(edge) for edge in sorted(set.intersection(*ids)))
 
@@ -64,7 +65,7 @@ def signal(call: PassCall, axis: Axis, candidates: CandidateBatch) -> Floats:
 
     def make() -> Floats:
         built = build(call, candidates, resolve=lambda entity: axis.resolve(entity, candidates))
-        with built.blamed:
+        with built.guarded:
             values = np.asarray(built.kind.values(), dtype=np.float64)
         if values.ndim < 2:  # alike in all candidates
             values = values.reshape(1, -1)
@@ -91,12 +92,12 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
 
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
-            return start_of(candidates.plan.actors[entity.name], candidates, element)
+            return start_of(candidates.scenario.actors[entity.name], candidates, element)
         return Axis().resolve(entity, candidates)
 
     def make() -> Floats:
         built = build(call, candidates, resolve=resolve)
-        with built.blamed:
+        with built.guarded:
             values = np.asarray(built.kind.values(), dtype=np.float64)
         if values.size not in (1, candidates.count):
             fault = f"gave values of shape {values.shape}, not ({candidates.count}, 1)"

@@ -60,7 +60,7 @@ def dotted(expression: ast.Expression) -> str | None:
 
 
 def has(checker: Checker, verb: str, name: str) -> bool:
-    return checker.registry.has(verb, name) or checker.registry.is_announced(verb, name)
+    return checker.registry.has(verb, name) or checker.registry.is_planned(verb, name)
 
 
 def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) -> Typed:

@@ -226,7 +226,7 @@ def _verb_due(checker: Checker, text: str, context: Context) -> str | None:
     """The verb of the kind that a bare name means where kinds are due: `is car`."""
     registry = checker.registry
     for verb in context.verbs:
-        if registry.has(verb, text) or registry.is_announced(verb, text):
+        if registry.has(verb, text) or registry.is_planned(verb, text):
             return verb
     return None
 

@@ -92,7 +92,7 @@ def spoken(verb: str, name: str) -> str:
 
 def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     registry = checker.registry
-    if registry.is_announced(verb, name):
+    if registry.is_planned(verb, name):
         built = _listing(verb, registry.names(verb))
         checker.report("RL212", span, kind=spoken(verb, name), help=built)
         return
@@ -102,7 +102,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
                 "RL211", span, kind=spoken(verb, name), plugin=broken.origin, reason=broken.reason
             )
             return
-    known = (*registry.names(verb), *registry.announced_names(verb))
+    known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
     meant = nearest(name, qualified if "." in name else known)
     help_ = [] if meant else _elsewhere(checker, verb, name) or _not_installed(checker, name)

@@ -31,7 +31,7 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
         kind = f"a reader of {suffix} files"
         checker.report("RL213", span, kind=kind, owners=owners, help=f"write {names} in its block")
         return None
-    planned = checker.registry.announced_reader(suffix)
+    planned = checker.registry.planned_reader(suffix)
     if planned is not None:
         checker.report("RL212", span, kind=spoken("read", planned))
         return None

@@ -88,7 +88,7 @@ def fit_kind_name(
 def _is_kind(
     checker: Checker, verb: str, text: str, value: ast.Expression, schema: OptionSchema
 ) -> bool:
-    known = checker.registry.has(verb, text) or checker.registry.is_announced(verb, text)
+    known = checker.registry.has(verb, text) or checker.registry.is_planned(verb, text)
     if not known and (meant := nearest(text, schema.words)):
         checker.report("RL210", value.span, name=text, noun=f"kind of {verb}", meant=meant)
         return False

@@ -39,7 +39,7 @@ def violated_stretches(formula: f.Formula, trace: Trace) -> tuple[Stretch, ...]:
     finder.spread(plain, start, False)
     found = [
         stretch
-        for comparison, mask in finder.blamed.items()
+        for comparison, mask in finder.guarded.items()
         for stretch in _stretches(comparison, mask, trace)
     ]
     return tuple(sorted(found, key=lambda stretch: (stretch.start, stretch.end, stretch.predicate)))
@@ -51,7 +51,7 @@ class _Blame:
     def __init__(self, trace: Trace) -> None:
         self.trace = trace
         self.axis = Axis(trace.positions, trace.wrap)
-        self.blamed: dict[f.Comparison, Mask] = {}
+        self.guarded: dict[f.Comparison, Mask] = {}
 
     def spread(self, formula: f.Formula, asked: Mask, holding: bool) -> None:
         """Blame the parts of `formula` for being false (true, if `holding`) at samples `asked`."""
@@ -63,7 +63,7 @@ class _Blame:
             case f.Comparison():
                 blamed = normal_form(formula, negated=True) if holding else formula
                 assert isinstance(blamed, f.Comparison)
-                self.blamed[blamed] = self.blamed.get(blamed, False) | asked
+                self.guarded[blamed] = self.guarded.get(blamed, False) | asked
             case f.Not(operand):
                 self.spread(operand, asked, not holding)
             case f.Until(interval, left, right) | f.Since(interval, left, right):

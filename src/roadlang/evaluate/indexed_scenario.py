@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from ..diagnostics import DiagnosticError, diagnose
 from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
 from ..ir.values import Draw, PassCall, Value
-from ..plugins.guard import blaming
+from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
 from ..plugins.registry import KindEntry, Registry, UnknownKind
 from .dependencies import draws_in, walk
@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class Plan:
+class IndexedScenario:
     """What does not differ between candidates. `once` keeps what is computed for all of them."""
 
-    def __init__(self, scenario: Scenario, registry: Registry) -> None:
-        self.scenario = scenario
+    def __init__(self, source: Scenario, registry: Registry) -> None:
+        self.source = source
         self.registry = registry
-        self.values: dict[str, Named] = {item.name: item for item in scenario.values}
-        self.images: dict[str, Image] = {item.name: item for item in scenario.images}
-        self.networks: dict[str, Network] = {item.name: item for item in scenario.networks}
-        self.roads: dict[str, Road] = {item.name: item for item in scenario.roads}
+        self.values: dict[str, Named] = {item.name: item for item in source.values}
+        self.images: dict[str, Image] = {item.name: item for item in source.images}
+        self.networks: dict[str, Network] = {item.name: item for item in source.networks}
+        self.roads: dict[str, Road] = {item.name: item for item in source.roads}
         self.actors: dict[str, Actor] = {
-            item.name: item for item in (*scenario.agents, *scenario.objects)
+            item.name: item for item in (*source.agents, *source.objects)
         }
         self.digests: dict[str, str] = {}
         """sha256 of every file read, by its path as written"""
@@ -59,7 +59,7 @@ class Plan:
             raise DiagnosticError(
                 diagnose("RL471", call.span, kind=f"{call.verb} {call.kind}")
             ) from None
-        with blaming(entry, call.span):
+        with plugin_guard(entry, call.span):
             return entry, entry.load()
 
     def kept(self, group: str) -> list[tuple[Any, Any]]:
@@ -72,26 +72,26 @@ class Plan:
 
     def values_everywhere(self) -> Iterator[Value]:
         """Every value that the scenario holds, in its order."""
-        scenario = self.scenario
-        for named in scenario.values:
+        source = self.source
+        for named in source.values:
             yield named.value
         things: tuple[Image | Network | Road, ...] = (
-            *scenario.images,
-            *scenario.networks,
-            *scenario.roads,
+            *source.images,
+            *source.networks,
+            *source.roads,
         )
         for thing in things:
             yield from (value for _, value in thing.options)
             yield from thing.passes
-        for constraint in (*scenario.requirements, *scenario.expectations):
+        for constraint in (*source.requirements, *source.expectations):
             yield constraint.test
-        for actor in (*scenario.agents, *scenario.objects):
+        for actor in (*source.agents, *source.objects):
             yield actor.kind
             yield actor.at
             yield from (value for _, value in actor.options)
             yield from actor.drive
-        yield from (value for _, value in scenario.world)
-        yield from (call for call in (scenario.sample, scenario.simulate) if call is not None)
+        yield from (value for _, value in source.world)
+        yield from (call for call in (source.sample, source.simulate) if call is not None)
 
     def draws(self) -> Iterator[Draw]:
         """Every draw of the scenario; one that is used twice comes twice."""
