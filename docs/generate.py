@@ -123,9 +123,30 @@ def errors_page() -> str:
         if pages:
             lines += [f"## {family}xx: {title}", ""]
         for entry in pages:
-            lines += [f"### {entry.code}: {entry.title}", ""]
+            lines += [f"### {entry.code} {entry.name}: {entry.title}", ""]
             lines += [f"{entry.severity}: `{_template(entry.message)}`", "", entry.body, ""]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def codes_module() -> str:
+    """`roadlang/diagnostics/code.py`: every code by its name."""
+    names = ((page(code).name.upper().replace("-", "_"), code) for code in codes())
+    return "\n".join(
+        [
+            '"""The codes of all diagnostics by name. Written by `docs/generate.py`."""',
+            "",
+            "from __future__ import annotations",
+            "",
+            "from typing import Final",
+            "",
+            "",
+            "class Code:",
+            '    """`Code.WRONG_TYPE` is "RL206": what a message is filed under in the catalog."""',
+            "",
+            *(f'    {name}: Final = "{code}"' for name, code in names),
+            "",
+        ]
+    )
 
 
 def _template(message: str) -> str:
@@ -220,7 +241,12 @@ def _signature(function: object) -> str:
     return text.replace("'", "").replace("typing.", "")
 
 
-PAGES = {"kinds.md": kinds_page, "errors.md": errors_page, "api.md": api_page}
+PAGES = {
+    "kinds.md": kinds_page,
+    "errors.md": errors_page,
+    "api.md": api_page,
+    "../src/roadlang/diagnostics/code.py": codes_module,
+}
 
 
 def main(arguments: list[str]) -> int:

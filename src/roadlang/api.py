@@ -10,7 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from . import geometry
-from .diagnostics import Diagnostic, DiagnosticError, diagnose, did_you_mean
+from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
 from .ir.dimension import (
     ACCELERATION,
     ANGLE,
@@ -136,6 +136,7 @@ __all__ = [
     "BatchRandom",
     "Between",
     "Call",
+    "Code",
     "Condition",
     "ConstraintNames",
     "Control",

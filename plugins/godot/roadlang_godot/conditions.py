@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from roadlang.api import Code
+
 from .drives import plain_name
 from .faults import fault
 from .frame import Frame
@@ -43,7 +45,7 @@ def _tree(value: Any, signals: Mapping[str, Any]) -> Any:
         return float(value)
     if isinstance(value, str):
         if value not in signals:
-            raise fault("RL513", what=value)
+            raise fault(Code.CONDITION_NOT_IN_GODOT, what=value)
         return signals[value]
     head = next(word for word in value if word != "interval")
     operands = value[head] if isinstance(value[head], list) else [value[head]]
@@ -54,7 +56,7 @@ def _tree(value: Any, signals: Mapping[str, Any]) -> Any:
     if head == "-" and len(parts) == 1:
         return ["negate", *parts]
     if head not in _OPERATORS:
-        raise fault("RL513", what=head)
+        raise fault(Code.CONDITION_NOT_IN_GODOT, what=head)
     return [head, *parts]
 
 
@@ -62,7 +64,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> A
     """A signal as [kind, agent, ...]; an object that stands still is given by its outline."""
     kind = plain_name(str(call["kind"]))
     if kind not in SIGNALS:
-        raise fault("RL513", what=name)
+        raise fault(Code.CONDITION_NOT_IN_GODOT, what=name)
     if kind == "time":
         return ["time"]
     options = call.get("options", {})
@@ -80,7 +82,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> A
 def _outline(wanted: str, name: str, scene: Scene, frame: Frame) -> list[float]:
     found = [actor for actor in scene.objects if wanted in (actor.name, actor.group)]
     if len(found) != 1:
-        raise fault("RL513", what=name)
+        raise fault(Code.CONDITION_NOT_IN_GODOT, what=name)
     one = found[0]
     heading = math.remainder(one.heading, 2 * math.pi)
     return [one.x - frame.x, one.y - frame.y, heading, one.length, one.width]

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from roadlang.api import Code
+
 from .faults import fault
 from .protocol import Message
 from .session import PATIENCE, Session
@@ -107,4 +109,4 @@ class LockStep:
                 now, ended = struct.unpack_from("<II", payload)
                 if now == tick:
                     return now, bool(ended), records(payload[STATE_HEADER:])
-        raise fault("RL505", reason=f"no state for step {tick}")
+        raise fault(Code.GODOT_GONE, reason=f"no state for step {tick}")

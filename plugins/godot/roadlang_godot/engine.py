@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 
+from roadlang.api import Code
+
 from .faults import fault
 from .link_udp import UdpLink
 from .link_websocket import WebSocketLink
@@ -58,13 +60,15 @@ def find() -> Path:
     if given:
         found = shutil.which(given)
         if found is None:
-            raise fault("RL500", _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run")
+            raise fault(
+                Code.NO_GODOT, _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run"
+            )
         return Path(found)
     for candidate in _candidates():
         found = shutil.which(candidate)
         if found is not None:
             return Path(found)
-    raise fault("RL500", _HELP, reason="none on PATH or in the usual places")
+    raise fault(Code.NO_GODOT, _HELP, reason="none on PATH or in the usual places")
 
 
 def find_drawing() -> list[str]:
@@ -81,7 +85,7 @@ def find_drawing() -> list[str]:
         return [str(beside)]
     virtual = shutil.which("xvfb-run")
     if virtual is None:
-        raise fault("RL508", "run on a desktop, or install xvfb for a virtual screen")
+        raise fault(Code.NO_RENDERING, "run on a desktop, or install xvfb for a virtual screen")
     screen = ["-a", "-s", "-screen 0 1280x720x24"]
     return [virtual, *screen, str(engine), "--rendering-driver", "opengl3", *drawing]
 
@@ -93,13 +97,13 @@ def version_of(engine: Path) -> str:
             [str(engine), "--version"], capture_output=True, text=True, timeout=START_SECONDS
         )
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise fault("RL501", engine=engine, reason=str(error)) from error
+        raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason=str(error)) from error
     text = asked.stdout.strip().splitlines()[-1] if asked.stdout.strip() else ""
     numbers = re.match(r"(\d+)\.(\d+)", text)
     if numbers is None:
-        raise fault("RL501", engine=engine, reason="it does not tell its version")
+        raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason="it does not tell its version")
     if (int(numbers[1]), int(numbers[2])) < OLDEST:
-        raise fault("RL511", version=text, oldest=".".join(map(str, OLDEST)))
+        raise fault(Code.GODOT_TOO_OLD, version=text, oldest=".".join(map(str, OLDEST)))
     return text
 
 
@@ -166,7 +170,9 @@ def connect(
     try:
         link: Link = WebSocketLink(host, port) if transport == "websocket" else UdpLink(host, port)
     except OSError as error:
-        raise fault("RL512", host=host, port=port, reason=error.strerror or error) from error
+        raise fault(
+            Code.UNREACHABLE_ADDRESS, host=host, port=port, reason=error.strerror or error
+        ) from error
     return Session(link, patience=patience, name=name)
 
 
@@ -217,7 +223,9 @@ def _spawn(command: list[str], log: Path) -> subprocess.Popen[bytes]:
             )
     except OSError as error:
         shutil.rmtree(log.parent, ignore_errors=True)
-        raise fault("RL501", engine=command[0], reason=error.strerror or error) from error
+        raise fault(
+            Code.GODOT_NOT_STARTED, engine=command[0], reason=error.strerror or error
+        ) from error
 
 
 def _await_port(engine: Engine, name: str) -> int:
@@ -231,7 +239,7 @@ def _await_port(engine: Engine, name: str) -> int:
         time.sleep(0.02)
     last = engine.output().strip().splitlines()[-3:]
     engine.stop()
-    raise fault("RL501", last, engine=name, reason="it did not start listening")
+    raise fault(Code.GODOT_NOT_STARTED, last, engine=name, reason="it did not start listening")
 
 
 def _candidates() -> Iterator[str]:

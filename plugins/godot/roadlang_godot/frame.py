@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.api import Code
+
 from .faults import fault
 from .protocol import MAX_COORDINATE
 
@@ -25,7 +27,7 @@ class Frame:
         local[:, 1] = height
         local[:, 2] = self.y - points[:, 1]
         if len(local) and not np.abs(local).max() <= MAX_COORDINATE:
-            raise fault("RL507", reason="a scene is at most 200 km wide")
+            raise fault(Code.GODOT_ERROR, reason="a scene is at most 200 km wide")
         return local.astype("<f4")
 
 

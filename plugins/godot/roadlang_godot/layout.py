@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from roadlang.api import Code
+
 from .conditions import engine_condition
 from .drives import IN_ENGINE, option_values, plain_name
 from .faults import fault
@@ -58,7 +60,7 @@ def layout_of(scene: Scene, road: str = "mesh", frame: Frame | None = None) -> L
     lines = {one.name: line_of(one) for one in scene.roads}
     built = built_roads(scene, lines)
     if not built:
-        raise fault("RL509", scene=scene.name)
+        raise fault(Code.NOTHING_TO_BUILD, scene=scene.name)
     everything = [lines[name].points for name in built]
     placed = [(actor.x, actor.y) for actor in (*scene.agents, *scene.objects)]
     if placed:

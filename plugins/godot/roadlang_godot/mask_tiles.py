@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roadlang.api import Code
+
 from .faults import fault
 from .frame import Frame
 from .road_tiles import coarsened, tile_things
@@ -34,5 +36,5 @@ def network_tiles(scene: Scene, frame: Frame) -> list[Thing]:
         size = network.mask_scale * factor
         things += tile_things(cells, size, network.mask_origin, len(things) + 1, frame)
     if not things:
-        raise fault("RL514", scene=scene.name)
+        raise fault(Code.TILES_WITHOUT_PIXELS, scene=scene.name)
     return things

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from roadlang.api import Code
+
 from . import engine
 from .driving import LockStep
 from .faults import fault
@@ -59,7 +61,7 @@ def render_clip(
     code = cv2.VideoWriter.fourcc(*"MJPG")
     out = cv2.VideoWriter(str(path), code, RATE / every, (shot.width, shot.height))
     if not out.isOpened():
-        raise fault("RL515", path=path)
+        raise fault(Code.CLIP_NOT_WRITTEN, path=path)
     frames = 0
     with engine.start(fixed_fps=RATE, draw=True) as running, running.connect(scene.name) as session:
         layout = build(session, scene, shot.road)

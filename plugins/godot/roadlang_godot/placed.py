@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from roadlang.api import Code
+
 from .faults import fault
 from .frame import Frame
 from .line import Line
@@ -101,5 +103,5 @@ def _json_thing(kind: Message, id: int, value: Mapping[str, Any], label: str) ->
     body = json.dumps(value, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
     limit = MAX_DATAGRAM - HEADER_BYTES - 12
     if len(body) > limit:
-        raise fault("RL506", what=label, size=len(body), limit=limit)
+        raise fault(Code.MESSAGE_TOO_LARGE, what=label, size=len(body), limit=limit)
     return Thing(kind, id, body, body, label)

@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from roadlang.api import Code
+
 from . import protocol, thing
 from .channel import Channel
 from .faults import fault
@@ -151,7 +153,7 @@ class Session:
     def picture(self, wish: Mapping[str, Any]) -> bytes:
         """The bytes of a picture (PNG or JPEG) that the engine has drawn."""
         if not self.welcome.get("pictures"):
-            raise fault("RL508")
+            raise fault(Code.NO_RENDERING)
         request = self._next_request()
         self.send(Message.SHOT, _json({**wish, "id": request}), "a picture")
         return self._parts(Message.PICTURE, request)
@@ -217,7 +219,7 @@ class Session:
         try:
             return self._link.receive(wait)
         except OSError as error:
-            raise fault("RL505", reason=str(error)) from error
+            raise fault(Code.GODOT_GONE, reason=str(error)) from error
 
     def _take(self, datagram: bytes) -> None:
         frame = protocol.unpack(datagram)
@@ -229,10 +231,10 @@ class Session:
         elif frame.type == Message.STATE and self.on_state is not None:
             self.on_state(frame.payload)
         elif frame.type == Message.BYE:
-            raise fault("RL505", reason="it said goodbye")
+            raise fault(Code.GODOT_GONE, reason="it said goodbye")
         elif frame.seq and self._channel.accept(frame.seq):
             if frame.type == Message.ERROR:
-                raise fault("RL507", reason=_text(frame.payload))
+                raise fault(Code.GODOT_ERROR, reason=_text(frame.payload))
             self._inbox.append((frame.type, frame.payload))
 
     def _check_alive(self) -> None:
@@ -240,9 +242,9 @@ class Session:
         late = self._channel.overdue(now, self._patience)
         if late:
             named = ", ".join(late[:_NAMED]) + (", ..." if len(late) > _NAMED else "")
-            raise fault("RL504", count=len(late), names=named)
+            raise fault(Code.GODOT_NOT_BUILT, count=len(late), names=named)
         if now - self._last_heard > self._patience + 2 * _PING_EVERY:
-            raise fault("RL505", reason=f"nothing heard for {now - self._last_heard:.0f} s")
+            raise fault(Code.GODOT_GONE, reason=f"nothing heard for {now - self._last_heard:.0f} s")
 
     def _greet(self, name: str) -> dict[str, Any]:
         nonce = int.from_bytes(os.urandom(4), "little")
@@ -256,13 +258,13 @@ class Session:
                 if frame is None:
                     continue
                 if frame.type == Message.ERROR and frame.session == 0:
-                    raise fault("RL503", reason=_text(frame.payload))
+                    raise fault(Code.GODOT_REFUSED, reason=_text(frame.payload))
                 if frame.type == Message.WELCOME:
                     self._session = frame.session
                     self._last_heard = time.monotonic()
                     welcome: dict[str, Any] = json.loads(frame.payload)
                     return welcome
-        raise fault("RL502", seconds=f"{self._patience:.0f}")
+        raise fault(Code.GODOT_NOT_ANSWERING, seconds=f"{self._patience:.0f}")
 
     def _name_missing(self, world: int, wanted: Mapping[Key, bytes]) -> None:
         found = self.records(world)
@@ -271,7 +273,7 @@ class Session:
         extra = [f"something never sent ({key[0]:#x}, {key[1]})" for key in found.keys() - wanted]
         names = [labels[key] for key in wrong] + sorted(extra)
         shown = ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
-        raise fault("RL504", count=len(names), names=shown)
+        raise fault(Code.GODOT_NOT_BUILT, count=len(names), names=shown)
 
     def _parts(self, type: Message, request: int) -> bytes:
         parts: dict[int, bytes] = {}

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from roadlang.api import Code
+
 from . import driving, engine
 from .faults import fault
 from .layout import Layout, layout_of
@@ -72,7 +74,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     """
     layout = layout_of(scene, settings.road)
     if not layout.agents:
-        raise fault("RL700", scene=scene.name)
+        raise fault(Code.NO_AGENTS, scene=scene.name)
     _check_controllers(scene, layout, controllers)
     session.begin(layout.settings(settings.rate), clear=True)
     session.update(layout.things)
@@ -126,7 +128,7 @@ def _step_by_step(
 def _check_controllers(scene: Scene, layout: Layout, controllers: Controllers) -> None:
     for actor in scene.agents:
         if actor.name in layout.python_driven and actor.name not in controllers:
-            raise fault("RL510", kind=actor.drive[-1].kind)
+            raise fault(Code.CONTROLLER_NOT_IN_GODOT, kind=actor.drive[-1].kind)
 
 
 def _name(session: Session) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roadlang.api import DiagnosticError, diagnose, did_you_mean
+from roadlang.api import Code, DiagnosticError, diagnose, did_you_mean
 
 if TYPE_CHECKING:
     import numpy as np
@@ -45,7 +45,12 @@ class Table:
         if _plain(name) not in plain:
             help_ = (*did_you_mean(name, self.names), f"it has {', '.join(self.names)}")
             raise DiagnosticError(
-                diagnose("RL477", file=self.path.name, reason=f"no column `{name}`", help=help_)
+                diagnose(
+                    Code.UNREADABLE_TABLE,
+                    file=self.path.name,
+                    reason=f"no column `{name}`",
+                    help=help_,
+                )
             )
         return self.rows[:, plain.index(_plain(name))]
 
@@ -103,4 +108,4 @@ def _plain(name: str) -> str:
 
 
 def _refusal(path: Path, reason: str) -> DiagnosticError:
-    return DiagnosticError(diagnose("RL477", file=path.name, reason=reason))
+    return DiagnosticError(diagnose(Code.UNREADABLE_TABLE, file=path.name, reason=reason))

@@ -5,7 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Anything, DiagnosticError, Distribution, Number, diagnose, list_of, option
+from roadlang.api import (
+    Anything,
+    Code,
+    DiagnosticError,
+    Distribution,
+    Number,
+    diagnose,
+    list_of,
+    option,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -64,7 +73,9 @@ class Choice(Distribution):
         total = sum(weights)
         least = min(float(np.min(weight)) for weight in weights)
         if len(weights) != len(self.items) or least < 0 or not np.all(np.asarray(total) > 0):
-            raise DiagnosticError(diagnose("RL476", items=len(self.items), weights=len(weights)))
+            raise DiagnosticError(
+                diagnose(Code.UNUSABLE_WEIGHTS, items=len(self.items), weights=len(weights))
+            )
         return [weight / total for weight in weights]
 
 

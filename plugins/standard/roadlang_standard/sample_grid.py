@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import DiagnosticError, Sampler, Whole, diagnose, option
+from roadlang.api import Code, DiagnosticError, Sampler, Whole, diagnose, option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -34,7 +34,7 @@ class Grid(Sampler):
         for draw in draws:
             count *= len(draw.levels(self.steps))
             if count > MOST:
-                raise DiagnosticError(diagnose("RL614", most=f"{MOST:,}"))
+                raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST:,}"))
         return count
 
     def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:

@@ -6,7 +6,7 @@ import platform
 import traceback
 
 from .. import __version__
-from ..diagnostics import Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic, diagnose
 
 
 def describe_bug(error: BaseException) -> Diagnostic:
@@ -15,7 +15,7 @@ def describe_bug(error: BaseException) -> Diagnostic:
     where = f"{frames[-1].filename}:{frames[-1].lineno}" if frames else "an unknown place"
     what = f"{type(error).__name__}: {error}".strip().splitlines()[0][:300]
     return diagnose(
-        "RL900",
+        Code.INTERNAL_ERROR,
         help=(
             f"this is a bug of roadlang {__version__} (Python {platform.python_version()}),"
             f" at {where}",

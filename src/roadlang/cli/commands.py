@@ -8,6 +8,8 @@ from importlib.metadata import EntryPoint, entry_points
 
 import click
 
+from ..diagnostics import Code
+
 COMMANDS: dict[str, tuple[str, str]] = {
     "compile": ("compile", "Make scenes of a scene file and write them."),
     "check": ("check", "Report every fault of scene files; write nothing."),
@@ -93,7 +95,7 @@ def _loaded(point: EntryPoint) -> click.Command:
         )
         reason = f"{type(error).__name__}: {error}"
         raise DiagnosticError(
-            diagnose("RL932", command=point.name, plugin=origin, reason=reason)
+            diagnose(Code.BROKEN_COMMAND, command=point.name, plugin=origin, reason=reason)
         ) from error
     return command
 

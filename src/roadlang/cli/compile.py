@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..diagnostics import Diagnostic, DiagnosticError, diagnose, did_you_mean
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
 from . import exit_codes
 from .console import report, say
 from .scene_files import parse_overrides, read_scene_file
@@ -170,9 +170,9 @@ def _check_emits(scenario: Scenario, registry: Registry, names: Sequence[str] | 
         if not registry.has("emit", name):
             known = registry.names("emit")
             hints = did_you_mean(name, known) or (f"there are {', '.join(known)}",)
-            faults.append(diagnose("RL930", what="backend", name=name, help=hints))
+            faults.append(diagnose(Code.UNKNOWN_CHOICE, what="backend", name=name, help=hints))
     if not (scenario.emits if names is None else names):
-        faults.append(diagnose("RL928", help="for instance `--emit json,svg`"))
+        faults.append(diagnose(Code.NOTHING_TO_EMIT, help="for instance `--emit json,svg`"))
     if faults:
         raise DiagnosticError(*faults)
 
@@ -181,14 +181,22 @@ def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
     """Why there are fewer scenes than asked for."""
     if result.scenes and result.missing:
         made = f"{result.accepted} of {result.wanted}"
-        return [diagnose("RL602", path=file, made=made, help="the table shows what rejects most")]
+        return [
+            diagnose(
+                Code.TOO_FEW_SCENES, path=file, made=made, help="the table shows what rejects most"
+            )
+        ]
     if result.scenes:
         return []
     if result.impossible:
         which = "; ".join(result.impossible)
-        return [diagnose("RL600", path=file, which=which)]
+        return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which)]
     tried = f"{result.candidates:,}"
-    return [diagnose("RL601", path=file, tried=tried, help="the table shows what rejects most")]
+    return [
+        diagnose(
+            Code.NO_SCENE_FOUND, path=file, tried=tried, help="the table shows what rejects most"
+        )
+    ]
 
 
 def _as_json(

@@ -5,7 +5,16 @@ from __future__ import annotations
 import click
 from click.shell_completion import CompletionItem
 
-from ..diagnostics import DiagnosticError, Page, UnknownCode, codes, diagnose, did_you_mean, page
+from ..diagnostics import (
+    Code,
+    DiagnosticError,
+    Page,
+    UnknownCode,
+    codes,
+    diagnose,
+    did_you_mean,
+    page,
+)
 from .console import paint, say
 
 
@@ -24,11 +33,11 @@ def _complete(
 def command(code: str | None) -> None:
     """Explain a diagnostic: what it means, an example that gives it, and the mended example.
 
-    Without CODE, list all codes.
+    CODE is a number or a name: RL206, 206 or wrong-type. Without CODE, list all codes.
     """
     if code is None:
         for known in codes():
-            say(f"{paint(known, '1')}  {page(known).title}")
+            say(f"{paint(known, '1')} {page(known).name}: {page(known).title}")
         return
     say(_shown(_find(code)))
 
@@ -40,12 +49,17 @@ def _find(code: str) -> Page:
     try:
         return page(folded)
     except UnknownCode:
-        hints = did_you_mean(folded, codes())
+        named = {page(known).name: known for known in codes()}
+        if code.lower() in named:
+            return page(named[code.lower()])
+        hints = did_you_mean(folded, codes()) or did_you_mean(code.lower(), named)
         raise DiagnosticError(
-            diagnose("RL925", wanted=code, help=(*hints, "`roadlang explain` lists all codes"))
+            diagnose(
+                Code.UNKNOWN_CODE, wanted=code, help=(*hints, "`roadlang explain` lists all codes")
+            )
         ) from None
 
 
 def _shown(found: Page) -> str:
-    title = paint(f"{found.code}: {found.title}", "1")
+    title = paint(f"{found.code} {found.name}: {found.title}", "1")
     return f"{title} ({found.severity})\n\n{found.body}"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..diagnostics import Code
 from . import exit_codes
 from .console import report, say
 
@@ -139,7 +140,11 @@ def _extracted(
         names = registry.names("extract")
         known = f"known are {', '.join(names)}"
         raise DiagnosticError(
-            diagnose("RL425", kind=given["kind"], help=(*did_you_mean(given["kind"], names), known))
+            diagnose(
+                Code.UNKNOWN_EXTRACT_KIND,
+                kind=given["kind"],
+                help=(*did_you_mean(given["kind"], names), known),
+            )
         ) from None
     with plugin_guard(entry, None):
         kind = entry.load()
@@ -148,7 +153,11 @@ def _extracted(
     unfit = sorted(set(options) - fields - {"resolution"})
     if unfit:
         raise DiagnosticError(
-            diagnose("RL426", kind=given["kind"], option=f"--{unfit[0].replace('_', '-')}")
+            diagnose(
+                Code.OPTION_NOT_OF_KIND,
+                kind=given["kind"],
+                option=f"--{unfit[0].replace('_', '-')}",
+            )
         )
     with plugin_guard(entry, None):
         extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
@@ -184,5 +193,5 @@ def _tell(found: Extraction, wrote: bool) -> None:
         about = f"{found.remarks[0]}, " if found.remarks else ""
         say(f"{roads} ({about}{found.confidence:.0%} sure)")
     if not found.network.edges:
-        report([diagnose("RL427", help=found.remarks)])
+        report([diagnose(Code.NO_ROAD_IN_PICTURE, help=found.remarks)])
         click.get_current_context().exit(exit_codes.SCENARIO_HAS_ERRORS)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 
-from ..diagnostics import Diagnostic, DiagnosticError, Source, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, diagnose
 from . import exit_codes
 from .console import report, say
 from .scene_files import STANDARD_INPUT, read_scene_file
@@ -81,4 +81,6 @@ def _replace(path: Path, text: str) -> None:
             raise
     except OSError as error:
         reason = (error.strerror or type(error).__name__).lower()
-        raise DiagnosticError(diagnose("RL927", path=str(path), reason=reason)) from None
+        raise DiagnosticError(
+            diagnose(Code.UNWRITABLE_OUTPUT, path=str(path), reason=reason)
+        ) from None

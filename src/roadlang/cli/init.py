@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from .console import say
 
 TEMPLATES = {
@@ -37,9 +37,13 @@ def command(file: str, template: str) -> None:
             target.write(text.replace("THIS_FILE", file))
     except FileExistsError:
         raise DiagnosticError(
-            diagnose("RL929", path=file, help="give another name: `roadlang init other.rl`")
+            diagnose(
+                Code.FILE_EXISTS, path=file, help="give another name: `roadlang init other.rl`"
+            )
         ) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise DiagnosticError(diagnose("RL927", path=file, reason=reason.lower())) from None
+        raise DiagnosticError(
+            diagnose(Code.UNWRITABLE_OUTPUT, path=file, reason=reason.lower())
+        ) from None
     say(f"wrote {file}; now: roadlang compile {file} -o out -n 4")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Diagnostic, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from .scene_files import read_scene_file
 
 if TYPE_CHECKING:
@@ -49,6 +49,8 @@ def make_scenes(
     if not result.scenes:
         if result.impossible:
             which = "; ".join(result.impossible)
-            raise DiagnosticError(diagnose("RL600", path=file, which=which))
-        raise DiagnosticError(diagnose("RL601", path=file, tried=f"{result.candidates:,}"))
+            raise DiagnosticError(diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which))
+        raise DiagnosticError(
+            diagnose(Code.NO_SCENE_FOUND, path=file, tried=f"{result.candidates:,}")
+        )
     return MadeScenes(scenario, registry, tuple(result.scenes), tuple(found))

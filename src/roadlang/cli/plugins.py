@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.shell_completion import CompletionItem
 
+from ..diagnostics import Code
 from .console import paint, say
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def _check_verb(verb: str) -> None:
 
     if verb not in VERBS:
         hints = did_you_mean(verb, VERBS) or (f"verbs: {', '.join(VERBS)}",)
-        raise DiagnosticError(diagnose("RL930", what="verb", name=verb, help=hints))
+        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="verb", name=verb, help=hints))
 
 
 def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
@@ -88,7 +89,9 @@ def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
             f"plugin `{broken.origin.plugin}` ({broken.origin}) is broken: {broken.reason}"
             for broken in registry.broken
         ]
-        raise DiagnosticError(diagnose("RL926", name=" ".join(words), help=(*hints, *reasons)))
+        raise DiagnosticError(
+            diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=(*hints, *reasons))
+        )
     return entries
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
 from . import exit_codes
 from .console import paint, report, say
 from .scene_files import parse_overrides
@@ -84,7 +84,7 @@ def simulator_of(
     name = engine or (call.kind if call is not None else names[0])
     if not made.registry.has("simulate", name):
         hints = did_you_mean(name, names) or (f"there are {', '.join(names)}",)
-        raise DiagnosticError(diagnose("RL930", what="engine", name=name, help=hints))
+        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="engine", name=name, help=hints))
     entry = made.registry.find_recorded("simulate", name)
     with plugin_guard(entry, None):
         kind: Any = entry.load()

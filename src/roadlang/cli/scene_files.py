@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..diagnostics import Diagnostic, DiagnosticError, diagnose, did_you_mean
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
 
 LARGEST = 4_000_000
 """Bytes. A scene file is written by people; what is larger was not meant."""
@@ -21,7 +21,12 @@ def read_scene_file(name: str) -> str:
     data = _bytes(name)
     if b"\0" in data:
         raise DiagnosticError(
-            diagnose("RL922", path=name, help=_encoding_hint(data), reason="it holds zero bytes")
+            diagnose(
+                Code.FILE_NOT_TEXT,
+                path=name,
+                help=_encoding_hint(data),
+                reason="it holds zero bytes",
+            )
         )
     try:
         return data.decode("utf-8-sig")
@@ -29,7 +34,7 @@ def read_scene_file(name: str) -> str:
         line = data.count(b"\n", 0, error.start) + 1
         reason = f"line {line} has the byte 0x{data[error.start]:02x}"
         raise DiagnosticError(
-            diagnose("RL922", path=name, help=_encoding_hint(data), reason=reason)
+            diagnose(Code.FILE_NOT_TEXT, path=name, help=_encoding_hint(data), reason=reason)
         ) from None
 
 
@@ -40,7 +45,9 @@ def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
     for setting in settings:
         name, sign, value = (part.strip() for part in setting.partition("="))
         if not sign or not name.isidentifier() or not value:
-            faults.append(diagnose("RL924", text=setting, help="write `--set reach=12m`"))
+            faults.append(
+                diagnose(Code.WRONG_SET_OPTION, text=setting, help="write `--set reach=12m`")
+            )
         overrides[name] = value
     if faults:
         raise DiagnosticError(*faults)
@@ -53,17 +60,21 @@ def _bytes(name: str) -> bytes:
     path = Path(name)
     try:
         if path.is_dir():
-            raise DiagnosticError(diagnose("RL921", path=name, help=_scenes_in(path)))
+            raise DiagnosticError(
+                diagnose(Code.FOLDER_INSTEAD_OF_FILE, path=name, help=_scenes_in(path))
+            )
         with path.open("rb") as file:
             data = file.read(LARGEST + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise DiagnosticError(
-            diagnose("RL920", path=name, help=_near_files(path), reason=reason.lower())
+            diagnose(Code.UNREADABLE_FILE, path=name, help=_near_files(path), reason=reason.lower())
         ) from None
     if len(data) > LARGEST:
         size = path.stat().st_size / 1e6
-        raise DiagnosticError(diagnose("RL923", path=name, size=size, limit=LARGEST / 1e6))
+        raise DiagnosticError(
+            diagnose(Code.SCENE_FILE_TOO_LARGE, path=name, size=size, limit=LARGEST / 1e6)
+        )
     return data
 
 

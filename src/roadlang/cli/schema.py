@@ -8,6 +8,8 @@ from typing import Any
 
 import click
 
+from ..diagnostics import Code
+
 
 @click.command("schema")
 @click.argument("words", nargs=-1, required=True, metavar="scene|manifest|scenario|[VERB] KIND")
@@ -58,5 +60,7 @@ def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
                 found.append(schema_of_kind(entry))
     if not found:
         hints = did_you_mean(name, [*schemas, *(entry.name for entry in entries)])
-        raise DiagnosticError(diagnose("RL930", what="schema", name=" ".join(words), help=hints))
+        raise DiagnosticError(
+            diagnose(Code.UNKNOWN_CHOICE, what="schema", name=" ".join(words), help=hints)
+        )
     return found[0] if len(found) == 1 else found

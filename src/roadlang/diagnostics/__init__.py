@@ -1,11 +1,13 @@
 """What the compiler says to its user: sources, spans, coded diagnostics, renderers."""
 
 from .catalog import Page, UnknownCode, codes, page
+from .code import Code
 from .diagnostic import Diagnostic, DiagnosticError, Fix, Label, Severity, diagnose
 from .nearest import did_you_mean, nearest
 from .source import Source, Span
 
 __all__ = [
+    "Code",
     "Diagnostic",
     "DiagnosticError",
     "Fix",

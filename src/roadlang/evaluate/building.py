@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.values import Entity, PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
@@ -130,7 +130,7 @@ def _check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:
         found = float(numbers[wrong].reshape(-1)[0])
         raise DiagnosticError(
             diagnose(
-                "RL473",
+                Code.DRAWN_VALUE_OUT_OF_BOUNDS,
                 call.span,
                 option=option.name,
                 kind=call.kind.rpartition(".")[2],

@@ -7,7 +7,7 @@ from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
 from ..ir.values import Draw, PassCall, Value
 from ..plugins.guard import plugin_guard
@@ -57,7 +57,7 @@ class IndexedScenario:
             entry = self.registry.find(call.verb, call.kind)
         except UnknownKind:
             raise DiagnosticError(
-                diagnose("RL471", call.span, kind=f"{call.verb} {call.kind}")
+                diagnose(Code.MISSING_KIND, call.span, kind=f"{call.verb} {call.kind}")
             ) from None
         with plugin_guard(entry, call.span):
             return entry, entry.load()

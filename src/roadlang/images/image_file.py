@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, Span, diagnose
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from .image_header import Header, is_whole, read_header
 from .image_scale import scale_in_file
 
@@ -36,13 +36,15 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     content = read_input(path, written, span)
     header = read_header(content)
     if header is None:
-        raise _refusal("RL402", span, written, help="PNG, JPEG, TIFF, BMP and WebP can be read")
+        raise _refusal(
+            Code.NOT_A_PICTURE, span, written, help="PNG, JPEG, TIFF, BMP and WebP can be read"
+        )
     _check_size(header, written, span)
     if not is_whole(header.format, content):
-        raise _refusal("RL403", span, written)
+        raise _refusal(Code.TRUNCATED_PICTURE, span, written)
     pixels = _decoded(content, header)
     if pixels is None or pixels.size == 0:
-        raise _refusal("RL404", span, written, format=header.format)
+        raise _refusal(Code.DAMAGED_PICTURE, span, written, format=header.format)
     scale = scale_in_file(path, content, header.format)
     return OpenedImage(_as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
 
@@ -52,15 +54,15 @@ def read_input(path: Path, written: str, span: Span | None) -> bytes:
     try:
         size = path.stat().st_size
         if not path.is_file():
-            raise _refusal("RL400", span, written, reason="it is not a file")
+            raise _refusal(Code.UNREADABLE_INPUT, span, written, reason="it is not a file")
         if size > MOST_BYTES:
-            raise _refusal("RL401", span, written, size=f"{size / 1e6:.0f} MB")
+            raise _refusal(Code.FILE_TOO_LARGE, span, written, size=f"{size / 1e6:.0f} MB")
         content = path.read_bytes()
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise _refusal("RL400", span, written, reason=reason.lower()) from None
+        raise _refusal(Code.UNREADABLE_INPUT, span, written, reason=reason.lower()) from None
     if not content:
-        raise _refusal("RL400", span, written, reason="it is empty")
+        raise _refusal(Code.UNREADABLE_INPUT, span, written, reason="it is empty")
     return content
 
 
@@ -69,10 +71,14 @@ def _check_size(header: Header, written: str, span: Span | None) -> None:
     if header.width * header.height > MOST_PIXELS:
         most = f"{MOST_PIXELS // 1_000_000} million pixels can be read"
         raise _refusal(
-            "RL401", span, written, size=size, help=f"{most}: cut the road out, or make it smaller"
+            Code.FILE_TOO_LARGE,
+            span,
+            written,
+            size=size,
+            help=f"{most}: cut the road out, or make it smaller",
         )
     if min(header.width, header.height) < LEAST_SIDE:
-        raise _refusal("RL405", span, written, size=size)
+        raise _refusal(Code.PICTURE_TOO_SMALL, span, written, size=size)
 
 
 def _refusal(

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..plugins.guard import plugin_guard, wrong_result
@@ -105,7 +105,7 @@ def _values(
         fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
         raise wrong_result(entry, None, fault)
     if values.shape != trace.time.shape or not np.isfinite(values).all():
-        raise DiagnosticError(diagnose("RL701", signal=shown, engine=trace.engine))
+        raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=shown, engine=trace.engine))
     return values
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, Span, diagnose
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in, entities_in, walk
@@ -121,7 +121,9 @@ def _check_shapes(condition: Condition, positions: Floats, values: dict[str, Any
     lengths = {v.shape[1] for v in values.values() if isinstance(v, np.ndarray) and v.ndim == 2}
     if len(lengths - {1, len(positions)}) > 0:
         spans = [binding.call.span for binding in condition.signals]
-        raise DiagnosticError(diagnose("RL610", next(iter(spans), None), formula=condition.text))
+        raise DiagnosticError(
+            diagnose(Code.ROADS_NOT_COMPARABLE, next(iter(spans), None), formula=condition.text)
+        )
 
 
 def _roads_named(call: PassCall, candidates: CandidateBatch) -> Any:

@@ -8,7 +8,7 @@ from contextlib import contextmanager, redirect_stdout
 from dataclasses import replace
 from types import TracebackType
 
-from ..diagnostics import Diagnostic, DiagnosticError, Span, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from .registry import KindEntry
 
 
@@ -29,11 +29,16 @@ def plugin_guard(entry: KindEntry, span: Span | None) -> Iterator[None]:
         # A wrong option that geometry refuses is the user's affair, anything else the plugin's.
         if type(error).__name__ == "GeometryError":
             raise DiagnosticError(
-                diagnose("RL472", span, what=f"{entry.verb} {entry.name}", reason=str(error))
+                diagnose(
+                    Code.IMPOSSIBLE_GEOMETRY,
+                    span,
+                    what=f"{entry.verb} {entry.name}",
+                    reason=str(error),
+                )
             ) from error
         raise DiagnosticError(
             diagnose(
-                "RL470",
+                Code.PLUGIN_FAILED,
                 span,
                 kind=f"{entry.verb} {entry.qualified}",
                 plugin=str(entry.origin),
@@ -47,7 +52,7 @@ def wrong_result(entry: KindEntry, span: Span | None, fault: str) -> DiagnosticE
     """RL474: a kind "gave ..." what it must not; it is named with its plugin."""
     return DiagnosticError(
         diagnose(
-            "RL474",
+            Code.WRONG_PLUGIN_RESULT,
             span,
             kind=f"{entry.verb} {entry.qualified}",
             plugin=str(entry.origin),

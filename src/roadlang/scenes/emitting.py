@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.building import KindInstance, build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Scenario
@@ -63,7 +63,7 @@ def outputs(
             if other is not output:
                 raise DiagnosticError(
                     diagnose(
-                        "RL931",
+                        Code.DUPLICATE_OUTPUT,
                         backend.call.span,
                         first=other.backend,
                         second=output.backend,
@@ -110,7 +110,7 @@ def _checked(files: Any, backend: KindInstance) -> Mapping[str, bytes]:
         entry = backend.entry
         raise DiagnosticError(
             diagnose(
-                "RL474",
+                Code.WRONG_PLUGIN_RESULT,
                 backend.call.span,
                 kind=f"emit {entry.qualified}",
                 plugin=str(entry.origin),

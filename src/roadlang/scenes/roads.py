@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.batch import RoadBatch
@@ -47,7 +47,7 @@ def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool
     width = np.broadcast_to(batch.width, (1, count))[0]
     numbers = (arc, points, heading, curvature, width)
     if not all(np.isfinite(array).all() for array in numbers) or not (steps > 0).all():
-        raise DiagnosticError(diagnose("RL475", None, name=name))
+        raise DiagnosticError(diagnose(Code.DEGENERATE_ROAD, None, name=name))
     return SceneRoad(
         name=name,
         stations=_floats(arc),

@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 
 
 def write_all(folder: Path, contents: Mapping[str, bytes | str]) -> tuple[Path, ...]:
@@ -28,7 +28,12 @@ def write_all(folder: Path, contents: Mapping[str, bytes | str]) -> tuple[Path, 
             os.replace(temporary, target)
     except OSError as error:
         raise DiagnosticError(
-            diagnose("RL460", path=str(target), file=str(target), reason=error.strerror or error)
+            diagnose(
+                Code.OUTPUT_NOT_WRITTEN,
+                path=str(target),
+                file=str(target),
+                reason=error.strerror or error,
+            )
         ) from error
     finally:
         for temporary, _ in written:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..diagnostics import Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic, diagnose
 from ..diagnostics.render import in_order
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
@@ -52,7 +52,7 @@ def check_text(
         scenario = lower(checker)
     except RecursionError:
         # The parser refuses deep nesting; what is left are circles of hundreds of definitions.
-        checker.report("RL024", program.source.span(0, 0))
+        checker.report(Code.NESTING_TOO_DEEP, program.source.span(0, 0))
         return None, in_order(checker.diagnostics)
     if not checker.has_errors:
         warn(checker)
@@ -61,4 +61,4 @@ def check_text(
 
 
 def _unreadable(path: Path, reason: str) -> Diagnostic:
-    return diagnose("RL107", path=str(path), file=path, reason=reason)
+    return diagnose(Code.UNREADABLE_INCLUDE, path=str(path), file=path, reason=reason)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, Span, diagnose
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -114,7 +114,9 @@ def _chosen_edges(
 
 def _no_such_road(id: int, network: RoadNetwork, span: Span | None) -> DiagnosticError:
     known = ", ".join(str(edge.id) for edge in network.edges[:20])
-    return DiagnosticError(diagnose("RL411", span, id=id, help=f"its roads are {known}"))
+    return DiagnosticError(
+        diagnose(Code.UNKNOWN_ROAD_ID, span, id=id, help=f"its roads are {known}")
+    )
 
 
 def _networks(network: Network, scenario: IndexedScenario) -> Any:
@@ -132,7 +134,7 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     if not found.network.edges:
         raise DiagnosticError(
             diagnose(
-                "RL412",
+                Code.NO_ROAD_IN_NETWORK,
                 network.span,
                 name=network.name,
                 help=found.remarks or ("try `extract with contour { threshold: ... }`",),
@@ -172,7 +174,7 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
     if not isinstance(found, Extraction):
         raise DiagnosticError(
             diagnose(
-                "RL474",
+                Code.WRONG_PLUGIN_RESULT,
                 call.span or network.span,
                 kind=f"extract {built.entry.qualified}",
                 plugin=str(built.entry.origin),
@@ -186,4 +188,6 @@ def _check_finite(root: NetworkRoot, network: Network) -> None:
     for edge in root.edges:
         points = edge.curve.points
         if not (np.isfinite(points).all() and np.isfinite(edge.curve.length)):
-            raise DiagnosticError(diagnose("RL413", network.span, name=network.name, id=edge.id))
+            raise DiagnosticError(
+                diagnose(Code.NETWORK_NOT_FINITE, network.span, name=network.name, id=edge.id)
+            )

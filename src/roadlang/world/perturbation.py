@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.building import KindInstance, build, one_of_batch
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
@@ -129,7 +129,7 @@ def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: flo
     if (low > high and road.period is None) or low >= end or high <= 0:
         raise DiagnosticError(
             diagnose(
-                "RL414",
+                Code.INTERVAL_OFF_ROAD,
                 call.span,
                 stretch=f"[{low:g}m, {high:g}m]",
                 road=road.name,

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in
@@ -40,11 +40,16 @@ def picture(name: str, candidates: CandidateBatch) -> Picture:
     if draft.scale is None:
         raise DiagnosticError(
             diagnose(
-                "RL406", image.span, name=name, help="add `scale: 0.35m/px` with the true number"
+                Code.MISSING_SCALE,
+                image.span,
+                name=name,
+                help="add `scale: 0.35m/px` with the true number",
             )
         )
     if not LEAST_SCALE <= draft.scale <= GREATEST_SCALE or not math.isfinite(draft.scale):
-        raise DiagnosticError(diagnose("RL407", image.span, scale=f"{draft.scale:g}m/px"))
+        raise DiagnosticError(
+            diagnose(Code.IMPOSSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")
+        )
     return replace(draft.picture, scale=draft.scale)
 
 
@@ -83,7 +88,7 @@ def _base(image: Image, candidates: CandidateBatch) -> _Draft:
     if isinstance(source, TextSource):
         rows = tuple(source.text.rstrip().split("\n")) if source.text.strip() else ()
         if not rows:
-            raise DiagnosticError(diagnose("RL408", image.span, name=image.name))
+            raise DiagnosticError(diagnose(Code.EMPTY_TYPED_PICTURE, image.span, name=image.name))
         return _Draft(Picture(None, 1.0, characters=_squared(rows)), None)
     if isinstance(source, FileSource):
         opened = _opened(source, image, candidates.scenario)
@@ -127,7 +132,9 @@ def _read(
 
 def _adjusted(before: Picture, call: PassCall, candidates: CandidateBatch) -> Picture:
     if before.pixels is None:
-        raise DiagnosticError(diagnose("RL409", call.span, kind=call.kind.rpartition(".")[2]))
+        raise DiagnosticError(
+            diagnose(Code.TYPED_PICTURE_ADJUSTED, call.span, kind=call.kind.rpartition(".")[2])
+        )
     built = build(call, candidates, single=True)
     generator = candidates.random(call.place).generator(0)
     with built.guarded:
@@ -142,7 +149,7 @@ def _check_adjusted(pixels: Any, before: Picture, entry: KindEntry, call: PassCa
         found = f"{pixels.dtype} pixels of shape {pixels.shape}"
         raise DiagnosticError(
             diagnose(
-                "RL474",
+                Code.WRONG_PLUGIN_RESULT,
                 call.span,
                 kind=f"{entry.verb} {entry.qualified}",
                 plugin=str(entry.origin),

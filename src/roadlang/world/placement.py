@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in, entities_in
 from ..evaluate.evaluation import evaluate, scalar
@@ -41,7 +41,7 @@ def start_of(actor: Actor, candidates: CandidateBatch, copy: int = 1) -> Floats:
     def make() -> Floats:
         at = np.asarray(evaluate(actor.at, candidates, _element(actor, copy)), dtype=np.float64)
         if actor.on is None:
-            raise DiagnosticError(diagnose("RL611", actor.span, name=actor.name))
+            raise DiagnosticError(diagnose(Code.NO_START_WITHOUT_ROAD, actor.span, name=actor.name))
         road = road_batch(actor.on, candidates)
         start = at * road.length if actor.at_fraction else at
         start = np.atleast_2d(start)
@@ -61,7 +61,9 @@ def counts(actor: Actor, candidates: CandidateBatch) -> NDArray[np.int64]:
     if not ((value >= 0) & (value <= MOST_COPIES)).all():
         found = f"{float(value[(value < 0) | (value > MOST_COPIES)][0]):g}"
         raise DiagnosticError(
-            diagnose("RL612", actor.span, name=actor.name, count=found, most=MOST_COPIES)
+            diagnose(
+                Code.COUNT_OUT_OF_BOUNDS, actor.span, name=actor.name, count=found, most=MOST_COPIES
+            )
         )
     return np.broadcast_to(np.rint(value).astype(np.int64), (candidates.count,))
 
@@ -172,7 +174,13 @@ def lane_middle(actor: Actor, lane: int, lanes: int, width: float) -> float:
     if lane not in ids:
         known = ", ".join(map(str, ids))
         raise DiagnosticError(
-            diagnose("RL613", actor.span, road=actor.on, lane=lane, help=f"its lanes are {known}")
+            diagnose(
+                Code.UNKNOWN_LANE,
+                actor.span,
+                road=actor.on,
+                lane=lane,
+                help=f"its lanes are {known}",
+            )
         )
     return width * (0.5 - (ids.index(lane) + 0.5) / lanes)
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import DiagnosticError, Span, diagnose
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -58,7 +58,7 @@ def read_by_name(
         raise failures[0]
     raise DiagnosticError(
         diagnose(
-            "RL410",
+            Code.UNSUPPORTED_FILE,
             span,
             file=source.path,
             what=reads,

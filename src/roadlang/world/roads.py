@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate, scalar
@@ -92,7 +92,9 @@ def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
     value = np.atleast_2d(np.asarray(evaluate(given, candidates), float))
     if not (value > 0).all() or not np.isfinite(value).all():
         raise DiagnosticError(
-            diagnose("RL415", road.span, name=road.name, width=f"{float(value.min()):g}m")
+            diagnose(
+                Code.WIDTH_NOT_POSITIVE, road.span, name=road.name, width=f"{float(value.min()):g}m"
+            )
         )
     return value
 
@@ -183,7 +185,7 @@ def _way(name: str, path: Path, network: Network, candidates: CandidateBatch) ->
 def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
     calls = [call for call in road.passes if call.verb == "draw"]
     if not calls:
-        raise DiagnosticError(diagnose("RL416", road.span, name=road.name))
+        raise DiagnosticError(diagnose(Code.ROAD_WITHOUT_SOURCE, road.span, name=road.name))
     closed = _is_closed(road, candidates)
     built = build(calls[0], candidates, single=True)
     with built.guarded:
@@ -221,6 +223,6 @@ def _checked(curve: Any, road: Road, call: PassCall | None) -> Curve:
     span = call.span if call is not None else road.span
     usable = isinstance(curve, Curve) and np.isfinite(curve.points).all() and 0 < curve.length < 1e7
     if not usable:
-        raise DiagnosticError(diagnose("RL417", span, name=road.name))
+        raise DiagnosticError(diagnose(Code.NO_USABLE_ROAD, span, name=road.name))
     checked: Curve = curve
     return checked

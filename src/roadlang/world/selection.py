@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..diagnostics import DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate, scalar
@@ -28,7 +28,7 @@ def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     except GeometryError as error:
         span = choice.span if isinstance(choice, PassCall) else road.span
         raise DiagnosticError(
-            diagnose("RL418", span, network=root.name, reason=str(error))
+            diagnose(Code.ROAD_NOT_SELECTABLE, span, network=root.name, reason=str(error))
         ) from None
 
 

@@ -8,7 +8,7 @@ import click
 
 from roadlang.cli.console import report, say
 from roadlang.cli.scene_files import parse_overrides
-from roadlang.diagnostics import DiagnosticError, diagnose
+from roadlang.diagnostics import Code, DiagnosticError, diagnose
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
@@ -62,7 +62,9 @@ def command(
     suffix = path.suffix.lower()
     if suffix not in PICTURES and suffix not in CLIPS:
         help = "end its name in .png, .jpg or .avi"
-        raise DiagnosticError(diagnose("RL930", what="picture format", name=suffix, help=help))
+        raise DiagnosticError(
+            diagnose(Code.UNKNOWN_CHOICE, what="picture format", name=suffix, help=help)
+        )
     made = make_scenes(file, parse_overrides(settings), index + 1, seed)
     report(made.warnings)
     scene = made.scenes[-1]

@@ -13,6 +13,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.api import Code
+
 from .exposure import even_exposure
 from .nodata import nodata
 from .tones import Image
@@ -68,7 +70,9 @@ def checked_net(path: str) -> Net:
             raise ValueError("gives values outside 0 to 1: end it with a sigmoid")
     except (OSError, ValueError, IndexError, cv2.error) as error:
         reason = getattr(error, "err", None) or str(error).splitlines()[0]
-        raise DiagnosticError(diagnose("RL424", path=path, file=path, reason=reason)) from None
+        raise DiagnosticError(
+            diagnose(Code.WRONG_NETWORK_WEIGHTS, path=path, file=path, reason=reason)
+        ) from None
     return net
 
 

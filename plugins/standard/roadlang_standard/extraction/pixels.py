@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from roadlang.api import Code
+
 from .colors import NAMES, bgr
 from .found import FoundNetwork
 from .legend import ROAD, Thing, read_colors, read_text
@@ -19,7 +21,11 @@ def pixels_of(picture: Picture, kind: str) -> Image:
 
     if picture.pixels is None:
         raise DiagnosticError(
-            diagnose("RL420", kind=kind, help="typed pictures are read by `extract with pixels`")
+            diagnose(
+                Code.TYPED_PICTURE_AS_PIXELS,
+                kind=kind,
+                help="typed pictures are read by `extract with pixels`",
+            )
         )
     return picture.pixels
 
@@ -35,7 +41,9 @@ def read_legend(
         legend = {"#": ROAD}
     if ROAD not in legend.values():
         example = '`legend: { "#": road }`' if picture.characters else '`legend: { "white": road }`'
-        raise DiagnosticError(diagnose("RL421", help=f"add {example} to the image"))
+        raise DiagnosticError(
+            diagnose(Code.LEGEND_WITHOUT_ROAD, help=f"add {example} to the image")
+        )
     if picture.characters is not None:
         _check_characters(legend)
         return read_text(picture.characters, legend, thickness or 1.0)
@@ -50,7 +58,11 @@ def _check_characters(legend: dict[str, str]) -> None:
     for key in legend:
         if len(key) != 1:
             raise DiagnosticError(
-                diagnose("RL422", key=key, help="in a typed picture each key is one character")
+                diagnose(
+                    Code.WRONG_LEGEND_CHARACTER,
+                    key=key,
+                    help="in a typed picture each key is one character",
+                )
             )
 
 
@@ -62,4 +74,6 @@ def _check_color(color: str) -> None:
     except ValueError:
         hints = did_you_mean(color, NAMES)
         advice = 'write a color as "#2e7d32" or by name, such as "white"'
-        raise DiagnosticError(diagnose("RL423", color=color, help=(*hints, advice))) from None
+        raise DiagnosticError(
+            diagnose(Code.WRONG_LEGEND_COLOR, color=color, help=(*hints, advice))
+        ) from None

@@ -12,9 +12,10 @@ _FOLDER = Path(__file__).parent
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """What one code means; `body` is Markdown with examples."""
+    """What one code means; `name` is what the code is called, `body` Markdown with examples."""
 
     code: str
+    name: str
     title: str
     severity: Literal["error", "warning", "note"]
     message: str
@@ -32,9 +33,11 @@ def page(code: str) -> Page:
     if not path.is_file():
         raise UnknownCode(code)
     heading, severity, message, body = path.read_text(encoding="utf-8").split("\n", 3)
+    name, _, title = heading.removeprefix(f"# {code} ").partition(":")
     return Page(
         code=code,
-        title=heading.removeprefix(f"# {code}:").strip(),
+        name=name,
+        title=title.strip(),
         severity=cast(
             Literal["error", "warning", "note"], severity.removeprefix("severity:").strip()
         ),

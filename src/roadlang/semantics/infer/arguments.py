@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from ...diagnostics import Label, Span, nearest
+from ...diagnostics import Code, Label, Span, nearest
 from ...ir.values import Value
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema
@@ -62,7 +62,7 @@ def bind_options(
             complete = False
         elif name in first:
             labels = [Label(first[name], "given here first")]
-            checker.report("RL222", option.key.span, labels=labels, name=name)
+            checker.report(Code.DUPLICATE_OPTION, option.key.span, labels=labels, name=name)
             complete = False
         else:
             first[name] = option.key.span
@@ -137,7 +137,9 @@ def report_unknown(
     meant = nearest(key.text, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
     help_ = () if meant else (listed,)
-    checker.report("RL220", key.span, name=key.text, owner=owner, help=help_, meant=meant)
+    checker.report(
+        Code.UNKNOWN_OPTION, key.span, name=key.text, owner=owner, help=help_, meant=meant
+    )
 
 
 def report_missing(
@@ -156,5 +158,5 @@ def report_missing(
         f"`{name}`: {describe(known[name].type, known[name].words)}; {known[name].help}"
         for name in missing
     ]
-    checker.report("RL221", span, owner=owner, names=names, sort=sort, help=help_)
+    checker.report(Code.MISSING_OPTION, span, owner=owner, names=names, sort=sort, help=help_)
     return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...diagnostics import nearest
+from ...diagnostics import Code, nearest
 from ...ir.values import Items
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema
@@ -74,7 +74,7 @@ class _Binder:
 
     def _take(self, argument: ast.Argument, name: str) -> None:
         if name in self._named:
-            self._checker.report("RL222", argument.span, name=name)
+            self._checker.report(Code.DUPLICATE_OPTION, argument.span, name=name)
             self._complete = False
             return
         self._named.add(name)
@@ -112,4 +112,4 @@ class _Binder:
     def _too_many(self, argument: ast.Argument) -> None:
         name = self._call.function.span.text
         help_ = f"it is written `{name}({', '.join(self._known)})`"
-        self._checker.report("RL224", argument.span, name=name, help=help_)
+        self._checker.report(Code.WRONG_ARGUMENT_COUNT, argument.span, name=name, help=help_)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ...diagnostics import nearest
+from ...diagnostics import Code, nearest
 from ...ir.values import PassCall
 from ...plugins.option_types import EntityType as EntityOption
 from ...plugins.option_types import UnionType
@@ -29,14 +29,16 @@ def infer_call(checker: Checker, call: ast.Call, context: Context) -> Typed:
     """`f(x)`; which `f` is meant depends on what is due here and, for overloads, on `x`."""
     name = dotted(call.function)
     if name is None:
-        return checker.report("RL225", call.function.span, name=call.function.span.text)
+        return checker.report(
+            Code.UNKNOWN_FUNCTION, call.function.span, name=call.function.span.text
+        )
     if name in _COUNTS:
         return _built_in(checker, call, name, context)
     verbs = [verb for verb in context.verbs if has(checker, verb, name)]
     verbs = verbs[:1] or [verb for verb in _VERBS if has(checker, verb, name)]
     if not verbs and context.verbs == () and name in checker.program.declarations:
         checker.use(name, context)
-        return checker.report("RL226", call.function.span, name=name)
+        return checker.report(Code.NOT_A_FUNCTION, call.function.span, name=name)
     if not verbs:
         return _no_function(checker, call, name, context)
     if len(verbs) == 1:
@@ -72,10 +74,12 @@ def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) 
     broken = [found for found in checker.registry.broken if found.origin.plugin == prefix]
     if broken:
         plugin, reason = broken[0].origin, broken[0].reason
-        checker.report("RL211", span, kind=name, plugin=plugin, reason=reason)
+        checker.report(Code.BROKEN_PLUGIN, span, kind=name, plugin=plugin, reason=reason)
         return unknown(call.span)
     known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)}
-    checker.report("RL225", span, name=name, meant=nearest(name, known | set(_COUNTS)))
+    checker.report(
+        Code.UNKNOWN_FUNCTION, span, name=name, meant=nearest(name, known | set(_COUNTS))
+    )
     return unknown(call.span)
 
 
@@ -90,7 +94,9 @@ def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> 
     for given in arguments:
         if not isinstance(given.type, Quantity | SignalType):
             what, found = f"`{name}`", given.type
-            return checker.report("RL206", given.span, what=what, due="a number", found=found)
+            return checker.report(
+                Code.WRONG_TYPE, given.span, what=what, due="a number", found=found
+            )
     dimension = common_dimension(checker, arguments, "compared")
     if dimension is None:
         return unknown(call.span)
@@ -106,12 +112,12 @@ def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
     if count < least or (most is not None and count > most):
         due = "two or more arguments" if most is None else "one argument"
         span = call.arguments[most].span if most and count > most else call.span
-        checker.report("RL224", span, name=name, help=f"`{name}` takes {due}")
+        checker.report(Code.WRONG_ARGUMENT_COUNT, span, name=name, help=f"`{name}` takes {due}")
         return False
     for argument in call.arguments:
         if argument.key is not None:
             key = argument.key
-            checker.report("RL220", key.span, name=key.text, owner=f"`{name}`")
+            checker.report(Code.UNKNOWN_OPTION, key.span, name=key.text, owner=f"`{name}`")
             return False
     return True
 
@@ -121,13 +127,13 @@ def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
     while isinstance(value, ast.Group):
         value = value.inner
     if not isinstance(value, ast.Name):
-        return checker.report("RL232", value.span, what=value.span.text)
+        return checker.report(Code.NOTHING_TO_REDRAW, value.span, what=value.span.text)
     typed = checker.infer(value, context)
     if typed.is_unknown:
         return typed
     declared = checker.program.declarations.get(value.text)
     if declared is None or declared.role not in ("param", "let") or not typed.random:
-        return checker.report("RL232", value.span, what=value.text)
+        return checker.report(Code.NOTHING_TO_REDRAW, value.span, what=value.text)
     again = checker.infer(value, replace(context, fresh=True))
     return replace(again, span=call.span)
 
@@ -139,7 +145,7 @@ def of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Con
     if is_member(found):
         first = found.schema[0].name if found.schema else "agent"
         help_ = f"write `{first}.{name}`, as in `ego.{name}`"
-        return checker.report("RL225", call.function.span, name=name, help=help_)
+        return checker.report(Code.UNKNOWN_FUNCTION, call.function.span, name=name, help=help_)
     inner = context if verb == "distribution" else replace(context, words=(), verbs=())
     rest = found.kind.rest
     bound = bind_arguments(checker, call, found.schema, rest, inner)
@@ -175,7 +181,9 @@ def _overloaded(
         checker.infer(argument.value, context)
     takes = " or ".join(f"`{name}({signature(found.schema)})`" for _, found in candidates)
     given = ", ".join(role or "a value" for role in roles)
-    return checker.report("RL227", call.span, name=name, given=given, help=f"there is {takes}")
+    return checker.report(
+        Code.UNKNOWN_MEMBER, call.span, name=name, given=given, help=f"there is {takes}"
+    )
 
 
 def _role(checker: Checker, value: ast.Expression) -> str | None:

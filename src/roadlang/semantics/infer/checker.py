@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from ...diagnostics import Diagnostic, Fix, Label, Span, diagnose
+from ...diagnostics import Code, Diagnostic, Fix, Label, Span, diagnose
 from ...plugins.registry import Registry
 from ...syntax.tree import nodes as ast
 from ..names.program import Program
@@ -93,7 +93,7 @@ class Checker:
             self._definitions[name] = unknown(place)
         labels = [Label(place, "") for place in places[1:]]
         cycle = " -> ".join(f"`{name}`" for name in [*names, first])
-        self.report("RL104", places[0], labels=labels, cycle=cycle)
+        self.report(Code.CIRCULAR_DEFINITION, places[0], labels=labels, cycle=cycle)
 
     def use(self, name: str, context: Context) -> None:
         """Note that the context's declaration refers to `name`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from ...diagnostics import Code
 from ...ir.values import Condition
 from ...syntax.tree import nodes as ast
 from ..types.types import Typed
@@ -30,14 +31,19 @@ def only_past(checker: Checker, expression: ast.Expression, typed: Typed) -> boo
 
     written = _future_word(expression)
     if written is not None:
-        checker.report("RL354", written.word_span, word=written.word, help=_backwards(written.word))
+        checker.report(
+            Code.CONDITION_LOOKS_AHEAD,
+            written.word_span,
+            word=written.word,
+            help=_backwards(written.word),
+        )
         return False
     formula = typed.formula
     ahead = (Always, Eventually, Until)
     if formula is not None and any(isinstance(part, ahead) for part in formula.walk()):
         part = next(part for part in formula.walk() if isinstance(part, ahead))
         word = type(part).__name__.lower()
-        checker.report("RL354", typed.span, word=word, help=_backwards(word))
+        checker.report(Code.CONDITION_LOOKS_AHEAD, typed.span, word=word, help=_backwards(word))
         return False
     return True
 

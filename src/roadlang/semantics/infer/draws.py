@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...diagnostics import Code
 from ...ir.dimension import PURE
 from ...ir.values import Constant, Draw, Items, PassCall, Value
 from ...plugins.option_types import AnyType, ListType, QuantityType
@@ -27,7 +28,9 @@ def draw_of(
         return unknown(call.span)
     reach = _reach(found, bound)
     if reach is not None and reach[0] > reach[1]:
-        return checker.report("RL207", call.span, what="range", help="the lower end comes first")
+        return checker.report(
+            Code.REVERSED_RANGE, call.span, what="range", help="the lower end comes first"
+        )
     place = checker.draw_place(context)
     options = bound.values
     drawn = PassCall("distribution", found.entry.qualified, options, place, call.span)
@@ -73,7 +76,7 @@ def _common_type(checker: Checker, parts: tuple[Typed, ...]) -> ty.Type | None:
             isinstance(part.type, ty.CallType) and part.type != first.type
         ):
             what = "each value to choose from"
-            checker.report("RL206", part.span, what=what, due=first.type, found=part.type)
+            checker.report(Code.WRONG_TYPE, part.span, what=what, due=first.type, found=part.type)
             return None
     if isinstance(first.type, ty.Quantity):
         dimension = common_dimension(checker, parts, "chosen from")

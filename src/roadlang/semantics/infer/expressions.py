@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from ...diagnostics import Span, nearest
+from ...diagnostics import Code, Span, nearest
 from ...ir.values import (
     Constant,
     Draw,
@@ -64,7 +64,9 @@ def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> 
     if isinstance(operand.type, SignalType):
         return signal_negation(operand, negation.span)
     if not isinstance(operand.type, Quantity):
-        return checker.report("RL206", operand.span, what="`-`", due="a number", found=operand.type)
+        return checker.report(
+            Code.WRONG_TYPE, operand.span, what="`-`", due="a number", found=operand.type
+        )
     value = operand.value
     assert value is not None
     negated = (
@@ -86,7 +88,9 @@ def infer_arithmetic(checker: Checker, node: ast.Arithmetic, context: Context) -
     for side in (left, right):
         if not isinstance(side.type, Quantity | SignalType):
             sign = f"`{node.operator}`"
-            return checker.report("RL206", side.span, what=sign, due="a number", found=side.type)
+            return checker.report(
+                Code.WRONG_TYPE, side.span, what=sign, due="a number", found=side.type
+            )
     return signal_arithmetic(checker, node, left, right)
 
 
@@ -97,17 +101,19 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
         return unknown(draw.span)
     for end in ends:
         if not isinstance(end.type, Quantity):
-            return checker.report("RL206", end.span, what="`..`", due="a number", found=end.type)
+            return checker.report(
+                Code.WRONG_TYPE, end.span, what="`..`", due="a number", found=end.type
+            )
     dimension = common_dimension(checker, ends, "the two ends of a range")
     if dimension is None:
         return unknown(draw.span)
     low, high = ends
     reach = bounds.hull([low.bounds, high.bounds])
     if reach and math.inf in map(abs, reach):
-        return checker.report("RL209", draw.span, what="a range that is drawn from")
+        return checker.report(Code.NOT_FINITE, draw.span, what="a range that is drawn from")
     if low.constant is not None and high.constant is not None and low.constant > high.constant:
         text = f"{draw.high.span.text}..{draw.low.span.text}"
-        return checker.report("RL207", draw.span, what="range", help=f"write `{text}`")
+        return checker.report(Code.REVERSED_RANGE, draw.span, what="range", help=f"write `{text}`")
     found = find_kind(checker, "distribution", "standard.uniform", draw.span)
     if found is None or low.value is None or high.value is None:
         return unknown(draw.span)
@@ -142,7 +148,7 @@ def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> Typed:
     for entry in node.entries:
         key = entry.key.value if isinstance(entry.key, ast.String) else entry.key.text
         if key in (known for known, _ in keys):
-            checker.report("RL222", entry.key.span, name=key)
+            checker.report(Code.DUPLICATE_OPTION, entry.key.span, name=key)
             continue
         keys.append((key, entry.key.span))
         inner = replace(context, place=f"{context.place}/{key}")
@@ -247,7 +253,7 @@ def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
     if context.words and (word or not declared):
         words = ", ".join(f"`{word}`" for word in context.words)
         help_ = f"the words are {words}"
-        return checker.report("RL223", name.span, word=name.text, help=help_, meant=word)
+        return checker.report(Code.UNKNOWN_WORD, name.span, word=name.text, help=help_, meant=word)
     if context.verbs:
         verb = context.verbs[0]
         if not declared or nearest(name.text, checker.registry.names(verb)):
@@ -256,7 +262,7 @@ def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
     meant = declared or _FLAGS.get(name.text.lower())
     help_ = "" if meant else _about_functions(checker, name.text)
     return checker.report(
-        "RL101", name.span, name=name.text, help=(help_,) if help_ else (), meant=meant
+        Code.UNKNOWN_NAME, name.span, name=name.text, help=(help_,) if help_ else (), meant=meant
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from ...diagnostics import Span
+from ...diagnostics import Code, Span
 from ...ir.dimension import LENGTH, TIME
 from ...ir.values import NumberBinding, Reference
 from ...syntax.tree import nodes as ast
@@ -33,12 +33,14 @@ def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -
     for part in parts:
         if not isinstance(part.type, Quantity | SignalType):
             due = "a number or a signal"
-            return checker.report("RL206", part.span, what="a comparison", due=due, found=part.type)
+            return checker.report(
+                Code.WRONG_TYPE, part.span, what="a comparison", due=due, found=part.type
+            )
     if common_dimension(checker, parts, "compared") is None:
         return unknown(node.span)
     for operator, right in zip(node.operators, parts[1:], strict=True):
         if operator in ("==", "!=") and not _is_whole(right):
-            checker.report("RL291", node.span, operator=operator)
+            checker.report(Code.EQUALITY_OF_REALS, node.span, operator=operator)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, Typed):
         return evidence
@@ -169,7 +171,9 @@ def as_formula(checker: Checker, typed: Typed, what: str) -> Typed:
         if isinstance(typed.type, Quantity | SignalType)
         else ()
     )
-    return checker.report("RL234", typed.span, what=what, found=typed.type, help=help_)
+    return checker.report(
+        Code.FORMULA_EXPECTED, typed.span, what=what, found=typed.type, help=help_
+    )
 
 
 def _flag(value: Reference) -> dict[str, Any]:
@@ -192,11 +196,13 @@ def _ends(
     for end in ends:
         if not isinstance(end.type, Quantity):
             what = "the end of an interval"
-            checker.report("RL206", end.span, what=what, due="a number", found=end.type)
+            checker.report(Code.WRONG_TYPE, end.span, what=what, due="a number", found=end.type)
             return None
         if end.constant is None:
             due = "the same in every scene"
-            checker.report("RL229", end.span, what="the end of an interval", due=due)
+            checker.report(
+                Code.MUST_NOT_BE_RANDOM, end.span, what="the end of an interval", due=due
+            )
             return None
     return tuple(ends)
 
@@ -211,7 +217,7 @@ def _interval(
     from ...stl import Interval
 
     if evidence is None:
-        return checker.report("RL352", node.word_span, word=node.word)
+        return checker.report(Code.TEMPORAL_OVER_NUMBERS, node.word_span, word=node.word)
     if not ends:
         return None
     due = LENGTH if evidence.domain == "road" else TIME
@@ -230,7 +236,7 @@ def _interval(
     assert high is not None
     if not 0 <= low <= high or math.isinf(low):
         span = ends[0].span.to(ends[1].span)
-        return checker.report("RL305", span, lo=ends[0].span.text, hi=ends[1].span.text)
+        return checker.report(Code.WRONG_INTERVAL, span, lo=ends[0].span.text, hi=ends[1].span.text)
     return Interval(low, high)
 
 
@@ -240,7 +246,7 @@ def _wrong_unit(checker: Checker, wrong: Sequence[Typed], evidence: Evidence) ->
     road = evidence.domain == "road"
     assert isinstance(wrong[0].type, Quantity)
     return checker.report(
-        "RL351",
+        Code.WRONG_INTERVAL_UNIT,
         wrong[0].span.to(wrong[-1].span),
         labels=[Label(evidence.span, "the signal is over " + ("the road" if road else "time"))],
         found=wrong[0].type.dimension,

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from contextlib import redirect_stdout
 from dataclasses import dataclass
 
-from ...diagnostics import Span, nearest
+from ...diagnostics import Code, Span, nearest
 from ...plugins.kinds import VERBS, Kind
 from ...plugins.options import OptionSchema, schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
@@ -43,7 +43,9 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> Found | Non
         names = " or ".join(f"`{entry.qualified}`" for entry in error.entries)
         owners = " and ".join(str(entry.origin) for entry in error.entries)
         help_ = f"write {names}"
-        checker.report("RL213", span, kind=spoken(verb, name), owners=owners, help=help_)
+        checker.report(
+            Code.AMBIGUOUS_KIND, span, kind=spoken(verb, name), owners=owners, help=help_
+        )
         return None
     except UnknownKind:
         _report_missing(checker, verb, name, span)
@@ -58,7 +60,7 @@ def _load(checker: Checker, entry: KindEntry, span: Span) -> Found | None:
     if isinstance(found, Found):
         return found
     kind_name = spoken(entry.verb, entry.name)
-    checker.report("RL211", span, kind=kind_name, plugin=entry.origin, reason=found)
+    checker.report(Code.BROKEN_PLUGIN, span, kind=kind_name, plugin=entry.origin, reason=found)
     return None
 
 
@@ -94,12 +96,16 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     registry = checker.registry
     if registry.is_planned(verb, name):
         built = _listing(verb, registry.names(verb))
-        checker.report("RL212", span, kind=spoken(verb, name), help=built)
+        checker.report(Code.PLANNED_KIND, span, kind=spoken(verb, name), help=built)
         return
     for broken in registry.broken:
         if name.split(".")[0] == broken.origin.plugin and "." in name:
             checker.report(
-                "RL211", span, kind=spoken(verb, name), plugin=broken.origin, reason=broken.reason
+                Code.BROKEN_PLUGIN,
+                span,
+                kind=spoken(verb, name),
+                plugin=broken.origin,
+                reason=broken.reason,
             )
             return
     known = (*registry.names(verb), *registry.planned_names(verb))
@@ -111,7 +117,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     for broken in registry.broken:
         help_.append(f"the plugin {broken.origin} could not be loaded: {broken.reason}")
     noun = _NOUNS.get(verb, f"kind of `{verb}`")
-    checker.report("RL210", span, name=name, noun=noun, help=help_, meant=meant)
+    checker.report(Code.UNKNOWN_KIND, span, name=name, noun=noun, help=help_, meant=meant)
 
 
 def _not_installed(checker: Checker, name: str) -> list[str]:

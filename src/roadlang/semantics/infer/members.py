@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import nearest
+from ...diagnostics import Code, nearest
 from ...syntax.tree import nodes as ast
 from ..types.assignable import fit
 from ..types.types import EntityType, Typed, unknown
@@ -20,7 +20,9 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
     """A signal or number of an agent or object, or a kind by its whole name."""
     parts = dotted(member)
     if parts is None:
-        return checker.report("RL227", member.name.span, name=member.name.text, given="a call")
+        return checker.report(
+            Code.UNKNOWN_MEMBER, member.name.span, name=member.name.text, given="a call"
+        )
     base, _, name = parts.partition(".")
     if base in checker.program.spoiled:
         return unknown(member.span)
@@ -33,7 +35,9 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
     if owner.is_unknown:
         return unknown(member.span)
     if not isinstance(owner.type, EntityType) or owner.type.role not in ("agent", "object"):
-        return checker.report("RL233", member.name.span, name=base, found=owner.type, member=name)
+        return checker.report(
+            Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name
+        )
     return _of_actor(checker, member, base, name, owner)
 
 
@@ -50,7 +54,7 @@ def _of_nothing(
         find_kind(checker, context.verbs[0], parts, member.span)
         return unknown(member.span)
     meant = nearest(base, checker.program.declarations)
-    return checker.report("RL101", member.of.span, name=base, meant=meant)
+    return checker.report(Code.UNKNOWN_NAME, member.of.span, name=base, meant=meant)
 
 
 def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner: Typed) -> Typed:
@@ -59,15 +63,17 @@ def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner:
     if verb is None:
         known = [entry.name for verb in _VERBS for entry in checker.registry.of(verb)]
         meant = nearest(name, known)
-        return checker.report("RL227", place, name=name, given=f"`{base}`", meant=meant)
+        return checker.report(Code.UNKNOWN_MEMBER, place, name=name, given=f"`{base}`", meant=meant)
     found = find_kind(checker, verb, name, place)
     if found is None:
         return unknown(member.span)
     if not is_member(found) or not found.schema:
         written = f"it is written `{name}({signature(found.schema)})`"
-        return checker.report("RL227", place, name=name, given=f"`{base}`", help=written)
+        return checker.report(
+            Code.UNKNOWN_MEMBER, place, name=name, given=f"`{base}`", help=written
+        )
     if verb == "number" and not _is_on_road(checker, base):
-        return checker.report("RL240", member.span, name=base, member=name)
+        return checker.report(Code.START_WITHOUT_ROAD, member.span, name=base, member=name)
     fitted = fit(checker, owner, found.schema[0])
     if fitted is None:
         return unknown(member.span)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ...diagnostics import Label, Span, nearest
+from ...diagnostics import Code, Label, Span, nearest
 from ...ir.values import PassCall, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
@@ -38,7 +38,7 @@ def lower_passes(
                 labels = [Label(sources[0].span, "the first one")]
                 names = (sources[0].verb.text, verb)
                 checker.report(
-                    "RL217", item.verb.span, labels=labels, first=names[0], second=names[1]
+                    Code.TWO_SOURCES, item.verb.span, labels=labels, first=names[0], second=names[1]
                 )
                 complete = False
         counts[verb] = counts.get(verb, 0) + 1
@@ -59,7 +59,7 @@ def _verb_fits(checker: Checker, statement: str, item: ast.Pass) -> bool:
     help_: list[str] = []
     if not meant and verbs:
         help_.append(f"`{statement}` takes " + ", ".join(f"`{known}`" for known in verbs))
-    code = "RL216" if verb in _ALL_VERBS else "RL215"
+    code = Code.MISPLACED_PASS if verb in _ALL_VERBS else Code.UNKNOWN_VERB
     checker.report(code, item.verb.span, what=f"`{statement}`", verb=verb, help=help_, meant=meant)
     return False
 
@@ -100,7 +100,7 @@ def lower_call(
         whole=_is_whole(block),
     )
     for inner in block.passes if block else ():
-        checker.report("RL216", inner.verb.span, what=owner, verb=inner.verb.text)
+        checker.report(Code.MISPLACED_PASS, inner.verb.span, what=owner, verb=inner.verb.text)
     if not bound.complete or (block is not None and (block.passes or not block.complete)):
         return None
     options = tuple((name, value) for name, value in bound.values if name in names)
@@ -138,7 +138,7 @@ def refuse_passes(checker: Checker, what: str, passes: Iterable[ast.Pass]) -> bo
     """False, reported, where a block that takes none has passes."""
     fine = True
     for item in passes:
-        checker.report("RL216", item.verb.span, what=f"`{what}`", verb=item.verb.text)
+        checker.report(Code.MISPLACED_PASS, item.verb.span, what=f"`{what}`", verb=item.verb.text)
         fine = False
     return fine
 

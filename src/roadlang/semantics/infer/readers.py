@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import PurePath
 
-from ...diagnostics import Span
+from ...diagnostics import Code, Span
 from .checker import Checker
 from .kinds import loaded, spoken
 
@@ -29,19 +29,21 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
         names = " or ".join(f"`read with {entry.qualified}`" for entry in fitting)
         owners = " and ".join(str(entry.origin) for entry in fitting)
         kind = f"a reader of {suffix} files"
-        checker.report("RL213", span, kind=kind, owners=owners, help=f"write {names} in its block")
+        checker.report(
+            Code.AMBIGUOUS_KIND, span, kind=kind, owners=owners, help=f"write {names} in its block"
+        )
         return None
     planned = checker.registry.planned_reader(suffix)
     if planned is not None:
-        checker.report("RL212", span, kind=spoken("read", planned))
+        checker.report(Code.PLANNED_KIND, span, kind=spoken("read", planned))
         return None
     for entry, reason in broken:
         kind = spoken("read", entry.name)
-        checker.report("RL211", span, kind=kind, plugin=entry.origin, reason=reason)
+        checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=entry.origin, reason=reason)
     if broken:
         return None
     known = ", ".join(sorted(suffixes)) or "none"
     shown = f"`{suffix}`" if suffix else "no ending"
     help_ = [f"a {role} can be read from: {known}", "or say how with `read with` in its block"]
-    checker.report("RL214", span, file=path, suffix=shown, role=role, help=help_)
+    checker.report(Code.NO_READER, span, file=path, suffix=shown, role=role, help=help_)
     return None

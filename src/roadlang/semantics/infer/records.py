@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import Code
 from ...ir.values import Entries
 from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
@@ -20,7 +21,7 @@ def fit_record(
         typed = checker.infer(value, context)
         if not typed.is_unknown:
             what = f"`{schema.name}`"
-            checker.report("RL206", typed.span, what=what, due="a map", found=typed.type)
+            checker.report(Code.WRONG_TYPE, typed.span, what=what, due="a map", found=typed.type)
         return None
     options = [
         ast.Option(_word(entry.key), entry.value, span=entry.span) for entry in value.entries

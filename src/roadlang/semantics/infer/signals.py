@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Span
+from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
 from ..types.types import Evidence, Quantity, SignalType, Typed, unknown
@@ -54,5 +54,5 @@ def _dimension(checker: Checker, span: Span, found: Found, bound: Bound) -> Dime
     except Exception as error:
         plugin, reason = found.entry.origin, reason_of(error)
         kind = found.entry.name
-        checker.report("RL211", span, kind=kind, plugin=plugin, reason=reason)
+        checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=plugin, reason=reason)
         return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import nearest
+from ...diagnostics import Code, nearest
 from ...ir.values import Entries, Text, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
@@ -23,11 +23,15 @@ def fit_condition(checker: Checker, value: ast.Expression, context: Context) -> 
     if typed.is_unknown:
         return None
     if not isinstance(typed.type, FormulaType | FlagType):
-        checker.report("RL206", typed.span, what="`when`", due="a condition", found=typed.type)
+        checker.report(
+            Code.WRONG_TYPE, typed.span, what="`when`", due="a condition", found=typed.type
+        )
         return None
     if typed.evidence is not None and typed.evidence.domain == "road":
         place = typed.evidence
-        checker.report("RL353", place.span, what="`when`", due="the drive", found="the road")
+        checker.report(
+            Code.WRONG_DOMAIN, place.span, what="`when`", due="the drive", found="the road"
+        )
         return None
     if not only_past(checker, value, typed):
         return None
@@ -61,7 +65,7 @@ def fit_kind_name(
         typed = checker.infer(value, context)
         if not typed.is_unknown:
             checker.report(
-                "RL206", typed.span, what=f"`{schema.name}`", due="a map", found=typed.type
+                Code.WRONG_TYPE, typed.span, what=f"`{schema.name}`", due="a map", found=typed.type
             )
         return None
     entries: dict[str, Value] = {}
@@ -70,11 +74,13 @@ def fit_kind_name(
         key = entry.key.value if isinstance(entry.key, ast.String) else entry.key.text
         text = kind_text(entry.value)
         if key in entries:
-            checker.report("RL222", entry.key.span, name=key)
+            checker.report(Code.DUPLICATE_OPTION, entry.key.span, name=key)
             complete = False
         elif text is None:
             due = f"a kind of {verb}"
-            checker.report("RL206", entry.value.span, what=f"`{key}`", due=due, found="a value")
+            checker.report(
+                Code.WRONG_TYPE, entry.value.span, what=f"`{key}`", due=due, found="a value"
+            )
             complete = False
         else:
             if text not in schema.words:
@@ -90,7 +96,9 @@ def _is_kind(
 ) -> bool:
     known = checker.registry.has(verb, text) or checker.registry.is_planned(verb, text)
     if not known and (meant := nearest(text, schema.words)):
-        checker.report("RL210", value.span, name=text, noun=f"kind of {verb}", meant=meant)
+        checker.report(
+            Code.UNKNOWN_KIND, value.span, name=text, noun=f"kind of {verb}", meant=meant
+        )
         return False
     return find_kind(checker, verb, text, value.span) is not None
 

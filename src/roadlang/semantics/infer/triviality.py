@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import Code
 from ...syntax.tree import nodes as ast
 from ..types.types import Typed
 from .checker import Checker
@@ -16,7 +17,11 @@ def warn_if_trivial(checker: Checker, statement: ast.Constraint, typed: Typed) -
         return
     verdict = "always holds" if outcome else "can never hold"
     checker.report(
-        "RL290", typed.span, word=statement.word, name=statement.name.text, verdict=verdict
+        Code.CONSTANT_REQUIREMENT,
+        typed.span,
+        word=statement.word,
+        name=statement.name.text,
+        verdict=verdict,
     )
 
 

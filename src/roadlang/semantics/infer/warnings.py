@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import Code
 from .checker import Checker
 
 
@@ -12,7 +13,7 @@ def warn(checker: Checker) -> None:
         # A file that others include may well name more than each of them needs.
         in_main_file = name.span.source == checker.program.source
         if in_main_file and name.text not in checker.used:
-            checker.report("RL190", name.span, name=name.text)
+            checker.report(Code.UNUSED_LET, name.span, name=name.text)
     for word, span in checker.divisors:
         if word in checker.program.declarations:
-            checker.report("RL191", span, name=word, text=span.text)
+            checker.report(Code.UNIT_LIKE_NAME, span, name=word, text=span.text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...ir.dimension import LENGTH
 from ...ir.values import Entity, PassCall, Reference, Value
@@ -61,7 +62,7 @@ def _kind(checker: Checker, statement: ast.Actor, context: Context) -> Typed | N
         return None
     if not isinstance(typed.type, CallType) or typed.type.verb != word:
         due = f"a kind of {word}"
-        checker.report("RL206", typed.span, what=f"`{word}`", due=due, found=typed.type)
+        checker.report(Code.WRONG_TYPE, typed.span, what=f"`{word}`", due=due, found=typed.type)
         return None
     while isinstance(typed.value, Reference):
         typed = replace(checker.definition(typed.value.name), span=typed.span)
@@ -87,17 +88,23 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
             else ()
         )
         checker.report(
-            "RL228", typed.span, name=name, found=found, due="a road", what=what, help=help_
+            Code.WRONG_ENTITY,
+            typed.span,
+            name=name,
+            found=found,
+            due="a road",
+            what=what,
+            help=help_,
         )
     else:
-        checker.report("RL206", typed.span, what=what, due="a road", found=found)
+        checker.report(Code.WRONG_TYPE, typed.span, what=what, due="a road", found=found)
     return False
 
 
 def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | None:
     """`at`: along the road, a share of it, or a point in the world."""
     if statement.at is None:
-        checker.report("RL236", statement.name.span, name=statement.name.text)
+        checker.report(Code.MISSING_POSITION, statement.name.span, name=statement.name.text)
         return None
     typed = checker.infer(statement.at, replace(context, place=f"{context.place}/at"))
     if typed.is_unknown:
@@ -106,10 +113,10 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | 
         return _point(checker, statement, typed)
     if not isinstance(typed.type, Quantity):
         due = "a length or a share of the road" if statement.on else "a point `(x, y)`"
-        checker.report("RL206", typed.span, what="`at`", due=due, found=typed.type)
+        checker.report(Code.WRONG_TYPE, typed.span, what="`at`", due=due, found=typed.type)
         return None
     if statement.on is None:
-        checker.report("RL237", typed.span, name=statement.name.text)
+        checker.report(Code.LENGTH_WITHOUT_ROAD, typed.span, name=statement.name.text)
         return None
     if typed.type.fits_any or typed.type.dimension == LENGTH:
         return typed
@@ -119,7 +126,7 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | 
     if typed.type.dimension.is_pure:
         return typed
     due = "a length or a share of the road"
-    checker.report("RL201", typed.span, what="`at`", due=due, found=typed.type.dimension)
+    checker.report(Code.WRONG_UNIT, typed.span, what="`at`", due=due, found=typed.type.dimension)
     return None
 
 
@@ -129,7 +136,7 @@ def _point(checker: Checker, statement: ast.Actor, typed: Typed) -> Typed | None
     from ..types.assignable import fit
 
     if statement.on is not None:
-        checker.report("RL238", typed.span, name=statement.name.text)
+        checker.report(Code.POINT_ON_ROAD, typed.span, name=statement.name.text)
         return None
     schema = OptionSchema("at", PointOption(LENGTH), None, Constraints())
     return fit(checker, typed, schema)
@@ -153,7 +160,7 @@ def _options(
         checker, statement.word, block, [*placement, *extra], context, statement.name.span
     )
     if "lane" in bound.given and "side" in bound.given:
-        checker.report("RL239", bound.given["side"].span)
+        checker.report(Code.LANE_AND_SIDE, bound.given["side"].span)
         return None, ()
     own = tuple((name, value) for name, value in bound.values if name in names)
     rest = tuple((name, value) for name, value in bound.values if name not in names)
@@ -170,7 +177,7 @@ def _fits_without_road(checker: Checker, statement: ast.Actor, placed: dict[str,
     for option in statement.block.options if statement.block else ():
         if option.key.text in ("lane", "side", "offset", "facing"):
             name, key = statement.name.text, option.key
-            checker.report("RL241", key.span, name=name, option=key.text)
+            checker.report(Code.OPTION_NEEDS_ROAD, key.span, name=name, option=key.text)
             return False
     return True
 

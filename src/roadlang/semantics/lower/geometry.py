@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...ir.values import Entity, PassCall
 from ...syntax.tree import nodes as ast
@@ -79,7 +80,7 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
         if word == "image":
             return _Source(ir.TextSource(source.value))
         due = _due(word)
-        checker.report("RL206", source.span, what=f"`{word}`", due=due, found="a text")
+        checker.report(Code.WRONG_TYPE, source.span, what=f"`{word}`", due=due, found="a text")
         return _Source(None, fine=False)
     typed = checker.infer(source, context)
     if typed.is_unknown:
@@ -90,11 +91,11 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             return _Source(ir.NameSource(typed.value.name, typed.value.role))
         name, found = typed.span.text, typed.type
         checker.report(
-            "RL228", typed.span, name=name, found=found, due=_due(word), what=f"`{word}`"
+            Code.WRONG_ENTITY, typed.span, name=name, found=found, due=_due(word), what=f"`{word}`"
         )
     else:
         what = f"`{word}`"
-        checker.report("RL206", typed.span, what=what, due=_due(word), found=typed.type)
+        checker.report(Code.WRONG_TYPE, typed.span, what=what, due=_due(word), found=typed.type)
     return _Source(None, fine=False)
 
 
@@ -123,7 +124,7 @@ def _belongs_together(
             if word == "road"
             else f"write `from` and {_due(word)}"
         )
-        checker.report("RL218", name.span, name=name.text, help=help_)
+        checker.report(Code.NO_SOURCE, name.span, name=name.text, help=help_)
         return False
     role = source.role if isinstance(source, ir.NameSource) else None
     wants = {
@@ -134,13 +135,15 @@ def _belongs_together(
     for call in passes:
         fits, due = wants.get(call.verb, (True, ""))
         if not fits and call.span is not None:
-            checker.report("RL219", call.span, verb=call.verb, due=due)
+            checker.report(Code.SOURCE_MISMATCH, call.span, verb=call.verb, due=due)
             return False
     if word == "road" and role != "network" and statement.block is not None:
         for option in statement.block.options:
             from_file = isinstance(source, ir.FileSource)
             if option.key.text == "select" and not from_file:
-                checker.report("RL219", option.key.span, verb="select", due="a network")
+                checker.report(
+                    Code.SOURCE_MISMATCH, option.key.span, verb="select", due="a network"
+                )
                 return False
     return True
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Label, Span
+from ...diagnostics import Code, Label, Span
 from ...ir import scenario as ir
 from ...ir.values import PassCall, Value
 from ...plugins.kinds import Monitor
@@ -38,7 +38,7 @@ def lower_constraint(checker: Checker, declaration: Declaration) -> ir.Constrain
     if word == "require" and evidence is not None and evidence.domain == "drive":
         help_ = f"`expect {name}: ...` judges the drive"
         checker.report(
-            "RL353", evidence.span, what="`require`", due="roads and placement",
+            Code.WRONG_DOMAIN, evidence.span, what="`require`", due="roads and placement",
             found="the drive", help=help_,
         )  # fmt: skip
         return None
@@ -60,9 +60,13 @@ def _judged(
     if statement.word == "require" and found.kind.domain == "drive":
         help_ = f"`expect {statement.name.text} with {kind.text}` judges the drive"
         checker.report(
-            "RL353", kind.span, what="`require`", due="roads and placement", found="the drive",
+            Code.WRONG_DOMAIN,
+            kind.span,
+            what="`require`",
+            due="roads and placement",
+            found="the drive",
             help=help_,
-        )  # fmt: skip
+        )
         return None
     return None if call is None else ir.Constraint(statement.name.text, call, statement.span)
 
@@ -114,7 +118,9 @@ def _run_call(
     for option in block.options if call is not None and block is not None else ():
         if is_random(checker, call, option.key.text):
             what = f"`{option.key.text}`"
-            checker.report("RL229", option.value.span, what=what, due="the same in every scene")
+            checker.report(
+                Code.MUST_NOT_BE_RANDOM, option.value.span, what=what, due="the same in every scene"
+            )
             call = None
             break
     return call
@@ -149,5 +155,5 @@ def only_one(checker: Checker, word: str, found: list[Placed]) -> Placed | None:
         labels = [Label(found[0].statement.span, "the first one")]
         span = extra.statement.span
         keyword = span.source.span(span.start, span.start + len(word))
-        checker.report("RL109", keyword, labels=labels, word=word)
+        checker.report(Code.DUPLICATE_STATEMENT, keyword, labels=labels, word=word)
     return found[0] if found else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Fix, Label
+from ...diagnostics import Code, Fix, Label
 from ...plugins.option_types import QuantityType
 from ..infer.checker import Checker
 from ..infer.context import Context
@@ -35,13 +35,13 @@ def _usable(checker: Checker, declaration: Declaration, typed: Typed) -> Typed:
     if isinstance(typed.type, ty.EntityType | ty.ConstraintType):
         what = f"`{declaration.role}`"
         due = "a value"
-        return checker.report("RL206", typed.span, what=what, due=due, found=typed.type)
+        return checker.report(Code.WRONG_TYPE, typed.span, what=what, due=due, found=typed.type)
     if declaration.role == "param" and isinstance(typed.type, ty.SignalType | ty.FormulaType):
         word = declaration.statement.span.source.span(
             declaration.statement.span.start, declaration.statement.span.start + len("param")
         )
         return checker.report(
-            "RL235", typed.span, found=typed.type, fixes=[Fix(word, "let")],
+            Code.PARAM_NOT_A_VALUE, typed.span, found=typed.type, fixes=[Fix(word, "let")],
             help="`let` names signals and formulas",
         )  # fmt: skip
     return typed
@@ -55,18 +55,18 @@ def _agreeing(
     labels = [Label(declaration.name.span, f"its default is {default.type}")]
     if isinstance(typed.type, ty.EntityType | ty.ConstraintType | ty.SignalType | ty.FormulaType):
         what, due = f"`{name}`", default.type
-        return checker.report("RL206", typed.span, what=what, due=due, found=typed.type)
+        return checker.report(Code.WRONG_TYPE, typed.span, what=what, due=due, found=typed.type)
     if isinstance(default.type, ty.Quantity):
         if not isinstance(typed.type, ty.Quantity):
             what, due = f"`{name}`", default.type
             return checker.report(
-                "RL206", typed.span, labels=labels, what=what, due=due, found=typed.type
+                Code.WRONG_TYPE, typed.span, labels=labels, what=what, due=due, found=typed.type
             )
         return _same_dimension(checker, name, default.type, typed, labels)
     if type(default.type) is not type(typed.type):
         what, due = f"`{name}`", default.type
         return checker.report(
-            "RL206", typed.span, labels=labels, what=what, due=due, found=typed.type
+            Code.WRONG_TYPE, typed.span, labels=labels, what=what, due=due, found=typed.type
         )
     return typed
 
@@ -81,6 +81,6 @@ def _same_dimension(
     if typed.type.bare:
         return unit_missing(checker, typed, due.dimension)
     return checker.report(
-        "RL201", typed.span, labels=labels, what=f"`{name}`", due=due.dimension,
+        Code.WRONG_UNIT, typed.span, labels=labels, what=f"`{name}`", due=due.dimension,
         found=typed.type.dimension,
     )  # fmt: skip

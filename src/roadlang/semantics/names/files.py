@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from ...diagnostics import Diagnostic, Span, diagnose, did_you_mean
+from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
 
 _MAGIC = {
     ".png": (b"\x89PNG\r\n\x1a\n",),
@@ -24,9 +24,11 @@ def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnosti
     try:
         present = os.listdir(folder)
     except OSError:
-        return diagnose("RL450", span, file=written, help=f"there is no folder `{folder}`")
+        return diagnose(
+            Code.MISSING_FILE, span, file=written, help=f"there is no folder `{folder}`"
+        )
     help_ = did_you_mean(name, present) or (f"looked in `{folder}`",)
-    return diagnose("RL450", span, file=written, help=help_)
+    return diagnose(Code.MISSING_FILE, span, file=written, help=help_)
 
 
 def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
@@ -34,18 +36,18 @@ def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diag
     target = folder / written
     try:
         if target.is_dir():
-            return diagnose("RL451", span, file=written, reason="it is a folder")
+            return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is a folder")
         with target.open("rb") as file:
             head = file.read(16)
     except FileNotFoundError:
         return missing_file(target.parent, target.name, span, written)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        return diagnose("RL451", span, file=written, reason=reason)
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=reason)
     if not head:
-        return diagnose("RL451", span, file=written, reason="it is empty")
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is empty")
     if picture and not _looks_like_a_picture(head):
-        return diagnose("RL451", span, file=written, reason="it is not a picture")
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is not a picture")
     return None
 
 

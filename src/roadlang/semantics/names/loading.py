@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from ...diagnostics import Diagnostic, Label, Source, Span, diagnose, did_you_mean
+from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean
 from ...syntax import parse, parse_formula
 from ...syntax.tree import nodes as ast
 from .files import missing_file
@@ -61,7 +61,7 @@ class _Loader:
         if declared is None or declared.role != "param":
             span = source.span(0, len(text))
             help_ = self._about_settings(name)
-            self._report("RL108", span, help=help_, name=name, where="this scene file")
+            self._report(Code.UNKNOWN_PARAM, span, help=help_, name=name, where="this scene file")
             return
         value, found = parse_formula(source)
         self._program.diagnostics.extend(found)
@@ -80,7 +80,7 @@ class _Loader:
         same = [found for found in headers if found.span.source == header.span.source]
         if same:
             self._report(
-                "RL109",
+                Code.DUPLICATE_STATEMENT,
                 header.span,
                 labels=[Label(same[0].span, "the first one")],
                 word="scenario",
@@ -94,10 +94,10 @@ class _Loader:
         known = self._program.declarations.get(name.text)
         if name.text in BUILT_IN:
             self._program.spoiled.add(name.text)
-            self._report("RL103", name.span, name=name.text)
+            self._report(Code.BUILT_IN_NAME, name.span, name=name.text)
         elif known is not None:
             labels = [Label(known.name.span, "first declared here")]
-            self._report("RL100", name.span, labels=labels, name=name.text)
+            self._report(Code.DUPLICATE_NAME, name.span, labels=labels, name=name.text)
             self._program.spoiled.add(name.text)
         else:
             role = getattr(statement, "word", type(statement).__name__.lower())
@@ -110,12 +110,12 @@ class _Loader:
         span = statement.path.span
         if real in chain:
             names = [os.path.basename(file) for file in (*chain[chain.index(real) :], real)]
-            self._report("RL105", span, cycle=" includes ".join(names))
+            self._report(Code.CIRCULAR_INCLUDE, span, cycle=" includes ".join(names))
             self._program.incomplete = True
             return set()
         if real in self._included:
             labels = [Label(self._included[real], "included here first")]
-            self._report("RL106", span, labels=labels, file=statement.path.value)
+            self._report(Code.DUPLICATE_INCLUDE, span, labels=labels, file=statement.path.value)
             return set()
         self._included[real] = span
         text = self._text(target, statement.path)
@@ -128,7 +128,7 @@ class _Loader:
             unsure = self._program.incomplete or key.text in self._program.spoiled
             if key.text not in params and not unsure:
                 self._report(
-                    "RL108",
+                    Code.UNKNOWN_PARAM,
                     key.span,
                     help=did_you_mean(key.text, params) or _list_of_params(sorted(params)),
                     name=key.text,
@@ -141,7 +141,12 @@ class _Loader:
         try:
             return target.read_bytes().decode("utf-8-sig")
         except UnicodeDecodeError:
-            self._report("RL107", written.span, file=written.value, reason="it is not UTF-8 text")
+            self._report(
+                Code.UNREADABLE_INCLUDE,
+                written.span,
+                file=written.value,
+                reason="it is not UTF-8 text",
+            )
         except OSError as error:
             if isinstance(error, FileNotFoundError):
                 self._program.diagnostics.append(
@@ -149,20 +154,26 @@ class _Loader:
                 )
             else:
                 reason = error.strerror or type(error).__name__
-                self._report("RL107", written.span, file=written.value, reason=reason)
+                self._report(
+                    Code.UNREADABLE_INCLUDE, written.span, file=written.value, reason=reason
+                )
         except ValueError as error:
-            self._report("RL107", written.span, file=written.value, reason=str(error))
+            self._report(
+                Code.UNREADABLE_INCLUDE, written.span, file=written.value, reason=str(error)
+            )
         return None
 
     def _settings(self, statement: ast.Include) -> list[ast.Word]:
         if statement.block is None:
             return []
         for found in statement.block.passes:
-            self._report("RL216", found.verb.span, what="`include`", verb=found.verb.text)
+            self._report(
+                Code.MISPLACED_PASS, found.verb.span, what="`include`", verb=found.verb.text
+            )
         keys: list[ast.Word] = []
         for option in statement.block.options:
             if any(key.text == option.key.text for key in keys):
-                self._report("RL222", option.key.span, name=option.key.text)
+                self._report(Code.DUPLICATE_OPTION, option.key.span, name=option.key.text)
                 continue
             keys.append(option.key)
             # The including file is read first: what it sets wins over what its includes set.

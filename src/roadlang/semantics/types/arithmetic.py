@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from ...diagnostics import Label, Span
+from ...diagnostics import Code, Label, Span
 from ...ir.dimension import PURE, Dimension
 from ...ir.values import Constant, NumberBinding, Operation, Value
 from ...syntax.tree import nodes as ast
@@ -36,7 +36,7 @@ def signal_arithmetic(checker: Checker, node: ast.Arithmetic, left: Typed, right
     if dimension is None:
         return unknown(node.span)
     if node.operator == "/" and right.constant == 0:
-        return checker.report("RL209", node.right.span, what="a number divided by 0")
+        return checker.report(Code.NOT_FINITE, node.right.span, what="a number divided by 0")
     reach = bounds.arithmetic(node.operator, left.bounds, right.bounds)
     both = (left, right)
     if any(isinstance(side.type, SignalType) for side in both):
@@ -69,14 +69,14 @@ def _dimension(
     exponent = right.constant
     if not dimension_of(right).is_pure:
         checker.report(
-            "RL201", right.span, what="an exponent", due="a pure number", found=right.type
+            Code.WRONG_UNIT, right.span, what="an exponent", due="a pure number", found=right.type
         )
         return None
     if dimension_of(left).is_pure:
         return PURE
     if exponent is None:
         due = "the same in every scene, since the unit depends on it"
-        checker.report("RL229", right.span, what="an exponent", due=due)
+        checker.report(Code.MUST_NOT_BE_RANDOM, right.span, what="an exponent", due=due)
         return None
     return dimension_of(left) ** exponent
 
@@ -91,7 +91,7 @@ def _folded(
         return Operation(node.operator, (a, b))
     number = _computed(node.operator, a.value, b.value)
     if number is None:
-        checker.report("RL209", node.span, what="this")
+        checker.report(Code.NOT_FINITE, node.span, what="this")
         return None
     return Constant(number, dimension)
 
@@ -166,7 +166,7 @@ def common_domain(checker: Checker, parts: Sequence[Typed]) -> Evidence | Typed 
         if found is not None and part.evidence.domain != found.domain:
             labels = [Label(found.span, _what(found))]
             return checker.report(
-                "RL350", part.evidence.span, labels=labels, one=found.text,
+                Code.MIXED_DOMAINS, part.evidence.span, labels=labels, one=found.text,
                 other=part.evidence.text, one_domain=_domain(found),
                 other_domain=_domain(part.evidence),
             )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...diagnostics import Fix, nearest
+from ...diagnostics import Code, Fix, nearest
 from ...ir.values import Items, Reference, Text, Value
 from ...plugins import option_types as opt
 from ...plugins.options import Constraints, OptionSchema
@@ -60,12 +60,14 @@ def _mismatch(
 ) -> Typed | None:
     wanted = describe(due, limits.words)
     if isinstance(typed.type, ty.SignalType | ty.FormulaType):
-        checker.report("RL231", typed.span, what=what, due=wanted, found=typed.type)
+        checker.report(Code.SIGNAL_FOR_NUMBER, typed.span, what=what, due=wanted, found=typed.type)
     elif isinstance(due, opt.EntityType) and isinstance(typed.type, ty.EntityType):
         name = typed.span.text
-        checker.report("RL228", typed.span, name=name, found=typed.type, due=wanted, what=what)
+        checker.report(
+            Code.WRONG_ENTITY, typed.span, name=name, found=typed.type, due=wanted, what=what
+        )
     else:
-        checker.report("RL206", typed.span, what=what, due=wanted, found=typed.type)
+        checker.report(Code.WRONG_TYPE, typed.span, what=what, due=wanted, found=typed.type)
     return None
 
 
@@ -111,7 +113,7 @@ def _quantity(
         else:
             wanted, found = due.dimension, kind.dimension
             checker.report(
-                "RL201", typed.span, what=what, due=wanted, found=found,
+                Code.WRONG_UNIT, typed.span, what=what, due=wanted, found=found,
                 help=f"{wanted} has a unit such as `{wanted.unit}`" if wanted.unit else (),
             )  # fmt: skip
         return None
@@ -130,9 +132,9 @@ def _is_whole(checker: Checker, typed: Typed, kind: ty.Quantity, what: str) -> b
         better = f"integer({low.strip()}, {high.strip()})"
         fixes = [Fix(typed.span, better)]
         help_ = f"`..` draws real numbers; write `{better}`"
-        checker.report("RL230", typed.span, what=what, help=help_, fixes=fixes)
+        checker.report(Code.NOT_WHOLE, typed.span, what=what, help=help_, fixes=fixes)
     else:
-        checker.report("RL230", typed.span, what=what)
+        checker.report(Code.NOT_WHOLE, typed.span, what=what)
     return False
 
 
@@ -163,7 +165,13 @@ def _sequence(
 
 
 def _count(checker: Checker, typed: Typed, what: str, due: str, found: int) -> Typed | None:
-    checker.report("RL208", typed.span, what=what, due=f"have {due} items", found=f"has {found}")
+    checker.report(
+        Code.VALUE_OUT_OF_BOUNDS,
+        typed.span,
+        what=what,
+        due=f"have {due} items",
+        found=f"has {found}",
+    )
     return None
 
 
@@ -175,7 +183,7 @@ def _in_order(checker: Checker, ends: list[Typed], whole: Typed) -> bool:
     low, high = ends[0].constant, ends[1].constant
     if low is not None and high is not None and low > high:
         text = f"[{ends[1].span.text}, {ends[0].span.text}]"
-        checker.report("RL207", whole.span, what="interval", help=f"write `{text}`")
+        checker.report(Code.REVERSED_RANGE, whole.span, what="interval", help=f"write `{text}`")
         return False
     return True
 
@@ -200,7 +208,9 @@ def _word(checker: Checker, typed: Typed, limits: Constraints, what: str) -> Typ
     place = places[0] if places else typed.span
     is_written = place.text.strip('"') == wrong[0]
     meant = nearest(wrong[0], limits.words) if is_written else None
-    checker.report("RL223", place, word=wrong[0], help=f"the words are {words}", meant=meant)
+    checker.report(
+        Code.UNKNOWN_WORD, place, word=wrong[0], help=f"the words are {words}", meant=meant
+    )
     return None
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import Code
 from ...ir.dimension import Dimension
 from ...plugins.describing import value_text
 from ...plugins.option_types import QuantityType
@@ -23,7 +24,7 @@ def check_limits(
     word, limit, number = fault
     verb = "can be" if low != high else "is"
     checker.report(
-        "RL208",
+        Code.VALUE_OUT_OF_BOUNDS,
         typed.span,
         what=what,
         due=f"be {word} {_quantity(limit, dimension)}",

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from functools import cache
 
-from ...diagnostics import Fix, Label, nearest
+from ...diagnostics import Code, Fix, Label, nearest
 from ...ir.dimension import ANGLE, Dimension
 from ...ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
 from ...ir.values import Constant
@@ -30,7 +30,7 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
     value = float(number.digits)
     if not number.unit:
         if value in (float("inf"), float("-inf")):
-            return checker.report("RL209", number.span, what=f"`{number.digits}`")
+            return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}`")
         whole = value.is_integer()
         kind = Quantity(fits_any=value == 0, bare=True, whole=whole)
         return Typed(number.span, kind, Constant(value), bounds=(value, value))
@@ -41,7 +41,7 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
         checker.divisors.append((number.unit[1:], number.span))
     value *= unit.factor
     if value in (float("inf"), float("-inf")):
-        return checker.report("RL209", number.span, what=f"`{number.digits}{number.unit}`")
+        return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}{number.unit}`")
     kind = Quantity(unit.dimension, whole=unit.dimension.is_pure and value.is_integer())
     return Typed(number.span, kind, Constant(value, unit.dimension), bounds=(value, value))
 
@@ -53,11 +53,13 @@ def _unit(checker: Checker, number: ast.Number) -> Unit | None:
         better = _one_slash(number.unit)
         fixes = [Fix(number.span, number.digits + better)]
         help_ = f"write `{number.digits}{better}`: everything behind the one `/` divides"
-        checker.report("RL204", number.span, unit=number.unit, help=help_, fixes=fixes)
+        checker.report(
+            Code.TWO_SLASHES_IN_UNIT, number.span, unit=number.unit, help=help_, fixes=fixes
+        )
     except UnknownUnit as error:
         _report_unknown_unit(checker, number, error.word)
     except (OverflowError, ZeroDivisionError):
-        checker.report("RL209", number.span, what=f"`{number.digits}{number.unit}`")
+        checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}{number.unit}`")
     return None
 
 
@@ -66,10 +68,10 @@ def _report_unknown_unit(checker: Checker, number: ast.Number, word: str) -> Non
     meant = _MEANT.get(word.lower()) or nearest(word, UNITS)
     if meant is None:
         known = ", ".join(unit for unit in UNITS)
-        checker.report("RL203", number.span, unit=word, help=f"the units are {known}")
+        checker.report(Code.UNKNOWN_UNIT, number.span, unit=word, help=f"the units are {known}")
         return
     better = number.digits + number.unit.replace(word, meant, 1)
-    checker.report("RL203", number.span, unit=word, meant=better)
+    checker.report(Code.UNKNOWN_UNIT, number.span, unit=word, meant=better)
 
 
 def _one_slash(text: str) -> str:
@@ -88,7 +90,7 @@ def unit_missing(checker: Checker, typed: Typed, due: Dimension) -> Typed:
     if unit.startswith("1/"):
         better = _DIGITS.sub(lambda match: match[0] + unit[1:], typed.span.text)
     return checker.report(
-        "RL202",
+        Code.MISSING_UNIT,
         typed.span,
         number=typed.span.text,
         due=due,
@@ -124,7 +126,7 @@ def common_dimension(checker: Checker, parts: Sequence[Typed], verb: str) -> Dim
             labels = [Label(leader.span, f"{due}")]
             found = dimension_of(part)
             checker.report(
-                "RL205", part.span, labels=labels, verb=verb, due=due, found=found,
+                Code.DIMENSION_MISMATCH, part.span, labels=labels, verb=verb, due=due, found=found,
                 left=short(leader), right=short(part),
             )  # fmt: skip
         break

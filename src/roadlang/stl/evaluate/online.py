@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.reach import horizon
@@ -42,7 +43,7 @@ class Monitor:
         """
         if self._positions and not position > self._positions[-1]:
             pair = f"{self._positions[-1]:g} is followed by {position:g}"
-            raise stl_error("RL301", problem=pair)
+            raise stl_error(Code.WRONG_POSITIONS, problem=pair)
         Trace.of([position], values, self._names).check()
         self._positions.append(float(position))
         for name in self._names:

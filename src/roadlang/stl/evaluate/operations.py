@@ -9,6 +9,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula.interval import Interval
 from .kernels import Extreme
@@ -124,7 +125,7 @@ def power(left: FloatArray, right: FloatArray) -> FloatArray:
 
 def _numbers(values: FloatArray, op: str) -> FloatArray:
     if not np.isfinite(values).all():
-        raise stl_error("RL307", op=op)
+        raise stl_error(Code.TERM_NOT_FINITE, op=op)
     return values
 
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from . import operations as o
@@ -50,7 +51,12 @@ def smooth_rho(
     trace = Trace.of(positions, signals, formula.variables, wrap)
     if trace.batched:
         shape = "has a variant axis"
-        raise stl_error("RL303", what="the trace", expected="be a single one", found=f"it {shape}")
+        raise stl_error(
+            Code.WRONG_SIGNAL_SHAPE,
+            what="the trace",
+            expected="be a single one",
+            found=f"it {shape}",
+        )
     plan = Plan.of(Graph.of(formula), Axis(trace.positions, wrap), (0, 0))
     return _Tape(trace, sharpness).run(plan)
 
@@ -133,7 +139,7 @@ class _Tape:
             return value, lambda g: tuple(g * weight for weight in weights)
         rule = _DERIVATIVES.get(function)
         if rule is None:
-            raise stl_error("RL343")
+            raise stl_error(Code.SMOOTH_POWER)
         value = function(*inputs)
         return value, lambda g: tuple(g * slope for slope in rule(*inputs))
 

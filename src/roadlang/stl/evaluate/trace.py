@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...diagnostics import did_you_mean
+from ...diagnostics import Code, did_you_mean
 from ..errors import stl_error
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -100,7 +100,9 @@ def _variants(signals: Signals) -> int | None:
     counts = {name: shape[0] for name, shape in shapes.items() if len(shape) == 2}
     if len(set(counts.values()) - {1}) > 1:
         found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
-        raise stl_error("RL303", what="the signals", expected="agree in variants", found=found)
+        raise stl_error(
+            Code.WRONG_SIGNAL_SHAPE, what="the signals", expected="agree in variants", found=found
+        )
     return max(counts.values(), default=None)
 
 
@@ -109,19 +111,19 @@ def checked_positions(positions: Positions) -> FloatArray:
     try:
         stations = np.asarray(positions, dtype=np.float64)
     except (TypeError, ValueError):
-        raise stl_error("RL301", problem="they are not numbers") from None
+        raise stl_error(Code.WRONG_POSITIONS, problem="they are not numbers") from None
     if stations.ndim != 1:
-        raise stl_error("RL301", problem=f"their shape is {stations.shape}, not (S,)")
+        raise stl_error(Code.WRONG_POSITIONS, problem=f"their shape is {stations.shape}, not (S,)")
     if stations.size == 0:
-        raise stl_error("RL300")
+        raise stl_error(Code.EMPTY_TRACE)
     if not np.isfinite(stations).all():
         index = int(np.argmin(np.isfinite(stations)))
-        raise stl_error("RL301", problem=f"position {index} is {stations[index]}")
+        raise stl_error(Code.WRONG_POSITIONS, problem=f"position {index} is {stations[index]}")
     steps = np.diff(stations)
     if steps.size and not steps.min() > 0:
         index = int(np.argmax(steps <= 0))
         pair = f"{stations[index]:g} is followed by {stations[index + 1]:g}"
-        raise stl_error("RL301", problem=f"{pair} (sample {index + 1})")
+        raise stl_error(Code.WRONG_POSITIONS, problem=f"{pair} (sample {index + 1})")
     return stations
 
 
@@ -129,18 +131,23 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
     if name not in signals:
         known = ", ".join(f"`{other}`" for other in sorted(signals)) or "none"
         hints = (*did_you_mean(name, signals), f"the signals given are: {known}")
-        raise stl_error("RL304", name=name, help=hints)
+        raise stl_error(Code.MISSING_SIGNAL, name=name, help=hints)
     array: NDArray[np.generic] = np.asarray(signals[name])
     if array.dtype.kind not in "fiub":
         raise stl_error(
-            "RL303", what=f"`{name}`", expected="be numbers", found=f"is of type {array.dtype}"
+            Code.WRONG_SIGNAL_SHAPE,
+            what=f"`{name}`",
+            expected="be numbers",
+            found=f"is of type {array.dtype}",
         )
     samples = stations.size
     if array.ndim > 2 or (array.ndim > 0 and array.shape[-1] not in (1, samples)):
         expected = f"have shape ({samples},), (V, {samples}) or (V, 1)"
-        raise stl_error("RL303", what=f"`{name}`", expected=expected, found=f"has {array.shape}")
+        raise stl_error(
+            Code.WRONG_SIGNAL_SHAPE, what=f"`{name}`", expected=expected, found=f"has {array.shape}"
+        )
     if array.ndim == 2 and array.shape[0] == 0:
-        raise stl_error("RL300")
+        raise stl_error(Code.EMPTY_TRACE)
     return array
 
 
@@ -153,10 +160,10 @@ def _check_finite(name: str, values: FloatArray, first: int, positions: FloatArr
     place = f"position {positions[column]:g}" if values.shape[1] > 1 else "every position"
     if values.shape[0] > 1:
         place += f" of variant {first + row}"
-    raise stl_error("RL302", name=name, value=values[row, column], place=place)
+    raise stl_error(Code.NOT_A_NUMBER_IN_SIGNAL, name=name, value=values[row, column], place=place)
 
 
 def _check_wrap(wrap: float | None, stations: FloatArray) -> None:
     length = float(stations[-1] - stations[0])
     if wrap is not None and not (np.isfinite(wrap) and wrap > length):
-        raise stl_error("RL306", wrap=f"{wrap:g}", length=f"{length:g}")
+        raise stl_error(Code.WRONG_CLOSED_LENGTH, wrap=f"{wrap:g}", length=f"{length:g}")

@@ -10,6 +10,7 @@ from itertools import product
 
 import numpy as np
 
+from ...diagnostics import Code
 from ..errors import stl_error
 from ..evaluate.trace import Positions, Signals
 from ..formats.text import parse
@@ -83,14 +84,16 @@ class _Search:
     def check(self) -> None:
         """Each parameter has finite bounds in order and occurs in the text."""
         if not self.recordings:
-            raise stl_error("RL300")
+            raise stl_error(Code.EMPTY_TRACE)
         for parameter in self.parameters:
             name, low, high = parameter.name, parameter.low, parameter.high
             if not (math.isfinite(low) and math.isfinite(high) and low < high):
                 problem = f"its bounds are {number_text(low)} and {number_text(high)}"
-                raise stl_error("RL342", name=name, problem=problem)
+                raise stl_error(Code.WRONG_PARAMETER, name=name, problem=problem)
             if not _word(name).search(self.text):
-                raise stl_error("RL342", name=name, problem="the formula does not name it")
+                raise stl_error(
+                    Code.WRONG_PARAMETER, name=name, problem="the formula does not name it"
+                )
 
     def formula(self, values: Mapping[str, float]) -> f.Formula:
         text = self.text
@@ -119,7 +122,7 @@ class _Search:
             if self.holds(values := dict(zip(names, corner, strict=True)))
         ]
         if not holding:
-            raise stl_error("RL341", formula=self.text)
+            raise stl_error(Code.FORMULA_NEVER_HOLDS, formula=self.text)
         best = max(holding, key=self.rho)
         return dict(best), dict(best)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ...diagnostics import Source
+from ...diagnostics import Code, Source
 from ..errors import stl_error
 from ..formula import formulas as f
 from .text import parse
@@ -40,7 +40,9 @@ def read_breach(text: str) -> f.Formula:
     for match in _SIGNAL.finditer(text):
         if match[2].strip():
             span = Source("<Breach formula>", text).span(*match.span())
-            raise stl_error("RL331", span, signal=" ".join(match[0].split()), name=match[1])
+            raise stl_error(
+                Code.OTHER_TIME_THAN_T, span, signal=" ".join(match[0].split()), name=match[1]
+            )
     text = _SIGNAL.sub(r"\1", text).replace("~=", "!=").replace("~", "!")
     text = _UNDERSCORE.sub(r"\1", text)
     text = _BREACH_TEMPORAL.sub(lambda match: _BREACH_WORDS[match[1]], text)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any, cast, get_args
 
+from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
@@ -120,4 +121,4 @@ def _term_from_json(value: Json) -> t.Term:
 
 def _refusal(value: Json) -> Exception:
     shown = repr(value)
-    return stl_error("RL310", found=shown if len(shown) <= 60 else f"{shown[:57]}...")
+    return stl_error(Code.NOT_JSON_FORMULA, found=shown if len(shown) <= 60 else f"{shown[:57]}...")

@@ -5,7 +5,16 @@ from __future__ import annotations
 import math
 from typing import Any, cast, get_args
 
-from ...diagnostics import Diagnostic, DiagnosticError, Fix, Span, diagnose, did_you_mean, nearest
+from ...diagnostics import (
+    Code,
+    Diagnostic,
+    DiagnosticError,
+    Fix,
+    Span,
+    diagnose,
+    did_you_mean,
+    nearest,
+)
 from ...syntax.tree import nodes as ast
 from ..formula import formulas as f
 from ..formula import terms as t
@@ -59,7 +68,7 @@ class Reader:
         if isinstance(node, _NUMBER_NODES):
             text = " ".join(node.span.text.split())
             self._fault(
-                "RL320",
+                Code.NUMBER_FOR_FORMULA,
                 node.span,
                 help=f"compare it: `{text} > 0`",
                 fixes=(Fix(node.span, f"({text} > 0)"),),
@@ -92,7 +101,9 @@ class Reader:
                 return self._call(node)
         if isinstance(node, _FORMULA_NODES):
             hint = "for two formulas that hold together write `iff`, for exactly one `xor`"
-            self._fault("RL321", node.span, help=hint, text=" ".join(node.span.text.split()))
+            self._fault(
+                Code.FORMULA_FOR_NUMBER, node.span, help=hint, text=" ".join(node.span.text.split())
+            )
         else:
             self._unfit(node)
         return _ZERO
@@ -117,7 +128,7 @@ class Reader:
         if not fits or any(argument.key for argument in node.arguments):
             due = "one number" if name == "abs" else "two numbers or more, without names"
             hint = "write `abs(x)`" if name == "abs" else f"write `{name}(x, y)`"
-            self._fault("RL327", node.span, help=hint, name=name, due=due)
+            self._fault(Code.WRONG_FORMULA_ARGUMENTS, node.span, help=hint, name=name, due=due)
             return _ZERO
         return t.Apply(cast(t.FunctionName, name), tuple(arguments))
 
@@ -125,12 +136,12 @@ class Reader:
         name, known = _dotted(node), get_args(t.FunctionName)
         if name in ("next", "nxt", "X", "Y", "prev"):
             hint = "samples have no `next`: write `eventually[d, d] (...)` with a distance d"
-            self._fault("RL322", node.span, help=hint, name=name)
+            self._fault(Code.UNKNOWN_FORMULA_FUNCTION, node.span, help=hint, name=name)
             return
         found = nearest(name, known)
         hints = (*did_you_mean(name, known), f"the functions are {', '.join(known)}")
         fixes = (Fix(node.span, found),) if found else ()
-        self._fault("RL322", node.span, help=hints, fixes=fixes, name=name)
+        self._fault(Code.UNKNOWN_FORMULA_FUNCTION, node.span, help=hints, fixes=fixes, name=name)
 
     def _number(self, node: ast.Number) -> float:
         try:
@@ -141,7 +152,9 @@ class Reader:
                 f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
             )
             fixes = (Fix(node.span, node.digits),)
-            self._fault("RL324", node.span, help=hints, fixes=fixes, unit=node.unit)
+            self._fault(
+                Code.UNKNOWN_FORMULA_UNIT, node.span, help=hints, fixes=fixes, unit=node.unit
+            )
             return 0.0
 
     def _interval(self, node: ast.Interval | None) -> Interval | None:
@@ -161,7 +174,7 @@ class Reader:
             if low < 0:
                 hints.append("to look back, use `once`, `historically` or `since`")
             fixes = (Fix(node.span, mended),) if mended else ()
-            self._fault("RL305", node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
+            self._fault(Code.WRONG_INTERVAL, node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
             return None
 
     def _bound(self, node: ast.Expression) -> float:
@@ -169,7 +182,9 @@ class Reader:
         if isinstance(term, t.Constant):
             return term.value
         hint = "write a number or `inf`; `roadlang mine` finds a number for a name"
-        self._fault("RL326", node.span, help=hint, text=" ".join(node.span.text.split()))
+        self._fault(
+            Code.INTERVAL_NOT_CONSTANT, node.span, help=hint, text=" ".join(node.span.text.split())
+        )
         return 0.0
 
     def _check_axis(self, node: ast.Interval) -> None:
@@ -182,7 +197,13 @@ class Reader:
             if len(self._axes) == 2:
                 other = next(span for known, span in self._axes.items() if known != axis)
                 hint = "write one formula for the road and one for the drive"
-                self._fault("RL325", bound.span, help=hint, here=bound.span.text, there=other.text)
+                self._fault(
+                    Code.LENGTHS_AND_TIMES,
+                    bound.span,
+                    help=hint,
+                    here=bound.span.text,
+                    there=other.text,
+                )
                 return
 
     def _unfit(self, node: ast.Expression) -> None:
@@ -194,7 +215,7 @@ class Reader:
             low, high = node.low.span.text, node.high.span.text
             hint = f"draws belong to scene files; between two bounds is `{low} < x < {high}`"
         text = " ".join(node.span.text.split())
-        self._fault("RL323", node.span, help=hint, fixes=fixes, text=text)
+        self._fault(Code.NOT_IN_FORMULAS, node.span, help=hint, fixes=fixes, text=text)
 
     def _fault(self, code: str, span: Span, **values: Any) -> None:
         self.faults.append(diagnose(code, span, **values))

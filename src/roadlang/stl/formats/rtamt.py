@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 
+from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
@@ -90,4 +91,4 @@ def _term(term: t.Term) -> str:
 
 
 def _cannot(text: str) -> Exception:
-    return stl_error("RL330", text=text)
+    return stl_error(Code.NOT_IN_RTAMT, text=text)

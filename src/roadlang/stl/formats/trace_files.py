@@ -8,7 +8,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from ...diagnostics import DiagnosticError, diagnose
+from ...diagnostics import Code, DiagnosticError, diagnose
 
 Columns = tuple[str, list[float], dict[str, list[float]]]
 
@@ -116,4 +116,6 @@ def _is_number(text: str) -> bool:
 
 
 def _unreadable(path: Path, problem: str) -> DiagnosticError:
-    return DiagnosticError(diagnose("RL340", path=str(path), file=path.name, problem=problem))
+    return DiagnosticError(
+        diagnose(Code.NOT_A_TRACE, path=str(path), file=path.name, problem=problem)
+    )

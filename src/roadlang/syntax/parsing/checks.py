@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-from ...diagnostics import Diagnostic, Fix, Source, Span, diagnose
+from ...diagnostics import Code, Diagnostic, Fix, Source, Span, diagnose
 from ..recovery.stuck_position import begins_line
 from ..tree import nodes as ast
 from ..tree.walk import walk
@@ -45,7 +45,7 @@ def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
     found: list[Diagnostic] = []
     for node, depth in walk(root):
         if depth > DEEPEST:
-            return [diagnose("RL024", node.span)], False
+            return [diagnose(Code.NESTING_TOO_DEEP, node.span)], False
         match node:
             case ast.Block():
                 found.extend(_separated(node.items))
@@ -54,7 +54,7 @@ def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
             case ast.Arithmetic():
                 found.extend(_draw_beside(node))
             case ast.Draw(low=ast.Draw()):
-                found.append(diagnose("RL017", node.span))
+                found.append(diagnose(Code.CHAINED_RANGE, node.span))
             case ast.Binding():
                 found.extend(_chained_binding(node))
                 found.extend(_parentheses(node, (node.left,)))
@@ -73,14 +73,14 @@ def _place_of(statement: ast.Statement) -> Iterator[Diagnostic]:
         end = start + len(source.text[start : start + 12].split()[0])
         fix = Fix(source.span(start, start), "\n")
         help = "begin a new line before it"
-        yield diagnose("RL013", source.span(start, end), help=help, fixes=[fix])
+        yield diagnose(Code.STATEMENT_INSIDE_LINE, source.span(start, end), help=help, fixes=[fix])
 
 
 def _declared_name(statement: ast.Statement) -> Iterator[Diagnostic]:
     name = getattr(statement, "name", None)
     if isinstance(name, ast.Word) and name.text in _NOT_NAMES:
         help = f"choose another name, such as `{name.text}_1`"
-        yield diagnose("RL012", name.span, word=name.text, help=help)
+        yield diagnose(Code.STATEMENT_WORD_AS_NAME, name.span, word=name.text, help=help)
 
 
 def _separated(items: Iterable[ast.Node]) -> Iterator[Diagnostic]:
@@ -94,7 +94,9 @@ def _separated(items: Iterable[ast.Node]) -> Iterator[Diagnostic]:
             if "\n" not in between and "," not in between and not closed:
                 fix = Fix(item.span.source.span(start, start), ",")
                 place = item.span.source.span(end, min(item.span.end, end + _key_length(item)))
-                yield diagnose("RL014", place, help="put a comma between them", fixes=[fix])
+                yield diagnose(
+                    Code.MISSING_COMMA, place, help="put a comma between them", fixes=[fix]
+                )
         previous = item
 
 
@@ -118,7 +120,7 @@ def _draw_beside(node: ast.Arithmetic) -> Iterator[Diagnostic]:
     else:
         return
     draw = node.right if isinstance(node.right, ast.Draw) else node.left
-    yield _refused("RL016", draw.span, node.span, readings, node.operator)
+    yield _refused(Code.AMBIGUOUS_RANGE_OPERAND, draw.span, node.span, readings, node.operator)
 
 
 # --- chains --------------------------------------------------------------------------------------
@@ -131,7 +133,7 @@ def _chained_binding(node: ast.Binding) -> Iterator[Diagnostic]:
         first, second = _between(inner.left, inner.right), _between(inner, node.right)
         b, c = _text(inner.right), _text(node.right)
         readings = (f"({a}{first}{b}){second}{c}", f"{a}{first}({b}{second}{c})")
-        yield _refused("RL018", node.word_span, node.span, readings, node.word)
+        yield _refused(Code.CHAINED_OPERATOR, node.word_span, node.span, readings, node.word)
 
 
 def _chained_logic(node: ast.Logic) -> Iterator[Diagnostic]:
@@ -141,7 +143,7 @@ def _chained_logic(node: ast.Logic) -> Iterator[Diagnostic]:
         first, second = f" {inner.word} ", f" {node.word} "
         readings = (f"({a}{first}{b}){second}{c}", f"{a}{first}({b}{second}{c})")
         place = _sign_between(inner, node.operands[1])
-        yield _refused("RL018", place, node.span, readings, node.word)
+        yield _refused(Code.CHAINED_OPERATOR, place, node.span, readings, node.word)
 
 
 # --- parentheses ---------------------------------------------------------------------------------
@@ -161,7 +163,14 @@ def _parentheses(
         tail = source.text[body.span.end : node.span.end]
         readings = (f"{head}({_text(body)}){tail}", f"{head}({_text(body)}{tail})")
         place = source.span(temporal.span.start, node.span.end)
-        yield _refused("RL015", temporal.span, place, readings, node.word, temporal.word)
+        yield _refused(
+            Code.AMBIGUOUS_TEMPORAL_OPERAND,
+            temporal.span,
+            place,
+            readings,
+            node.word,
+            temporal.word,
+        )
 
 
 def _open_temporal(node: ast.Expression) -> ast.Temporal | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from ...diagnostics import Diagnostic, Source
+from ...diagnostics import Code, Diagnostic, Source
 from ..recovery.operator_spelling import misspelled_temporal
 from ..tree import nodes as ast
 from .builder import Builder
@@ -84,7 +84,11 @@ def _lines(diagnostics: list[Diagnostic]) -> frozenset[int]:
 
 def _echo(found: Diagnostic, quiet: frozenset[int]) -> bool:
     """A missing comma or line end where a foreign character has been left out."""
-    return found.code in ("RL013", "RL014") and found.span is not None and found.span.line in quiet
+    return (
+        found.code in (Code.STATEMENT_INSIDE_LINE, Code.MISSING_COMMA)
+        and found.span is not None
+        and found.span.line in quiet
+    )
 
 
 def _reported(diagnostics: list[Diagnostic]) -> list[Diagnostic]:

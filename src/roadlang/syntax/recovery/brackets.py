@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Diagnostic, Fix, Source, diagnose
+from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
 from ..parsing.tables import END
 from ..parsing.tokens import Token
 from ..words import CLOSERS, DEEPEST, OPENERS, SIGNS
@@ -35,7 +35,7 @@ def _exchange(
     line = source.span(start, end).line
     help = f"`{text}` of line {line} is closed by `{closer}`"
     fixes = [Fix(there, closer)]
-    found.append(diagnose("RL004", there, what=wrong[1], help=help, fixes=fixes))
+    found.append(diagnose(Code.UNMATCHED_BRACKET, there, what=wrong[1], help=help, fixes=fixes))
     return [*tokens[:place], (OPENERS[kind], closer, *wrong[2:]), *tokens[place + 1 :]]
 
 
@@ -46,7 +46,7 @@ def _close(
     kind, text, start, end = tokens[opener]
     closer = SIGNS[OPENERS[kind]]
     span = source.span(start, end)
-    found.append(diagnose("RL003", span, what=text, help=f"close it with `{closer}`"))
+    found.append(diagnose(Code.UNCLOSED_BRACKET, span, what=text, help=f"close it with `{closer}`"))
     behind, before = tokens[place - 1][3], tokens[place - 1][0]
     closed = [*tokens[:place], (OPENERS[kind], closer, behind, behind), *tokens[place:]]
     if kind == "LBRACE":

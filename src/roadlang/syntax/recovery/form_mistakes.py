@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Fix, diagnose
+from ...diagnostics import Code, Fix, diagnose
 from ..parsing.tables import END
 from ..words import BINDING_KINDS, TEMPORAL_KINDS
 from .stuck_position import Edit, Mistake, Place
@@ -22,11 +22,15 @@ def interval_form(place: Place) -> Mistake | None:
     span = place.source.span(place.tokens[opener][2], place.token()[3])
     if dots:
         fixed = span.text.replace("..", ", ", 1)
-        found = diagnose("RL026", span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)])
+        found = diagnose(
+            Code.WRONG_INTERVAL_FORM, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
+        )
         dot = place.tokens[dots[0]]
         return Mistake(found, Edit(dots[0], dots[0] + 1, (("COMMA", ",", dot[2], dot[3]),)))
     zero = "[0, " + span.text[1:].strip()
-    found = diagnose("RL026", span, help=f"from now on: `{zero}`", fixes=[Fix(span, zero)])
+    found = diagnose(
+        Code.WRONG_INTERVAL_FORM, span, help=f"from now on: `{zero}`", fixes=[Fix(span, zero)]
+    )
     start = place.tokens[opener][3]
     low = (("NUMBER", "0", start, start), ("COMMA", ",", start, start))
     return Mistake(found, Edit(opener + 1, opener + 1, low))
@@ -38,7 +42,9 @@ def _round_interval(place: Place) -> Mistake | None:
         return None
     span = place.source.span(place.tokens[opener][2], place.token(-1)[3])
     fixed = f"[{span.text[1:-1]}]"
-    found = diagnose("RL026", span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)])
+    found = diagnose(
+        Code.WRONG_INTERVAL_FORM, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
+    )
     inside = place.tokens[opener + 1 : place.index - 1]
     first, last = place.tokens[opener], place.token(-1)
     tokens = (("LSQB", "[", first[2], first[3]), *inside, ("RSQB", "]", last[2], last[3]))
@@ -62,7 +68,7 @@ def list_operand(place: Place) -> Mistake | None:
     before = place.kind() == "LSQB" and place.wants_value
     if not behind and not before:
         return None
-    return Mistake(diagnose("RL025", place.span()))
+    return Mistake(diagnose(Code.LIST_AS_OPERAND, place.span()))
 
 
 def actor_order(place: Place) -> Mistake | None:
@@ -77,5 +83,9 @@ def actor_order(place: Place) -> Mistake | None:
     while place.tokens[end][0] not in ("LBRACE", END):
         end += 1
     moved = (*place.tokens[place.index : end], *place.tokens[at : place.index])
-    found = diagnose("RL022", place.span(), help="the order is `is KIND on ROAD at PLACE { ... }`")
+    found = diagnose(
+        Code.WRONG_ORDER_OF_PARTS,
+        place.span(),
+        help="the order is `is KIND on ROAD at PLACE { ... }`",
+    )
     return Mistake(found, Edit(at, end, moved))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...diagnostics import diagnose
+from ...diagnostics import Code, diagnose
 from ..words import CLOSERS, OPENERS
 from .form_mistakes import actor_order, interval_form, list_operand
 from .number_mistakes import decimal_comma, decimal_point, loose_unit
@@ -86,7 +86,7 @@ def unexpected(place: Place) -> Mistake:
             edit = Edit(place.index, place.index, (_token(place, kind, sign),))
             break
     wanted = f"`{edit.tokens[0][1]}`" if edit else expectation(place)
-    found = diagnose("RL001", place.span(), expected=wanted, found=finding(place))
+    found = diagnose(Code.UNEXPECTED_TOKEN, place.span(), expected=wanted, found=finding(place))
     return Mistake(found, edit)
 
 

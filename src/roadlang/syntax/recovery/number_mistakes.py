@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ...diagnostics import Fix, diagnose
+from ...diagnostics import Code, Fix, diagnose
 from ..words import UNITS
 from .stuck_position import Edit, Mistake, Place
 
@@ -26,7 +26,7 @@ def loose_unit(place: Place) -> Mistake | None:
         span = place.source.span(number[2], match.end())
         fixed = number[1] + match[1]
         found = diagnose(
-            "RL009", span, number=number[1], unit=match[1], help=f"write `{fixed}`",
+            Code.SPACE_BEFORE_UNIT, span, number=number[1], unit=match[1], help=f"write `{fixed}`",
             fixes=[Fix(span, fixed)],
         )  # fmt: skip
         meant = ("NUMBER", fixed, span.start, span.end)
@@ -49,7 +49,9 @@ def decimal_point(place: Place) -> Mistake | None:
         return None
     span = place.span(first, last)
     help = f"write `{fixed}`"
-    found = diagnose("RL008", span, number=span.text, help=help, fixes=[Fix(span, fixed)])
+    found = diagnose(
+        Code.INCOMPLETE_DECIMAL, span, number=span.text, help=help, fixes=[Fix(span, fixed)]
+    )
     meant = ("NUMBER", fixed, span.start, span.end)
     return Mistake(found, Edit(place.index + first, place.index + last + 1, (meant,)))
 
@@ -63,6 +65,8 @@ def decimal_comma(place: Place) -> Mistake | None:
     span = place.span(-2, 0)
     fixed = f"{place.word(-2)}.{place.word()}"
     help = f"write `{fixed}`"
-    found = diagnose("RL008", span, number=span.text, help=help, fixes=[Fix(span, fixed)])
+    found = diagnose(
+        Code.INCOMPLETE_DECIMAL, span, number=span.text, help=help, fixes=[Fix(span, fixed)]
+    )
     meant = ("NUMBER", fixed, span.start, span.end)
     return Mistake(found, Edit(place.index - 2, place.index + 1, (meant,)))

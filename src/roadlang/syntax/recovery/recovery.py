@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...diagnostics import Diagnostic, Fix, Source, diagnose
+from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
 from ..parsing.engine import Build, Stuck, run
 from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
@@ -53,7 +53,7 @@ class Recovery:
         deep = too_deep(tokens)
         if deep is not None:
             span = self.source.span(tokens[deep][2], tokens[deep][3])
-            self.diagnostics.append(diagnose("RL024", span))
+            self.diagnostics.append(diagnose(Code.NESTING_TOO_DEEP, span))
             return self.lost(original)
         value = self.attempt(start, tokens)
         if not isinstance(value, Stuck):
@@ -80,7 +80,9 @@ class Recovery:
             meant = meant_temporal(text) or text
             span = self.source.span(start, end)
             help, fixes = f"did you mean `{meant}`?", (Fix(span, meant),)
-            self.diagnostics.append(diagnose("RL021", span, word=text, help=help, fixes=fixes))
+            self.diagnostics.append(
+                diagnose(Code.MISSPELLED_WORD, span, word=text, help=help, fixes=fixes)
+            )
             mended[index] = (meant.upper(), meant, start, end)
             index = misspelled_temporal(mended, index)
         return mended
@@ -126,7 +128,9 @@ class Recovery:
         if meant is None and looks_like_item(tokens, 0):
             help = ["options and passes stand between the braces of a statement"]
         fixes = [Fix(span, meant)] if meant is not None else []
-        self.diagnostics.append(diagnose("RL002", span, word=text, help=help, fixes=fixes))
+        self.diagnostics.append(
+            diagnose(Code.UNKNOWN_STATEMENT, span, word=text, help=help, fixes=fixes)
+        )
         if meant is None:
             self.lost(tokens)
             return [tokens[-1]]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Fix, diagnose
+from ...diagnostics import Code, Fix, diagnose
 from ..words import CLOSERS
 from .stuck_position import Edit, Mistake, Place
 from .token_names import expectation, finding
@@ -20,9 +20,13 @@ def wrong_sign(place: Place) -> Mistake | None:
             if place.kind(1) == "EQUAL" and place.glued(1):
                 last = 2
             found = diagnose(
-                "RL010", span, right=sign, wrong=place.word(), help=f"write `{sign}`",
+                Code.WRONG_ASSIGNMENT_SIGN,
+                span,
+                right=sign,
+                wrong=place.word(),
+                help=f"write `{sign}`",
                 fixes=[Fix(span, sign)],
-            )  # fmt: skip
+            )
             token = (meant, sign, span.start, span.end)
             return Mistake(found, Edit(place.index, place.index + last, (token,)))
     return None
@@ -38,7 +42,7 @@ def stray_closer(place: Place) -> Mistake | None:
     if depth > 0:
         return None
     help = "leave it out, or open it where it belongs"
-    found = diagnose("RL004", place.span(), what=place.word(), help=help)
+    found = diagnose(Code.UNMATCHED_BRACKET, place.span(), what=place.word(), help=help)
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
@@ -46,7 +50,9 @@ def one_too_many(place: Place) -> Mistake | None:
     """A comma or a `with` that can be left out."""
     if place.kind() not in ("COMMA", "WITH") or not place.goes_on(skip=1):
         return None
-    found = diagnose("RL001", place.span(), expected=expectation(place), found=finding(place))
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN, place.span(), expected=expectation(place), found=finding(place)
+    )
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
@@ -55,7 +61,11 @@ def power_of_python(place: Place) -> Mistake | None:
         return None
     span = place.span(-1, 0)
     found = diagnose(
-        "RL006", span, what="**", help="a power is written with `^`", fixes=[Fix(span, "^")]
+        Code.UNEXPECTED_CHARACTER,
+        span,
+        what="**",
+        help="a power is written with `^`",
+        fixes=[Fix(span, "^")],
     )
     meant = ("POWER", "^", span.start, span.end)
     return Mistake(found, Edit(place.index - 1, place.index + 1, (meant,)))
@@ -66,6 +76,8 @@ def turned_comparison(place: Place) -> Mistake | None:
     if place.kind() != "EQUAL" or place.word(1) != "<" or not place.glued(1):
         return None
     span = place.span(0, 1)
-    found = diagnose("RL006", span, what="=<", help="write `<=`", fixes=[Fix(span, "<=")])
+    found = diagnose(
+        Code.UNEXPECTED_CHARACTER, span, what="=<", help="write `<=`", fixes=[Fix(span, "<=")]
+    )
     meant = ("COMPARISON", "<=", span.start, span.end)
     return Mistake(found, Edit(place.index, place.index + 2, (meant,)))

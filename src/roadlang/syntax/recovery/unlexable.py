@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from ...diagnostics import Diagnostic, Fix, Source, diagnose
+from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
 from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
 from ..tree.strings import ESCAPES
@@ -79,7 +79,7 @@ def _text(place: Misread) -> Answer:
     end = following.start() if following else len(place.text)
     place.tokens.append(("TEXT", place.text[place.start : end].rstrip() + '"""', place.start, end))
     span = place.source.span(place.start, place.start + 3)
-    return diagnose("RL005", span, what="text", help='close it with `"""`'), end
+    return diagnose(Code.UNCLOSED_STRING, span, what="text", help='close it with `"""`'), end
 
 
 def _escape(place: Misread, end: int) -> Answer:
@@ -89,7 +89,9 @@ def _escape(place: Misread, end: int) -> Answer:
     span = place.source.span(*match.span())
     meant = "\\" + match[0]
     help = f"a backslash is written `\\\\`: `{meant}`"
-    return diagnose("RL020", span, escape=match[0], help=help, fixes=[Fix(span, meant)]), end
+    return diagnose(
+        Code.UNKNOWN_ESCAPE, span, escape=match[0], help=help, fixes=[Fix(span, meant)]
+    ), end
 
 
 def _bad(match: re.Match[str]) -> bool:
@@ -104,7 +106,9 @@ def _string(place: Misread) -> Answer:
     place.tokens.append(("STRING", place.text[place.start : end] + '"', place.start, end))
     span = place.source.span(place.start, end)
     fixes = [Fix(place.source.span(end, end), '"')]
-    return diagnose("RL005", span, what="string", help='close it with `"`', fixes=fixes), end
+    return diagnose(
+        Code.UNCLOSED_STRING, span, what="string", help='close it with `"`', fixes=fixes
+    ), end
 
 
 def _single_quotes(place: Misread) -> Answer | None:
@@ -116,7 +120,11 @@ def _single_quotes(place: Misread) -> Answer | None:
     place.read_as("STRING", meant, match.end())
     span = place.source.span(*match.span())
     found = diagnose(
-        "RL006", span, what=match[0][0], help=f"write `{meant}`", fixes=[Fix(span, meant)]
+        Code.UNEXPECTED_CHARACTER,
+        span,
+        what=match[0][0],
+        help=f"write `{meant}`",
+        fixes=[Fix(span, meant)],
     )
     return found, match.end()
 
@@ -131,7 +139,7 @@ def _latex(place: Misread) -> Answer | None:
     formula = line.partition(":")[2] if ":" in line.partition("\\")[0] else line
     span = place.source.span(*match.span())
     shown = from_latex(formula)
-    return diagnose("RL019", span, help=f"in roadlang: `{shown}`"), end
+    return diagnose(Code.LATEX_FORMULA, span, help=f"in roadlang: `{shown}`"), end
 
 
 def _symbol(place: Misread) -> Answer | None:
@@ -146,7 +154,9 @@ def _symbol(place: Misread) -> Answer | None:
         place.read_as(kind, meant, end)
     span = place.source.span(place.start, end)
     help = f"write `{meant}`" if meant else "leave it out: a statement ends where the next begins"
-    return diagnose("RL006", span, what=char, help=help, fixes=[Fix(span, meant)]), end
+    return diagnose(
+        Code.UNEXPECTED_CHARACTER, span, what=char, help=help, fixes=[Fix(span, meant)]
+    ), end
 
 
 def _percent(place: Misread) -> Answer | None:
@@ -160,7 +170,9 @@ def _percent(place: Misread) -> Answer | None:
     span = place.source.span(start, place.start + 1)
     fixed = number + "%"
     help = f"write `{fixed}`"
-    found = diagnose("RL009", span, number=number, unit="%", help=help, fixes=[Fix(span, fixed)])
+    found = diagnose(
+        Code.SPACE_BEFORE_UNIT, span, number=number, unit="%", help=help, fixes=[Fix(span, fixed)]
+    )
     return found, place.start + 1
 
 
@@ -178,7 +190,9 @@ def _letter(place: Misread) -> Answer | None:
         return None, end
     place.lexed.names.add(name)
     span = place.source.span(start, end)
-    return diagnose("RL007", span, name=name, help="use the letters a-z, digits and `_`"), end
+    return diagnose(
+        Code.NON_ASCII_NAME, span, name=name, help="use the letters a-z, digits and `_`"
+    ), end
 
 
 def _color(place: Misread) -> Answer | None:
@@ -190,7 +204,9 @@ def _color(place: Misread) -> Answer | None:
     place.read_as("STRING", meant, match.end())
     span = place.source.span(*match.span())
     help = f"a color is a string: `{meant}`"
-    return diagnose("RL028", span, help=help, fixes=[Fix(span, meant)]), match.end()
+    return diagnose(
+        Code.COLOR_READ_AS_COMMENT, span, help=help, fixes=[Fix(span, meant)]
+    ), match.end()
 
 
 def _comment(place: Misread) -> Answer | None:
@@ -203,7 +219,7 @@ def _comment(place: Misread) -> Answer | None:
         closer = place.text.find("*/", place.start)
         end = closer + 2 if closer >= 0 else len(place.text)
     span = place.source.span(place.start, place.start + 2)
-    return diagnose("RL030", span, what=mark, help="a comment begins with `#`"), end
+    return diagnose(Code.FOREIGN_COMMENT, span, what=mark, help="a comment begins with `#`"), end
 
 
 def _foreign(place: Misread) -> Answer:
@@ -214,7 +230,7 @@ def _foreign(place: Misread) -> Answer:
         while end < len(text) and _same(text[start], text[end]):
             end += 1
     shown = text[start] if text[start].isprintable() else f"U+{ord(text[start]):04X}"
-    return diagnose("RL006", place.source.span(start, end), what=shown), end
+    return diagnose(Code.UNEXPECTED_CHARACTER, place.source.span(start, end), what=shown), end
 
 
 def _same(first: str, char: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ...diagnostics import Diagnostic, Source, diagnose
+from ...diagnostics import Code, Diagnostic, Source, diagnose
 
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1a\x7f\ufffd\ud800-\udfff]")
 _SURROGATES = re.compile(r"[\ud800-\udfff]+")
@@ -20,14 +20,16 @@ def binary(source: Source) -> Diagnostic | None:
     many = len(_CONTROL.findall(source.text))
     if many < _FEW or many * 20 < len(source.text):
         return None
-    return diagnose("RL029", source.span(first.start(), first.end()), path=source.path)
+    return diagnose(Code.NOT_TEXT, source.span(first.start(), first.end()), path=source.path)
 
 
 def surrogates(source: Source, reported: Sequence[Diagnostic]) -> list[Diagnostic]:
     """Bytes that are not UTF-8 inside strings and comments, where no token is spoilt by them."""
     said = {found.span.start for found in reported if found.span is not None}
     return [
-        diagnose("RL006", source.span(*match.span()), what=f"U+{ord(match[0][0]):04X}")
+        diagnose(
+            Code.UNEXPECTED_CHARACTER, source.span(*match.span()), what=f"U+{ord(match[0][0]):04X}"
+        )
         for match in _SURROGATES.finditer(source.text)
         if match.start() not in said
     ]

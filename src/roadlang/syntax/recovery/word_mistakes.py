@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Fix, diagnose
+from ...diagnostics import Code, Fix, diagnose
 from ..parsing.tables import END
 from ..words import CONNECTIVES, RESERVED, RESERVED_KINDS, STATEMENT_KINDS, misspelled
 from .stuck_position import Edit, Mistake, Place
@@ -21,7 +21,10 @@ def next_item(place: Place) -> Mistake | None:
     end = before.token(-1)[3]
     span = place.source.span(end, end)
     found = diagnose(
-        "RL001", span, expected=expectation(before), found=f"the next line, `{place.word(-1)}`"
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected=expectation(before),
+        found=f"the next line, `{place.word(-1)}`",
     )
     return Mistake(found, culprit=place.index - 2)
 
@@ -36,7 +39,10 @@ def next_statement(place: Place) -> Mistake | None:
     end = before.token(-1)[3]
     span = place.source.span(end, end)
     found = diagnose(
-        "RL001", span, expected=expectation(before), found=f"the next line, `{place.word(-1)}`"
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected=expectation(before),
+        found=f"the next line, `{place.word(-1)}`",
     )
     return Mistake(found, culprit=place.index - 2)
 
@@ -53,7 +59,9 @@ def misspelled_word(place: Place) -> Mistake | None:
             continue
         span = at.span()
         help = f"did you mean `{meant}`?"
-        found = diagnose("RL021", span, word=at.word(), help=help, fixes=[Fix(span, meant)])
+        found = diagnose(
+            Code.MISSPELLED_WORD, span, word=at.word(), help=help, fixes=[Fix(span, meant)]
+        )
         token = (meant.upper(), meant, span.start, span.end)
         return Mistake(found, Edit(at.index, at.index + 1, (token,)))
     return None
@@ -68,7 +76,7 @@ def reserved_name(place: Place) -> Mistake | None:
     if not place.goes_on("NAME", skip=1, over=1):
         return None
     help = "choose another name"
-    found = diagnose("RL011", place.span(), word=place.word(), help=help)
+    found = diagnose(Code.RESERVED_WORD_AS_NAME, place.span(), word=place.word(), help=help)
     token = ("NAME", *place.token()[1:])
     return Mistake(found, Edit(place.index, place.index + 1, (token,)))
 
@@ -88,7 +96,9 @@ def missing_name(place: Place) -> Mistake | None:
     colon = () if named else (("COLON", ":", start, start),)
     name = ("NAME", "unnamed", start, start)
     example = f"{statement[1]} NAME:"
-    found = diagnose("RL023", span, word=statement[1], help=f"write `{example} ...`")
+    found = diagnose(
+        Code.UNNAMED_REQUIREMENT, span, word=statement[1], help=f"write `{example} ...`"
+    )
     return Mistake(found, Edit(1, 1, (name, *colon)))
 
 
@@ -108,7 +118,12 @@ def bare_letter(place: Place) -> Mistake | None:
     span = before.span()
     word = _LETTERS[letter]
     found = diagnose(
-        "RL027", span, letter=letter, word=word, help=f"write `{word}`", fixes=[Fix(span, word)]
+        Code.LETTER_READ_AS_NAME,
+        span,
+        letter=letter,
+        word=word,
+        help=f"write `{word}`",
+        fixes=[Fix(span, word)],
     )
     token = (word.upper(), word, span.start, span.end)
     return Mistake(found, Edit(before.index, before.index + 1, (token,)))
@@ -120,7 +135,7 @@ def subscript(place: Place) -> Mistake | None:
     meant = {**_LETTERS, "U": "until", "S": "since"}.get(letter)
     if meant is None or not place.word(-1).endswith("_") or place.kind() not in ("LBRACE", "LSQB"):
         return None
-    return Mistake(diagnose("RL019", place.span(-1, 0), help=f"write `{meant}[a, b]`"))
+    return Mistake(diagnose(Code.LATEX_FORMULA, place.span(-1, 0), help=f"write `{meant}[a, b]`"))
 
 
 def bare_file_name(place: Place) -> Mistake | None:
@@ -133,7 +148,7 @@ def bare_file_name(place: Place) -> Mistake | None:
     span = place.span(0, last)
     meant = f'"{span.text}"'
     found = diagnose(
-        "RL001", span, expected="a string in double quotes", found=f"`{span.text}`",
+        Code.UNEXPECTED_TOKEN, span, expected="a string in double quotes", found=f"`{span.text}`",
         help=f"write `{meant}`", fixes=[Fix(span, meant)],
     )  # fmt: skip
     token = ("STRING", meant, span.start, span.end)
