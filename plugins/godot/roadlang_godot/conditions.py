@@ -45,7 +45,7 @@ def _tree(value: Any, signals: Mapping[str, Any]) -> Any:
         return float(value)
     if isinstance(value, str):
         if value not in signals:
-            raise fault(Code.CONDITION_NOT_IN_GODOT, what=value)
+            raise fault(Code.UNSUPPORTED_CONDITION, what=value)
         return signals[value]
     head = next(word for word in value if word != "interval")
     operands = value[head] if isinstance(value[head], list) else [value[head]]
@@ -56,7 +56,7 @@ def _tree(value: Any, signals: Mapping[str, Any]) -> Any:
     if head == "-" and len(parts) == 1:
         return ["negate", *parts]
     if head not in _OPERATORS:
-        raise fault(Code.CONDITION_NOT_IN_GODOT, what=head)
+        raise fault(Code.UNSUPPORTED_CONDITION, what=head)
     return [head, *parts]
 
 
@@ -64,7 +64,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> A
     """A signal as [kind, agent, ...]; an object that stands still is given by its outline."""
     kind = plain_name(str(call["kind"]))
     if kind not in SIGNALS:
-        raise fault(Code.CONDITION_NOT_IN_GODOT, what=name)
+        raise fault(Code.UNSUPPORTED_CONDITION, what=name)
     if kind == "time":
         return ["time"]
     options = call.get("options", {})
@@ -82,7 +82,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> A
 def _outline(wanted: str, name: str, scene: Scene, frame: Frame) -> list[float]:
     found = [actor for actor in scene.objects if wanted in (actor.name, actor.group)]
     if len(found) != 1:
-        raise fault(Code.CONDITION_NOT_IN_GODOT, what=name)
+        raise fault(Code.UNSUPPORTED_CONDITION, what=name)
     one = found[0]
     heading = math.remainder(one.heading, 2 * math.pi)
     return [one.x - frame.x, one.y - frame.y, heading, one.length, one.width]

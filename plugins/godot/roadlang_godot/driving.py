@@ -109,4 +109,4 @@ class LockStep:
                 now, ended = struct.unpack_from("<II", payload)
                 if now == tick:
                     return now, bool(ended), records(payload[STATE_HEADER:])
-        raise fault(Code.GODOT_GONE, reason=f"no state for step {tick}")
+        raise fault(Code.GODOT_DISCONNECTED, reason=f"no state for step {tick}")

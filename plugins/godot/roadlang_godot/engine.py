@@ -61,14 +61,14 @@ def find() -> Path:
         found = shutil.which(given)
         if found is None:
             raise fault(
-                Code.NO_GODOT, _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run"
+                Code.GODOT_NOT_FOUND, _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run"
             )
         return Path(found)
     for candidate in _candidates():
         found = shutil.which(candidate)
         if found is not None:
             return Path(found)
-    raise fault(Code.NO_GODOT, _HELP, reason="none on PATH or in the usual places")
+    raise fault(Code.GODOT_NOT_FOUND, _HELP, reason="none on PATH or in the usual places")
 
 
 def find_drawing() -> list[str]:
@@ -85,7 +85,9 @@ def find_drawing() -> list[str]:
         return [str(beside)]
     virtual = shutil.which("xvfb-run")
     if virtual is None:
-        raise fault(Code.NO_RENDERING, "run on a desktop, or install xvfb for a virtual screen")
+        raise fault(
+            Code.RENDERING_UNAVAILABLE, "run on a desktop, or install xvfb for a virtual screen"
+        )
     screen = ["-a", "-s", "-screen 0 1280x720x24"]
     return [virtual, *screen, str(engine), "--rendering-driver", "opengl3", *drawing]
 

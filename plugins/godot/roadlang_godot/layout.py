@@ -60,7 +60,7 @@ def layout_of(scene: Scene, road: str = "mesh", frame: Frame | None = None) -> L
     lines = {one.name: line_of(one) for one in scene.roads}
     built = built_roads(scene, lines)
     if not built:
-        raise fault(Code.NOTHING_TO_BUILD, scene=scene.name)
+        raise fault(Code.NO_ROAD_TO_BUILD, scene=scene.name)
     everything = [lines[name].points for name in built]
     placed = [(actor.x, actor.y) for actor in (*scene.agents, *scene.objects)]
     if placed:

@@ -153,7 +153,7 @@ class Session:
     def picture(self, wish: Mapping[str, Any]) -> bytes:
         """The bytes of a picture (PNG or JPEG) that the engine has drawn."""
         if not self.welcome.get("pictures"):
-            raise fault(Code.NO_RENDERING)
+            raise fault(Code.RENDERING_UNAVAILABLE)
         request = self._next_request()
         self.send(Message.SHOT, _json({**wish, "id": request}), "a picture")
         return self._parts(Message.PICTURE, request)
@@ -219,7 +219,7 @@ class Session:
         try:
             return self._link.receive(wait)
         except OSError as error:
-            raise fault(Code.GODOT_GONE, reason=str(error)) from error
+            raise fault(Code.GODOT_DISCONNECTED, reason=str(error)) from error
 
     def _take(self, datagram: bytes) -> None:
         frame = protocol.unpack(datagram)
@@ -231,7 +231,7 @@ class Session:
         elif frame.type == Message.STATE and self.on_state is not None:
             self.on_state(frame.payload)
         elif frame.type == Message.BYE:
-            raise fault(Code.GODOT_GONE, reason="it said goodbye")
+            raise fault(Code.GODOT_DISCONNECTED, reason="it said goodbye")
         elif frame.seq and self._channel.accept(frame.seq):
             if frame.type == Message.ERROR:
                 raise fault(Code.GODOT_ERROR, reason=_text(frame.payload))
@@ -242,9 +242,11 @@ class Session:
         late = self._channel.overdue(now, self._patience)
         if late:
             named = ", ".join(late[:_NAMED]) + (", ..." if len(late) > _NAMED else "")
-            raise fault(Code.GODOT_NOT_BUILT, count=len(late), names=named)
+            raise fault(Code.SCENE_NOT_BUILT, count=len(late), names=named)
         if now - self._last_heard > self._patience + 2 * _PING_EVERY:
-            raise fault(Code.GODOT_GONE, reason=f"nothing heard for {now - self._last_heard:.0f} s")
+            raise fault(
+                Code.GODOT_DISCONNECTED, reason=f"nothing heard for {now - self._last_heard:.0f} s"
+            )
 
     def _greet(self, name: str) -> dict[str, Any]:
         nonce = int.from_bytes(os.urandom(4), "little")
@@ -273,7 +275,7 @@ class Session:
         extra = [f"something never sent ({key[0]:#x}, {key[1]})" for key in found.keys() - wanted]
         names = [labels[key] for key in wrong] + sorted(extra)
         shown = ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
-        raise fault(Code.GODOT_NOT_BUILT, count=len(names), names=shown)
+        raise fault(Code.SCENE_NOT_BUILT, count=len(names), names=shown)
 
     def _parts(self, type: Message, request: int) -> bytes:
         parts: dict[int, bytes] = {}

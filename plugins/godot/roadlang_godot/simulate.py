@@ -128,7 +128,7 @@ def _step_by_step(
 def _check_controllers(scene: Scene, layout: Layout, controllers: Controllers) -> None:
     for actor in scene.agents:
         if actor.name in layout.python_driven and actor.name not in controllers:
-            raise fault(Code.CONTROLLER_NOT_IN_GODOT, kind=actor.drive[-1].kind)
+            raise fault(Code.UNSUPPORTED_CONTROLLER, kind=actor.drive[-1].kind)
 
 
 def _name(session: Session) -> str:

@@ -74,7 +74,7 @@ class Choice(Distribution):
         least = min(float(np.min(weight)) for weight in weights)
         if len(weights) != len(self.items) or least < 0 or not np.all(np.asarray(total) > 0):
             raise DiagnosticError(
-                diagnose(Code.UNUSABLE_WEIGHTS, items=len(self.items), weights=len(weights))
+                diagnose(Code.INVALID_CHOICE_WEIGHTS, items=len(self.items), weights=len(weights))
             )
         return [weight / total for weight in weights]
 

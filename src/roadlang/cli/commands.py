@@ -95,7 +95,7 @@ def _loaded(point: EntryPoint) -> click.Command:
         )
         reason = f"{type(error).__name__}: {error}"
         raise DiagnosticError(
-            diagnose(Code.BROKEN_COMMAND, command=point.name, plugin=origin, reason=reason)
+            diagnose(Code.BROKEN_PLUGIN_COMMAND, command=point.name, plugin=origin, reason=reason)
         ) from error
     return command
 

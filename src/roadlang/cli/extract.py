@@ -141,7 +141,7 @@ def _extracted(
         known = f"known are {', '.join(names)}"
         raise DiagnosticError(
             diagnose(
-                Code.UNKNOWN_EXTRACT_KIND,
+                Code.UNKNOWN_EXTRACTOR,
                 kind=given["kind"],
                 help=(*did_you_mean(given["kind"], names), known),
             )
@@ -154,7 +154,7 @@ def _extracted(
     if unfit:
         raise DiagnosticError(
             diagnose(
-                Code.OPTION_NOT_OF_KIND,
+                Code.UNSUPPORTED_EXTRACTOR_OPTION,
                 kind=given["kind"],
                 option=f"--{unfit[0].replace('_', '-')}",
             )
@@ -193,5 +193,5 @@ def _tell(found: Extraction, wrote: bool) -> None:
         about = f"{found.remarks[0]}, " if found.remarks else ""
         say(f"{roads} ({about}{found.confidence:.0%} sure)")
     if not found.network.edges:
-        report([diagnose(Code.NO_ROAD_IN_PICTURE, help=found.remarks)])
+        report([diagnose(Code.NO_ROAD_IN_IMAGE, help=found.remarks)])
         click.get_current_context().exit(exit_codes.SCENARIO_HAS_ERRORS)

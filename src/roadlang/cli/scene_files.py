@@ -22,7 +22,7 @@ def read_scene_file(name: str) -> str:
     if b"\0" in data:
         raise DiagnosticError(
             diagnose(
-                Code.FILE_NOT_TEXT,
+                Code.NOT_UTF8,
                 path=name,
                 help=_encoding_hint(data),
                 reason="it holds zero bytes",
@@ -34,7 +34,7 @@ def read_scene_file(name: str) -> str:
         line = data.count(b"\n", 0, error.start) + 1
         reason = f"line {line} has the byte 0x{data[error.start]:02x}"
         raise DiagnosticError(
-            diagnose(Code.FILE_NOT_TEXT, path=name, help=_encoding_hint(data), reason=reason)
+            diagnose(Code.NOT_UTF8, path=name, help=_encoding_hint(data), reason=reason)
         ) from None
 
 
@@ -46,7 +46,7 @@ def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
         name, sign, value = (part.strip() for part in setting.partition("="))
         if not sign or not name.isidentifier() or not value:
             faults.append(
-                diagnose(Code.WRONG_SET_OPTION, text=setting, help="write `--set reach=12m`")
+                diagnose(Code.MALFORMED_SET_OPTION, text=setting, help="write `--set reach=12m`")
             )
         overrides[name] = value
     if faults:

@@ -71,7 +71,7 @@ def named(name: str, candidates: CandidateBatch) -> Any:
         found = evaluate(declared.value, candidates)
         numbers = np.asarray(found) if isinstance(found, float | np.ndarray) else np.zeros(1)
         if numbers.dtype.kind == "f" and np.isnan(numbers).any():
-            raise DiagnosticError(diagnose(Code.VALUE_NOT_A_NUMBER, declared.span, name=name))
+            raise DiagnosticError(diagnose(Code.NON_FINITE_VALUE, declared.span, name=name))
         return found
 
     declared = candidates.scenario.values[name]

@@ -57,7 +57,7 @@ class IndexedScenario:
             entry = self.registry.find(call.verb, call.kind)
         except UnknownKind:
             raise DiagnosticError(
-                diagnose(Code.MISSING_KIND, call.span, kind=f"{call.verb} {call.kind}")
+                diagnose(Code.KIND_NOT_INSTALLED, call.span, kind=f"{call.verb} {call.kind}")
             ) from None
         with plugin_guard(entry, call.span):
             return entry, entry.load()

@@ -37,14 +37,14 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     header = read_header(content)
     if header is None:
         raise _refusal(
-            Code.NOT_A_PICTURE, span, written, help="PNG, JPEG, TIFF, BMP and WebP can be read"
+            Code.NOT_AN_IMAGE, span, written, help="PNG, JPEG, TIFF, BMP and WebP can be read"
         )
     _check_size(header, written, span)
     if not is_whole(header.format, content):
-        raise _refusal(Code.TRUNCATED_PICTURE, span, written)
+        raise _refusal(Code.TRUNCATED_IMAGE, span, written)
     pixels = _decoded(content, header)
     if pixels is None or pixels.size == 0:
-        raise _refusal(Code.DAMAGED_PICTURE, span, written, format=header.format)
+        raise _refusal(Code.DAMAGED_IMAGE, span, written, format=header.format)
     scale = scale_in_file(path, content, header.format)
     return OpenedImage(_as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
 
@@ -78,7 +78,7 @@ def _check_size(header: Header, written: str, span: Span | None) -> None:
             help=f"{most}: cut the road out, or make it smaller",
         )
     if min(header.width, header.height) < LEAST_SIDE:
-        raise _refusal(Code.PICTURE_TOO_SMALL, span, written, size=size)
+        raise _refusal(Code.IMAGE_TOO_SMALL, span, written, size=size)
 
 
 def _refusal(

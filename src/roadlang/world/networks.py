@@ -134,7 +134,7 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     if not found.network.edges:
         raise DiagnosticError(
             diagnose(
-                Code.NO_ROAD_IN_NETWORK,
+                Code.EMPTY_NETWORK,
                 network.span,
                 name=network.name,
                 help=found.remarks or ("try `extract with contour { threshold: ... }`",),
@@ -189,5 +189,5 @@ def _check_finite(root: NetworkRoot, network: Network) -> None:
         points = edge.curve.points
         if not (np.isfinite(points).all() and np.isfinite(edge.curve.length)):
             raise DiagnosticError(
-                diagnose(Code.NETWORK_NOT_FINITE, network.span, name=network.name, id=edge.id)
+                diagnose(Code.NON_FINITE_NETWORK, network.span, name=network.name, id=edge.id)
             )

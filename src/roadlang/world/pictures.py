@@ -48,7 +48,7 @@ def picture(name: str, candidates: CandidateBatch) -> Picture:
         )
     if not LEAST_SCALE <= draft.scale <= GREATEST_SCALE or not math.isfinite(draft.scale):
         raise DiagnosticError(
-            diagnose(Code.IMPOSSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")
+            diagnose(Code.IMPLAUSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")
         )
     return replace(draft.picture, scale=draft.scale)
 
@@ -88,7 +88,7 @@ def _base(image: Image, candidates: CandidateBatch) -> _Draft:
     if isinstance(source, TextSource):
         rows = tuple(source.text.rstrip().split("\n")) if source.text.strip() else ()
         if not rows:
-            raise DiagnosticError(diagnose(Code.EMPTY_TYPED_PICTURE, image.span, name=image.name))
+            raise DiagnosticError(diagnose(Code.EMPTY_TEXT_IMAGE, image.span, name=image.name))
         return _Draft(Picture(None, 1.0, characters=_squared(rows)), None)
     if isinstance(source, FileSource):
         opened = _opened(source, image, candidates.scenario)
@@ -133,7 +133,7 @@ def _read(
 def _adjusted(before: Picture, call: PassCall, candidates: CandidateBatch) -> Picture:
     if before.pixels is None:
         raise DiagnosticError(
-            diagnose(Code.TYPED_PICTURE_ADJUSTED, call.span, kind=call.kind.rpartition(".")[2])
+            diagnose(Code.ADJUST_ON_TEXT_IMAGE, call.span, kind=call.kind.rpartition(".")[2])
         )
     built = build(call, candidates, single=True)
     generator = candidates.random(call.place).generator(0)

@@ -58,7 +58,7 @@ def read_by_name(
         raise failures[0]
     raise DiagnosticError(
         diagnose(
-            Code.UNSUPPORTED_FILE,
+            Code.UNSUPPORTED_FILE_TYPE,
             span,
             file=source.path,
             what=reads,

@@ -93,7 +93,7 @@ def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
     if not (value > 0).all() or not np.isfinite(value).all():
         raise DiagnosticError(
             diagnose(
-                Code.WIDTH_NOT_POSITIVE, road.span, name=road.name, width=f"{float(value.min()):g}m"
+                Code.NON_POSITIVE_WIDTH, road.span, name=road.name, width=f"{float(value.min()):g}m"
             )
         )
     return value
@@ -223,6 +223,6 @@ def _checked(curve: Any, road: Road, call: PassCall | None) -> Curve:
     span = call.span if call is not None else road.span
     usable = isinstance(curve, Curve) and np.isfinite(curve.points).all() and 0 < curve.length < 1e7
     if not usable:
-        raise DiagnosticError(diagnose(Code.NO_USABLE_ROAD, span, name=road.name))
+        raise DiagnosticError(diagnose(Code.INVALID_ROAD_GEOMETRY, span, name=road.name))
     checked: Curve = curve
     return checked

@@ -28,7 +28,7 @@ def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     except GeometryError as error:
         span = choice.span if isinstance(choice, PassCall) else road.span
         raise DiagnosticError(
-            diagnose(Code.ROAD_NOT_SELECTABLE, span, network=root.name, reason=str(error))
+            diagnose(Code.ROAD_SELECTION_FAILED, span, network=root.name, reason=str(error))
         ) from None
 
 

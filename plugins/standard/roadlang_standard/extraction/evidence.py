@@ -71,7 +71,7 @@ def checked_net(path: str) -> Net:
     except (OSError, ValueError, IndexError, cv2.error) as error:
         reason = getattr(error, "err", None) or str(error).splitlines()[0]
         raise DiagnosticError(
-            diagnose(Code.WRONG_NETWORK_WEIGHTS, path=path, file=path, reason=reason)
+            diagnose(Code.UNUSABLE_MODEL, path=path, file=path, reason=reason)
         ) from None
     return net
 

@@ -22,7 +22,7 @@ def pixels_of(picture: Picture, kind: str) -> Image:
     if picture.pixels is None:
         raise DiagnosticError(
             diagnose(
-                Code.TYPED_PICTURE_AS_PIXELS,
+                Code.TEXT_IMAGE_WITHOUT_PIXELS,
                 kind=kind,
                 help="typed pictures are read by `extract with pixels`",
             )
@@ -59,7 +59,7 @@ def _check_characters(legend: dict[str, str]) -> None:
         if len(key) != 1:
             raise DiagnosticError(
                 diagnose(
-                    Code.WRONG_LEGEND_CHARACTER,
+                    Code.INVALID_LEGEND_CHARACTER,
                     key=key,
                     help="in a typed picture each key is one character",
                 )
@@ -75,5 +75,5 @@ def _check_color(color: str) -> None:
         hints = did_you_mean(color, NAMES)
         advice = 'write a color as "#2e7d32" or by name, such as "white"'
         raise DiagnosticError(
-            diagnose(Code.WRONG_LEGEND_COLOR, color=color, help=(*hints, advice))
+            diagnose(Code.INVALID_LEGEND_COLOR, color=color, help=(*hints, advice))
         ) from None

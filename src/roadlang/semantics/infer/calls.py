@@ -127,13 +127,13 @@ def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
     while isinstance(value, ast.Group):
         value = value.inner
     if not isinstance(value, ast.Name):
-        return checker.report(Code.NOTHING_TO_REDRAW, value.span, what=value.span.text)
+        return checker.report(Code.FRESH_WITHOUT_DRAW, value.span, what=value.span.text)
     typed = checker.infer(value, context)
     if typed.is_unknown:
         return typed
     declared = checker.program.declarations.get(value.text)
     if declared is None or declared.role not in ("param", "let") or not typed.random:
-        return checker.report(Code.NOTHING_TO_REDRAW, value.span, what=value.text)
+        return checker.report(Code.FRESH_WITHOUT_DRAW, value.span, what=value.text)
     again = checker.infer(value, replace(context, fresh=True))
     return replace(again, span=call.span)
 
@@ -182,7 +182,7 @@ def _overloaded(
     takes = " or ".join(f"`{name}({signature(found.schema)})`" for _, found in candidates)
     given = ", ".join(role or "a value" for role in roles)
     return checker.report(
-        Code.UNKNOWN_MEMBER, call.span, name=name, given=given, help=f"there is {takes}"
+        Code.UNDEFINED_SIGNAL, call.span, name=name, given=given, help=f"there is {takes}"
     )
 
 

@@ -32,7 +32,7 @@ def only_past(checker: Checker, expression: ast.Expression, typed: Typed) -> boo
     written = _future_word(expression)
     if written is not None:
         checker.report(
-            Code.CONDITION_LOOKS_AHEAD,
+            Code.FUTURE_OPERATOR_IN_WHEN,
             written.word_span,
             word=written.word,
             help=_backwards(written.word),
@@ -43,7 +43,7 @@ def only_past(checker: Checker, expression: ast.Expression, typed: Typed) -> boo
     if formula is not None and any(isinstance(part, ahead) for part in formula.walk()):
         part = next(part for part in formula.walk() if isinstance(part, ahead))
         word = type(part).__name__.lower()
-        checker.report(Code.CONDITION_LOOKS_AHEAD, typed.span, word=word, help=_backwards(word))
+        checker.report(Code.FUTURE_OPERATOR_IN_WHEN, typed.span, word=word, help=_backwards(word))
         return False
     return True
 

@@ -253,7 +253,9 @@ def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
     if context.words and (word or not declared):
         words = ", ".join(f"`{word}`" for word in context.words)
         help_ = f"the words are {words}"
-        return checker.report(Code.UNKNOWN_WORD, name.span, word=name.text, help=help_, meant=word)
+        return checker.report(
+            Code.UNKNOWN_OPTION_VALUE, name.span, word=name.text, help=help_, meant=word
+        )
     if context.verbs:
         verb = context.verbs[0]
         if not declared or nearest(name.text, checker.registry.names(verb)):

@@ -40,7 +40,7 @@ def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -
         return unknown(node.span)
     for operator, right in zip(node.operators, parts[1:], strict=True):
         if operator in ("==", "!=") and not _is_whole(right):
-            checker.report(Code.EQUALITY_OF_REALS, node.span, operator=operator)
+            checker.report(Code.FLOAT_EQUALITY, node.span, operator=operator)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, Typed):
         return evidence
@@ -217,7 +217,7 @@ def _interval(
     from ...stl import Interval
 
     if evidence is None:
-        return checker.report(Code.TEMPORAL_OVER_NUMBERS, node.word_span, word=node.word)
+        return checker.report(Code.TEMPORAL_OVER_CONSTANTS, node.word_span, word=node.word)
     if not ends:
         return None
     due = LENGTH if evidence.domain == "road" else TIME
@@ -236,7 +236,9 @@ def _interval(
     assert high is not None
     if not 0 <= low <= high or math.isinf(low):
         span = ends[0].span.to(ends[1].span)
-        return checker.report(Code.WRONG_INTERVAL, span, lo=ends[0].span.text, hi=ends[1].span.text)
+        return checker.report(
+            Code.INVALID_INTERVAL, span, lo=ends[0].span.text, hi=ends[1].span.text
+        )
     return Interval(low, high)
 
 

@@ -21,7 +21,7 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
     parts = dotted(member)
     if parts is None:
         return checker.report(
-            Code.UNKNOWN_MEMBER, member.name.span, name=member.name.text, given="a call"
+            Code.UNDEFINED_SIGNAL, member.name.span, name=member.name.text, given="a call"
         )
     base, _, name = parts.partition(".")
     if base in checker.program.spoiled:
@@ -63,14 +63,16 @@ def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner:
     if verb is None:
         known = [entry.name for verb in _VERBS for entry in checker.registry.of(verb)]
         meant = nearest(name, known)
-        return checker.report(Code.UNKNOWN_MEMBER, place, name=name, given=f"`{base}`", meant=meant)
+        return checker.report(
+            Code.UNDEFINED_SIGNAL, place, name=name, given=f"`{base}`", meant=meant
+        )
     found = find_kind(checker, verb, name, place)
     if found is None:
         return unknown(member.span)
     if not is_member(found) or not found.schema:
         written = f"it is written `{name}({signature(found.schema)})`"
         return checker.report(
-            Code.UNKNOWN_MEMBER, place, name=name, given=f"`{base}`", help=written
+            Code.UNDEFINED_SIGNAL, place, name=name, given=f"`{base}`", help=written
         )
     if verb == "number" and not _is_on_road(checker, base):
         return checker.report(Code.START_WITHOUT_ROAD, member.span, name=base, member=name)

@@ -38,7 +38,11 @@ def lower_passes(
                 labels = [Label(sources[0].span, "the first one")]
                 names = (sources[0].verb.text, verb)
                 checker.report(
-                    Code.TWO_SOURCES, item.verb.span, labels=labels, first=names[0], second=names[1]
+                    Code.MULTIPLE_SOURCES,
+                    item.verb.span,
+                    labels=labels,
+                    first=names[0],
+                    second=names[1],
                 )
                 complete = False
         counts[verb] = counts.get(verb, 0) + 1

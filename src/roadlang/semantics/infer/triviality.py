@@ -17,7 +17,7 @@ def warn_if_trivial(checker: Checker, statement: ast.Constraint, typed: Typed) -
         return
     verdict = "always holds" if outcome else "can never hold"
     checker.report(
-        Code.CONSTANT_REQUIREMENT,
+        Code.TRIVIAL_REQUIREMENT,
         typed.span,
         word=statement.word,
         name=statement.name.text,

@@ -16,4 +16,4 @@ def warn(checker: Checker) -> None:
             checker.report(Code.UNUSED_LET, name.span, name=name.text)
     for word, span in checker.divisors:
         if word in checker.program.declarations:
-            checker.report(Code.UNIT_LIKE_NAME, span, name=word, text=span.text)
+            checker.report(Code.UNIT_SHADOWS_NAME, span, name=word, text=span.text)

@@ -88,7 +88,7 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
             else ()
         )
         checker.report(
-            Code.WRONG_ENTITY,
+            Code.WRONG_ENTITY_TYPE,
             typed.span,
             name=name,
             found=found,
@@ -116,7 +116,7 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | 
         checker.report(Code.WRONG_TYPE, typed.span, what="`at`", due=due, found=typed.type)
         return None
     if statement.on is None:
-        checker.report(Code.LENGTH_WITHOUT_ROAD, typed.span, name=statement.name.text)
+        checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, typed.span, name=statement.name.text)
         return None
     if typed.type.fits_any or typed.type.dimension == LENGTH:
         return typed
@@ -126,7 +126,9 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | 
     if typed.type.dimension.is_pure:
         return typed
     due = "a length or a share of the road"
-    checker.report(Code.WRONG_UNIT, typed.span, what="`at`", due=due, found=typed.type.dimension)
+    checker.report(
+        Code.WRONG_DIMENSION, typed.span, what="`at`", due=due, found=typed.type.dimension
+    )
     return None
 
 

@@ -91,7 +91,12 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             return _Source(ir.NameSource(typed.value.name, typed.value.role))
         name, found = typed.span.text, typed.type
         checker.report(
-            Code.WRONG_ENTITY, typed.span, name=name, found=found, due=_due(word), what=f"`{word}`"
+            Code.WRONG_ENTITY_TYPE,
+            typed.span,
+            name=name,
+            found=found,
+            due=_due(word),
+            what=f"`{word}`",
         )
     else:
         what = f"`{word}`"
@@ -124,7 +129,7 @@ def _belongs_together(
             if word == "road"
             else f"write `from` and {_due(word)}"
         )
-        checker.report(Code.NO_SOURCE, name.span, name=name.text, help=help_)
+        checker.report(Code.MISSING_SOURCE, name.span, name=name.text, help=help_)
         return False
     role = source.role if isinstance(source, ir.NameSource) else None
     wants = {
@@ -135,14 +140,14 @@ def _belongs_together(
     for call in passes:
         fits, due = wants.get(call.verb, (True, ""))
         if not fits and call.span is not None:
-            checker.report(Code.SOURCE_MISMATCH, call.span, verb=call.verb, due=due)
+            checker.report(Code.INCOMPATIBLE_SOURCE, call.span, verb=call.verb, due=due)
             return False
     if word == "road" and role != "network" and statement.block is not None:
         for option in statement.block.options:
             from_file = isinstance(source, ir.FileSource)
             if option.key.text == "select" and not from_file:
                 checker.report(
-                    Code.SOURCE_MISMATCH, option.key.span, verb="select", due="a network"
+                    Code.INCOMPATIBLE_SOURCE, option.key.span, verb="select", due="a network"
                 )
                 return False
     return True

@@ -81,6 +81,6 @@ def _same_dimension(
     if typed.type.bare:
         return unit_missing(checker, typed, due.dimension)
     return checker.report(
-        Code.WRONG_UNIT, typed.span, labels=labels, what=f"`{name}`", due=due.dimension,
+        Code.WRONG_DIMENSION, typed.span, labels=labels, what=f"`{name}`", due=due.dimension,
         found=typed.type.dimension,
     )  # fmt: skip

@@ -69,7 +69,11 @@ def _dimension(
     exponent = right.constant
     if not dimension_of(right).is_pure:
         checker.report(
-            Code.WRONG_UNIT, right.span, what="an exponent", due="a pure number", found=right.type
+            Code.WRONG_DIMENSION,
+            right.span,
+            what="an exponent",
+            due="a pure number",
+            found=right.type,
         )
         return None
     if dimension_of(left).is_pure:

@@ -60,11 +60,11 @@ def _mismatch(
 ) -> Typed | None:
     wanted = describe(due, limits.words)
     if isinstance(typed.type, ty.SignalType | ty.FormulaType):
-        checker.report(Code.SIGNAL_FOR_NUMBER, typed.span, what=what, due=wanted, found=typed.type)
+        checker.report(Code.SIGNAL_AS_NUMBER, typed.span, what=what, due=wanted, found=typed.type)
     elif isinstance(due, opt.EntityType) and isinstance(typed.type, ty.EntityType):
         name = typed.span.text
         checker.report(
-            Code.WRONG_ENTITY, typed.span, name=name, found=typed.type, due=wanted, what=what
+            Code.WRONG_ENTITY_TYPE, typed.span, name=name, found=typed.type, due=wanted, what=what
         )
     else:
         checker.report(Code.WRONG_TYPE, typed.span, what=what, due=wanted, found=typed.type)
@@ -113,7 +113,7 @@ def _quantity(
         else:
             wanted, found = due.dimension, kind.dimension
             checker.report(
-                Code.WRONG_UNIT, typed.span, what=what, due=wanted, found=found,
+                Code.WRONG_DIMENSION, typed.span, what=what, due=wanted, found=found,
                 help=f"{wanted} has a unit such as `{wanted.unit}`" if wanted.unit else (),
             )  # fmt: skip
         return None
@@ -132,9 +132,9 @@ def _is_whole(checker: Checker, typed: Typed, kind: ty.Quantity, what: str) -> b
         better = f"integer({low.strip()}, {high.strip()})"
         fixes = [Fix(typed.span, better)]
         help_ = f"`..` draws real numbers; write `{better}`"
-        checker.report(Code.NOT_WHOLE, typed.span, what=what, help=help_, fixes=fixes)
+        checker.report(Code.NOT_AN_INTEGER, typed.span, what=what, help=help_, fixes=fixes)
     else:
-        checker.report(Code.NOT_WHOLE, typed.span, what=what)
+        checker.report(Code.NOT_AN_INTEGER, typed.span, what=what)
     return False
 
 
@@ -209,7 +209,7 @@ def _word(checker: Checker, typed: Typed, limits: Constraints, what: str) -> Typ
     is_written = place.text.strip('"') == wrong[0]
     meant = nearest(wrong[0], limits.words) if is_written else None
     checker.report(
-        Code.UNKNOWN_WORD, place, word=wrong[0], help=f"the words are {words}", meant=meant
+        Code.UNKNOWN_OPTION_VALUE, place, word=wrong[0], help=f"the words are {words}", meant=meant
     )
     return None
 

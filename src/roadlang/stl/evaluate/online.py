@@ -43,7 +43,7 @@ class Monitor:
         """
         if self._positions and not position > self._positions[-1]:
             pair = f"{self._positions[-1]:g} is followed by {position:g}"
-            raise stl_error(Code.WRONG_POSITIONS, problem=pair)
+            raise stl_error(Code.INVALID_POSITIONS, problem=pair)
         Trace.of([position], values, self._names).check()
         self._positions.append(float(position))
         for name in self._names:

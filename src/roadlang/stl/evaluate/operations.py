@@ -125,7 +125,7 @@ def power(left: FloatArray, right: FloatArray) -> FloatArray:
 
 def _numbers(values: FloatArray, op: str) -> FloatArray:
     if not np.isfinite(values).all():
-        raise stl_error(Code.TERM_NOT_FINITE, op=op)
+        raise stl_error(Code.NON_FINITE_TERM, op=op)
     return values
 
 

@@ -139,7 +139,7 @@ class _Tape:
             return value, lambda g: tuple(g * weight for weight in weights)
         rule = _DERIVATIVES.get(function)
         if rule is None:
-            raise stl_error(Code.SMOOTH_POWER)
+            raise stl_error(Code.POWER_IN_SMOOTH_ROBUSTNESS)
         value = function(*inputs)
         return value, lambda g: tuple(g * slope for slope in rule(*inputs))
 

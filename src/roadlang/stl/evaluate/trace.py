@@ -111,19 +111,21 @@ def checked_positions(positions: Positions) -> FloatArray:
     try:
         stations = np.asarray(positions, dtype=np.float64)
     except (TypeError, ValueError):
-        raise stl_error(Code.WRONG_POSITIONS, problem="they are not numbers") from None
+        raise stl_error(Code.INVALID_POSITIONS, problem="they are not numbers") from None
     if stations.ndim != 1:
-        raise stl_error(Code.WRONG_POSITIONS, problem=f"their shape is {stations.shape}, not (S,)")
+        raise stl_error(
+            Code.INVALID_POSITIONS, problem=f"their shape is {stations.shape}, not (S,)"
+        )
     if stations.size == 0:
         raise stl_error(Code.EMPTY_TRACE)
     if not np.isfinite(stations).all():
         index = int(np.argmin(np.isfinite(stations)))
-        raise stl_error(Code.WRONG_POSITIONS, problem=f"position {index} is {stations[index]}")
+        raise stl_error(Code.INVALID_POSITIONS, problem=f"position {index} is {stations[index]}")
     steps = np.diff(stations)
     if steps.size and not steps.min() > 0:
         index = int(np.argmax(steps <= 0))
         pair = f"{stations[index]:g} is followed by {stations[index + 1]:g}"
-        raise stl_error(Code.WRONG_POSITIONS, problem=f"{pair} (sample {index + 1})")
+        raise stl_error(Code.INVALID_POSITIONS, problem=f"{pair} (sample {index + 1})")
     return stations
 
 
@@ -160,10 +162,10 @@ def _check_finite(name: str, values: FloatArray, first: int, positions: FloatArr
     place = f"position {positions[column]:g}" if values.shape[1] > 1 else "every position"
     if values.shape[0] > 1:
         place += f" of variant {first + row}"
-    raise stl_error(Code.NOT_A_NUMBER_IN_SIGNAL, name=name, value=values[row, column], place=place)
+    raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=values[row, column], place=place)
 
 
 def _check_wrap(wrap: float | None, stations: FloatArray) -> None:
     length = float(stations[-1] - stations[0])
     if wrap is not None and not (np.isfinite(wrap) and wrap > length):
-        raise stl_error(Code.WRONG_CLOSED_LENGTH, wrap=f"{wrap:g}", length=f"{length:g}")
+        raise stl_error(Code.INVALID_WRAP_LENGTH, wrap=f"{wrap:g}", length=f"{length:g}")

@@ -89,10 +89,10 @@ class _Search:
             name, low, high = parameter.name, parameter.low, parameter.high
             if not (math.isfinite(low) and math.isfinite(high) and low < high):
                 problem = f"its bounds are {number_text(low)} and {number_text(high)}"
-                raise stl_error(Code.WRONG_PARAMETER, name=name, problem=problem)
+                raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
             if not _word(name).search(self.text):
                 raise stl_error(
-                    Code.WRONG_PARAMETER, name=name, problem="the formula does not name it"
+                    Code.INVALID_PARAMETER, name=name, problem="the formula does not name it"
                 )
 
     def formula(self, values: Mapping[str, float]) -> f.Formula:
@@ -122,7 +122,7 @@ class _Search:
             if self.holds(values := dict(zip(names, corner, strict=True)))
         ]
         if not holding:
-            raise stl_error(Code.FORMULA_NEVER_HOLDS, formula=self.text)
+            raise stl_error(Code.UNSATISFIABLE_TEMPLATE, formula=self.text)
         best = max(holding, key=self.rho)
         return dict(best), dict(best)
 

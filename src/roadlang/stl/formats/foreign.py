@@ -41,7 +41,7 @@ def read_breach(text: str) -> f.Formula:
         if match[2].strip():
             span = Source("<Breach formula>", text).span(*match.span())
             raise stl_error(
-                Code.OTHER_TIME_THAN_T, span, signal=" ".join(match[0].split()), name=match[1]
+                Code.TIME_SHIFTED_SIGNAL, span, signal=" ".join(match[0].split()), name=match[1]
             )
     text = _SIGNAL.sub(r"\1", text).replace("~=", "!=").replace("~", "!")
     text = _UNDERSCORE.sub(r"\1", text)

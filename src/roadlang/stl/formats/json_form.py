@@ -121,4 +121,6 @@ def _term_from_json(value: Json) -> t.Term:
 
 def _refusal(value: Json) -> Exception:
     shown = repr(value)
-    return stl_error(Code.NOT_JSON_FORMULA, found=shown if len(shown) <= 60 else f"{shown[:57]}...")
+    return stl_error(
+        Code.INVALID_JSON_FORMULA, found=shown if len(shown) <= 60 else f"{shown[:57]}..."
+    )

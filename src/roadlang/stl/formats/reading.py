@@ -68,7 +68,7 @@ class Reader:
         if isinstance(node, _NUMBER_NODES):
             text = " ".join(node.span.text.split())
             self._fault(
-                Code.NUMBER_FOR_FORMULA,
+                Code.NUMBER_AS_FORMULA,
                 node.span,
                 help=f"compare it: `{text} > 0`",
                 fixes=(Fix(node.span, f"({text} > 0)"),),
@@ -102,7 +102,7 @@ class Reader:
         if isinstance(node, _FORMULA_NODES):
             hint = "for two formulas that hold together write `iff`, for exactly one `xor`"
             self._fault(
-                Code.FORMULA_FOR_NUMBER, node.span, help=hint, text=" ".join(node.span.text.split())
+                Code.FORMULA_AS_NUMBER, node.span, help=hint, text=" ".join(node.span.text.split())
             )
         else:
             self._unfit(node)
@@ -174,7 +174,7 @@ class Reader:
             if low < 0:
                 hints.append("to look back, use `once`, `historically` or `since`")
             fixes = (Fix(node.span, mended),) if mended else ()
-            self._fault(Code.WRONG_INTERVAL, node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
+            self._fault(Code.INVALID_INTERVAL, node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
             return None
 
     def _bound(self, node: ast.Expression) -> float:
@@ -183,7 +183,7 @@ class Reader:
             return term.value
         hint = "write a number or `inf`; `roadlang mine` finds a number for a name"
         self._fault(
-            Code.INTERVAL_NOT_CONSTANT, node.span, help=hint, text=" ".join(node.span.text.split())
+            Code.NON_CONSTANT_INTERVAL, node.span, help=hint, text=" ".join(node.span.text.split())
         )
         return 0.0
 
@@ -198,7 +198,7 @@ class Reader:
                 other = next(span for known, span in self._axes.items() if known != axis)
                 hint = "write one formula for the road and one for the drive"
                 self._fault(
-                    Code.LENGTHS_AND_TIMES,
+                    Code.MIXED_INTERVAL_AXES,
                     bound.span,
                     help=hint,
                     here=bound.span.text,
@@ -215,7 +215,7 @@ class Reader:
             low, high = node.low.span.text, node.high.span.text
             hint = f"draws belong to scene files; between two bounds is `{low} < x < {high}`"
         text = " ".join(node.span.text.split())
-        self._fault(Code.NOT_IN_FORMULAS, node.span, help=hint, fixes=fixes, text=text)
+        self._fault(Code.NOT_ALLOWED_IN_FORMULA, node.span, help=hint, fixes=fixes, text=text)
 
     def _fault(self, code: str, span: Span, **values: Any) -> None:
         self.faults.append(diagnose(code, span, **values))

@@ -91,4 +91,4 @@ def _term(term: t.Term) -> str:
 
 
 def _cannot(text: str) -> Exception:
-    return stl_error(Code.NOT_IN_RTAMT, text=text)
+    return stl_error(Code.NOT_EXPRESSIBLE_IN_RTAMT, text=text)

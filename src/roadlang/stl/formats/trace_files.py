@@ -117,5 +117,5 @@ def _is_number(text: str) -> bool:
 
 def _unreadable(path: Path, problem: str) -> DiagnosticError:
     return DiagnosticError(
-        diagnose(Code.NOT_A_TRACE, path=str(path), file=path.name, problem=problem)
+        diagnose(Code.UNREADABLE_TRACE, path=str(path), file=path.name, problem=problem)
     )

@@ -21,7 +21,7 @@ class Interval:
 
     def __post_init__(self) -> None:
         if not 0 <= self.lo <= self.hi or math.isinf(self.lo):
-            raise stl_error(Code.WRONG_INTERVAL, lo=f"{self.lo:g}", hi=f"{self.hi:g}")
+            raise stl_error(Code.INVALID_INTERVAL, lo=f"{self.lo:g}", hi=f"{self.hi:g}")
 
 
 UNBOUNDED = Interval(0.0)

@@ -73,7 +73,9 @@ def _place_of(statement: ast.Statement) -> Iterator[Diagnostic]:
         end = start + len(source.text[start : start + 12].split()[0])
         fix = Fix(source.span(start, start), "\n")
         help = "begin a new line before it"
-        yield diagnose(Code.STATEMENT_INSIDE_LINE, source.span(start, end), help=help, fixes=[fix])
+        yield diagnose(
+            Code.STATEMENT_NOT_AT_LINE_START, source.span(start, end), help=help, fixes=[fix]
+        )
 
 
 def _declared_name(statement: ast.Statement) -> Iterator[Diagnostic]:
@@ -120,7 +122,7 @@ def _draw_beside(node: ast.Arithmetic) -> Iterator[Diagnostic]:
     else:
         return
     draw = node.right if isinstance(node.right, ast.Draw) else node.left
-    yield _refused(Code.AMBIGUOUS_RANGE_OPERAND, draw.span, node.span, readings, node.operator)
+    yield _refused(Code.AMBIGUOUS_RANGE, draw.span, node.span, readings, node.operator)
 
 
 # --- chains --------------------------------------------------------------------------------------
@@ -164,7 +166,7 @@ def _parentheses(
         readings = (f"{head}({_text(body)}){tail}", f"{head}({_text(body)}{tail})")
         place = source.span(temporal.span.start, node.span.end)
         yield _refused(
-            Code.AMBIGUOUS_TEMPORAL_OPERAND,
+            Code.AMBIGUOUS_TEMPORAL_SCOPE,
             temporal.span,
             place,
             readings,

@@ -85,7 +85,7 @@ def _lines(diagnostics: list[Diagnostic]) -> frozenset[int]:
 def _echo(found: Diagnostic, quiet: frozenset[int]) -> bool:
     """A missing comma or line end where a foreign character has been left out."""
     return (
-        found.code in (Code.STATEMENT_INSIDE_LINE, Code.MISSING_COMMA)
+        found.code in (Code.STATEMENT_NOT_AT_LINE_START, Code.MISSING_COMMA)
         and found.span is not None
         and found.span.line in quiet
     )

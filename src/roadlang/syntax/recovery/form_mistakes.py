@@ -23,13 +23,13 @@ def interval_form(place: Place) -> Mistake | None:
     if dots:
         fixed = span.text.replace("..", ", ", 1)
         found = diagnose(
-            Code.WRONG_INTERVAL_FORM, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
+            Code.MALFORMED_INTERVAL, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
         )
         dot = place.tokens[dots[0]]
         return Mistake(found, Edit(dots[0], dots[0] + 1, (("COMMA", ",", dot[2], dot[3]),)))
     zero = "[0, " + span.text[1:].strip()
     found = diagnose(
-        Code.WRONG_INTERVAL_FORM, span, help=f"from now on: `{zero}`", fixes=[Fix(span, zero)]
+        Code.MALFORMED_INTERVAL, span, help=f"from now on: `{zero}`", fixes=[Fix(span, zero)]
     )
     start = place.tokens[opener][3]
     low = (("NUMBER", "0", start, start), ("COMMA", ",", start, start))
@@ -43,7 +43,7 @@ def _round_interval(place: Place) -> Mistake | None:
     span = place.source.span(place.tokens[opener][2], place.token(-1)[3])
     fixed = f"[{span.text[1:-1]}]"
     found = diagnose(
-        Code.WRONG_INTERVAL_FORM, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
+        Code.MALFORMED_INTERVAL, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
     )
     inside = place.tokens[opener + 1 : place.index - 1]
     first, last = place.tokens[opener], place.token(-1)
@@ -84,7 +84,7 @@ def actor_order(place: Place) -> Mistake | None:
         end += 1
     moved = (*place.tokens[place.index : end], *place.tokens[at : place.index])
     found = diagnose(
-        Code.WRONG_ORDER_OF_PARTS,
+        Code.WRONG_CLAUSE_ORDER,
         place.span(),
         help="the order is `is KIND on ROAD at PLACE { ... }`",
     )

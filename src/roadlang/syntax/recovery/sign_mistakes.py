@@ -20,7 +20,7 @@ def wrong_sign(place: Place) -> Mistake | None:
             if place.kind(1) == "EQUAL" and place.glued(1):
                 last = 2
             found = diagnose(
-                Code.WRONG_ASSIGNMENT_SIGN,
+                Code.WRONG_ASSIGNMENT_OPERATOR,
                 span,
                 right=sign,
                 wrong=place.word(),

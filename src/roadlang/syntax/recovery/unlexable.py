@@ -204,9 +204,7 @@ def _color(place: Misread) -> Answer | None:
     place.read_as("STRING", meant, match.end())
     span = place.source.span(*match.span())
     help = f"a color is a string: `{meant}`"
-    return diagnose(
-        Code.COLOR_READ_AS_COMMENT, span, help=help, fixes=[Fix(span, meant)]
-    ), match.end()
+    return diagnose(Code.UNQUOTED_COLOR, span, help=help, fixes=[Fix(span, meant)]), match.end()
 
 
 def _comment(place: Misread) -> Answer | None:

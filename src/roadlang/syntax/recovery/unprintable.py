@@ -20,7 +20,7 @@ def binary(source: Source) -> Diagnostic | None:
     many = len(_CONTROL.findall(source.text))
     if many < _FEW or many * 20 < len(source.text):
         return None
-    return diagnose(Code.NOT_TEXT, source.span(first.start(), first.end()), path=source.path)
+    return diagnose(Code.BINARY_FILE, source.span(first.start(), first.end()), path=source.path)
 
 
 def surrogates(source: Source, reported: Sequence[Diagnostic]) -> list[Diagnostic]:
