@@ -10,7 +10,7 @@ from stl_draws import FormulaDraw
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.units import UNITS
-from roadlang.stl.formats.units import factor, known_units
+from roadlang.stl.formats.unit_factors import factor, known_units
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,11 @@ from ..diagnostics import Code, Diagnostic, diagnose
 from ..diagnostics.render import in_order
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
-from .infer.checker import Checker
-from .infer.rules import RULES
-from .infer.warnings import warn
-from .lower.lowering import lower
-from .names.definitions import define
+from .checker import Checker
+from .infer.definitions import define
+from .infer.name_warnings import warn
+from .infer.rule_table import RULES
+from .lower.scenario import lower
 from .names.loading import load
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .explain.causes import Stretch
     from .explain.explanation import Explanation, Link
     from .explain.mining import Mined, Parameter, mine
-    from .formats.foreign import read_breach, read_latex
+    from .formats.breach_and_latex import read_breach, read_latex
     from .formats.json_form import from_json, to_json
     from .formats.text import parse
     from .formats.trace_files import read_trace
@@ -46,7 +46,7 @@ _HOMES = {
     ),
     "explain.causes": "Stretch",
     "explain.explanation": "Explanation Link",
-    "formats.foreign": "read_breach read_latex",
+    "formats.breach_and_latex": "read_breach read_latex",
     "formula.interval": "Interval UNBOUNDED",
     "formats.json_form": "from_json to_json",
     "explain.mining": "Mined Parameter mine",

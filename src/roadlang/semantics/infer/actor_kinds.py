@@ -7,7 +7,7 @@ from dataclasses import replace
 from ...ir.values import Draw, Items, PassCall, Value
 from ...plugins.options import OptionSchema, schema_of
 from ...plugins.registry import KindEntry
-from .checker import Checker
+from ..checker import Checker
 
 
 def calls_in(value: Value) -> list[PassCall]:

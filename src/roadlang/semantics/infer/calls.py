@@ -11,12 +11,12 @@ from ...plugins.option_types import EntityType as EntityOption
 from ...plugins.option_types import UnionType
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..types.arithmetic import of_functions, signal_of_functions
-from ..types.types import CallType, Quantity, SignalType, Typed, unknown
-from ..types.units import common_dimension
-from .call_arguments import bind_arguments
-from .checker import Checker
-from .context import Context
+from ..types.dimensions import common_dimension
+from ..types.expression_types import CallType, Quantity, SignalType, Typed, unknown
+from .argument_binding import bind_arguments
 from .draws import draw_of
 from .kinds import Found, find_kind
 from .signals import measured

@@ -7,8 +7,8 @@ import re
 from ...diagnostics import Code
 from ...ir.values import Condition
 from ...syntax.tree import nodes as ast
-from ..types.types import Typed
-from .checker import Checker
+from ..checker import Checker
+from ..types.expression_types import Typed
 
 _COMMENT = re.compile(r"#[^\n]*")
 _FUTURE = ("always", "eventually", "until")

@@ -9,14 +9,14 @@ from ...ir.dimension import PURE
 from ...ir.values import Constant, Draw, Items, PassCall, Value
 from ...plugins.option_types import AnyType, ListType, QuantityType
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..types import bounds
-from ..types import types as ty
-from ..types.types import Typed, unknown
-from ..types.units import common_dimension, dimension_of
-from .arguments import Bound
-from .checker import Checker
-from .context import Context
+from ..types import expression_types as ty
+from ..types.dimensions import common_dimension, dimension_of
+from ..types.expression_types import Typed, unknown
 from .kinds import Found
+from .option_binding import Bound
 
 
 def draw_of(

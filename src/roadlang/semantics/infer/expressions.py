@@ -19,10 +19,13 @@ from ...ir.values import (
     Text,
 )
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..names.program import expression_of
 from ..types import bounds
 from ..types.arithmetic import signal_arithmetic, signal_negation
-from ..types.types import (
+from ..types.dimensions import common_dimension
+from ..types.expression_types import (
     ConstraintType,
     EntityType,
     FlagType,
@@ -35,9 +38,6 @@ from ..types.types import (
     Typed,
     unknown,
 )
-from ..types.units import common_dimension
-from .checker import Checker
-from .context import Context
 from .kinds import find_kind
 
 _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}

@@ -11,11 +11,19 @@ from ...diagnostics import Code, Span
 from ...ir.dimension import LENGTH, TIME
 from ...ir.values import NumberBinding, Reference
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..types.arithmetic import common_domain, terms_of
-from ..types.types import Evidence, FlagType, FormulaType, Quantity, SignalType, Typed, unknown
-from ..types.units import common_dimension, unit_missing
-from .checker import Checker
-from .context import Context
+from ..types.dimensions import common_dimension, unit_missing
+from ..types.expression_types import (
+    Evidence,
+    FlagType,
+    FormulaType,
+    Quantity,
+    SignalType,
+    Typed,
+    unknown,
+)
 
 if TYPE_CHECKING:
     from ...stl import Formula, Interval

@@ -11,7 +11,7 @@ from ...diagnostics import Code, Span, nearest
 from ...plugins.kinds import VERBS, Kind
 from ...plugins.options import OptionSchema, schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
-from .checker import Checker
+from ..checker import Checker
 
 _MOST_LISTED = 12
 _NOUNS = {

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from ...diagnostics import Code, nearest
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..types.assignable import fit
-from ..types.types import EntityType, Typed, unknown
-from .arguments import Bound
+from ..types.expression_types import EntityType, Typed, unknown
 from .calls import dotted, has, is_member, of_kind, signature
-from .checker import Checker
-from .context import Context
 from .kinds import find_kind
+from .option_binding import Bound
 from .signals import measured
 
 _VERBS = ("drive_signal", "number")

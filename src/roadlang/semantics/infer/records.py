@@ -6,16 +6,16 @@ from ...diagnostics import Code
 from ...ir.values import Entries
 from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
-from ..types.types import MapType, Typed
-from .checker import Checker
-from .context import Context
+from ..checker import Checker
+from ..context import Context
+from ..types.expression_types import MapType, Typed
 
 
 def fit_record(
     checker: Checker, value: ast.Expression, schema: OptionSchema, record: type, context: Context
 ) -> Typed | None:
     """The map against the options of the dataclass `record`."""
-    from .arguments import bind_options
+    from .option_binding import bind_options
 
     if not isinstance(value, ast.MapValue):
         typed = checker.infer(value, context)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
-from ..types.types import Evidence, Quantity, SignalType, Typed, unknown
-from .arguments import Bound
-from .checker import Checker
+from ..checker import Checker
+from ..types.expression_types import Evidence, Quantity, SignalType, Typed, unknown
+from ..types.number_terms import call_text
 from .draws import constant_of
 from .kinds import Found, reason_of
-from .terms import call_text
+from .option_binding import Bound
 
 _DOMAINS = {"signal": "road", "drive_signal": "drive"}
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ...diagnostics import Code
 from ...syntax.tree import nodes as ast
-from ..types.types import Typed
-from .checker import Checker
+from ..checker import Checker
+from ..types.expression_types import Typed
 
 
 def warn_if_trivial(checker: Checker, statement: ast.Constraint, typed: Typed) -> None:

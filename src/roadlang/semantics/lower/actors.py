@@ -10,14 +10,14 @@ from ...ir.dimension import LENGTH
 from ...ir.values import Entity, PassCall, Reference, Value
 from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..infer.actor_kinds import calls_in, shared_options, with_options
-from ..infer.checker import Checker
-from ..infer.context import Context
-from ..infer.passes import lower_options, lower_passes, refuse_passes
+from ..infer.blocks import lower_options, lower_passes, refuse_passes
 from ..infer.statements import PlacementOptions
 from ..names.program import Declaration
-from ..types.types import CallType, EntityType, PointType, Quantity, Typed
-from ..types.units import unit_missing
+from ..types.dimensions import unit_missing
+from ..types.expression_types import CallType, EntityType, PointType, Quantity, Typed
 
 
 def lower_actor(checker: Checker, declaration: Declaration) -> ir.Actor | None:

@@ -11,15 +11,15 @@ from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...ir.values import Entity, PassCall
 from ...syntax.tree import nodes as ast
-from ..infer.checker import Checker
-from ..infer.context import Context
+from ..checker import Checker
+from ..context import Context
+from ..infer.blocks import lower_options, lower_passes
+from ..infer.file_readers import reader_of
 from ..infer.kinds import find_kind
-from ..infer.passes import lower_options, lower_passes
-from ..infer.readers import reader_of
 from ..infer.statements import STATEMENTS
-from ..names.files import file_fault
+from ..names.file_checks import file_fault
 from ..names.program import Declaration
-from ..types.types import EntityType
+from ..types.expression_types import EntityType
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
 _MAKERS: dict[str, Any] = {"image": ir.Image, "network": ir.Network, "road": ir.Road}

@@ -9,7 +9,7 @@ from pathlib import Path
 from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean
 from ...syntax import parse, parse_formula
 from ...syntax.tree import nodes as ast
-from .files import missing_file
+from .file_checks import missing_file
 from .program import Declaration, Placed, Program, Setting
 
 BUILT_IN = frozenset({"abs", "min", "max", "fresh", "time", "inf"})

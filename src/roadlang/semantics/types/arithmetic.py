@@ -12,11 +12,11 @@ from ...diagnostics import Code, Label, Span
 from ...ir.dimension import PURE, Dimension
 from ...ir.values import Constant, NumberBinding, Operation, Value
 from ...syntax.tree import nodes as ast
-from ..infer.checker import Checker
-from ..infer.terms import term_of
+from ..checker import Checker
 from . import bounds
-from .types import Evidence, Quantity, SignalType, Typed, unknown
-from .units import common_dimension, dimension_of
+from .dimensions import common_dimension, dimension_of
+from .expression_types import Evidence, Quantity, SignalType, Typed, unknown
+from .number_terms import term_of
 
 _OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": ops.pow}
 

@@ -9,14 +9,14 @@ from ...diagnostics import Code, Fix, nearest
 from ...ir.values import Items, Reference, Text, Value
 from ...plugins import option_types as opt
 from ...plugins.options import Constraints, OptionSchema
-from ..infer.checker import Checker
-from . import types as ty
+from ..checker import Checker
+from . import expression_types as ty
 from .describe_option import describe
-from .limits import check_limits
-from .units import common_dimension, unit_missing
+from .dimensions import common_dimension, unit_missing
+from .option_limits import check_limits
 
 if TYPE_CHECKING:
-    from .types import Typed
+    from .expression_types import Typed
 
 
 def fit(checker: Checker, typed: Typed, schema: OptionSchema) -> Typed | None:

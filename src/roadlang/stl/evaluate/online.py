@@ -10,7 +10,7 @@ import numpy as np
 from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
-from ..formula.reach import horizon
+from ..formula.horizon import horizon
 from .ranges import range_at_start
 from .trace import Trace
 from .verdicts import Verdict, decided

@@ -9,7 +9,7 @@ from dataclasses import replace
 from ...diagnostics import Diagnostic, DiagnosticError, Source
 from ...syntax.parsing.parser import parse_formula
 from ..formula import formulas as f
-from .reading import Reader
+from .from_syntax_tree import Reader
 
 _BREACH = re.compile(r"\b(?:alw|ev|until|once|hist)_\s*\[|\b\w+\s*\[\s*t\s*[-+\]]|\balw\b")
 

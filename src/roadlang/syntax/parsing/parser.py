@@ -9,9 +9,9 @@ from ...diagnostics import Code, Diagnostic, Source
 from ..recovery.operator_spelling import misspelled_temporal
 from ..tree import nodes as ast
 from .builder import Builder
-from .checks import check, check_nodes
 from .engine import Build, Stuck, run
 from .lexer import lex
+from .structure_checks import check, check_nodes
 from .tables import Tables, tables
 from .tokens import Lexed
 
@@ -28,7 +28,7 @@ def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
     found = list(lexed.diagnostics)
     spoiled: list[ast.Word] = []
     if isinstance(value, Stuck):
-        from ..recovery.recovery import Recovery
+        from ..recovery.recover import Recovery
 
         recovery = Recovery(source, grammar, builds, _lines(found))
         value = builder.file(0, 0, *recovery.file(lexed))
@@ -54,7 +54,7 @@ def parse_formula(source: Source) -> tuple[ast.Expression | None, list[Diagnosti
     value = _whole(grammar, "formula", lexed, builds)
     found = list(lexed.diagnostics)
     if isinstance(value, Stuck):
-        from ..recovery.recovery import Recovery
+        from ..recovery.recover import Recovery
 
         recovery = Recovery(source, grammar, builds, _lines(found))
         value = recovery.piece("formula", lexed.tokens)

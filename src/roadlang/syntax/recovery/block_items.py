@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ...diagnostics import Source
 from ..parsing.tokens import Token
 from ..words import CLOSERS, OPENERS
-from .stuck_position import looks_like_item, starts_line
+from .error_position import looks_like_item, starts_line
 
 UNREADABLE = "UNREADABLE"
 

@@ -7,7 +7,7 @@ from ..parsing.tables import END
 from ..parsing.tokens import Token
 from ..words import CLOSERS, DEEPEST, OPENERS, SIGNS
 from .block_items import UNREADABLE, spoil
-from .stuck_position import indentation, looks_like_item, starts_line
+from .error_position import indentation, looks_like_item, starts_line
 
 
 def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:

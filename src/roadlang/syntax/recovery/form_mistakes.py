@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...diagnostics import Code, Fix, diagnose
 from ..parsing.tables import END
 from ..words import BINDING_KINDS, TEMPORAL_KINDS
-from .stuck_position import Edit, Mistake, Place
+from .error_position import Edit, Mistake, Place
 
 
 def interval_form(place: Place) -> Mistake | None:

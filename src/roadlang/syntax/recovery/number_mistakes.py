@@ -6,7 +6,7 @@ import re
 
 from ...diagnostics import Code, Fix, diagnose
 from ..words import UNITS
-from .stuck_position import Edit, Mistake, Place
+from .error_position import Edit, Mistake, Place
 
 _UNIT = re.compile(rf"[ \t]+((?:{'|'.join(UNITS)})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b")
 

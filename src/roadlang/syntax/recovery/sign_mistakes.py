@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
 from ..words import CLOSERS
-from .stuck_position import Edit, Mistake, Place
+from .error_position import Edit, Mistake, Place
 from .token_names import expectation, finding
 
 

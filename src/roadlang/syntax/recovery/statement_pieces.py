@@ -8,7 +8,7 @@ from ...diagnostics import Source
 from ..parsing.tables import END
 from ..parsing.tokens import Token
 from ..words import CLOSERS, OPENERS, STATEMENT_KINDS, STATEMENTS, misspelled
-from .stuck_position import at_margin, looks_like_item, starts_line
+from .error_position import at_margin, looks_like_item, starts_line
 
 
 def pieces(source: Source, tokens: Sequence[Token]) -> list[list[Token]]:

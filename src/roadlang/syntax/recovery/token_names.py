@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..parsing.tables import END
 from ..words import LOGIC_KINDS, OPERATOR_KINDS, SIGNS, STATEMENT_KINDS
-from .stuck_position import Place
+from .error_position import Place
 
 _SHOWN = 30
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...diagnostics import Code, Fix, diagnose
 from ..parsing.tables import END
 from ..words import CONNECTIVES, RESERVED, RESERVED_KINDS, STATEMENT_KINDS, misspelled
-from .stuck_position import Edit, Mistake, Place
+from .error_position import Edit, Mistake, Place
 from .token_names import expectation
 
 _LETTERS = {"G": "always", "F": "eventually", "H": "historically", "O": "once"}

@@ -7,12 +7,12 @@ from ...ir import scenario as ir
 from ...ir.values import PassCall, Value
 from ...plugins.kinds import Monitor
 from ...syntax.tree import nodes as ast
-from ..infer.checker import Checker
+from ..checker import Checker
+from ..context import Context
+from ..infer.blocks import lower_call, lower_options, refuse_passes
 from ..infer.conditions import condition_of
-from ..infer.context import Context
 from ..infer.formulas import as_formula
 from ..infer.kinds import find_kind, spoken
-from ..infer.passes import lower_call, lower_options, refuse_passes
 from ..infer.statements import STATEMENTS
 from ..infer.triviality import warn_if_trivial
 from ..names.program import Declaration, Placed

@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from ...diagnostics import Code, diagnose
 from ..words import CLOSERS, OPENERS
+from .error_position import Edit, Mistake, Place
 from .form_mistakes import actor_order, interval_form, list_operand
 from .number_mistakes import decimal_comma, decimal_point, loose_unit
 from .sign_mistakes import (
@@ -19,7 +20,6 @@ from .sign_mistakes import (
     turned_comparison,
     wrong_sign,
 )
-from .stuck_position import Edit, Mistake, Place
 from .token_names import expectation, finding
 from .word_mistakes import (
     bare_file_name,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..infer.checker import Checker
+from ..checker import Checker
 
 
 def evaluation_order(checker: Checker) -> list[str]:

@@ -9,10 +9,10 @@ from ...diagnostics import Code, Label, Span, nearest
 from ...ir.values import PassCall, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
-from .arguments import Bound, bind_options
-from .checker import Checker
-from .context import Context
+from ..checker import Checker
+from ..context import Context
 from .kinds import Found, find_kind, spoken
+from .option_binding import Bound, bind_options
 from .statements import STATEMENTS, common_options
 
 _ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "drive")

@@ -10,14 +10,14 @@ from ...ir.values import Value
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
-from ..types import types as ty
+from ..checker import Checker
+from ..context import Context
+from ..types import expression_types as ty
 from ..types.assignable import fit
-from ..types.types import Typed
-from ..types.units import common_dimension, dimension_of
-from .checker import Checker
-from .context import Context
+from ..types.dimensions import common_dimension, dimension_of
+from ..types.expression_types import Typed
 from .records import fit_record
-from .special import fit_condition, fit_file, fit_kind_name
+from .when_condition import fit_condition, fit_file, fit_kind_name
 
 
 @dataclass(frozen=True, slots=True)

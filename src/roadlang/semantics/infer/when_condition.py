@@ -8,12 +8,12 @@ from ...diagnostics import Code, nearest
 from ...ir.values import Entries, Text, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
-from ..names.files import file_fault
+from ..checker import Checker
+from ..context import Context
+from ..names.file_checks import file_fault
 from ..types.assignable import fit
-from ..types.types import FlagType, FormulaType, MapType, TextType, Typed
-from .checker import Checker
+from ..types.expression_types import FlagType, FormulaType, MapType, TextType, Typed
 from .conditions import condition_of, only_past
-from .context import Context
 from .kinds import find_kind
 
 

@@ -13,10 +13,10 @@ from ..tree import nodes as ast
 from ..words import RESERVED_KINDS, STATEMENT_KINDS, STATEMENTS, misspelled
 from .block_items import UNREADABLE, spoil
 from .brackets import close_brackets, too_deep
-from .mistakes import explain
+from .error_position import Mistake, Place, looks_like_item
+from .known_mistakes import explain
 from .operator_spelling import meant_temporal, misspelled_temporal
 from .statement_pieces import pieces
-from .stuck_position import Mistake, Place, looks_like_item
 
 _MOST_PER_PIECE = 20
 _MOST_TOKENS = 400_000

@@ -9,14 +9,14 @@ from ...ir import scenario as ir
 from ...ir.dimension import Dimension
 from ...ir.values import PassCall
 from ...syntax.tree import nodes as ast
-from ..infer.checker import Checker
-from ..names.dependencies import definition_order
-from ..names.order import evaluation_order
+from ..checker import Checker
+from ..names.definition_order import definition_order
 from ..names.program import Declaration, Placed
-from ..types.types import Quantity, Typed
+from ..types.expression_types import Quantity, Typed
 from .actors import lower_actor
+from .constraints import lower_constraint, lower_emit, lower_plan, lower_world, only_one
+from .evaluation_order import evaluation_order
 from .geometry import lower_geometry
-from .rest import lower_constraint, lower_emit, lower_plan, lower_world, only_one
 
 _LOWER = {
     "image": lower_geometry,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from ...plugins.option_types import (
+from ..plugins.option_types import (
     CallType,
     IntervalType,
     KindNameType,

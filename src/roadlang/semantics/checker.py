@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from ...diagnostics import Code, Diagnostic, Fix, Label, Span, diagnose
-from ...plugins.registry import Registry
-from ...syntax.tree import nodes as ast
-from ..names.program import Program
-from ..types.types import Typed, unknown
+from ..diagnostics import Code, Diagnostic, Fix, Label, Span, diagnose
+from ..plugins.registry import Registry
+from ..syntax.tree import nodes as ast
 from .context import Context
+from .names.program import Program
+from .types.expression_types import Typed, unknown
 
 if TYPE_CHECKING:
-    from .kinds import Found
+    from .infer.kinds import Found
 
 Rule = Callable[["Checker", Any, Context], Typed]
 

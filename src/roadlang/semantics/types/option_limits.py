@@ -7,8 +7,8 @@ from ...ir.dimension import Dimension
 from ...plugins.describing import value_text
 from ...plugins.option_types import QuantityType
 from ...plugins.options import Constraints
-from ..infer.checker import Checker
-from .types import Typed
+from ..checker import Checker
+from .expression_types import Typed
 
 
 def check_limits(

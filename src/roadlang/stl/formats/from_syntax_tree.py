@@ -19,7 +19,7 @@ from ...syntax.tree import nodes as ast
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.interval import Interval
-from . import units
+from . import unit_factors as units
 
 _UNARY: dict[str, Any] = {
     "always": f.Always, "eventually": f.Eventually, "once": f.Once,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code
-from .checker import Checker
+from ..checker import Checker
 
 
 def warn(checker: Checker) -> None:

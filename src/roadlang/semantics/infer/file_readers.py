@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from ...diagnostics import Code, Span
-from .checker import Checker
+from ..checker import Checker
 from .kinds import loaded, spoken
 
 

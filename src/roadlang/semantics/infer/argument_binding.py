@@ -9,11 +9,11 @@ from ...ir.values import Items
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
 from ..types.assignable import fit
-from ..types.types import ListType, Typed
-from .arguments import Bound, bound_of, infer_option, report_missing, report_unknown
-from .checker import Checker
-from .context import Context
+from ..types.expression_types import ListType, Typed
+from .option_binding import Bound, bound_of, infer_option, report_missing, report_unknown
 
 
 def bind_arguments(

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from ...diagnostics import Code, Fix, Label
 from ...plugins.option_types import QuantityType
-from ..infer.checker import Checker
-from ..infer.context import Context
-from ..types import types as ty
-from ..types.types import Typed, unknown
-from ..types.units import unit_missing
-from .program import Declaration, Setting, expression_of
+from ..checker import Checker
+from ..context import Context
+from ..names.program import Declaration, Setting, expression_of
+from ..types import expression_types as ty
+from ..types.dimensions import unit_missing
+from ..types.expression_types import Typed, unknown
 
 
 def define(checker: Checker, declaration: Declaration, context: Context) -> Typed:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...syntax.tree import nodes as ast
-from ..types.units import infer_number
+from ..checker import Rule
+from ..types.dimensions import infer_number
 from . import calls, expressions, formulas, members
-from .checker import Rule
 
 RULES: Mapping[type, Rule] = {
     ast.Number: infer_number,

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ...diagnostics import Code, Diagnostic, Fix, Source, Span, diagnose
-from ..recovery.stuck_position import begins_line
+from ..recovery.error_position import begins_line
 from ..tree import nodes as ast
 from ..tree.walk import walk
 from ..words import CONNECTIVES, DEEPEST, STATEMENTS

@@ -11,9 +11,9 @@ from ...ir.dimension import ANGLE, Dimension
 from ...ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
 from ...ir.values import Constant
 from ...syntax.tree import nodes as ast
-from ..infer.checker import Checker
-from ..infer.context import Context
-from .types import Quantity, SignalType, Typed, unknown
+from ..checker import Checker
+from ..context import Context
+from .expression_types import Quantity, SignalType, Typed, unknown
 
 _parse = cache(parse_unit)
 _DIGITS = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
