@@ -1,3 +1,3 @@
 """roadlang: a plugin-based compiler for driving scenarios."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
