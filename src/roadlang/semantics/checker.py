@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 from ..diagnostics import Code, Diagnostic, Fix, Label, Span, diagnose
-from ..plugins.registry import Registry
+from ..plugins.kinds import Kind
+from ..plugins.options import OptionSchema
+from ..plugins.registry import KindEntry, Registry
 from ..syntax.tree import nodes as ast
 from .context import Context
 from .names.program import Program
-from .types.expression_types import Typed, unknown
+from .types.expression_types import TypedExpression, unknown
 
-if TYPE_CHECKING:
-    from .infer.kinds import Found
+Rule = Callable[["Checker", Any, Context], TypedExpression]
 
-Rule = Callable[["Checker", Any, Context], Typed]
+
+@dataclass(frozen=True, slots=True)
+class ResolvedKind:
+    """A kind that is there, imported, with its options."""
+
+    entry: KindEntry
+    kind: type[Kind]
+    schema: tuple[OptionSchema, ...]
 
 
 class Checker:
@@ -29,14 +38,14 @@ class Checker:
         self.diagnostics: list[Diagnostic] = list(program.diagnostics)
         self.uses: dict[str, dict[str, None]] = {}
         self.used: set[str] = set()
-        self.kinds: dict[tuple[str, str], Found | None] = {}
+        self.kinds: dict[tuple[str, str], ResolvedKind | None] = {}
         self.divisors: list[tuple[str, Span]] = []
         """The `s` of numbers such as `1/s`, and where."""
         self.bounds: dict[int, tuple[float, float] | None] = {}
         """Least and greatest number that an operand of a comparison can be, by the node's id."""
         self._rules = rules
         self._define = define
-        self._definitions: dict[str, Typed] = {}
+        self._definitions: dict[str, TypedExpression] = {}
         self._open: list[str] = []
         self._draws: dict[str, int] = {}
 
@@ -50,7 +59,7 @@ class Checker:
         fixes: Iterable[Fix] = (),
         meant: str | None = None,
         **values: Any,
-    ) -> Typed:
+    ) -> TypedExpression:
         """Report and go on with a value that fits everywhere.
 
         `meant`: what was probably meant by the text of `span`; it is suggested and is the fix.
@@ -63,11 +72,11 @@ class Checker:
         self.diagnostics.append(found)
         return unknown(span)
 
-    def infer(self, expression: ast.Expression, context: Context) -> Typed:
+    def infer(self, expression: ast.Expression, context: Context) -> TypedExpression:
         """Type and value of an expression; errors are reported once, here."""
         return self._rules[type(expression)](self, expression, context)
 
-    def definition(self, name: str) -> Typed:
+    def definition(self, name: str) -> TypedExpression:
         """What a `param` or `let` is."""
         known = self._definitions.get(name)
         if known is not None:

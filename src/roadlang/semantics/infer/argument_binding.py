@@ -11,14 +11,14 @@ from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from ..types.assignable import fit
-from ..types.expression_types import ListType, Typed
-from .option_binding import Bound, bound_of, infer_option, report_missing, report_unknown
+from ..types.assignable import check_assignable
+from ..types.expression_types import SequenceType, TypedExpression
+from .option_binding import BoundOptions, bound_of, infer_option, report_missing, report_unknown
 
 
 def bind_arguments(
     checker: Checker, call: ast.Call, schema: Sequence[OptionSchema], rest: str, context: Context
-) -> Bound:
+) -> BoundOptions:
     """The arguments against the schema; `rest` names the list that takes all without a name."""
     return _Binder(checker, call, schema, rest, context).bind()
 
@@ -39,12 +39,12 @@ class _Binder:
         self._context = context
         self._known = {option.name: option for option in schema}
         self._owner = f"`{call.function.span.text}`"
-        self._given: dict[str, Typed] = {}
+        self._given: dict[str, TypedExpression] = {}
         self._named: set[str] = set()
-        self._gathered: list[Typed] = []
+        self._gathered: list[TypedExpression] = []
         self._complete = True
 
-    def bind(self) -> Bound:
+    def bind(self) -> BoundOptions:
         names = list(self._known)
         for index, argument in enumerate(self._call.arguments):
             if argument.key is not None:
@@ -55,7 +55,7 @@ class _Binder:
                 self._take(argument, names[index])
             else:
                 self._too_many(argument)
-                return Bound(self._given, False)
+                return BoundOptions(self._given, False)
         if self._gathered:
             self._given[self._rest] = self._list()
         self._look_for_missing()
@@ -90,17 +90,19 @@ class _Binder:
         assert isinstance(option.type, opt.ListType)
         item = OptionSchema(option.name, option.type.item, None, option.constraints)
         self._named.add(self._rest)
-        typed = fit(self._checker, self._checker.infer(argument.value, self._context), item)
+        typed = check_assignable(
+            self._checker, self._checker.infer(argument.value, self._context), item
+        )
         if typed is None:
             self._complete = False
         else:
             self._gathered.append(typed)
 
-    def _list(self) -> Typed:
+    def _list(self) -> TypedExpression:
         values = tuple(item.value for item in self._gathered if item.value is not None)
         random = any(item.random for item in self._gathered)
         items = tuple(self._gathered)
-        return Typed(self._call.span, ListType(), Items(values), random, items=items)
+        return TypedExpression(self._call.span, SequenceType(), Items(values), random, items=items)
 
     def _look_for_missing(self) -> None:
         missing = [o.name for o in self._schema if o.required and o.name not in self._named]

@@ -9,10 +9,10 @@ from ...diagnostics import Code, Label, Span, nearest
 from ...ir.values import PassCall, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
-from ..checker import Checker
+from ..checker import Checker, ResolvedKind
 from ..context import Context
-from .kinds import Found, find_kind, spoken
-from .option_binding import Bound, bind_options
+from .kinds import display_name, find_kind
+from .option_binding import BoundOptions, bind_options
 from .statements import STATEMENTS, common_options
 
 _ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "drive")
@@ -77,13 +77,13 @@ def lower_pass(
     if found is None:
         return None
     common = common_options(verb, statement)
-    owner = f"`{spoken(verb, item.kind.text)}`"
+    owner = f"`{display_name(verb, item.kind.text)}`"
     return lower_call(checker, found, item.block, common, context, owner, item.kind.span, item.span)
 
 
 def lower_call(
     checker: Checker,
-    found: Found,
+    found: ResolvedKind,
     block: ast.Block | None,
     common: Sequence[OptionSchema],
     context: Context,
@@ -120,7 +120,7 @@ def lower_options(
     schema: Sequence[OptionSchema],
     context: Context,
     span: Span,
-) -> Bound:
+) -> BoundOptions:
     """The options of a statement."""
     return bind_options(
         checker,

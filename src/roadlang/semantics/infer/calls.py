@@ -11,22 +11,22 @@ from ...plugins.option_types import EntityType as EntityOption
 from ...plugins.option_types import UnionType
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
-from ..checker import Checker
+from ..checker import Checker, ResolvedKind
 from ..context import Context
 from ..types.arithmetic import of_functions, signal_of_functions
 from ..types.dimensions import common_dimension
-from ..types.expression_types import CallType, Quantity, SignalType, Typed, unknown
+from ..types.expression_types import KindCallType, Quantity, SignalType, TypedExpression, unknown
 from .argument_binding import bind_arguments
 from .draws import draw_of
-from .kinds import Found, find_kind
+from .kinds import find_kind
 from .signals import measured
 
 _VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select")
 _COUNTS = {"abs": (1, 1), "min": (2, None), "max": (2, None), "fresh": (1, 1)}
 
 
-def infer_call(checker: Checker, call: ast.Call, context: Context) -> Typed:
-    """`f(x)`; which `f` is meant depends on what is due here and, for overloads, on `x`."""
+def infer_call(checker: Checker, call: ast.Call, context: Context) -> TypedExpression:
+    """`f(x)`; which `f` is meant depends on what is expected here and, for overloads, on `x`."""
     name = dotted(call.function)
     if name is None:
         return checker.report(
@@ -46,7 +46,7 @@ def infer_call(checker: Checker, call: ast.Call, context: Context) -> Typed:
     return _overloaded(checker, call, verbs, name, context)
 
 
-def is_member(found: Found) -> bool:
+def is_member(found: ResolvedKind) -> bool:
     """Whether a signal or number is written `ego.speed` rather than `speed(ego)`."""
     return bool(getattr(found.kind, "member", False))
 
@@ -65,7 +65,7 @@ def has(checker: Checker, verb: str, name: str) -> bool:
     return checker.registry.has(verb, name) or checker.registry.is_planned(verb, name)
 
 
-def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) -> Typed:
+def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) -> TypedExpression:
     span = call.function.span
     if context.verbs:
         find_kind(checker, context.verbs[0], name, span)
@@ -83,7 +83,7 @@ def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) 
     return unknown(call.span)
 
 
-def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> Typed:
+def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> TypedExpression:
     if not _counted(checker, call, name):
         return unknown(call.span)
     if name == "fresh":
@@ -95,7 +95,7 @@ def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> 
         if not isinstance(given.type, Quantity | SignalType):
             what, found = f"`{name}`", given.type
             return checker.report(
-                Code.WRONG_TYPE, given.span, what=what, due="a number", found=found
+                Code.WRONG_TYPE, given.span, what=what, expected="a number", found=found
             )
     dimension = common_dimension(checker, arguments, "compared")
     if dimension is None:
@@ -110,9 +110,11 @@ def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
     least, most = _COUNTS[name]
     count = len(call.arguments)
     if count < least or (most is not None and count > most):
-        due = "two or more arguments" if most is None else "one argument"
+        expected = "two or more arguments" if most is None else "one argument"
         span = call.arguments[most].span if most and count > most else call.span
-        checker.report(Code.WRONG_ARGUMENT_COUNT, span, name=name, help=f"`{name}` takes {due}")
+        checker.report(
+            Code.WRONG_ARGUMENT_COUNT, span, name=name, help=f"`{name}` takes {expected}"
+        )
         return False
     for argument in call.arguments:
         if argument.key is not None:
@@ -122,7 +124,7 @@ def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
     return True
 
 
-def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
+def _fresh(checker: Checker, call: ast.Call, context: Context) -> TypedExpression:
     value = call.arguments[0].value
     while isinstance(value, ast.Group):
         value = value.inner
@@ -138,7 +140,9 @@ def _fresh(checker: Checker, call: ast.Call, context: Context) -> Typed:
     return replace(again, span=call.span)
 
 
-def of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Context) -> Typed:
+def of_kind(
+    checker: Checker, call: ast.Call, verb: str, name: str, context: Context
+) -> TypedExpression:
     found = find_kind(checker, verb, name, call.function.span)
     if found is None:
         return unknown(call.span)
@@ -157,19 +161,19 @@ def of_kind(checker: Checker, call: ast.Call, verb: str, name: str, context: Con
         return measured(checker, call.span, found, bound, name)
     random = any(typed.random for typed in bound.given.values())
     value = PassCall(verb, found.entry.qualified, bound.values, name, call.span)
-    return Typed(call.span, CallType(verb), value, random)
+    return TypedExpression(call.span, KindCallType(verb), value, random)
 
 
 def _overloaded(
     checker: Checker, call: ast.Call, verbs: list[str], name: str, context: Context
-) -> Typed:
+) -> TypedExpression:
     """The one of several functions whose options take what the arguments name."""
     roles = [_role(checker, argument.value) for argument in call.arguments]
     if any(role == "unknown" for role in roles):
         for argument in call.arguments:
             checker.infer(argument.value, context)
         return unknown(call.span)
-    candidates: list[tuple[str, Found]] = []
+    candidates: list[tuple[str, ResolvedKind]] = []
     for verb in verbs:
         found = find_kind(checker, verb, name, call.function.span)
         if found is not None:
@@ -200,8 +204,8 @@ def _role(checker: Checker, value: ast.Expression) -> str | None:
 
 def _takes(schema: tuple[OptionSchema, ...], roles: list[str | None]) -> bool:
     for option, role in zip(schema, roles, strict=False):
-        due = set(_roles_of(option))
-        if (role is not None or due) and role not in due:
+        expected = set(_roles_of(option))
+        if (role is not None or expected) and role not in expected:
             return False
     return True
 

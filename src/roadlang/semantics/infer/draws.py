@@ -9,19 +9,18 @@ from ...ir.dimension import PURE
 from ...ir.values import Constant, Draw, Items, PassCall, Value
 from ...plugins.option_types import AnyType, ListType, QuantityType
 from ...syntax.tree import nodes as ast
-from ..checker import Checker
+from ..checker import Checker, ResolvedKind
 from ..context import Context
 from ..types import bounds
 from ..types import expression_types as ty
 from ..types.dimensions import common_dimension, dimension_of
-from ..types.expression_types import Typed, unknown
-from .kinds import Found
-from .option_binding import Bound
+from ..types.expression_types import TypedExpression, unknown
+from .option_binding import BoundOptions
 
 
 def draw_of(
-    checker: Checker, call: ast.Call, found: Found, bound: Bound, context: Context
-) -> Typed:
+    checker: Checker, call: ast.Call, found: ResolvedKind, bound: BoundOptions, context: Context
+) -> TypedExpression:
     """The draw that the call of a distribution stands for."""
     kind = _type_of(checker, found, bound)
     if kind is None:
@@ -35,18 +34,22 @@ def draw_of(
     options = bound.values
     drawn = PassCall("distribution", found.entry.qualified, options, place, call.span)
     value = Draw(place, drawn, context.per)
-    return Typed(call.span, kind, value, random=True, bounds=reach, items=_items(found, bound))
+    return TypedExpression(
+        call.span, kind, value, random=True, bounds=reach, items=_items(found, bound)
+    )
 
 
-def _items(found: Found, bound: Bound) -> tuple[Typed, ...]:
+def _items(found: ResolvedKind, bound: BoundOptions) -> tuple[TypedExpression, ...]:
     """What is chosen among, so that the parts of a random list or point can be checked."""
     chosen = _chosen(found, bound)
-    if chosen and all(isinstance(part.type, ty.ListType | ty.PointType) for part in chosen):
+    if chosen and all(
+        isinstance(part.type, ty.SequenceType | ty.CoordinatesType) for part in chosen
+    ):
         return chosen[0].items
-    return chosen if chosen and isinstance(chosen[0].type, ty.TextType) else ()
+    return chosen if chosen and isinstance(chosen[0].type, ty.StringType) else ()
 
 
-def _chosen(found: Found, bound: Bound) -> tuple[Typed, ...]:
+def _chosen(found: ResolvedKind, bound: BoundOptions) -> tuple[TypedExpression, ...]:
     for option in found.schema:
         if option.name not in bound.given:
             continue
@@ -57,7 +60,7 @@ def _chosen(found: Found, bound: Bound) -> tuple[Typed, ...]:
     return ()
 
 
-def _type_of(checker: Checker, found: Found, bound: Bound) -> ty.Type | None:
+def _type_of(checker: Checker, found: ResolvedKind, bound: BoundOptions) -> ty.Type | None:
     if bound.like is not None:
         return ty.Quantity(dimension_of(bound.like))
     chosen = _chosen(found, bound)
@@ -68,29 +71,31 @@ def _type_of(checker: Checker, found: Found, bound: Bound) -> ty.Type | None:
     return ty.Quantity(PURE, whole=whole)
 
 
-def _common_type(checker: Checker, parts: tuple[Typed, ...]) -> ty.Type | None:
+def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Type | None:
     """The type of any of several values; None, reported, where they have not one."""
     first = parts[0]
     for part in parts[1:]:
         if type(part.type) is not type(first.type) or (
-            isinstance(part.type, ty.CallType) and part.type != first.type
+            isinstance(part.type, ty.KindCallType) and part.type != first.type
         ):
             what = "each value to choose from"
-            checker.report(Code.WRONG_TYPE, part.span, what=what, due=first.type, found=part.type)
+            checker.report(
+                Code.WRONG_TYPE, part.span, what=what, expected=first.type, found=part.type
+            )
             return None
     if isinstance(first.type, ty.Quantity):
         dimension = common_dimension(checker, parts, "chosen from")
         whole = all(isinstance(part.type, ty.Quantity) and part.type.whole for part in parts)
         bare = all(isinstance(part.type, ty.Quantity) and part.type.bare for part in parts)
         return None if dimension is None else ty.Quantity(dimension, whole=whole, bare=bare)
-    if isinstance(first.type, ty.TextType):
-        texts = [part.type.values for part in parts if isinstance(part.type, ty.TextType)]
+    if isinstance(first.type, ty.StringType):
+        texts = [part.type.values for part in parts if isinstance(part.type, ty.StringType)]
         known = [values for values in texts if values is not None]
-        return ty.TextType(frozenset().union(*known) if len(known) == len(texts) else None)
+        return ty.StringType(frozenset().union(*known) if len(known) == len(texts) else None)
     return first.type
 
 
-def _reach(found: Found, bound: Bound) -> tuple[float, float] | None:
+def _reach(found: ResolvedKind, bound: BoundOptions) -> tuple[float, float] | None:
     chosen = _chosen(found, bound)
     if chosen:
         return bounds.hull([part.bounds for part in chosen])
@@ -101,7 +106,7 @@ def _reach(found: Found, bound: Bound) -> tuple[float, float] | None:
     return _support(found, bound)
 
 
-def _support(found: Found, bound: Bound) -> tuple[float, float] | None:
+def _support(found: ResolvedKind, bound: BoundOptions) -> tuple[float, float] | None:
     """What the distribution says itself, where all its options are constant."""
     options = {name: constant_of(value) for name, value in bound.values}
     if any(option is None for option in options.values()):

@@ -26,16 +26,16 @@ from ..types import bounds
 from ..types.arithmetic import signal_arithmetic, signal_negation
 from ..types.dimensions import common_dimension
 from ..types.expression_types import (
+    BooleanType,
     ConstraintType,
-    EntityType,
-    FlagType,
-    ListType,
-    MapType,
-    PointType,
+    CoordinatesType,
+    DeclaredType,
+    MappingType,
     Quantity,
+    SequenceType,
     SignalType,
-    TextType,
-    Typed,
+    StringType,
+    TypedExpression,
     unknown,
 )
 from .kinds import find_kind
@@ -43,21 +43,25 @@ from .kinds import find_kind
 _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
 
 
-def infer_string(checker: Checker, string: ast.String | ast.Text, context: Context) -> Typed:
-    return Typed(string.span, TextType(frozenset({string.value})), Text(string.value))
+def infer_string(
+    checker: Checker, string: ast.String | ast.Text, context: Context
+) -> TypedExpression:
+    return TypedExpression(string.span, StringType(frozenset({string.value})), Text(string.value))
 
 
-def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> Typed:
+def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> TypedExpression:
     from ...stl import Truth
 
-    return Typed(boolean.span, FlagType(), Flag(boolean.value), formula=Truth(boolean.value))
+    return TypedExpression(
+        boolean.span, BooleanType(), Flag(boolean.value), formula=Truth(boolean.value)
+    )
 
 
-def infer_group(checker: Checker, group: ast.Group, context: Context) -> Typed:
+def infer_group(checker: Checker, group: ast.Group, context: Context) -> TypedExpression:
     return checker.infer(group.inner, context)
 
 
-def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> Typed:
+def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> TypedExpression:
     operand = checker.infer(negation.operand, context)
     if operand.is_unknown:
         return operand
@@ -65,7 +69,7 @@ def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> 
         return signal_negation(operand, negation.span)
     if not isinstance(operand.type, Quantity):
         return checker.report(
-            Code.WRONG_TYPE, operand.span, what="`-`", due="a number", found=operand.type
+            Code.WRONG_TYPE, operand.span, what="`-`", expected="a number", found=operand.type
         )
     value = operand.value
     assert value is not None
@@ -79,7 +83,7 @@ def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> 
     )
 
 
-def infer_arithmetic(checker: Checker, node: ast.Arithmetic, context: Context) -> Typed:
+def infer_arithmetic(checker: Checker, node: ast.Arithmetic, context: Context) -> TypedExpression:
     """`+ - * / ^` of numbers, or of signals and numbers."""
     left = checker.infer(node.left, context)
     right = checker.infer(node.right, context)
@@ -89,12 +93,12 @@ def infer_arithmetic(checker: Checker, node: ast.Arithmetic, context: Context) -
         if not isinstance(side.type, Quantity | SignalType):
             sign = f"`{node.operator}`"
             return checker.report(
-                Code.WRONG_TYPE, side.span, what=sign, due="a number", found=side.type
+                Code.WRONG_TYPE, side.span, what=sign, expected="a number", found=side.type
             )
     return signal_arithmetic(checker, node, left, right)
 
 
-def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
+def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpression:
     """`low..high`: a uniform draw."""
     ends = [checker.infer(end, context) for end in (draw.low, draw.high)]
     if any(end.is_unknown for end in ends):
@@ -102,7 +106,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
     for end in ends:
         if not isinstance(end.type, Quantity):
             return checker.report(
-                Code.WRONG_TYPE, end.span, what="`..`", due="a number", found=end.type
+                Code.WRONG_TYPE, end.span, what="`..`", expected="a number", found=end.type
             )
     dimension = common_dimension(checker, ends, "the two ends of a range")
     if dimension is None:
@@ -128,23 +132,23 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> Typed:
         whole=low.constant is not None and low.constant == high.constant and kinds[0].whole,
     )
     value = Draw(place, call, context.per)
-    return Typed(draw.span, kind, value, random=True, bounds=reach, range=True)
+    return TypedExpression(draw.span, kind, value, random=True, bounds=reach, range=True)
 
 
-def infer_point(checker: Checker, point: ast.Point, context: Context) -> Typed:
+def infer_point(checker: Checker, point: ast.Point, context: Context) -> TypedExpression:
     items = tuple(checker.infer(item, context) for item in point.items)
-    return _collected(Typed(point.span, PointType(), items=items))
+    return _collected(TypedExpression(point.span, CoordinatesType(), items=items))
 
 
-def infer_list(checker: Checker, items: ast.ListValue, context: Context) -> Typed:
+def infer_list(checker: Checker, items: ast.ListValue, context: Context) -> TypedExpression:
     parts = tuple(checker.infer(item, context) for item in items.items)
-    return _collected(Typed(items.span, ListType(), items=parts))
+    return _collected(TypedExpression(items.span, SequenceType(), items=parts))
 
 
-def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> Typed:
+def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> TypedExpression:
     """`{ key: value }`; a key that is there twice is an error."""
     keys: list[tuple[str, Span]] = []
-    items: list[Typed] = []
+    items: list[TypedExpression] = []
     for entry in node.entries:
         key = entry.key.value if isinstance(entry.key, ast.String) else entry.key.text
         if key in (known for known, _ in keys):
@@ -153,7 +157,7 @@ def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> Typed:
         keys.append((key, entry.key.span))
         inner = replace(context, place=f"{context.place}/{key}")
         items.append(checker.infer(entry.value, inner))
-    found = Typed(node.span, MapType(), items=tuple(items), keys=tuple(keys))
+    found = TypedExpression(node.span, MappingType(), items=tuple(items), keys=tuple(keys))
     values = [item.value for item in items]
     if any(value is None for value in values):
         return found
@@ -161,7 +165,7 @@ def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> Typed:
     return replace(found, value=Entries(named), random=any(item.random for item in items))
 
 
-def _collected(typed: Typed) -> Typed:
+def _collected(typed: TypedExpression) -> TypedExpression:
     values = tuple(item.value for item in typed.items if item.value is not None)
     if len(values) < len(typed.items):
         return typed
@@ -169,37 +173,37 @@ def _collected(typed: Typed) -> Typed:
     return replace(typed, value=Items(values), random=random)
 
 
-def infer_name(checker: Checker, name: ast.Name, context: Context) -> Typed:
+def infer_name(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:
     """A word of the option, a declared thing, a kind, a built-in name."""
     text = name.text
     if text in context.words:
-        return Typed(name.span, TextType(frozenset({text}), word=True), Text(text))
+        return TypedExpression(name.span, StringType(frozenset({text}), word=True), Text(text))
     declaration = checker.program.declarations.get(text)
     if text in checker.program.spoiled and text != "time":
         return unknown(name.span)
-    verb = _verb_due(checker, text, context)
+    verb = _expected_verb(checker, text, context)
     if declaration is not None and verb is None:
         return _declared(checker, name, declaration.role, context)
     if text == "inf":
         kind = Quantity(fits_any=True)
-        return Typed(name.span, kind, Constant(math.inf), bounds=(math.inf, math.inf))
+        return TypedExpression(name.span, kind, Constant(math.inf), bounds=(math.inf, math.inf))
     if text == "time":
         return checker.infer(ast.Call(name, (), span=name.span), context)
     verb = verb or _verb_in_definition(checker, text, context)
     if verb is not None:
         return checker.infer(ast.Call(name, (), span=name.span), replace(context, verbs=(verb,)))
     if context.strings:
-        return Typed(name.span, TextType(frozenset({text})), Text(text))
+        return TypedExpression(name.span, StringType(frozenset({text})), Text(text))
     return _unresolved(checker, name, context)
 
 
-def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> Typed:
+def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> TypedExpression:
     text, span = name.text, name.span
     checker.use(text, context)
     if role in ("require", "expect"):
-        return Typed(span, ConstraintType(role), Text(text))
+        return TypedExpression(span, ConstraintType(role), Text(text))
     if role not in ("param", "let"):
-        return Typed(span, EntityType(role), Entity(text, role))
+        return TypedExpression(span, DeclaredType(role), Entity(text, role))
     found = checker.definition(text)
     if found.is_unknown:
         return unknown(span)
@@ -216,7 +220,7 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
     return replace(found, span=span, value=Reference(text), range=False)
 
 
-def _signal_or_formula(found: Typed, text: str, span: Span) -> Typed:
+def _signal_or_formula(found: TypedExpression, text: str, span: Span) -> TypedExpression:
     """What a `let` names; a signal by itself is a variable of that name in formulas."""
     from ...stl import Variable
 
@@ -228,8 +232,8 @@ def _signal_or_formula(found: Typed, text: str, span: Span) -> Typed:
     return found
 
 
-def _verb_due(checker: Checker, text: str, context: Context) -> str | None:
-    """The verb of the kind that a bare name means where kinds are due: `is car`."""
+def _expected_verb(checker: Checker, text: str, context: Context) -> str | None:
+    """The verb of the kind that a bare name means where kinds are expected: `is car`."""
     registry = checker.registry
     for verb in context.verbs:
         if registry.has(verb, text) or registry.is_planned(verb, text):
@@ -238,14 +242,14 @@ def _verb_due(checker: Checker, text: str, context: Context) -> str | None:
 
 
 def _verb_in_definition(checker: Checker, text: str, context: Context) -> str | None:
-    """Where nothing says what is due, a name that is not declared may be a kind."""
+    """Where nothing says what is expected, a name that is not declared may be a kind."""
     declared = checker.program.declarations.get(context.user)
     if declared is None or declared.role not in ("param", "let"):
         return None
     return next((verb for verb in ("agent", "object") if checker.registry.has(verb, text)), None)
 
 
-def _unresolved(checker: Checker, name: ast.Name, context: Context) -> Typed:
+def _unresolved(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:
     if checker.program.incomplete and not (context.words or context.verbs):
         return unknown(name.span)
     declared = nearest(name.text, checker.program.declarations)

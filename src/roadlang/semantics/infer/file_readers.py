@@ -6,7 +6,7 @@ from pathlib import PurePath
 
 from ...diagnostics import Code, Span
 from ..checker import Checker
-from .kinds import loaded, spoken
+from .kinds import display_name, loaded
 
 
 def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
@@ -35,10 +35,10 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
         return None
     planned = checker.registry.planned_reader(suffix)
     if planned is not None:
-        checker.report(Code.PLANNED_KIND, span, kind=spoken("read", planned))
+        checker.report(Code.PLANNED_KIND, span, kind=display_name("read", planned))
         return None
     for entry, reason in broken:
-        kind = spoken("read", entry.name)
+        kind = display_name("read", entry.name)
         checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=entry.origin, reason=reason)
     if broken:
         return None

@@ -3,33 +3,36 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from ...diagnostics import Code, Span
 from ...ir.dimension import LENGTH, TIME
-from ...ir.values import NumberBinding, Reference
+from ...ir.values import Condition, NumberBinding, Reference
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..types.arithmetic import common_domain, terms_of
 from ..types.dimensions import common_dimension, unit_missing
 from ..types.expression_types import (
+    BooleanType,
     Evidence,
-    FlagType,
     FormulaType,
     Quantity,
     SignalType,
-    Typed,
+    TypedExpression,
     unknown,
 )
 
 if TYPE_CHECKING:
     from ...stl import Formula, Interval
 
+_COMMENT = re.compile(r"#[^\n]*")
 
-def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -> Typed:
+
+def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -> TypedExpression:
     """`a < b`, or a chain: each operator holds."""
     from ...stl import And, Comparison
 
@@ -40,9 +43,9 @@ def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -
         checker.bounds[id(operand)] = part.bounds
     for part in parts:
         if not isinstance(part.type, Quantity | SignalType):
-            due = "a number or a signal"
+            expected = "a number or a signal"
             return checker.report(
-                Code.WRONG_TYPE, part.span, what="a comparison", due=due, found=part.type
+                Code.WRONG_TYPE, part.span, what="a comparison", expected=expected, found=part.type
             )
     if common_dimension(checker, parts, "compared") is None:
         return unknown(node.span)
@@ -50,7 +53,7 @@ def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -
         if operator in ("==", "!=") and not _is_whole(right):
             checker.report(Code.FLOAT_EQUALITY, node.span, operator=operator)
     evidence = common_domain(checker, parts)
-    if isinstance(evidence, Typed):
+    if isinstance(evidence, TypedExpression):
         return evidence
     terms, numbers = terms_of(parts)
     pairs = [
@@ -61,7 +64,7 @@ def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -
     return _formula(node.span, formula, evidence, parts, numbers)
 
 
-def _is_whole(typed: Typed) -> bool:
+def _is_whole(typed: TypedExpression) -> bool:
     return isinstance(typed.type, Quantity) and typed.type.whole and typed.type.dimension.is_pure
 
 
@@ -69,12 +72,12 @@ def _formula(
     span: Span,
     formula: Formula,
     evidence: Evidence | None,
-    parts: Sequence[Typed],
+    parts: Sequence[TypedExpression],
     numbers: tuple[NumberBinding, ...],
-) -> Typed:
+) -> TypedExpression:
     domain = evidence.domain if evidence else "scene"
     signals = tuple(dict.fromkeys(signal for part in parts for signal in part.signals))
-    return Typed(
+    return TypedExpression(
         span,
         FormulaType(domain),
         formula=formula,
@@ -85,7 +88,7 @@ def _formula(
     )
 
 
-def infer_not(checker: Checker, node: ast.Not, context: Context) -> Typed:
+def infer_not(checker: Checker, node: ast.Not, context: Context) -> TypedExpression:
     from ...stl import Not
 
     operand = _operand(checker, node.operand, context, "`not`")
@@ -94,7 +97,7 @@ def infer_not(checker: Checker, node: ast.Not, context: Context) -> Typed:
     return replace(operand, span=node.span, formula=Not(operand.formula))
 
 
-def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> Typed:
+def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> TypedExpression:
     """`and`, `or`, `implies`, `iff`, `xor`."""
     from ... import stl
 
@@ -113,15 +116,17 @@ def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> Typed:
     return _joined(checker, node.span, makers[node.word], parts)
 
 
-def _joined(checker: Checker, span: Span, make: Any, parts: Sequence[Typed]) -> Typed:
+def _joined(
+    checker: Checker, span: Span, make: Any, parts: Sequence[TypedExpression]
+) -> TypedExpression:
     evidence = common_domain(checker, parts)
-    if isinstance(evidence, Typed):
+    if isinstance(evidence, TypedExpression):
         return evidence
     numbers = tuple(dict.fromkeys(number for part in parts for number in part.numbers))
     return _formula(span, make(), evidence, parts, numbers)
 
 
-def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Typed:
+def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> TypedExpression:
     """`always[a, b] p` and its kin."""
     from ... import stl
 
@@ -130,7 +135,7 @@ def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Ty
     if operand.formula is None or ends is None:
         return unknown(node.span)
     interval = _interval(checker, node, ends, operand.evidence)
-    if isinstance(interval, Typed):
+    if isinstance(interval, TypedExpression):
         return interval
     maker = {
         "always": stl.Always,
@@ -141,7 +146,7 @@ def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Ty
     return replace(operand, span=node.span, formula=maker(interval, operand.formula))
 
 
-def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> Typed:
+def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> TypedExpression:
     """`left until[a, b] right` and `since`."""
     from ... import stl
 
@@ -151,26 +156,28 @@ def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> Type
     if ends is None or any(part.formula is None for part in parts):
         return unknown(node.span)
     evidence = common_domain(checker, parts)
-    if isinstance(evidence, Typed):
+    if isinstance(evidence, TypedExpression):
         return evidence
     interval = _interval(checker, node, ends, evidence)
-    if isinstance(interval, Typed):
+    if isinstance(interval, TypedExpression):
         return interval
     maker: Any = stl.Until if node.word == "until" else stl.Since
     left, right = parts[0].formula, parts[1].formula
     return _joined(checker, node.span, lambda: maker(interval, left, right), parts)
 
 
-def _operand(checker: Checker, node: ast.Expression, context: Context, what: str) -> Typed:
+def _operand(
+    checker: Checker, node: ast.Expression, context: Context, what: str
+) -> TypedExpression:
     """A formula; anything else is reported and unknown."""
     return as_formula(checker, checker.infer(node, context), what)
 
 
-def as_formula(checker: Checker, typed: Typed, what: str) -> Typed:
+def as_formula(checker: Checker, typed: TypedExpression, what: str) -> TypedExpression:
     """The expression as a formula: one already, or a flag."""
     if typed.is_unknown or isinstance(typed.type, FormulaType):
         return typed
-    if isinstance(typed.type, FlagType):
+    if isinstance(typed.type, BooleanType):
         if isinstance(typed.value, Reference):
             return replace(typed, type=FormulaType("scene"), **_flag(typed.value))
         return replace(typed, type=FormulaType("scene"))
@@ -194,7 +201,7 @@ def _flag(value: Reference) -> dict[str, Any]:
 
 def _ends(
     checker: Checker, interval: ast.Interval | None, context: Context
-) -> tuple[Typed, ...] | None:
+) -> tuple[TypedExpression, ...] | None:
     """The two ends of an interval, constant numbers; () where there is none."""
     if interval is None:
         return ()
@@ -204,12 +211,14 @@ def _ends(
     for end in ends:
         if not isinstance(end.type, Quantity):
             what = "the end of an interval"
-            checker.report(Code.WRONG_TYPE, end.span, what=what, due="a number", found=end.type)
+            checker.report(
+                Code.WRONG_TYPE, end.span, what=what, expected="a number", found=end.type
+            )
             return None
         if end.constant is None:
-            due = "the same in every scene"
+            expected = "the same in every scene"
             checker.report(
-                Code.MUST_NOT_BE_RANDOM, end.span, what="the end of an interval", due=due
+                Code.MUST_NOT_BE_RANDOM, end.span, what="the end of an interval", expected=expected
             )
             return None
     return tuple(ends)
@@ -218,9 +227,9 @@ def _ends(
 def _interval(
     checker: Checker,
     node: ast.Temporal | ast.Binding,
-    ends: tuple[Typed, ...],
+    ends: tuple[TypedExpression, ...],
     evidence: Evidence | None,
-) -> Interval | Typed | None:
+) -> Interval | TypedExpression | None:
     """The interval in the unit of the formula's domain; unknown, reported, where it is not."""
     from ...stl import Interval
 
@@ -228,14 +237,14 @@ def _interval(
         return checker.report(Code.TEMPORAL_OVER_CONSTANTS, node.word_span, word=node.word)
     if not ends:
         return None
-    due = LENGTH if evidence.domain == "road" else TIME
+    expected = LENGTH if evidence.domain == "road" else TIME
     wrong = []
     for end in ends:
         assert isinstance(end.type, Quantity)
-        if end.type.fits_any or end.type.dimension == due:
+        if end.type.fits_any or end.type.dimension == expected:
             continue
         if end.type.bare:
-            return unit_missing(checker, end, due)
+            return unit_missing(checker, end, expected)
         wrong.append(end)
     if wrong:
         return _wrong_unit(checker, wrong, evidence)
@@ -250,7 +259,9 @@ def _interval(
     return Interval(low, high)
 
 
-def _wrong_unit(checker: Checker, wrong: Sequence[Typed], evidence: Evidence) -> Typed:
+def _wrong_unit(
+    checker: Checker, wrong: Sequence[TypedExpression], evidence: Evidence
+) -> TypedExpression:
     from ...diagnostics import Label
 
     road = evidence.domain == "road"
@@ -265,3 +276,14 @@ def _wrong_unit(checker: Checker, wrong: Sequence[Typed], evidence: Evidence) ->
         unit="meters" if road else "seconds",
         help="write meters, as in `[0m, 50m]`" if road else "write seconds, as in `[0s, 5s]`",
     )  # fmt: skip
+
+
+def condition_of(typed: TypedExpression) -> Condition:
+    """The IR of a formula."""
+    from ...stl import Truth
+
+    domain = typed.evidence.domain if typed.evidence else "scene"
+    formula = typed.formula if typed.formula is not None else Truth(True)
+    # A color in a formula cannot be: a `#` begins a comment here.
+    text = " ".join(_COMMENT.sub(" ", typed.span.text).split())
+    return Condition(text, formula, domain, typed.signals, typed.numbers)

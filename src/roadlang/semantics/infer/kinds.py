@@ -5,13 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable
 from contextlib import redirect_stdout
-from dataclasses import dataclass
 
 from ...diagnostics import Code, Span, nearest
-from ...plugins.kinds import VERBS, Kind
-from ...plugins.options import OptionSchema, schema_of
+from ...plugins.kinds import VERBS
+from ...plugins.options import schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
-from ..checker import Checker
+from ..checker import Checker, ResolvedKind
 
 _MOST_LISTED = 12
 _NOUNS = {
@@ -23,16 +22,7 @@ _NOUNS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
-    """A kind that is there, imported, with its options."""
-
-    entry: KindEntry
-    kind: type[Kind]
-    schema: tuple[OptionSchema, ...]
-
-
-def find_kind(checker: Checker, verb: str, name: str, span: Span) -> Found | None:
+def find_kind(checker: Checker, verb: str, name: str, span: Span) -> ResolvedKind | None:
     """The kind, or None, with the reason reported at `span`."""
     key = (verb, name)
     if key in checker.kinds and (known := checker.kinds[key]) is not None:
@@ -44,7 +34,7 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> Found | Non
         owners = " and ".join(str(entry.origin) for entry in error.entries)
         help_ = f"write {names}"
         checker.report(
-            Code.AMBIGUOUS_KIND, span, kind=spoken(verb, name), owners=owners, help=help_
+            Code.AMBIGUOUS_KIND, span, kind=display_name(verb, name), owners=owners, help=help_
         )
         return None
     except UnknownKind:
@@ -55,21 +45,21 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> Found | Non
     return found
 
 
-def _load(checker: Checker, entry: KindEntry, span: Span) -> Found | None:
+def _load(checker: Checker, entry: KindEntry, span: Span) -> ResolvedKind | None:
     found = loaded(entry)
-    if isinstance(found, Found):
+    if isinstance(found, ResolvedKind):
         return found
-    kind_name = spoken(entry.verb, entry.name)
+    kind_name = display_name(entry.verb, entry.name)
     checker.report(Code.BROKEN_PLUGIN, span, kind=kind_name, plugin=entry.origin, reason=found)
     return None
 
 
-def loaded(entry: KindEntry) -> Found | str:
+def loaded(entry: KindEntry) -> ResolvedKind | str:
     """The kind, or why it cannot be had: a plugin may do anything when it is imported."""
     try:
         with redirect_stdout(sys.stderr):
             kind = entry.load()
-        return Found(entry, kind, schema_of(kind))
+        return ResolvedKind(entry, kind, schema_of(kind))
     except (KeyboardInterrupt, MemoryError):
         raise
     except BaseException as error:
@@ -81,7 +71,7 @@ def reason_of(error: BaseException) -> str:
     return f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def spoken(verb: str, name: str) -> str:
+def display_name(verb: str, name: str) -> str:
     """A kind as the language writes it: `perturb with sine`, `emit svg`, `car`."""
     if verb in ("emit",):
         return f"emit {name}"
@@ -96,14 +86,14 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     registry = checker.registry
     if registry.is_planned(verb, name):
         built = _listing(verb, registry.names(verb))
-        checker.report(Code.PLANNED_KIND, span, kind=spoken(verb, name), help=built)
+        checker.report(Code.PLANNED_KIND, span, kind=display_name(verb, name), help=built)
         return
     for broken in registry.broken:
         if name.split(".")[0] == broken.origin.plugin and "." in name:
             checker.report(
                 Code.BROKEN_PLUGIN,
                 span,
-                kind=spoken(verb, name),
+                kind=display_name(verb, name),
                 plugin=broken.origin,
                 reason=broken.reason,
             )
@@ -128,7 +118,7 @@ def _not_installed(checker: Checker, name: str) -> list[str]:
 
 def _elsewhere(checker: Checker, verb: str, name: str) -> list[str]:
     verbs = [other for other in VERBS if other != verb and checker.registry.has(other, name)]
-    return [f"`{spoken(other, name)}` is there" for other in verbs[:1]]
+    return [f"`{display_name(other, name)}` is there" for other in verbs[:1]]
 
 
 def _listing(verb: str, names: Iterable[str]) -> list[str]:

@@ -6,17 +6,17 @@ from ...diagnostics import Code, nearest
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from ..types.assignable import fit
-from ..types.expression_types import EntityType, Typed, unknown
+from ..types.assignable import check_assignable
+from ..types.expression_types import DeclaredType, TypedExpression, unknown
 from .calls import dotted, has, is_member, of_kind, signature
 from .kinds import find_kind
-from .option_binding import Bound
+from .option_binding import BoundOptions
 from .signals import measured
 
 _VERBS = ("drive_signal", "number")
 
 
-def infer_member(checker: Checker, member: ast.Member, context: Context) -> Typed:
+def infer_member(checker: Checker, member: ast.Member, context: Context) -> TypedExpression:
     """A signal or number of an agent or object, or a kind by its whole name."""
     parts = dotted(member)
     if parts is None:
@@ -34,7 +34,7 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
     owner = checker.infer(root, context)
     if owner.is_unknown:
         return unknown(member.span)
-    if not isinstance(owner.type, EntityType) or owner.type.role not in ("agent", "object"):
+    if not isinstance(owner.type, DeclaredType) or owner.type.role not in ("agent", "object"):
         return checker.report(
             Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name
         )
@@ -43,7 +43,7 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
 
 def _of_nothing(
     checker: Checker, member: ast.Member, parts: str, base: str, context: Context
-) -> Typed:
+) -> TypedExpression:
     """The first name is not declared: perhaps it is a plugin's."""
     if checker.program.incomplete:
         return unknown(member.span)
@@ -57,7 +57,9 @@ def _of_nothing(
     return checker.report(Code.UNKNOWN_NAME, member.of.span, name=base, meant=meant)
 
 
-def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner: Typed) -> Typed:
+def _of_actor(
+    checker: Checker, member: ast.Member, base: str, name: str, owner: TypedExpression
+) -> TypedExpression:
     place = member.name.span
     verb = next((verb for verb in _VERBS if has(checker, verb, name)), None)
     if verb is None:
@@ -76,10 +78,10 @@ def _of_actor(checker: Checker, member: ast.Member, base: str, name: str, owner:
         )
     if verb == "number" and not _is_on_road(checker, base):
         return checker.report(Code.START_WITHOUT_ROAD, member.span, name=base, member=name)
-    fitted = fit(checker, owner, found.schema[0])
+    fitted = check_assignable(checker, owner, found.schema[0])
     if fitted is None:
         return unknown(member.span)
-    bound = Bound({found.schema[0].name: fitted}, True)
+    bound = BoundOptions({found.schema[0].name: fitted}, True)
     return measured(checker, member.span, found, bound, f"{base}.{name}", member=True)
 
 

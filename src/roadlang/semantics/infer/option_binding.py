@@ -6,27 +6,28 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from ...diagnostics import Code, Label, Span, nearest
-from ...ir.values import Value
+from ...ir.values import Entries, Value
 from ...plugins import option_types as opt
-from ...plugins.options import OptionSchema
+from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..types import expression_types as ty
-from ..types.assignable import fit
+from ..types.assignable import check_assignable
 from ..types.dimensions import common_dimension, dimension_of
-from ..types.expression_types import Typed
-from .records import fit_record
-from .when_condition import fit_condition, fit_file, fit_kind_name
+from ..types.expression_types import TypedExpression
+from .file_option import check_file
+from .legend import check_legend
+from .when_condition import check_condition
 
 
 @dataclass(frozen=True, slots=True)
-class Bound:
+class BoundOptions:
     """The options that were given and fit. `complete`: no error was reported on the way."""
 
-    given: dict[str, Typed]
+    given: dict[str, TypedExpression]
     complete: bool
-    like: Typed | None = None
+    like: TypedExpression | None = None
     """One of the `Like` options, with the dimension that all of them have."""
 
     @property
@@ -46,12 +47,12 @@ def bind_options(
     owner: str,
     span: Span,
     whole: bool = True,
-) -> Bound:
+) -> BoundOptions:
     """The options of a block. `whole`: the block could be read, so that what is not in it is
     missing. `owner` has the options, for messages; `span` is blamed for what is missing."""
     known = {option.name: option for option in schema}
     first: dict[str, Span] = {}
-    given: dict[str, Typed] = {}
+    given: dict[str, TypedExpression] = {}
     misspelled: list[str] = []
     complete = True
     for option in options:
@@ -86,7 +87,7 @@ def infer_option(
     context: Context,
     *,
     argument: bool = False,
-) -> Typed | None:
+) -> TypedExpression | None:
     """The value of one option, or None, reported."""
     inner = context.for_option(schema.name, schema.type, schema.words)
     if argument:
@@ -94,39 +95,42 @@ def infer_option(
         inner = replace(inner, place=context.place)
     match schema.type:
         case opt.ConditionType():
-            return fit_condition(checker, value, inner)
+            return check_condition(checker, value, inner)
         case opt.RecordType(record):
-            return fit_record(checker, value, schema, record, inner)
+            return _record(checker, value, schema, record, inner)
         case opt.FileType():
-            return fit_file(checker, value, schema, inner)
+            return check_file(checker, value, schema, inner)
         case opt.MapType(opt.KindNameType(verb)):
-            return fit_kind_name(checker, value, schema, verb, inner)
+            return check_legend(checker, value, schema, verb, inner)
     typed = checker.infer(value, inner)
-    return fit(checker, typed, schema)
+    return check_assignable(checker, typed, schema)
 
 
 def bound_of(
-    checker: Checker, given: dict[str, Typed], schema: Sequence[OptionSchema], complete: bool
-) -> Bound:
+    checker: Checker,
+    given: dict[str, TypedExpression],
+    schema: Sequence[OptionSchema],
+    complete: bool,
+) -> BoundOptions:
     ordered = {option.name: given[option.name] for option in schema if option.name in given}
-    alike: list[Typed] = []
+    alike: list[TypedExpression] = []
     for option in schema:
         if option.name in ordered:
             alike.extend(_alike(ordered[option.name], option.type))
     if len(alike) < 1:
-        return Bound(ordered, complete)
+        return BoundOptions(ordered, complete)
     dimension = common_dimension(checker, alike, "used together")
     if dimension is None:
-        return Bound(ordered, False)
+        return BoundOptions(ordered, False)
     leader = next((part for part in alike if dimension_of(part) == dimension), alike[0])
-    return Bound(ordered, complete, leader)
+    return BoundOptions(ordered, complete, leader)
 
 
-def _alike(typed: Typed, due: opt.OptionType) -> list[Typed]:
-    if isinstance(due, opt.LikeType) and isinstance(typed.type, ty.Quantity):
+def _alike(typed: TypedExpression, expected: opt.OptionType) -> list[TypedExpression]:
+    if isinstance(expected, opt.LikeType) and isinstance(typed.type, ty.Quantity):
         return [typed]
-    if isinstance(due, opt.ListType | opt.IntervalType):
-        return [part for item in typed.items for part in _alike(item, due.item)]
+    if isinstance(expected, opt.ListType | opt.IntervalType):
+        return [part for item in typed.items for part in _alike(item, expected.item)]
     return []
 
 
@@ -160,3 +164,30 @@ def report_missing(
     ]
     checker.report(Code.MISSING_OPTION, span, owner=owner, names=names, sort=sort, help=help_)
     return False
+
+
+def _record(
+    checker: Checker, value: ast.Expression, schema: OptionSchema, record: type, context: Context
+) -> TypedExpression | None:
+    """The map against the options of the dataclass `record`."""
+    if not isinstance(value, ast.MapValue):
+        typed = checker.infer(value, context)
+        if not typed.is_unknown:
+            what = f"`{schema.name}`"
+            checker.report(
+                Code.WRONG_TYPE, typed.span, what=what, expected="a map", found=typed.type
+            )
+        return None
+    options = [
+        ast.Option(_word(entry.key), entry.value, span=entry.span) for entry in value.entries
+    ]
+    owner = f"`{schema.name}`"
+    bound = bind_options(checker, options, schema_of(record), context, owner=owner, span=value.span)
+    if not bound.complete:
+        return None
+    random = any(typed.random for typed in bound.given.values())
+    return TypedExpression(value.span, ty.MappingType(), Entries(bound.values), random)
+
+
+def _word(key: ast.Word | ast.String) -> ast.Word:
+    return key if isinstance(key, ast.Word) else ast.Word(key.value, span=key.span)

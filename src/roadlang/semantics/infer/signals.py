@@ -5,19 +5,25 @@ from __future__ import annotations
 from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
-from ..checker import Checker
-from ..types.expression_types import Evidence, Quantity, SignalType, Typed, unknown
+from ..checker import Checker, ResolvedKind
+from ..types.expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
 from ..types.number_terms import call_text
 from .draws import constant_of
-from .kinds import Found, reason_of
-from .option_binding import Bound
+from .kinds import reason_of
+from .option_binding import BoundOptions
 
 _DOMAINS = {"signal": "road", "drive_signal": "drive"}
 
 
 def measured(
-    checker: Checker, span: Span, found: Found, bound: Bound, name: str, *, member: bool = False
-) -> Typed:
+    checker: Checker,
+    span: Span,
+    found: ResolvedKind,
+    bound: BoundOptions,
+    name: str,
+    *,
+    member: bool = False,
+) -> TypedExpression:
     """`curvature(bent)`, `ego.speed`: a signal; `length(bent)`: a number of the scene."""
     dimension = _dimension(checker, span, found, bound)
     if dimension is None:
@@ -26,11 +32,11 @@ def measured(
     text = name if member or not bound.values else call_text(name, bound.values)
     call = PassCall(verb, found.entry.qualified, bound.values, text, span)
     if verb == "number":
-        return Typed(span, Quantity(dimension), Measure(call), random=True)
+        return TypedExpression(span, Quantity(dimension), Measure(call), random=True)
     from ...stl import Variable
 
     domain = _DOMAINS[verb]
-    return Typed(
+    return TypedExpression(
         span,
         SignalType(domain, dimension),
         term=Variable(text),
@@ -39,7 +45,9 @@ def measured(
     )
 
 
-def _dimension(checker: Checker, span: Span, found: Found, bound: Bound) -> Dimension | None:
+def _dimension(
+    checker: Checker, span: Span, found: ResolvedKind, bound: BoundOptions
+) -> Dimension | None:
     # What the dimension depends on (the p of d_p) has to be the same in every scene.
     constants = {name: constant_of(value) for name, value in bound.values}
     given = {name: value for name, value in constants.items() if value is not None}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from ...diagnostics import Code
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
-from ..types.expression_types import Typed
+from ..types.expression_types import TypedExpression
 
 
-def warn_if_trivial(checker: Checker, statement: ast.Constraint, typed: Typed) -> None:
+def warn_if_trivial(checker: Checker, statement: ast.Constraint, typed: TypedExpression) -> None:
     """RL290 where the bounds of the numbers in a formula decide it."""
     if statement.formula is None:
         return

@@ -1,114 +1,82 @@
-"""Options that are more than a value: conditions, files, kinds by name."""
+"""`when:` of a pass: a condition on the drive that looks back only."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Code, nearest
-from ...ir.values import Entries, Text, Value
-from ...plugins.options import OptionSchema
+from ...diagnostics import Code
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from ..names.file_checks import file_fault
-from ..types.assignable import fit
-from ..types.expression_types import FlagType, FormulaType, MapType, TextType, Typed
-from .conditions import condition_of, only_past
-from .kinds import find_kind
+from ..types.expression_types import BooleanType, FormulaType, TypedExpression
+from .formulas import condition_of
+
+_FUTURE = ("always", "eventually", "until")
 
 
-def fit_condition(checker: Checker, value: ast.Expression, context: Context) -> Typed | None:
+def check_condition(
+    checker: Checker, value: ast.Expression, context: Context
+) -> TypedExpression | None:
     """`when:` a formula over the drive that looks back only."""
     typed = checker.infer(value, replace(context, drive_time=True))
     if typed.is_unknown:
         return None
-    if not isinstance(typed.type, FormulaType | FlagType):
+    if not isinstance(typed.type, FormulaType | BooleanType):
         checker.report(
-            Code.WRONG_TYPE, typed.span, what="`when`", due="a condition", found=typed.type
+            Code.WRONG_TYPE, typed.span, what="`when`", expected="a condition", found=typed.type
         )
         return None
     if typed.evidence is not None and typed.evidence.domain == "road":
         place = typed.evidence
         checker.report(
-            Code.WRONG_DOMAIN, place.span, what="`when`", due="the drive", found="the road"
+            Code.WRONG_DOMAIN, place.span, what="`when`", expected="the drive", found="the road"
         )
         return None
-    if not only_past(checker, value, typed):
+    if not _only_past(checker, value, typed):
         return None
     return replace(typed, value=condition_of(typed))
 
 
-def fit_file(
-    checker: Checker, value: ast.Expression, schema: OptionSchema, context: Context
-) -> Typed | None:
-    """A string that names a file, which must be there."""
-    typed = fit(checker, checker.infer(value, context), schema)
-    if typed is None or not isinstance(typed.type, TextType) or not typed.type.values:
-        return typed
-    declared = checker.program.declarations.get(context.user)
-    folder = declared.folder if declared else checker.program.path.parent
-    for name in sorted(typed.type.values):
-        fault = file_fault(folder, name, typed.span, picture=False)
-        if fault is not None:
-            checker.diagnostics.append(fault)
-            return None
-    if isinstance(typed.value, Text):
-        return replace(typed, value=Text(str(folder / typed.value.value)))
-    return typed
+def _only_past(checker: Checker, expression: ast.Expression, typed: TypedExpression) -> bool:
+    """False, reported, where a formula looks ahead."""
+    from ...stl import Always, Eventually, Until
 
-
-def fit_kind_name(
-    checker: Checker, value: ast.Expression, schema: OptionSchema, verb: str, context: Context
-) -> Typed | None:
-    """A map whose values are names of kinds, or words of the option: a legend."""
-    if not isinstance(value, ast.MapValue):
-        typed = checker.infer(value, context)
-        if not typed.is_unknown:
-            checker.report(
-                Code.WRONG_TYPE, typed.span, what=f"`{schema.name}`", due="a map", found=typed.type
-            )
-        return None
-    entries: dict[str, Value] = {}
-    complete = True
-    for entry in value.entries:
-        key = entry.key.value if isinstance(entry.key, ast.String) else entry.key.text
-        text = kind_text(entry.value)
-        if key in entries:
-            checker.report(Code.DUPLICATE_OPTION, entry.key.span, name=key)
-            complete = False
-        elif text is None:
-            due = f"a kind of {verb}"
-            checker.report(
-                Code.WRONG_TYPE, entry.value.span, what=f"`{key}`", due=due, found="a value"
-            )
-            complete = False
-        else:
-            if text not in schema.words:
-                complete = _is_kind(checker, verb, text, entry.value, schema) and complete
-            entries[key] = Text(text)
-    if not complete:
-        return None
-    return Typed(value.span, MapType(), Entries(tuple(entries.items())))
-
-
-def _is_kind(
-    checker: Checker, verb: str, text: str, value: ast.Expression, schema: OptionSchema
-) -> bool:
-    known = checker.registry.has(verb, text) or checker.registry.is_planned(verb, text)
-    if not known and (meant := nearest(text, schema.words)):
+    written = _future_word(expression)
+    if written is not None:
         checker.report(
-            Code.UNKNOWN_KIND, value.span, name=text, noun=f"kind of {verb}", meant=meant
+            Code.FUTURE_OPERATOR_IN_WHEN,
+            written.word_span,
+            word=written.word,
+            help=_backwards(written.word),
         )
         return False
-    return find_kind(checker, verb, text, value.span) is not None
+    formula = typed.formula
+    ahead = (Always, Eventually, Until)
+    if formula is not None and any(isinstance(part, ahead) for part in formula.walk()):
+        part = next(part for part in formula.walk() if isinstance(part, ahead))
+        word = type(part).__name__.lower()
+        checker.report(Code.FUTURE_OPERATOR_IN_WHEN, typed.span, word=word, help=_backwards(word))
+        return False
+    return True
 
 
-def kind_text(value: ast.Expression) -> str | None:
-    """The dotted name that an expression is, if it is one; a string names as well."""
-    if isinstance(value, ast.Name):
-        return value.text
-    if isinstance(value, ast.String):
-        return value.value
-    if isinstance(value, ast.Member) and isinstance(value.of, ast.Name):
-        return f"{value.of.text}.{value.name.text}"
-    return None
+def _backwards(word: str) -> str:
+    past = {"always": "historically", "eventually": "once", "until": "since"}[word]
+    return f"`{past}` looks back instead"
+
+
+def _future_word(expression: ast.Expression) -> ast.Temporal | ast.Binding | None:
+    if isinstance(expression, ast.Temporal | ast.Binding) and expression.word in _FUTURE:
+        return expression
+    parts: tuple[ast.Expression, ...] = ()
+    match expression:
+        case ast.Temporal() | ast.Not():
+            parts = (expression.operand,)
+        case ast.Group():
+            parts = (expression.inner,)
+        case ast.Binding():
+            parts = (expression.left, expression.right)
+        case ast.Logic():
+            parts = expression.operands
+    found = (_future_word(part) for part in parts)
+    return next((part for part in found if part is not None), None)

@@ -17,7 +17,13 @@ from ..infer.blocks import lower_options, lower_passes, refuse_passes
 from ..infer.statements import PlacementOptions
 from ..names.program import Declaration
 from ..types.dimensions import unit_missing
-from ..types.expression_types import CallType, EntityType, PointType, Quantity, Typed
+from ..types.expression_types import (
+    CoordinatesType,
+    DeclaredType,
+    KindCallType,
+    Quantity,
+    TypedExpression,
+)
 
 
 def lower_actor(checker: Checker, declaration: Declaration) -> ir.Actor | None:
@@ -54,15 +60,17 @@ def _has_count(statement: ast.Actor) -> bool:
     )
 
 
-def _kind(checker: Checker, statement: ast.Actor, context: Context) -> Typed | None:
+def _kind(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
     word = statement.word
     inner = replace(context, place=f"{context.place}/kind", verbs=(word,))
     typed = checker.infer(statement.kind, inner)
     if typed.is_unknown:
         return None
-    if not isinstance(typed.type, CallType) or typed.type.verb != word:
-        due = f"a kind of {word}"
-        checker.report(Code.WRONG_TYPE, typed.span, what=f"`{word}`", due=due, found=typed.type)
+    if not isinstance(typed.type, KindCallType) or typed.type.verb != word:
+        expected = f"a kind of {word}"
+        checker.report(
+            Code.WRONG_TYPE, typed.span, what=f"`{word}`", expected=expected, found=typed.type
+        )
         return None
     while isinstance(typed.value, Reference):
         typed = replace(checker.definition(typed.value.name), span=typed.span)
@@ -76,11 +84,11 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
     typed = checker.infer(statement.on, context)
     if typed.is_unknown:
         return False
-    if isinstance(typed.type, EntityType) and typed.type.role == "road":
+    if isinstance(typed.type, DeclaredType) and typed.type.role == "road":
         assert isinstance(typed.value, Entity)
         return typed.value.name
     what, found = "`on`", typed.type
-    if isinstance(typed.type, EntityType):
+    if isinstance(typed.type, DeclaredType):
         name = typed.span.text
         help_ = (
             f"choose one of its roads: `road street from {name}`"
@@ -92,16 +100,16 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
             typed.span,
             name=name,
             found=found,
-            due="a road",
+            expected="a road",
             what=what,
             help=help_,
         )
     else:
-        checker.report(Code.WRONG_TYPE, typed.span, what=what, due="a road", found=found)
+        checker.report(Code.WRONG_TYPE, typed.span, what=what, expected="a road", found=found)
     return False
 
 
-def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | None:
+def _place(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
     """`at`: along the road, a share of it, or a point in the world."""
     if statement.at is None:
         checker.report(Code.MISSING_POSITION, statement.name.span, name=statement.name.text)
@@ -109,11 +117,13 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | 
     typed = checker.infer(statement.at, replace(context, place=f"{context.place}/at"))
     if typed.is_unknown:
         return None
-    if isinstance(typed.type, PointType):
+    if isinstance(typed.type, CoordinatesType):
         return _point(checker, statement, typed)
     if not isinstance(typed.type, Quantity):
-        due = "a length or a share of the road" if statement.on else "a point `(x, y)`"
-        checker.report(Code.WRONG_TYPE, typed.span, what="`at`", due=due, found=typed.type)
+        expected = "a length or a share of the road" if statement.on else "a point `(x, y)`"
+        checker.report(
+            Code.WRONG_TYPE, typed.span, what="`at`", expected=expected, found=typed.type
+        )
         return None
     if statement.on is None:
         checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, typed.span, name=statement.name.text)
@@ -125,27 +135,29 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> Typed | 
         return None
     if typed.type.dimension.is_pure:
         return typed
-    due = "a length or a share of the road"
+    expected = "a length or a share of the road"
     checker.report(
-        Code.WRONG_DIMENSION, typed.span, what="`at`", due=due, found=typed.type.dimension
+        Code.WRONG_DIMENSION, typed.span, what="`at`", expected=expected, found=typed.type.dimension
     )
     return None
 
 
-def _point(checker: Checker, statement: ast.Actor, typed: Typed) -> Typed | None:
+def _point(
+    checker: Checker, statement: ast.Actor, typed: TypedExpression
+) -> TypedExpression | None:
     from ...plugins.option_types import PointType as PointOption
     from ...plugins.options import Constraints
-    from ..types.assignable import fit
+    from ..types.assignable import check_assignable
 
     if statement.on is not None:
         checker.report(Code.POINT_ON_ROAD, typed.span, name=statement.name.text)
         return None
     schema = OptionSchema("at", PointOption(LENGTH), None, Constraints())
-    return fit(checker, typed, schema)
+    return check_assignable(checker, typed, schema)
 
 
 def _options(
-    checker: Checker, statement: ast.Actor, kind: Typed | None, context: Context
+    checker: Checker, statement: ast.Actor, kind: TypedExpression | None, context: Context
 ) -> tuple[tuple[tuple[str, Value], ...] | None, tuple[tuple[str, Value], ...]]:
     """The options of the placement (None, reported, where wrong), and those of the kind."""
     calls = calls_in(kind.value) if kind is not None and kind.value is not None else []

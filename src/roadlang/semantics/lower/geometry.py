@@ -19,7 +19,7 @@ from ..infer.kinds import find_kind
 from ..infer.statements import STATEMENTS
 from ..names.file_checks import file_fault
 from ..names.program import Declaration
-from ..types.expression_types import EntityType
+from ..types.expression_types import DeclaredType
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
 _MAKERS: dict[str, Any] = {"image": ir.Image, "network": ir.Network, "road": ir.Road}
@@ -79,14 +79,16 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
     if isinstance(source, ast.Text):
         if word == "image":
             return _Source(ir.TextSource(source.value))
-        due = _due(word)
-        checker.report(Code.WRONG_TYPE, source.span, what=f"`{word}`", due=due, found="a text")
+        expected = _expected_source(word)
+        checker.report(
+            Code.WRONG_TYPE, source.span, what=f"`{word}`", expected=expected, found="a text"
+        )
         return _Source(None, fine=False)
     typed = checker.infer(source, context)
     if typed.is_unknown:
         return _Source(None, fine=False)
     roles = _SOURCE_ROLES[word]
-    if isinstance(typed.type, EntityType):
+    if isinstance(typed.type, DeclaredType):
         if typed.type.role in roles and isinstance(typed.value, Entity):
             return _Source(ir.NameSource(typed.value.name, typed.value.role))
         name, found = typed.span.text, typed.type
@@ -95,16 +97,22 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             typed.span,
             name=name,
             found=found,
-            due=_due(word),
+            expected=_expected_source(word),
             what=f"`{word}`",
         )
     else:
         what = f"`{word}`"
-        checker.report(Code.WRONG_TYPE, typed.span, what=what, due=_due(word), found=typed.type)
+        checker.report(
+            Code.WRONG_TYPE,
+            typed.span,
+            what=what,
+            expected=_expected_source(word),
+            found=typed.type,
+        )
     return _Source(None, fine=False)
 
 
-def _due(word: str) -> str:
+def _expected_source(word: str) -> str:
     kinds = {"image": "a file, a text or an image", "network": "an image, a file or a network"}
     return kinds.get(word, "a network, a road or a file")
 
@@ -127,7 +135,7 @@ def _belongs_together(
         help_ = (
             "write `from` and a network, a road or a file, or `draw with` in its block"
             if word == "road"
-            else f"write `from` and {_due(word)}"
+            else f"write `from` and {_expected_source(word)}"
         )
         checker.report(Code.MISSING_SOURCE, name.span, name=name.text, help=help_)
         return False
@@ -138,16 +146,16 @@ def _belongs_together(
         "extract": (role == "image", "an image"),
     }
     for call in passes:
-        fits, due = wants.get(call.verb, (True, ""))
+        fits, expected = wants.get(call.verb, (True, ""))
         if not fits and call.span is not None:
-            checker.report(Code.INCOMPATIBLE_SOURCE, call.span, verb=call.verb, due=due)
+            checker.report(Code.INCOMPATIBLE_SOURCE, call.span, verb=call.verb, expected=expected)
             return False
     if word == "road" and role != "network" and statement.block is not None:
         for option in statement.block.options:
             from_file = isinstance(source, ir.FileSource)
             if option.key.text == "select" and not from_file:
                 checker.report(
-                    Code.INCOMPATIBLE_SOURCE, option.key.span, verb="select", due="a network"
+                    Code.INCOMPATIBLE_SOURCE, option.key.span, verb="select", expected="a network"
                 )
                 return False
     return True

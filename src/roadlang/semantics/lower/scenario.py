@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from ...diagnostics import Code, Label
 from ...ir import scenario as ir
 from ...ir.dimension import Dimension
 from ...ir.values import PassCall
@@ -12,11 +13,13 @@ from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..names.definition_order import definition_order
 from ..names.program import Declaration, Placed
-from ..types.expression_types import Quantity, Typed
+from ..types.expression_types import Quantity, TypedExpression
 from .actors import lower_actor
-from .constraints import lower_constraint, lower_emit, lower_plan, lower_world, only_one
+from .constraints import lower_constraint
 from .evaluation_order import evaluation_order
 from .geometry import lower_geometry
+from .run import lower_emit, lower_plan
+from .world import lower_world
 
 _LOWER = {
     "image": lower_geometry,
@@ -69,7 +72,7 @@ def _lower_one(checker: Checker, declaration: Declaration) -> Any:
     return _LOWER[declaration.role](checker, declaration)
 
 
-def _named(declaration: Declaration, typed: Typed) -> ir.Named | None:
+def _named(declaration: Declaration, typed: TypedExpression) -> ir.Named | None:
     if typed.value is None:
         return None
     dimension: Dimension | None = None
@@ -91,12 +94,12 @@ def _header(checker: Checker) -> ir.Header:
 def _unnamed(checker: Checker) -> dict[str, Any]:
     placed = checker.program.unnamed
     made: dict[str, Any] = {"world": ()}
-    world = only_one(checker, "world", _of(placed, ast.World))
+    world = _only_one(checker, "world", _of(placed, ast.World))
     if world is not None:
         made["world"] = lower_world(checker, world)
     for word in ("sample", "simulate", "falsify"):
         plans = [found for found in _of(placed, ast.Plan) if found.statement.word == word]  # type: ignore[union-attr]
-        plan = only_one(checker, word, plans)
+        plan = _only_one(checker, word, plans)
         made[word] = lower_plan(checker, plan) if plan is not None else None
     emits: list[PassCall] = []
     for number, found in enumerate(_of(placed, ast.Emit), start=1):
@@ -109,3 +112,13 @@ def _unnamed(checker: Checker) -> dict[str, Any]:
 
 def _of(placed: Iterable[Placed], kind: type) -> list[Placed]:
     return [found for found in placed if isinstance(found.statement, kind)]
+
+
+def _only_one(checker: Checker, word: str, found: list[Placed]) -> Placed | None:
+    """The statement that may be there once; each further one is reported."""
+    for extra in found[1:]:
+        labels = [Label(found[0].statement.span, "the first one")]
+        span = extra.statement.span
+        keyword = span.source.span(span.start, span.start + len(word))
+        checker.report(Code.DUPLICATE_STATEMENT, keyword, labels=labels, word=word)
+    return found[0] if found else None

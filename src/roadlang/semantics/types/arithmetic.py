@@ -15,13 +15,13 @@ from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from . import bounds
 from .dimensions import common_dimension, dimension_of
-from .expression_types import Evidence, Quantity, SignalType, Typed, unknown
+from .expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
 from .number_terms import term_of
 
 _OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": ops.pow}
 
 
-def signal_negation(operand: Typed, span: Span) -> Typed:
+def signal_negation(operand: TypedExpression, span: Span) -> TypedExpression:
     from ...stl import Negate
 
     assert operand.term is not None
@@ -30,7 +30,9 @@ def signal_negation(operand: Typed, span: Span) -> Typed:
     )
 
 
-def signal_arithmetic(checker: Checker, node: ast.Arithmetic, left: Typed, right: Typed) -> Typed:
+def signal_arithmetic(
+    checker: Checker, node: ast.Arithmetic, left: TypedExpression, right: TypedExpression
+) -> TypedExpression:
     """`left operator right` of two numbers, or with a signal on at least one side."""
     dimension = _dimension(checker, node, left, right)
     if dimension is None:
@@ -53,11 +55,11 @@ def signal_arithmetic(checker: Checker, node: ast.Arithmetic, left: Typed, right
     random = left.random or right.random
     if isinstance(value, Constant):
         reach = (value.value, value.value)
-    return Typed(node.span, kind, value, random=random, bounds=reach)
+    return TypedExpression(node.span, kind, value, random=random, bounds=reach)
 
 
 def _dimension(
-    checker: Checker, node: ast.Arithmetic, left: Typed, right: Typed
+    checker: Checker, node: ast.Arithmetic, left: TypedExpression, right: TypedExpression
 ) -> Dimension | None:
     if node.operator in "+-":
         return common_dimension(checker, (left, right), "added" if node.operator == "+" else
@@ -72,21 +74,25 @@ def _dimension(
             Code.WRONG_DIMENSION,
             right.span,
             what="an exponent",
-            due="a pure number",
+            expected="a pure number",
             found=right.type,
         )
         return None
     if dimension_of(left).is_pure:
         return PURE
     if exponent is None:
-        due = "the same in every scene, since the unit depends on it"
-        checker.report(Code.MUST_NOT_BE_RANDOM, right.span, what="an exponent", due=due)
+        expected = "the same in every scene, since the unit depends on it"
+        checker.report(Code.MUST_NOT_BE_RANDOM, right.span, what="an exponent", expected=expected)
         return None
     return dimension_of(left) ** exponent
 
 
 def _folded(
-    checker: Checker, node: ast.Arithmetic, left: Typed, right: Typed, dimension: Dimension
+    checker: Checker,
+    node: ast.Arithmetic,
+    left: TypedExpression,
+    right: TypedExpression,
+    dimension: Dimension,
 ) -> Value | None:
     a, b = left.value, right.value
     assert a is not None
@@ -114,27 +120,27 @@ def _computed(operator: str, a: float, b: float) -> float | None:
 def _of_signals(
     checker: Checker,
     node: ast.Arithmetic,
-    sides: tuple[Typed, Typed],
+    sides: tuple[TypedExpression, TypedExpression],
     dimension: Dimension,
     reach: tuple[float, float] | None,
-) -> Typed:
+) -> TypedExpression:
     from ...stl import Arithmetic
 
     evidence = common_domain(checker, sides)
-    if isinstance(evidence, Typed):
+    if isinstance(evidence, TypedExpression):
         return evidence
     assert evidence is not None
     terms, numbers = terms_of(sides)
     signals = tuple(dict.fromkeys(s for side in sides for s in side.signals))
     term = Arithmetic(node.operator, terms[0], terms[1])  # type: ignore[arg-type]
     kind = SignalType(evidence.domain, dimension)
-    return Typed(
+    return TypedExpression(
         node.span, kind, bounds=reach, term=term, evidence=evidence, signals=signals,
         numbers=numbers,
     )  # fmt: skip
 
 
-def terms_of(sides: Sequence[Typed]) -> tuple[list[Any], tuple[NumberBinding, ...]]:
+def terms_of(sides: Sequence[TypedExpression]) -> tuple[list[Any], tuple[NumberBinding, ...]]:
     """The terms of numbers and signals, and the bindings of the numbers among them."""
     terms: list[Any] = []
     numbers: list[NumberBinding] = []
@@ -158,7 +164,9 @@ def _constant(value: float) -> Any:
     return ConstantTerm(value)
 
 
-def common_domain(checker: Checker, parts: Sequence[Typed]) -> Evidence | Typed | None:
+def common_domain(
+    checker: Checker, parts: Sequence[TypedExpression]
+) -> Evidence | TypedExpression | None:
     """The domain that signals and formulas share; None where all are numbers.
 
     Unknown, reported with both places, where a road signal meets a drive signal.
@@ -186,7 +194,9 @@ def _what(evidence: Evidence) -> str:
     return f"a signal over {_domain(evidence)}"
 
 
-def of_functions(name: str, arguments: Sequence[Typed], span: Span, dimension: Dimension) -> Typed:
+def of_functions(
+    name: str, arguments: Sequence[TypedExpression], span: Span, dimension: Dimension
+) -> TypedExpression:
     """`abs`, `min` or `max` of numbers alone."""
     values = tuple(argument.value for argument in arguments if argument.value is not None)
     reach = function_bounds(name, arguments)
@@ -196,20 +206,24 @@ def of_functions(name: str, arguments: Sequence[Typed], span: Span, dimension: D
         value = Constant(reach[0], dimension)
     random = any(argument.random for argument in arguments)
     kind = Quantity(dimension)
-    return Typed(span, kind, value, random=random, bounds=reach)
+    return TypedExpression(span, kind, value, random=random, bounds=reach)
 
 
 def signal_of_functions(
-    checker: Checker, name: str, arguments: Sequence[Typed], span: Span, dimension: Dimension
-) -> Typed:
+    checker: Checker,
+    name: str,
+    arguments: Sequence[TypedExpression],
+    span: Span,
+    dimension: Dimension,
+) -> TypedExpression:
     """`abs`, `min` or `max` where at least one argument is a signal."""
     from ...stl import Apply
 
     evidence = common_domain(checker, arguments)
-    if evidence is None or isinstance(evidence, Typed):
+    if evidence is None or isinstance(evidence, TypedExpression):
         return unknown(span)
     terms, numbers = terms_of(arguments)
-    return Typed(
+    return TypedExpression(
         span,
         SignalType(evidence.domain, dimension),
         bounds=function_bounds(name, arguments),
@@ -220,7 +234,7 @@ def signal_of_functions(
     )
 
 
-def function_bounds(name: str, arguments: Sequence[Typed]) -> tuple[float, float] | None:
+def function_bounds(name: str, arguments: Sequence[TypedExpression]) -> tuple[float, float] | None:
     parts = [argument.bounds for argument in arguments]
     if name == "abs":
         return bounds.absolute(parts[0])

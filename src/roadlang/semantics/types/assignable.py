@@ -16,32 +16,38 @@ from .dimensions import common_dimension, unit_missing
 from .option_limits import check_limits
 
 if TYPE_CHECKING:
-    from .expression_types import Typed
+    from .expression_types import TypedExpression
 
 
-def fit(checker: Checker, typed: Typed, schema: OptionSchema) -> Typed | None:
+def check_assignable(
+    checker: Checker, typed: TypedExpression, schema: OptionSchema
+) -> TypedExpression | None:
     """The value as the option takes it, or None, reported."""
     if typed.is_unknown:
         return None
-    return _fit(checker, typed, schema.type, schema.constraints, f"`{schema.name}`")
+    return _checked(checker, typed, schema.type, schema.constraints, f"`{schema.name}`")
 
 
-def _fit(
-    checker: Checker, typed: Typed, due: opt.OptionType, limits: Constraints, what: str
-) -> Typed | None:
+def _checked(
+    checker: Checker,
+    typed: TypedExpression,
+    expected: opt.OptionType,
+    limits: Constraints,
+    what: str,
+) -> TypedExpression | None:
     if typed.is_unknown:
         return None
-    if isinstance(typed.type, ty.TextType) and typed.type.word and limits.words:
+    if isinstance(typed.type, ty.StringType) and typed.type.word and limits.words:
         return typed
-    match due:
+    match expected:
         case opt.QuantityType():
-            return _quantity(checker, typed, due, limits, what)
+            return _quantity(checker, typed, expected, limits, what)
         case opt.ListType(item) | opt.IntervalType(item):
-            return _sequence(checker, typed, due, item, limits, what)
+            return _sequence(checker, typed, expected, item, limits, what)
         case opt.UnionType(alternatives):
             chosen = next((part for part in alternatives if _matches(typed, part)), None)
             if chosen is not None:
-                return _fit(checker, typed, chosen, limits, what)
+                return _checked(checker, typed, chosen, limits, what)
         case opt.WordType():
             return _word(checker, typed, limits, what)
         case opt.NamesType():
@@ -50,51 +56,62 @@ def _fit(
             return _point(checker, typed, dimension, what)
         case opt.MapType(item):
             return _map(checker, typed, item, limits, what)
-        case _ if _matches(typed, due):
+        case _ if _matches(typed, expected):
             return typed
-    return _mismatch(checker, typed, due, limits, what)
+    return _mismatch(checker, typed, expected, limits, what)
 
 
 def _mismatch(
-    checker: Checker, typed: Typed, due: opt.OptionType, limits: Constraints, what: str
-) -> Typed | None:
-    wanted = describe(due, limits.words)
+    checker: Checker,
+    typed: TypedExpression,
+    expected: opt.OptionType,
+    limits: Constraints,
+    what: str,
+) -> TypedExpression | None:
+    wanted = describe(expected, limits.words)
     if isinstance(typed.type, ty.SignalType | ty.FormulaType):
-        checker.report(Code.SIGNAL_AS_NUMBER, typed.span, what=what, due=wanted, found=typed.type)
-    elif isinstance(due, opt.EntityType) and isinstance(typed.type, ty.EntityType):
+        checker.report(
+            Code.SIGNAL_AS_NUMBER, typed.span, what=what, expected=wanted, found=typed.type
+        )
+    elif isinstance(expected, opt.EntityType) and isinstance(typed.type, ty.DeclaredType):
         name = typed.span.text
         checker.report(
-            Code.WRONG_ENTITY_TYPE, typed.span, name=name, found=typed.type, due=wanted, what=what
+            Code.WRONG_ENTITY_TYPE,
+            typed.span,
+            name=name,
+            found=typed.type,
+            expected=wanted,
+            what=what,
         )
     else:
-        checker.report(Code.WRONG_TYPE, typed.span, what=what, due=wanted, found=typed.type)
+        checker.report(Code.WRONG_TYPE, typed.span, what=what, expected=wanted, found=typed.type)
     return None
 
 
-def _matches(typed: Typed, due: opt.OptionType) -> bool:
+def _matches(typed: TypedExpression, expected: opt.OptionType) -> bool:
     """Whether the sort of value is right; units and limits are looked at afterwards."""
     kind = typed.type
-    match due:
+    match expected:
         case opt.QuantityType() | opt.LikeType():
             return isinstance(kind, ty.Quantity)
         case opt.FlagType():
-            return isinstance(kind, ty.FlagType)
+            return isinstance(kind, ty.BooleanType)
         case opt.TextType() | opt.FileType() | opt.WordType():
-            return isinstance(kind, ty.TextType)
+            return isinstance(kind, ty.StringType)
         case opt.ListType() | opt.IntervalType():
-            return isinstance(kind, ty.ListType)
+            return isinstance(kind, ty.SequenceType)
         case opt.PointType():
-            return isinstance(kind, ty.PointType)
+            return isinstance(kind, ty.CoordinatesType)
         case opt.EntityType(roles):
-            return isinstance(kind, ty.EntityType) and kind.role in roles
+            return isinstance(kind, ty.DeclaredType) and kind.role in roles
         case opt.NamesType():
-            return isinstance(kind, ty.ConstraintType | ty.ListType)
+            return isinstance(kind, ty.ConstraintType | ty.SequenceType)
         case opt.CallType(verb) | opt.KindNameType(verb):
-            return isinstance(kind, ty.CallType) and kind.verb == verb
+            return isinstance(kind, ty.KindCallType) and kind.verb == verb
         case opt.MapType() | opt.RecordType():
-            return isinstance(kind, ty.MapType)
+            return isinstance(kind, ty.MappingType)
         case opt.ConditionType():
-            return isinstance(kind, ty.FormulaType | ty.FlagType)
+            return isinstance(kind, ty.FormulaType | ty.BooleanType)
         case opt.AnyType():
             return typed.value is not None
         case opt.UnionType(alternatives):
@@ -102,27 +119,31 @@ def _matches(typed: Typed, due: opt.OptionType) -> bool:
 
 
 def _quantity(
-    checker: Checker, typed: Typed, due: opt.QuantityType, limits: Constraints, what: str
-) -> Typed | None:
+    checker: Checker,
+    typed: TypedExpression,
+    expected: opt.QuantityType,
+    limits: Constraints,
+    what: str,
+) -> TypedExpression | None:
     kind = typed.type
     if not isinstance(kind, ty.Quantity):
-        return _mismatch(checker, typed, due, limits, what)
-    if not kind.fits_any and kind.dimension != due.dimension:
+        return _mismatch(checker, typed, expected, limits, what)
+    if not kind.fits_any and kind.dimension != expected.dimension:
         if kind.bare:
-            unit_missing(checker, typed, due.dimension)
+            unit_missing(checker, typed, expected.dimension)
         else:
-            wanted, found = due.dimension, kind.dimension
+            wanted, found = expected.dimension, kind.dimension
             checker.report(
-                Code.WRONG_DIMENSION, typed.span, what=what, due=wanted, found=found,
+                Code.WRONG_DIMENSION, typed.span, what=what, expected=wanted, found=found,
                 help=f"{wanted} has a unit such as `{wanted.unit}`" if wanted.unit else (),
             )  # fmt: skip
         return None
-    if due.whole and not _is_whole(checker, typed, kind, what):
+    if expected.whole and not _is_whole(checker, typed, kind, what):
         return None
-    return typed if check_limits(checker, typed, limits, what, due.dimension) else None
+    return typed if check_limits(checker, typed, limits, what, expected.dimension) else None
 
 
-def _is_whole(checker: Checker, typed: Typed, kind: ty.Quantity, what: str) -> bool:
+def _is_whole(checker: Checker, typed: TypedExpression, kind: ty.Quantity, what: str) -> bool:
     if kind.whole or kind.fits_any:
         return True
     if typed.constant is None and not typed.random:
@@ -140,22 +161,22 @@ def _is_whole(checker: Checker, typed: Typed, kind: ty.Quantity, what: str) -> b
 
 def _sequence(
     checker: Checker,
-    typed: Typed,
-    due: opt.ListType | opt.IntervalType,
+    typed: TypedExpression,
+    expected: opt.ListType | opt.IntervalType,
     item: opt.OptionType,
     limits: Constraints,
     what: str,
-) -> Typed | None:
-    if not isinstance(typed.type, ty.ListType):
-        return _mismatch(checker, typed, due, limits, what)
-    pair = isinstance(due, opt.IntervalType)
+) -> TypedExpression | None:
+    if not isinstance(typed.type, ty.SequenceType):
+        return _mismatch(checker, typed, expected, limits, what)
+    pair = isinstance(expected, opt.IntervalType)
     if pair and len(typed.items) != 2:
         return _count(checker, typed, what, "two", len(typed.items))
-    if isinstance(due, opt.ListType) and len(typed.items) < due.at_least:
-        return _count(checker, typed, what, f"{due.at_least} or more", len(typed.items))
+    if isinstance(expected, opt.ListType) and len(typed.items) < expected.at_least:
+        return _count(checker, typed, what, f"{expected.at_least} or more", len(typed.items))
     # Each item has the limits of the option, apart from the words, which stand for the whole.
     inner = replace(limits, words=()) if not isinstance(item, opt.WordType) else limits
-    items = [_fit(checker, part, item, inner, f"each item of {what}") for part in typed.items]
+    items = [_checked(checker, part, item, inner, f"each item of {what}") for part in typed.items]
     fitted = [part for part in items if part is not None]
     if len(fitted) < len(items):
         return None
@@ -164,18 +185,20 @@ def _sequence(
     return _with_items(typed, fitted)
 
 
-def _count(checker: Checker, typed: Typed, what: str, due: str, found: int) -> Typed | None:
+def _count(
+    checker: Checker, typed: TypedExpression, what: str, expected: str, found: int
+) -> TypedExpression | None:
     checker.report(
         Code.VALUE_OUT_OF_BOUNDS,
         typed.span,
         what=what,
-        due=f"have {due} items",
+        expected=f"have {expected} items",
         found=f"has {found}",
     )
     return None
 
 
-def _in_order(checker: Checker, ends: list[Typed], whole: Typed) -> bool:
+def _in_order(checker: Checker, ends: list[TypedExpression], whole: TypedExpression) -> bool:
     if not all(isinstance(end.type, ty.Quantity) for end in ends):
         return True
     if common_dimension(checker, ends, "the two ends of an interval") is None:
@@ -188,7 +211,7 @@ def _in_order(checker: Checker, ends: list[Typed], whole: Typed) -> bool:
     return True
 
 
-def _with_items(typed: Typed, items: list[Typed]) -> Typed:
+def _with_items(typed: TypedExpression, items: list[TypedExpression]) -> TypedExpression:
     value: Value | None = typed.value
     if not isinstance(value, Reference):
         values = tuple(part.value for part in items if part.value is not None)
@@ -196,9 +219,11 @@ def _with_items(typed: Typed, items: list[Typed]) -> Typed:
     return replace(typed, items=tuple(items), value=value)
 
 
-def _word(checker: Checker, typed: Typed, limits: Constraints, what: str) -> Typed | None:
+def _word(
+    checker: Checker, typed: TypedExpression, limits: Constraints, what: str
+) -> TypedExpression | None:
     kind = typed.type
-    if not isinstance(kind, ty.TextType):
+    if not isinstance(kind, ty.StringType):
         return _mismatch(checker, typed, opt.WordType(), limits, what)
     wrong = sorted((kind.values or frozenset()) - set(limits.words))
     if not wrong:
@@ -214,10 +239,10 @@ def _word(checker: Checker, typed: Typed, limits: Constraints, what: str) -> Typ
     return None
 
 
-def _names(checker: Checker, typed: Typed, what: str) -> Typed | None:
+def _names(checker: Checker, typed: TypedExpression, what: str) -> TypedExpression | None:
     if isinstance(typed.type, ty.ConstraintType) and typed.value is not None:
         return replace(typed, value=Items((typed.value,)))
-    if not isinstance(typed.type, ty.ListType):
+    if not isinstance(typed.type, ty.SequenceType):
         return _mismatch(checker, typed, opt.NamesType(), Constraints(), what)
     for item in typed.items:
         if not isinstance(item.type, ty.ConstraintType):
@@ -228,22 +253,26 @@ def _names(checker: Checker, typed: Typed, what: str) -> Typed | None:
     return replace(typed, value=Items(tuple(names)))
 
 
-def _point(checker: Checker, typed: Typed, dimension: object, what: str) -> Typed | None:
-    due = opt.PointType(dimension)  # type: ignore[arg-type]
-    if not isinstance(typed.type, ty.PointType):
-        return _mismatch(checker, typed, due, Constraints(), what)
+def _point(
+    checker: Checker, typed: TypedExpression, dimension: object, what: str
+) -> TypedExpression | None:
+    expected = opt.PointType(dimension)  # type: ignore[arg-type]
+    if not isinstance(typed.type, ty.CoordinatesType):
+        return _mismatch(checker, typed, expected, Constraints(), what)
     if typed.items and len(typed.items) != 2:
         return _count(checker, typed, what, "two", len(typed.items))
-    part = opt.QuantityType(due.dimension)
-    items = [_fit(checker, item, part, Constraints(), "a coordinate") for item in typed.items]
+    part = opt.QuantityType(expected.dimension)
+    items = [_checked(checker, item, part, Constraints(), "a coordinate") for item in typed.items]
     fitted = [item for item in items if item is not None]
     return _with_items(typed, fitted) if len(fitted) == len(items) else None
 
 
 def _map(
-    checker: Checker, typed: Typed, item: opt.OptionType, limits: Constraints, what: str
-) -> Typed | None:
-    if not isinstance(typed.type, ty.MapType):
+    checker: Checker, typed: TypedExpression, item: opt.OptionType, limits: Constraints, what: str
+) -> TypedExpression | None:
+    if not isinstance(typed.type, ty.MappingType):
         return _mismatch(checker, typed, opt.MapType(item), limits, what)
-    fitted = [_fit(checker, part, item, limits, f"each entry of {what}") for part in typed.items]
+    fitted = [
+        _checked(checker, part, item, limits, f"each entry of {what}") for part in typed.items
+    ]
     return typed if all(part is not None for part in fitted) else None

@@ -9,17 +9,17 @@ from ...plugins import option_types as opt
 _CALLS = {"piece": "a piece of a road, such as `straight(80m)`", "select": "a way to choose a road"}
 
 
-def describe(due: opt.OptionType, words: Iterable[str] = ()) -> str:
+def describe(expected: opt.OptionType, words: Iterable[str] = ()) -> str:
     """`a length`, `a list`, `one of clear, rain`: for messages and tables."""
     named = ", ".join(f"`{word}`" for word in words)
-    if isinstance(due, opt.WordType):
+    if isinstance(expected, opt.WordType):
         return f"one of {named}"
-    text = _describe(due)
+    text = _describe(expected)
     return f"{text}, or {named}" if named else text
 
 
-def _describe(due: opt.OptionType) -> str:
-    match due:
+def _describe(expected: opt.OptionType) -> str:
+    match expected:
         case opt.QuantityType(dimension, whole):
             return "a whole number" if whole else str(dimension)
         case opt.LikeType():

@@ -13,19 +13,37 @@ from ...ir.values import Constant
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from .expression_types import Quantity, SignalType, Typed, unknown
+from .expression_types import Quantity, SignalType, TypedExpression, unknown
 
 _parse = cache(parse_unit)
 _DIGITS = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _MEANT = {
-    "meter": "m", "meters": "m", "metre": "m", "metres": "m", "mtr": "m",
-    "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minutes": "min", "hour": "h",
-    "degree": "deg", "degrees": "deg", "radians": "rad", "pixel": "px", "pixels": "px",
-    "kmh": "km/h", "kph": "km/h", "mps": "m/s", "percent": "%", "feet": "ft", "miles": "mi",
-}  # fmt: skip
+    "meter": "m",
+    "meters": "m",
+    "metre": "m",
+    "metres": "m",
+    "mtr": "m",
+    "sec": "s",
+    "secs": "s",
+    "second": "s",
+    "seconds": "s",
+    "minutes": "min",
+    "hour": "h",
+    "degree": "deg",
+    "degrees": "deg",
+    "radians": "rad",
+    "pixel": "px",
+    "pixels": "px",
+    "kmh": "km/h",
+    "kph": "km/h",
+    "mps": "m/s",
+    "percent": "%",
+    "feet": "ft",
+    "miles": "mi",
+}
 
 
-def infer_number(checker: Checker, number: ast.Number, context: Context) -> Typed:
+def infer_number(checker: Checker, number: ast.Number, context: Context) -> TypedExpression:
     """`8m`: the quantity in SI units."""
     value = float(number.digits)
     if not number.unit:
@@ -33,7 +51,7 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
             return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}`")
         whole = value.is_integer()
         kind = Quantity(fits_any=value == 0, bare=True, whole=whole)
-        return Typed(number.span, kind, Constant(value), bounds=(value, value))
+        return TypedExpression(number.span, kind, Constant(value), bounds=(value, value))
     unit = _unit(checker, number)
     if unit is None:
         return unknown(number.span)
@@ -43,7 +61,9 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
     if value in (float("inf"), float("-inf")):
         return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}{number.unit}`")
     kind = Quantity(unit.dimension, whole=unit.dimension.is_pure and value.is_integer())
-    return Typed(number.span, kind, Constant(value, unit.dimension), bounds=(value, value))
+    return TypedExpression(
+        number.span, kind, Constant(value, unit.dimension), bounds=(value, value)
+    )
 
 
 def _unit(checker: Checker, number: ast.Number) -> Unit | None:
@@ -83,9 +103,9 @@ def _one_slash(text: str) -> str:
     return f"{above}/{divisor}"
 
 
-def unit_missing(checker: Checker, typed: Typed, due: Dimension) -> Typed:
-    """RL202: a bare number where a unit is due, with the number in that unit as fix."""
-    unit = "deg" if due == ANGLE else due.unit
+def unit_missing(checker: Checker, typed: TypedExpression, expected: Dimension) -> TypedExpression:
+    """RL202: a bare number where a unit is expected, with the number in that unit as fix."""
+    unit = "deg" if expected == ANGLE else expected.unit
     better = _DIGITS.sub(lambda match: match[0] + unit, typed.span.text)
     if unit.startswith("1/"):
         better = _DIGITS.sub(lambda match: match[0] + unit[1:], typed.span.text)
@@ -93,18 +113,20 @@ def unit_missing(checker: Checker, typed: Typed, due: Dimension) -> Typed:
         Code.MISSING_UNIT,
         typed.span,
         number=typed.span.text,
-        due=due,
+        expected=expected,
         help=f"write `{better}`",
         fixes=[Fix(typed.span, better)],
     )
 
 
-def dimension_of(typed: Typed) -> Dimension:
+def dimension_of(typed: TypedExpression) -> Dimension:
     assert isinstance(typed.type, Quantity | SignalType)
     return typed.type.dimension
 
 
-def common_dimension(checker: Checker, parts: Sequence[Typed], verb: str) -> Dimension | None:
+def common_dimension(
+    checker: Checker, parts: Sequence[TypedExpression], verb: str
+) -> Dimension | None:
     """The one dimension of numbers or signals that are added, compared or listed.
 
     None, reported, where they differ. A bare 0 and `inf` go with everything.
@@ -114,26 +136,32 @@ def common_dimension(checker: Checker, parts: Sequence[Typed], verb: str) -> Dim
         return dimension_of(parts[0])
     with_unit = [part for part in firm if not (isinstance(part.type, Quantity) and part.type.bare)]
     leader = (with_unit or firm)[0]
-    due = dimension_of(leader)
+    expected = dimension_of(leader)
     agreed = True
     for part in firm:
-        if dimension_of(part) == due:
+        if dimension_of(part) == expected:
             continue
         agreed = False
         if isinstance(part.type, Quantity) and part.type.bare:
-            unit_missing(checker, part, due)
+            unit_missing(checker, part, expected)
         else:
-            labels = [Label(leader.span, f"{due}")]
+            labels = [Label(leader.span, f"{expected}")]
             found = dimension_of(part)
             checker.report(
-                Code.DIMENSION_MISMATCH, part.span, labels=labels, verb=verb, due=due, found=found,
-                left=short(leader), right=short(part),
-            )  # fmt: skip
+                Code.DIMENSION_MISMATCH,
+                part.span,
+                labels=labels,
+                verb=verb,
+                expected=expected,
+                found=found,
+                left=short(leader),
+                right=short(part),
+            )
         break
-    return due if agreed else None
+    return expected if agreed else None
 
 
-def short(typed: Typed) -> str:
+def short(typed: TypedExpression) -> str:
     """The source of an expression, for a message."""
     text = " ".join(typed.span.text.split())
     return text if len(text) <= 40 else text[:37] + "..."

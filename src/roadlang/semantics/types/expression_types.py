@@ -27,7 +27,7 @@ class Quantity:
 
 
 @dataclass(frozen=True, slots=True)
-class FlagType:
+class BooleanType:
     """`true` or `false`."""
 
     def __str__(self) -> str:
@@ -35,7 +35,7 @@ class FlagType:
 
 
 @dataclass(frozen=True, slots=True)
-class TextType:
+class StringType:
     """A string or a word. `values`: all that it can be, where that is known."""
 
     values: frozenset[str] | None = None
@@ -46,7 +46,7 @@ class TextType:
 
 
 @dataclass(frozen=True, slots=True)
-class PointType:
+class CoordinatesType:
     """`(x, y)`."""
 
     def __str__(self) -> str:
@@ -54,7 +54,7 @@ class PointType:
 
 
 @dataclass(frozen=True, slots=True)
-class ListType:
+class SequenceType:
     """`[a, b]`."""
 
     def __str__(self) -> str:
@@ -62,7 +62,7 @@ class ListType:
 
 
 @dataclass(frozen=True, slots=True)
-class MapType:
+class MappingType:
     """`{ key: value }`."""
 
     def __str__(self) -> str:
@@ -70,7 +70,7 @@ class MapType:
 
 
 @dataclass(frozen=True, slots=True)
-class EntityType:
+class DeclaredType:
     """A declared thing: `role` is its statement word."""
 
     role: str
@@ -112,7 +112,7 @@ class FormulaType:
 
 
 @dataclass(frozen=True, slots=True)
-class CallType:
+class KindCallType:
     """The call of a kind: a piece, a selector, an agent or object kind."""
 
     verb: str
@@ -132,16 +132,16 @@ class Unknown:
 
 Type: TypeAlias = (
     Quantity
-    | FlagType
-    | TextType
-    | PointType
-    | ListType
-    | MapType
-    | EntityType
+    | BooleanType
+    | StringType
+    | CoordinatesType
+    | SequenceType
+    | MappingType
+    | DeclaredType
     | ConstraintType
     | SignalType
     | FormulaType
-    | CallType
+    | KindCallType
     | Unknown
 )
 
@@ -156,7 +156,7 @@ class Evidence:
 
 
 @dataclass(frozen=True, slots=True)
-class Typed:
+class TypedExpression:
     """An expression that was looked at.
 
     `value` is set for what the pipeline evaluates once per scene, `term` for signals and
@@ -174,7 +174,7 @@ class Typed:
     evidence: Evidence | None = None
     signals: tuple[SignalBinding, ...] = ()
     numbers: tuple[NumberBinding, ...] = ()
-    items: tuple[Typed, ...] = ()
+    items: tuple[TypedExpression, ...] = ()
     keys: tuple[tuple[str, Span], ...] = ()
     range: bool = False
     """Written `a..b`."""
@@ -191,6 +191,6 @@ class Typed:
         return self.bounds[0]
 
 
-def unknown(span: Span) -> Typed:
+def unknown(span: Span) -> TypedExpression:
     """The remains of a reported error."""
-    return Typed(span, Unknown())
+    return TypedExpression(span, Unknown())

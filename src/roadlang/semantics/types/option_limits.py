@@ -8,11 +8,11 @@ from ...plugins.describing import value_text
 from ...plugins.option_types import QuantityType
 from ...plugins.options import Constraints
 from ..checker import Checker
-from .expression_types import Typed
+from .expression_types import TypedExpression
 
 
 def check_limits(
-    checker: Checker, typed: Typed, limits: Constraints, what: str, dimension: Dimension
+    checker: Checker, typed: TypedExpression, limits: Constraints, what: str, dimension: Dimension
 ) -> bool:
     """False, reported, where the number can be beyond a limit."""
     if typed.bounds is None:
@@ -27,7 +27,7 @@ def check_limits(
         Code.VALUE_OUT_OF_BOUNDS,
         typed.span,
         what=what,
-        due=f"be {word} {_quantity(limit, dimension)}",
+        expected=f"be {word} {_quantity(limit, dimension)}",
         found=f"{verb} {_quantity(number, dimension)}",
     )
     return False

@@ -126,9 +126,11 @@ class Reader:
             return _ZERO
         fits = len(arguments) == 1 if name == "abs" else len(arguments) >= 2
         if not fits or any(argument.key for argument in node.arguments):
-            due = "one number" if name == "abs" else "two numbers or more, without names"
+            expected = "one number" if name == "abs" else "two numbers or more, without names"
             hint = "write `abs(x)`" if name == "abs" else f"write `{name}(x, y)`"
-            self._fault(Code.WRONG_FORMULA_ARGUMENTS, node.span, help=hint, name=name, due=due)
+            self._fault(
+                Code.WRONG_FORMULA_ARGUMENTS, node.span, help=hint, name=name, expected=expected
+            )
             return _ZERO
         return t.Apply(cast(t.FunctionName, name), tuple(arguments))
 

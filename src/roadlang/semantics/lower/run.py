@@ -1,0 +1,84 @@
+"""What belongs to a run and not to a scene: sampling, simulation, falsification, outputs."""
+
+from __future__ import annotations
+
+from ...diagnostics import Code, Span
+from ...ir import values as v
+from ...ir.values import PassCall, Value
+from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
+from ..infer.blocks import lower_call
+from ..infer.kinds import display_name, find_kind
+from ..names.program import Placed
+
+_DEFAULTS = {"sample": "random", "simulate": "builtin", "falsify": "random"}
+
+
+def lower_plan(checker: Checker, placed: Placed) -> PassCall | None:
+    """`sample`, `simulate`, `falsify`."""
+    statement = placed.statement
+    assert isinstance(statement, ast.Plan)
+    word = statement.word
+    keyword = statement.span.source.span(statement.span.start, statement.span.start + len(word))
+    name = statement.kind.text if statement.kind else _DEFAULTS[word]
+    span = statement.kind.span if statement.kind else keyword
+    return _run_call(checker, word, name, span, statement, place=word)
+
+
+def lower_emit(checker: Checker, placed: Placed, number: int) -> PassCall | None:
+    statement = placed.statement
+    assert isinstance(statement, ast.Emit)
+    kind = statement.kind
+    return _run_call(checker, "emit", kind.text, kind.span, statement, place=f"emit {number}")
+
+
+def _run_call(
+    checker: Checker,
+    verb: str,
+    name: str,
+    span: Span,
+    statement: ast.Plan | ast.Emit,
+    place: str,
+) -> PassCall | None:
+    """A call whose options belong to the run: they cannot differ between scenes."""
+    found = find_kind(checker, verb, name, span)
+    if found is None:
+        return None
+    context = Context(user=place, place=place)
+    owner = f"`{display_name(verb, name)}`"
+    block = statement.block
+    call = lower_call(checker, found, block, (), context, owner, span, statement.span)
+    for option in block.options if call is not None and block is not None else ():
+        if _is_random(checker, call, option.key.text):
+            what = f"`{option.key.text}`"
+            checker.report(
+                Code.MUST_NOT_BE_RANDOM,
+                option.value.span,
+                what=what,
+                expected="the same in every scene",
+            )
+            call = None
+            break
+    return call
+
+
+def _is_random(checker: Checker, call: PassCall | None, option: str) -> bool:
+    """Whether the value of an option differs between scenes."""
+    value = call.option(option) if call is not None else None
+    return value is not None and _differs(checker, value)
+
+
+def _differs(checker: Checker, value: Value) -> bool:
+    match value:
+        case v.Draw() | v.Measure():
+            return True
+        case v.Reference(name):
+            return checker.definition(name).random
+        case v.Operation(_, parts) | v.Items(parts):
+            return any(_differs(checker, part) for part in parts)
+        case v.Entries(entries):
+            return any(_differs(checker, part) for _, part in entries)
+        case v.PassCall():
+            return any(_differs(checker, part) for _, part in value.options)
+    return False
