@@ -21,6 +21,14 @@ def test_tables_are_up_to_date() -> None:
     assert stored == generate(grammar_text()), "run python -m roadlang.syntax.parsing.tables"
 
 
+def test_stale_tables_are_built_anew_with_a_warning(monkeypatch) -> None:
+    edited = grammar_text() + "\n// an edit"
+    monkeypatch.setattr(tables, "grammar_text", lambda: edited)
+    with pytest.warns(RuntimeWarning, match=r"python -m roadlang\.syntax\.parsing\.tables"):
+        built = tables.tables.__wrapped__()
+    assert built.starts.keys() == {"file", "formula"}
+
+
 @pytest.fixture(scope="module")
 def lark_parser():
     lark = pytest.importorskip("lark")

@@ -18,29 +18,11 @@ from .expression_types import Quantity, SignalType, TypedExpression, unknown
 _parse = cache(parse_unit)
 _DIGITS = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _MEANT = {
-    "meter": "m",
-    "meters": "m",
-    "metre": "m",
-    "metres": "m",
-    "mtr": "m",
-    "sec": "s",
-    "secs": "s",
-    "second": "s",
-    "seconds": "s",
-    "minutes": "min",
-    "hour": "h",
-    "degree": "deg",
-    "degrees": "deg",
-    "radians": "rad",
-    "pixel": "px",
-    "pixels": "px",
-    "kmh": "km/h",
-    "kph": "km/h",
-    "mps": "m/s",
-    "percent": "%",
-    "feet": "ft",
-    "miles": "mi",
-}
+    "meter": "m", "meters": "m", "metre": "m", "metres": "m", "mtr": "m",
+    "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minutes": "min", "hour": "h",
+    "degree": "deg", "degrees": "deg", "radians": "rad", "pixel": "px", "pixels": "px",
+    "kmh": "km/h", "kph": "km/h", "mps": "m/s", "percent": "%", "feet": "ft", "miles": "mi",
+}  # fmt: skip
 
 
 def infer_number(checker: Checker, number: ast.Number, context: Context) -> TypedExpression:

@@ -186,8 +186,8 @@ class Builder:
     def call(
         self, start: int, end: int, function: ast.Name | ast.Member, *arguments: ast.Argument | None
     ) -> ast.Call:
-        given = tuple(argument for argument in arguments if argument is not None)
-        return ast.Call(function, given, span=Span(self.source, start, end))
+        present = tuple(argument for argument in arguments if argument is not None)
+        return ast.Call(function, present, span=Span(self.source, start, end))
 
     def positional(self, start: int, end: int, value: ast.Expression) -> ast.Argument:
         return ast.Argument(value, span=Span(self.source, start, end))

@@ -6,21 +6,22 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from .tables import LIST, Tables
+from .grammar import LIST
+from .tables import Tables
 from .tokens import Token
 
 Build: TypeAlias = Callable[..., Any]
 
 
 @dataclass(frozen=True, slots=True)
-class Stuck:
+class ParseError:
     """No rule goes on with the token at `index`."""
 
     index: int
 
 
 def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Build]) -> Any:
-    """The value that the builder makes of the tokens (the last one is `$END`), or `Stuck`.
+    """The value that the builder makes of the tokens (the last one is `$END`), or `ParseError`.
 
     `builds` holds one callable for each rule, called with the offsets where the rule's text starts
     and ends, and with the children that the rule hands over.
@@ -38,7 +39,7 @@ def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Bu
             if to is None:
                 # Statement words and letters are names where the grammar wants nothing but a name.
                 if kind not in soft or "NAME" not in row:
-                    return Stuck(index)
+                    return ParseError(index)
                 to = row["NAME"]
             if to >= 0:
                 states.append(to)
@@ -46,12 +47,12 @@ def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Bu
                 starts.append(first)
                 ends.append(last)
                 break
-            origin, size, build, take, whole = rules[~to]
+            origin, size, build, selection, takes_all = rules[~to]
             if build:
                 children = values[len(values) - size :]
-                if not whole:
-                    grow = build == LIST and take[0] == -1
-                    children = _taken(children, take, grow)
+                if not takes_all:
+                    grow = build == LIST and selection[0] == -1
+                    children = _selected(children, selection, grow)
                 if size:
                     place, end = starts[-size], ends[-1]
                     del states[-size:], values[-size:], starts[-size:], ends[-size:]
@@ -66,24 +67,24 @@ def run(tables: Tables, start: str, tokens: Sequence[Token], builds: Sequence[Bu
     return values[0]
 
 
-def _taken(children: list[Any], take: Sequence[int | None], grow: bool) -> list[Any]:
+def _selected(children: list[Any], selection: Sequence[int | None], grow: bool) -> list[Any]:
     """The children that a rule hands over; a list from a repetition is spread out.
 
     A repetition grows its own list in place, so that long lists are linear in cost.
     """
-    taken: list[Any] = children[0] if grow else []
-    for index in take[1:] if grow else take:
+    selected: list[Any] = children[0] if grow else []
+    for index in selection[1:] if grow else selection:
         if index is None:
-            taken.append(None)
+            selected.append(None)
         elif index >= 0:
-            taken.append(children[index])
+            selected.append(children[index])
         else:
-            taken.extend(children[~index])
-    return taken
+            selected.extend(children[~index])
+    return selected
 
 
 def advance(tables: Tables, stack: list[int], kind: str) -> bool:
-    """Move the stack over a token of this kind; False, and a spoilt stack, if it does not fit."""
+    """Move the stack over a token of this kind; False, with the stack unusable, if it cannot."""
     while True:
         row = tables.actions[stack[-1]]
         to = row.get(kind, row.get("NAME") if kind in tables.soft else None)

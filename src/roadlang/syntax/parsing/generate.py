@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from .grammar import digest
-from .tables import END, LIST, STARTS
+from .grammar import END, LIST, STARTS, digest
 
 _REDUCE = 1
 _LETTER = re.compile(r"[A-Z](?=\(\?=)")

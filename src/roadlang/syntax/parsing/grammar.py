@@ -1,9 +1,16 @@
-"""Where the grammar file is: inside the wheel, or at the root of a checkout."""
+"""The grammar file, inside the wheel or at the root of a checkout, and its few special names."""
 
 from __future__ import annotations
 
 import hashlib
 from pathlib import Path
+
+STARTS = ("file", "formula")
+"""The rules that a parse may begin with."""
+END = "$END"
+"""The kind of the token after the last one."""
+LIST = "_"
+"""Stands for the method of a rule that only gathers the items of a repetition."""
 
 _PACKAGE = Path(__file__).parents[2]
 

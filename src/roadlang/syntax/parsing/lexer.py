@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from ...diagnostics import Source
-from ..recovery.unlexable import SUSPECTS, Misread, misread
+from ..recovery.unlexable import SUSPECTS, UnlexableText, explain_unlexable
 from ..recovery.unprintable import binary, surrogates
 from ..tree.nodes import Comment
-from .tables import END, Tables
+from .grammar import END
+from .tables import Tables
 from .tokens import Lexed
 
 _MOST_REPORTED = 50
@@ -24,7 +25,7 @@ def lex(source: Source, tables: Tables) -> Lexed:
     while position < length:
         position = _scan(source, tables, lexed, position)
         if position < length:
-            position = _misread(Misread(source, tables, lexed, position))
+            position = _read_unlexable(UnlexableText(source, tables, lexed, position))
         if len(lexed.diagnostics) > _MOST_REPORTED:
             # Whatever this is, it is no scene file: what comes behind would tell nothing new.
             lexed.tokens.clear()
@@ -59,8 +60,8 @@ def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
     return len(text)
 
 
-def _misread(place: Misread) -> int:
-    found, position = misread(place)
+def _read_unlexable(place: UnlexableText) -> int:
+    found, position = explain_unlexable(place)
     if found is not None:
         place.lexed.diagnostics.append(found)
     return position

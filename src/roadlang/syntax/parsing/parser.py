@@ -9,7 +9,7 @@ from ...diagnostics import Code, Diagnostic, Source
 from ..recovery.operator_spelling import misspelled_temporal
 from ..tree import nodes as ast
 from .builder import Builder
-from .engine import Build, Stuck, run
+from .engine import Build, ParseError, run
 from .lexer import lex
 from .structure_checks import check, check_nodes
 from .tables import Tables, tables
@@ -24,10 +24,10 @@ def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
     lexed = lex(source, grammar)
     builder = Builder(source)
     builds = _builds(grammar, builder)
-    value = _whole(grammar, "file", lexed, builds)
+    value = _parse_all(grammar, "file", lexed, builds)
     found = list(lexed.diagnostics)
     spoiled: list[ast.Word] = []
-    if isinstance(value, Stuck):
+    if isinstance(value, ParseError):
         from ..recovery.recover import Recovery
 
         recovery = Recovery(source, grammar, builds, _lines(found))
@@ -35,11 +35,11 @@ def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
         found.extend(recovery.diagnostics)
         spoiled = recovery.spoiled
     checked = check(value)
-    quiet = _lines(lexed.diagnostics)
-    found.extend(each for each in checked.diagnostics if not _echo(each, quiet))
+    reported_lines = _lines(lexed.diagnostics)
+    found.extend(each for each in checked.diagnostics if not _is_consequence(each, reported_lines))
     tree = replace(
         value,
-        statements=tuple(checked.kept),
+        statements=tuple(checked.accepted),
         comments=tuple(lexed.comments),
         spoiled=(*spoiled, *checked.spoiled),
     )
@@ -51,9 +51,9 @@ def parse_formula(source: Source) -> tuple[ast.Expression | None, list[Diagnosti
     grammar = tables()
     lexed = lex(source, grammar)
     builds = _builds(grammar, Builder(source))
-    value = _whole(grammar, "formula", lexed, builds)
+    value = _parse_all(grammar, "formula", lexed, builds)
     found = list(lexed.diagnostics)
-    if isinstance(value, Stuck):
+    if isinstance(value, ParseError):
         from ..recovery.recover import Recovery
 
         recovery = Recovery(source, grammar, builds, _lines(found))
@@ -70,11 +70,11 @@ def _builds(grammar: Tables, builder: Builder) -> list[Build]:
     return [getattr(builder, rule.build, tuple) for rule in grammar.rules]
 
 
-def _whole(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> Any:
+def _parse_all(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> Any:
     """The value of all tokens, or where they do not fit."""
     slip = misspelled_temporal(lexed.tokens)
     if slip is not None:
-        return Stuck(slip)
+        return ParseError(slip)
     return run(grammar, start, lexed.tokens, builds)
 
 
@@ -82,16 +82,16 @@ def _lines(diagnostics: list[Diagnostic]) -> frozenset[int]:
     return frozenset(found.span.line for found in diagnostics if found.span is not None)
 
 
-def _echo(found: Diagnostic, quiet: frozenset[int]) -> bool:
+def _is_consequence(found: Diagnostic, reported_lines: frozenset[int]) -> bool:
     """A missing comma or line end where a foreign character has been left out."""
     return (
         found.code in (Code.STATEMENT_NOT_AT_LINE_START, Code.MISSING_COMMA)
         and found.span is not None
-        and found.span.line in quiet
+        and found.span.line in reported_lines
     )
 
 
 def _reported(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
-    """In order of place; a hopeless file is not told all."""
+    """In order of place; a hopeless file gets the first of them."""
     ordered = sorted(diagnostics, key=lambda found: found.span.start if found.span else -1)
     return ordered[:_MOST_REPORTED]

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ...diagnostics import Code, Diagnostic, Fix, Source, Span, diagnose
-from ..recovery.error_position import begins_line
 from ..tree import nodes as ast
 from ..tree.walk import walk
 from ..words import CONNECTIVES, DEEPEST, STATEMENTS
+from .line_positions import begins_line
 
 _NOT_NAMES = frozenset([*STATEMENTS, *CONNECTIVES])
 _PAIRED = {"implies": ("implies",), "iff": ("iff", "xor"), "xor": ("iff", "xor")}
@@ -19,7 +19,7 @@ _PAIRED = {"implies": ("implies",), "iff": ("iff", "xor"), "xor": ("iff", "xor")
 class Checked:
     """The statements that are fit for later passes, the names of the others, what is wrong."""
 
-    kept: list[ast.Statement] = field(default_factory=list)
+    accepted: list[ast.Statement] = field(default_factory=list)
     spoiled: list[ast.Word] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
@@ -34,14 +34,14 @@ def check(tree: ast.File) -> Checked:
         checked.diagnostics.extend(wrong)
         name = getattr(statement, "name", None)
         if fit:
-            checked.kept.append(statement)
+            checked.accepted.append(statement)
         elif isinstance(name, ast.Word):
             checked.spoiled.append(name)
     return checked
 
 
 def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
-    """What is wrong below one node, and whether it is shallow enough to be kept."""
+    """What is wrong below one node, and whether it is shallow enough for later passes."""
     found: list[Diagnostic] = []
     for node, depth in walk(root):
         if depth > DEEPEST:
@@ -219,14 +219,14 @@ def _sign_between(left: ast.Node, right: ast.Node) -> Span:
 
 
 def _refused(
-    code: str, span: Span, whole: Span, readings: tuple[str, str], word: str, temporal: str = ""
+    code: str, span: Span, replaced: Span, readings: tuple[str, str], word: str, temporal: str = ""
 ) -> Diagnostic:
-    """Two readings of the whole, as help and as fixes of which one is to be chosen."""
+    """Two readings of the expression, as help and as fixes of which one is to be chosen."""
     return diagnose(
         code,
         span,
         help=tuple(f"write `{' '.join(reading.split())}`" for reading in readings),
-        fixes=tuple(Fix(whole, reading) for reading in readings),
+        fixes=tuple(Fix(replaced, reading) for reading in readings),
         word=word,
         temporal=temporal,
     )

@@ -5,13 +5,14 @@ milliseconds. So they are made once, when the grammar changes:
 
     python -m roadlang.syntax.parsing.tables
 
-When `tables.json` is not of the grammar at hand, the tables are built in memory instead.
+When `tables.json` does not match the grammar, a warning says so and the tables are built in memory.
 """
 
 from __future__ import annotations
 
 import json
 import re
+import warnings
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -19,25 +20,26 @@ from typing import Any, NamedTuple
 
 from .grammar import digest, grammar_text
 
-STARTS = ("file", "formula")
-END = "$END"
-LIST = "_"
 _STORED = Path(__file__).with_name("tables.json")
+_STALE = (
+    f"{_STORED.name} does not match grammar/roadlang.lark, so that every start builds the parse "
+    "tables anew: run `python -m roadlang.syntax.parsing.tables`"
+)
 
 
 class Rule(NamedTuple):
     """`build` is the method of the builder that makes the value; "" hands on the only child, and
     `LIST` hands on the children of a repetition as a list.
 
-    `take` says which children are handed over: an index, ~index for a list whose items are
+    `selection` says which children are handed over: an index, ~index for a list whose items are
     handed over one by one, None for an optional part that is not there.
     """
 
     origin: str
     size: int
     build: str
-    take: tuple[int | None, ...]
-    whole: bool
+    selection: tuple[int | None, ...]
+    takes_all: bool
     """All children are handed over as they are."""
 
 
@@ -71,6 +73,8 @@ def tables() -> Tables:
     if stored.get("digest") != digest(grammar):
         from .generate import generate
 
+        if stored:
+            warnings.warn(_STALE, RuntimeWarning, stacklevel=2)
         stored = generate(grammar)
     return _load(stored)
 

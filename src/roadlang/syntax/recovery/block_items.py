@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...diagnostics import Source
+from ..parsing.line_positions import starts_line
 from ..parsing.tokens import Token
 from ..words import CLOSERS, OPENERS
-from .error_position import looks_like_item, starts_line
+from .error_position import looks_like_item
 
 UNREADABLE = "UNREADABLE"
 

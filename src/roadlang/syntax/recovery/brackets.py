@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
-from ..parsing.tables import END
+from ..parsing.grammar import END
+from ..parsing.line_positions import indentation, starts_line
 from ..parsing.tokens import Token
 from ..words import CLOSERS, DEEPEST, OPENERS, SIGNS
 from .block_items import UNREADABLE, spoil
-from .error_position import indentation, looks_like_item, starts_line
+from .error_position import looks_like_item
 
 
 def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:

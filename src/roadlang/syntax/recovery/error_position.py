@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 from ...diagnostics import Diagnostic, Source, Span
 from ..parsing.engine import accepts, advance, expected
-from ..parsing.tables import END, Tables
+from ..parsing.grammar import END
+from ..parsing.line_positions import starts_line
+from ..parsing.tables import Tables
 from ..parsing.tokens import Token
 from ..words import CLOSERS, OPENERS, STATEMENT_KINDS
 
@@ -34,7 +36,7 @@ class Mistake:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ErrorPosition:
     """The tokens of a piece, the one that does not fit, and the parser's stack before it."""
 
     source: Source
@@ -87,7 +89,7 @@ class Place:
     def first_kind(self) -> str:
         return self.tokens[0][0]
 
-    def back(self, offset: int) -> Place | None:
+    def back(self, offset: int) -> ErrorPosition | None:
         """The same piece, looked at from the token at a negative offset."""
         index = self.index + offset
         if index < 0:
@@ -96,7 +98,7 @@ class Place:
         for token in self.tokens[:index]:
             if not advance(self.tables, stack, token[0]):
                 return None
-        return Place(self.source, self.tables, self.start, self.tokens, index, tuple(stack))
+        return ErrorPosition(self.source, self.tables, self.start, self.tokens, index, tuple(stack))
 
     def goes_on(self, *kinds: str, skip: int = 0, over: int = 3) -> bool:
         """Whether, with these kinds put in here, the next few tokens fit."""
@@ -116,33 +118,6 @@ class Place:
                 elif index >= self.index:
                     return kind
         return None
-
-
-def starts_line(source: Source, token: Token) -> bool:
-    """Only white space stands before the token on its line."""
-    return begins_line(source, token[2])
-
-
-def begins_line(source: Source, offset: int) -> bool:
-    """Only white space stands before this offset on its line. Long lines cost nothing."""
-    text = source.text
-    while offset > 0 and text[offset - 1] in "\ufeff \t\r\f\v":
-        offset -= 1
-    return offset == 0 or text[offset - 1] == "\n"
-
-
-def indentation(source: Source, offset: int) -> int:
-    """How far the line of this offset is indented."""
-    start = source.text.rfind("\n", 0, offset) + 1
-    end = start
-    while end < offset and source.text[end] in " \t":
-        end += 1
-    return end - start
-
-
-def at_margin(source: Source, token: Token) -> bool:
-    start = token[2]
-    return start == 0 or source.text[start - 1] in "\n\ufeff"
 
 
 def looks_like_item(tokens: Sequence[Token], index: int) -> bool:

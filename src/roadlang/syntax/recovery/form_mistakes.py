@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
-from ..parsing.tables import END
+from ..parsing.grammar import END
 from ..words import BINDING_KINDS, TEMPORAL_KINDS
-from .error_position import Edit, Mistake, Place
+from .error_position import Edit, ErrorPosition, Mistake
 
 
-def interval_form(place: Place) -> Mistake | None:
+def interval_form(place: ErrorPosition) -> Mistake | None:
     """`always[0s..5s]`, `always[5s]`, `always(0s, 5s) (p)`."""
     if place.kind() == "LPAR" and place.kind(-1) == "RPAR":
         return _round_interval(place)
@@ -36,7 +36,7 @@ def interval_form(place: Place) -> Mistake | None:
     return Mistake(found, Edit(opener + 1, opener + 1, low))
 
 
-def _round_interval(place: Place) -> Mistake | None:
+def _round_interval(place: ErrorPosition) -> Mistake | None:
     opener = _opener(place, place.index - 1, "LPAR", "RPAR")
     if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS:
         return None
@@ -51,7 +51,7 @@ def _round_interval(place: Place) -> Mistake | None:
     return Mistake(found, Edit(opener, place.index, tokens))
 
 
-def _opener(place: Place, closer: int, opens: str, closes: str) -> int | None:
+def _opener(place: ErrorPosition, closer: int, opens: str, closes: str) -> int | None:
     depth = 0
     for index in range(closer, 0, -1):
         depth += (place.tokens[index][0] == closes) - (place.tokens[index][0] == opens)
@@ -60,7 +60,7 @@ def _opener(place: Place, closer: int, opens: str, closes: str) -> int | None:
     return None
 
 
-def list_operand(place: Place) -> Mistake | None:
+def list_operand(place: ErrorPosition) -> Mistake | None:
     """A list beside an operator, or where an operand is due."""
     behind = place.kind(-1) == "RSQB" and place.kind() in (
         "PLUS", "MINUS", "TIMES", "DIVIDE", "COMPARISON", "RANGE", "POWER", "AND", "OR",
@@ -71,7 +71,7 @@ def list_operand(place: Place) -> Mistake | None:
     return Mistake(diagnose(Code.LIST_AS_OPERAND, place.span()))
 
 
-def actor_order(place: Place) -> Mistake | None:
+def actor_order(place: ErrorPosition) -> Mistake | None:
     """`is K at P on R`: the order is fixed."""
     if place.first_kind not in ("AGENT", "OBJECT") or place.kind() not in ("ON", "IS"):
         return None

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from ...diagnostics import Code, diagnose
 from ..words import CLOSERS, OPENERS
-from .error_position import Edit, Mistake, Place
+from .error_position import Edit, ErrorPosition, Mistake
 from .form_mistakes import actor_order, interval_form, list_operand
 from .number_mistakes import decimal_comma, decimal_point, loose_unit
 from .sign_mistakes import (
@@ -32,7 +32,7 @@ from .word_mistakes import (
     subscript,
 )
 
-_KNOWN: tuple[Callable[[Place], Mistake | None], ...] = (
+_KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     loose_unit,
     decimal_point,
     decimal_comma,
@@ -67,7 +67,7 @@ _MISSING = (
 )
 
 
-def explain(place: Place) -> Mistake:
+def explain(place: ErrorPosition) -> Mistake:
     """The mistake at a place where the parser is stuck."""
     for known in _KNOWN:
         mistake = known(place)
@@ -76,7 +76,7 @@ def explain(place: Place) -> Mistake:
     return unexpected(place)
 
 
-def unexpected(place: Place) -> Mistake:
+def unexpected(place: ErrorPosition) -> Mistake:
     """Anything else is here than may be; a sign that is plainly missing is put in."""
     edit, expected = None, place.expected()
     for kind, sign in _MISSING:
@@ -90,7 +90,7 @@ def unexpected(place: Place) -> Mistake:
     return Mistake(found, edit)
 
 
-def _closes_later(place: Place, opener: str) -> bool:
+def _closes_later(place: ErrorPosition, opener: str) -> bool:
     """An opening bracket is put in only where a closing one waits for it."""
     if opener not in OPENERS:
         return True
@@ -98,6 +98,6 @@ def _closes_later(place: Place, opener: str) -> bool:
     return closer is not None and CLOSERS[closer] == opener
 
 
-def _token(place: Place, kind: str, text: str) -> tuple[str, str, int, int]:
+def _token(place: ErrorPosition, kind: str, text: str) -> tuple[str, str, int, int]:
     start = place.token()[2]
     return (kind, text, start, start)

@@ -6,12 +6,12 @@ import re
 
 from ...diagnostics import Code, Fix, diagnose
 from ..words import UNITS
-from .error_position import Edit, Mistake, Place
+from .error_position import Edit, ErrorPosition, Mistake
 
 _UNIT = re.compile(rf"[ \t]+((?:{'|'.join(UNITS)})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b")
 
 
-def loose_unit(place: Place) -> Mistake | None:
+def loose_unit(place: ErrorPosition) -> Mistake | None:
     """`5 m`: the unit is read as a name, and the parser stumbles over it or behind it."""
     for offset in (0, -1):
         number = place.token(offset - 1)
@@ -34,7 +34,7 @@ def loose_unit(place: Place) -> Mistake | None:
     return None
 
 
-def decimal_point(place: Place) -> Mistake | None:
+def decimal_point(place: ErrorPosition) -> Mistake | None:
     """`.5`, `5.` and `5.m`: a digit is needed on both sides of the point."""
     if place.kind() != "DOT":
         return None
@@ -56,7 +56,7 @@ def decimal_point(place: Place) -> Mistake | None:
     return Mistake(found, Edit(place.index + first, place.index + last + 1, (meant,)))
 
 
-def decimal_comma(place: Place) -> Mistake | None:
+def decimal_comma(place: ErrorPosition) -> Mistake | None:
     """`1,5m`: a comma where the decimal point belongs."""
     if place.kind() != "NUMBER" or place.kind(-1) != "COMMA" or place.kind(-2) != "NUMBER":
         return None

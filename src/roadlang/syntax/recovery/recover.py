@@ -6,14 +6,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
-from ..parsing.engine import Build, Stuck, run
+from ..parsing.engine import Build, ParseError, run
 from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
 from ..tree import nodes as ast
 from ..words import RESERVED_KINDS, STATEMENT_KINDS, STATEMENTS, misspelled
 from .block_items import UNREADABLE, spoil
 from .brackets import close_brackets, too_deep
-from .error_position import Mistake, Place, looks_like_item
+from .error_position import ErrorPosition, Mistake, looks_like_item
 from .known_mistakes import explain
 from .operator_spelling import meant_temporal, misspelled_temporal
 from .statement_pieces import pieces
@@ -29,11 +29,11 @@ class Recovery:
     source: Source
     tables: Tables
     builds: list[Build]
-    quiet: frozenset[int]
+    reported_lines: frozenset[int]
     """Lines with an unreadable character: a complaint of the parser there would be an echo."""
     diagnostics: list[Diagnostic] = field(default_factory=list)
     spoiled: list[ast.Word] = field(default_factory=list)
-    guessed: int | None = None
+    first_guess: int | None = None
     """From here on a bracket has been closed by guess: complaints would be about the guess."""
     budget: int = _MOST_TOKENS
 
@@ -49,69 +49,69 @@ class Recovery:
     def piece(self, start: str, tokens: list[Token]) -> Any:
         """The value of one piece, or None if nothing can be made of it."""
         original = tokens
-        tokens = self.spelled(tokens)
+        tokens = self.correct_spelling(tokens)
         deep = too_deep(tokens)
         if deep is not None:
             span = self.source.span(tokens[deep][2], tokens[deep][3])
             self.diagnostics.append(diagnose(Code.NESTING_TOO_DEEP, span))
-            return self.lost(original)
+            return self.give_up(original)
         value = self.attempt(start, tokens)
-        if not isinstance(value, Stuck):
+        if not isinstance(value, ParseError):
             return value
         tokens, unclosed = close_brackets(self.source, tokens)
         self.diagnostics.extend(unclosed)
-        self.guessed = _first_guess(unclosed)
+        self.first_guess = _first_guess(unclosed)
         for _ in range(_MOST_PER_PIECE):
             value = self.attempt(start, tokens)
-            if not isinstance(value, Stuck):
-                return value if tokens[0][0] != UNREADABLE else self.lost(original)
-            mended = self.mend(start, tokens, value)
-            if mended is None or self.budget < 0:
+            if not isinstance(value, ParseError):
+                return value if tokens[0][0] != UNREADABLE else self.give_up(original)
+            repaired = self.repair(start, tokens, value)
+            if repaired is None or self.budget < 0:
                 break
-            tokens = mended
-        return self.lost(original)
+            tokens = repaired
+        return self.give_up(original)
 
-    def spelled(self, tokens: list[Token]) -> list[Token]:
+    def correct_spelling(self, tokens: list[Token]) -> list[Token]:
         """Misspelled temporal words that would be read as calls, put right."""
-        mended = list(tokens)
-        index = misspelled_temporal(mended)
+        repaired = list(tokens)
+        index = misspelled_temporal(repaired)
         while index is not None:
-            _, text, start, end = mended[index]
+            _, text, start, end = repaired[index]
             meant = meant_temporal(text) or text
             span = self.source.span(start, end)
             help, fixes = f"did you mean `{meant}`?", (Fix(span, meant),)
             self.diagnostics.append(
                 diagnose(Code.MISSPELLED_WORD, span, word=text, help=help, fixes=fixes)
             )
-            mended[index] = (meant.upper(), meant, start, end)
-            index = misspelled_temporal(mended, index)
-        return mended
+            repaired[index] = (meant.upper(), meant, start, end)
+            index = misspelled_temporal(repaired, index)
+        return repaired
 
     def attempt(self, start: str, tokens: list[Token]) -> Any:
         self.budget -= len(tokens)
         return run(self.tables, start, tokens, self.builds)
 
-    def mend(self, start: str, tokens: list[Token], stuck: Stuck) -> list[Token] | None:
+    def repair(self, start: str, tokens: list[Token], error: ParseError) -> list[Token] | None:
         """Report what is wrong, and return tokens with which reading can go on."""
-        stuck_at = Place(self.source, self.tables, start, tokens, stuck.index)
-        place = stuck_at.back(0)
+        error_at = ErrorPosition(self.source, self.tables, start, tokens, error.index)
+        place = error_at.back(0)
         assert place is not None, "the parser has come this far"
         mistake = explain(place)
         self.report(mistake)
         edit = mistake.edit
         if edit is not None:
             return [*tokens[: edit.start], *edit.tokens, *tokens[edit.end :]]
-        culprit = stuck.index if mistake.culprit is None else mistake.culprit
+        culprit = error.index if mistake.culprit is None else mistake.culprit
         return spoil(self.source, tokens, culprit)
 
     def report(self, mistake: Mistake) -> None:
         found = mistake.diagnostic
-        if found is None or found.span is None or found.span.line in self.quiet:
+        if found is None or found.span is None or found.span.line in self.reported_lines:
             return
-        if self.guessed is None or found.span.start < self.guessed:
+        if self.first_guess is None or found.span.start < self.first_guess:
             self.diagnostics.append(found)
 
-    def lost(self, tokens: list[Token]) -> None:
+    def give_up(self, tokens: list[Token]) -> None:
         """A statement that cannot be read: remember the name that it declares."""
         if len(tokens) > 1 and tokens[1][0] == "NAME":
             _, text, start, end = tokens[1]
@@ -132,7 +132,7 @@ class Recovery:
             diagnose(Code.UNKNOWN_STATEMENT, span, word=text, help=help, fixes=fixes)
         )
         if meant is None:
-            self.lost(tokens)
+            self.give_up(tokens)
             return [tokens[-1]]
         return [(meant.upper(), meant, start, end), *tokens[1:]]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
 from ..words import CLOSERS
-from .error_position import Edit, Mistake, Place
+from .error_position import Edit, ErrorPosition, Mistake
 from .token_names import expectation, finding
 
 
-def wrong_sign(place: Place) -> Mistake | None:
+def wrong_sign(place: ErrorPosition) -> Mistake | None:
     """`=` for `:`, `:` for `=`, `=` for `==`."""
     kind = place.kind()
     if kind not in ("EQUAL", "COLON"):
@@ -32,7 +32,7 @@ def wrong_sign(place: Place) -> Mistake | None:
     return None
 
 
-def stray_closer(place: Place) -> Mistake | None:
+def stray_closer(place: ErrorPosition) -> Mistake | None:
     """A closing bracket that nothing opens."""
     if place.kind() not in CLOSERS:
         return None
@@ -46,7 +46,7 @@ def stray_closer(place: Place) -> Mistake | None:
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
-def one_too_many(place: Place) -> Mistake | None:
+def one_too_many(place: ErrorPosition) -> Mistake | None:
     """A comma or a `with` that can be left out."""
     if place.kind() not in ("COMMA", "WITH") or not place.goes_on(skip=1):
         return None
@@ -56,7 +56,7 @@ def one_too_many(place: Place) -> Mistake | None:
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
-def power_of_python(place: Place) -> Mistake | None:
+def power_of_python(place: ErrorPosition) -> Mistake | None:
     if place.kind() != "TIMES" or place.kind(-1) != "TIMES" or not place.glued(0):
         return None
     span = place.span(-1, 0)
@@ -71,7 +71,7 @@ def power_of_python(place: Place) -> Mistake | None:
     return Mistake(found, Edit(place.index - 1, place.index + 1, (meant,)))
 
 
-def turned_comparison(place: Place) -> Mistake | None:
+def turned_comparison(place: ErrorPosition) -> Mistake | None:
     """`=<` for `<=`."""
     if place.kind() != "EQUAL" or place.word(1) != "<" or not place.glued(1):
         return None

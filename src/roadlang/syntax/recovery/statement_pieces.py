@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...diagnostics import Source
-from ..parsing.tables import END
+from ..parsing.grammar import END
+from ..parsing.line_positions import at_margin, starts_line
 from ..parsing.tokens import Token
 from ..words import CLOSERS, OPENERS, STATEMENT_KINDS, STATEMENTS, misspelled
-from .error_position import at_margin, looks_like_item, starts_line
+from .error_position import looks_like_item
 
 
 def pieces(source: Source, tokens: Sequence[Token]) -> list[list[Token]]:

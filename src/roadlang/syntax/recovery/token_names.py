@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from ..parsing.tables import END
+from ..parsing.grammar import END
 from ..words import LOGIC_KINDS, OPERATOR_KINDS, SIGNS, STATEMENT_KINDS
-from .error_position import Place
+from .error_position import ErrorPosition
 
 _SHOWN = 30
 
 
-def expectation(place: Place) -> str:
+def expectation(place: ErrorPosition) -> str:
     """The kinds of token that would fit, in words."""
     kinds = place.expected()
     parts: list[str] = []
@@ -29,12 +29,12 @@ def expectation(place: Place) -> str:
     return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} or {parts[-1]}"
 
 
-def _names_an_item(place: Place, kinds: set[str]) -> bool:
+def _names_an_item(place: ErrorPosition, kinds: set[str]) -> bool:
     """A key, a member or an argument: any word will do."""
     return "NAME" in kinds and kinds >= STATEMENT_KINDS and END not in kinds
 
 
-def _after_logic(place: Place) -> bool:
+def _after_logic(place: ErrorPosition) -> bool:
     if place.kind(-1) in LOGIC_KINDS:
         return True
     return place.first_kind in ("REQUIRE", "EXPECT") and place.index == 3
@@ -53,7 +53,7 @@ def _signs(kinds: set[str], parts: list[str]) -> list[str]:
     return words + signs
 
 
-def finding(place: Place) -> str:
+def finding(place: ErrorPosition) -> str:
     """The token that stands there, in words."""
     kind, text = place.kind(), place.word()
     if kind == END:

@@ -29,7 +29,7 @@ _MARGIN_STATEMENT = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Misread:
+class UnlexableText:
     """Where the scanner stands, and what it has read so far."""
 
     source: Source
@@ -58,7 +58,7 @@ Answer: TypeAlias = tuple[Diagnostic | None, int]
 """What to report, and where to go on."""
 
 
-def misread(place: Misread) -> Answer:
+def explain_unlexable(place: UnlexableText) -> Answer:
     """Explain the character at `place.start`; adds the token that was meant, if any."""
     char = place.text[place.start]
     if char == '"':
@@ -73,7 +73,7 @@ def misread(place: Misread) -> Answer:
     return _foreign(place)
 
 
-def _text(place: Misread) -> Answer:
+def _text(place: UnlexableText) -> Answer:
     """`\"\"\"` without its end: the text probably ended before the next statement."""
     following = _MARGIN_STATEMENT.search(place.text, place.start + 3)
     end = following.start() if following else len(place.text)
@@ -82,7 +82,7 @@ def _text(place: Misread) -> Answer:
     return diagnose(Code.UNCLOSED_STRING, span, what="text", help='close it with `"""`'), end
 
 
-def _escape(place: Misread, end: int) -> Answer:
+def _escape(place: UnlexableText, end: int) -> Answer:
     """A string with an escape that means nothing; the string is read all the same."""
     place.read_as("STRING", place.text[place.start : end], end)
     match = next(match for match in _ESCAPE.finditer(place.text, place.start, end) if _bad(match))
@@ -98,7 +98,7 @@ def _bad(match: re.Match[str]) -> bool:
     return match[1] not in ESCAPES
 
 
-def _string(place: Misread) -> Answer:
+def _string(place: UnlexableText) -> Answer:
     bare = _BARE_STRING.match(place.text, place.start)
     end = bare.end() if bare else place.line_end()
     while not bare and end > place.start + 1 and place.text[end - 1] in " \t":
@@ -111,7 +111,7 @@ def _string(place: Misread) -> Answer:
     ), end
 
 
-def _single_quotes(place: Misread) -> Answer | None:
+def _single_quotes(place: UnlexableText) -> Answer | None:
     match = _SINGLE.match(place.text, place.start)
     if match is None:
         return None
@@ -129,7 +129,7 @@ def _single_quotes(place: Misread) -> Answer | None:
     return found, match.end()
 
 
-def _latex(place: Misread) -> Answer | None:
+def _latex(place: UnlexableText) -> Answer | None:
     """LaTeX spoils its line: the form in roadlang is shown, the line is left out."""
     match = _LATEX.match(place.text, place.start)
     if match is None:
@@ -142,7 +142,7 @@ def _latex(place: Misread) -> Answer | None:
     return diagnose(Code.LATEX_FORMULA, span, help=f"in roadlang: `{shown}`"), end
 
 
-def _symbol(place: Misread) -> Answer | None:
+def _symbol(place: UnlexableText) -> Answer | None:
     char = place.text[place.start]
     meant = SYMBOLS.get(char)
     if meant is None:
@@ -159,7 +159,7 @@ def _symbol(place: Misread) -> Answer | None:
     ), end
 
 
-def _percent(place: Misread) -> Answer | None:
+def _percent(place: UnlexableText) -> Answer | None:
     """`5 %`: the sign belongs to the number before it."""
     if place.text[place.start] != "%" or not place.tokens:
         return None
@@ -176,7 +176,7 @@ def _percent(place: Misread) -> Answer | None:
     return found, place.start + 1
 
 
-def _letter(place: Misread) -> Answer | None:
+def _letter(place: UnlexableText) -> Answer | None:
     """A name with letters that are not ASCII. It is kept, so that its uses are not unknown."""
     match = _WORD.match(place.text, place.start)
     if match is None:
@@ -195,7 +195,7 @@ def _letter(place: Misread) -> Answer | None:
     ), end
 
 
-def _color(place: Misread) -> Answer | None:
+def _color(place: UnlexableText) -> Answer | None:
     """`key: #2e7d32`: a comment that looks like a color where a value is due."""
     match = _COLOR.match(place.text, place.start)
     if match is None:
@@ -207,7 +207,7 @@ def _color(place: Misread) -> Answer | None:
     return diagnose(Code.UNQUOTED_COLOR, span, help=help, fixes=[Fix(span, meant)]), match.end()
 
 
-def _comment(place: Misread) -> Answer | None:
+def _comment(place: UnlexableText) -> Answer | None:
     """`// ...` and `/* ... */` are comments elsewhere."""
     if not place.text.startswith(("//", "/*"), place.start):
         return None
@@ -220,7 +220,7 @@ def _comment(place: Misread) -> Answer | None:
     return diagnose(Code.FOREIGN_COMMENT, span, what=mark, help="a comment begins with `#`"), end
 
 
-def _foreign(place: Misread) -> Answer:
+def _foreign(place: UnlexableText) -> Answer:
     """Anything else; a run of the same kind of character is one mistake."""
     text, start = place.text, place.start
     end = start + 1
@@ -237,7 +237,7 @@ def _same(first: str, char: str) -> bool:
     return char.isprintable() == first.isprintable() and not (char.isascii() and char.isprintable())
 
 
-_EXPLAINERS: tuple[Callable[[Misread], Answer | None], ...] = (
+_EXPLAINERS: tuple[Callable[[UnlexableText], Answer | None], ...] = (
     _color,
     _comment,
     _single_quotes,

@@ -24,7 +24,7 @@ def binary(source: Source) -> Diagnostic | None:
 
 
 def surrogates(source: Source, reported: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Bytes that are not UTF-8 inside strings and comments, where no token is spoilt by them."""
+    """Bytes that are not UTF-8 inside strings and comments, where they damage no token."""
     said = {found.span.start for found in reported if found.span is not None}
     return [
         diagnose(

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
-from ..parsing.tables import END
+from ..parsing.grammar import END
 from ..words import CONNECTIVES, RESERVED, RESERVED_KINDS, STATEMENT_KINDS, misspelled
-from .error_position import Edit, Mistake, Place
+from .error_position import Edit, ErrorPosition, Mistake
 from .token_names import expectation
 
 _LETTERS = {"G": "always", "F": "eventually", "H": "historically", "O": "once"}
 
 
-def next_item(place: Place) -> Mistake | None:
+def next_item(place: ErrorPosition) -> Mistake | None:
     """A value is missing, and the next line's `key:` or `verb with` was read as the value."""
     if place.kind() not in ("COLON", "WITH") or not place.starts_line(-1):
         return None
@@ -29,7 +29,7 @@ def next_item(place: Place) -> Mistake | None:
     return Mistake(found, culprit=place.index - 2)
 
 
-def next_statement(place: Place) -> Mistake | None:
+def next_statement(place: ErrorPosition) -> Mistake | None:
     """A value is missing, and the next line's statement word was read as the value."""
     if place.kind(-1) not in STATEMENT_KINDS or not place.starts_line(-1):
         return None
@@ -47,7 +47,7 @@ def next_statement(place: Place) -> Mistake | None:
     return Mistake(found, culprit=place.index - 2)
 
 
-def misspelled_word(place: Place) -> Mistake | None:
+def misspelled_word(place: ErrorPosition) -> Mistake | None:
     """A word of the language with a slip in it, here or just before."""
     for offset in (0, -1):
         at = place if offset == 0 else place.back(-1)
@@ -67,7 +67,7 @@ def misspelled_word(place: Place) -> Mistake | None:
     return None
 
 
-def reserved_name(place: Place) -> Mistake | None:
+def reserved_name(place: ErrorPosition) -> Mistake | None:
     """A reserved word where a name is declared or a key stands."""
     if place.kind() not in RESERVED_KINDS or not place.expects("NAME") or place.wants_value:
         return None
@@ -81,7 +81,7 @@ def reserved_name(place: Place) -> Mistake | None:
     return Mistake(found, Edit(place.index, place.index + 1, (token,)))
 
 
-def missing_name(place: Place) -> Mistake | None:
+def missing_name(place: ErrorPosition) -> Mistake | None:
     """`require always (p)`: the name and its colon are missing."""
     if place.first_kind not in ("REQUIRE", "EXPECT") or place.index not in (1, 2):
         return None
@@ -102,12 +102,12 @@ def missing_name(place: Place) -> Mistake | None:
     return Mistake(found, Edit(1, 1, (name, *colon)))
 
 
-def _word_then(place: Place) -> bool:
+def _word_then(place: ErrorPosition) -> bool:
     """`require phi1 always ...`: there is a name, the colon is missing."""
     return place.kind() in RESERVED_KINDS and place.kind() not in ("AND", "OR", "IMPLIES", "IFF")
 
 
-def bare_letter(place: Place) -> Mistake | None:
+def bare_letter(place: ErrorPosition) -> Mistake | None:
     """`G e1 < 10m`: the letters are temporal words only before brackets."""
     letter = place.word(-1)
     if letter not in _LETTERS or place.kind(-1) != "NAME":
@@ -129,7 +129,7 @@ def bare_letter(place: Place) -> Mistake | None:
     return Mistake(found, Edit(before.index, before.index + 1, (token,)))
 
 
-def subscript(place: Place) -> Mistake | None:
+def subscript(place: ErrorPosition) -> Mistake | None:
     """`G_{[0, 10]}` or `G_[0, 10]`: LaTeX without a backslash."""
     letter = place.word(-1).rstrip("_")
     meant = {**_LETTERS, "U": "until", "S": "since"}.get(letter)
@@ -138,7 +138,7 @@ def subscript(place: Place) -> Mistake | None:
     return Mistake(diagnose(Code.LATEX_FORMULA, place.span(-1, 0), help=f"write `{meant}[a, b]`"))
 
 
-def bare_file_name(place: Place) -> Mistake | None:
+def bare_file_name(place: ErrorPosition) -> Mistake | None:
     """`include street.rl`: a file name without quotes."""
     if place.kind() != "NAME" or place.expected() != {"STRING"}:
         return None
