@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-SCENE_SCHEMA = "roadlang.scene/1"
+SCENE_SCHEMA = "roadlang.scene/2"
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +102,26 @@ class Stretch:
 
 
 @dataclass(frozen=True, slots=True)
+class Profile:
+    """Values along a road: `stations` is arc length of the root road, as long as `values`."""
+
+    road: str
+    stations: tuple[float, ...]
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SceneSignal:
+    """A `let` that names a signal over roads; of a network, a profile for each of its roads."""
+
+    name: str
+    text: str
+    unit: str
+    """SI unit of the values, such as `m` or `1/m`; empty for pure numbers"""
+    profiles: tuple[Profile, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Verdict:
     """A `require` or `expect` of this scene. `robustness` is None for what is judged later."""
 
@@ -112,6 +132,8 @@ class Verdict:
     satisfied: bool | None
     violated: tuple[Stretch, ...] = ()
     formula: Mapping[str, Any] | None = None
+    profiles: tuple[Profile, ...] = ()
+    """robustness along each road: of what the outermost `always` governs, else of the formula"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,6 +168,8 @@ class Scene:
     agents: tuple[SceneActor, ...] = ()
     objects: tuple[SceneActor, ...] = ()
     world: Mapping[str, Any] = field(default_factory=dict)
+    signals: tuple[SceneSignal, ...] = ()
+    """the `let`s that name signals over roads, with their values"""
     requirements: tuple[Verdict, ...] = ()
     expectations: tuple[Verdict, ...] = ()
     simulate: Call | None = None

@@ -6,16 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from . import actors, furniture, ghost, legend, palette
+from . import actors, furniture, ghost, palette, photo, profiles
+from .legend import legend_of
 from .markup import element, group, text, title
 from .ribbon import Ribbon, ribbon_of
 from .roads import roads
 from .selection import Selection, select
+from .tightest import tight_places
 from .viewport import Viewport, bounds, fitted
 from .violations import violations
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene
+    from roadlang.api import Picture, Scene
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,9 @@ class Style:
     labels: bool = True
     legend: bool = True
     stations: bool = True
+    profiles: bool = True
+    photo: Picture | None = None
+    fade: float = 0.35
 
     @property
     def font(self) -> float:
@@ -39,11 +44,12 @@ def draw(scene: Scene, style: Style) -> str:
     size, pad = style.font, 1.2 * style.font
     top = pad + 2.3 * size
     viewport = fitted(bounds(scene), pad, top, style.size - 2 * pad)
-    rows = legend.rows_of(scene) if style.legend else []
     below = top + viewport.height + 0.9 * size
-    foot = max(legend.height(rows, size), 2.6 * size)
-    furniture_left = style.size - pad - 0.22 * viewport.width
-    bar_width = viewport.width * 0.74 if rows else 0.0
+    bar = 0.26 * viewport.width
+    legend = legend_of(scene, viewport.width - bar, size) if style.legend else None
+    foot = max(0.0 if legend is None else legend.height, 2.6 * size)
+    plots = profiles.rows_of(scene) if style.profiles else []
+    strip = below + foot + 0.8 * size
     parts = [
         element("defs", furniture.clip(viewport, "map")),
         _heading(scene, style, pad, pad + 1.2 * size),
@@ -52,10 +58,13 @@ def draw(scene: Scene, style: Style) -> str:
         furniture.north_arrow(
             viewport.x + viewport.width - 1.9 * size, viewport.y + 3.4 * size, size
         ),
+        furniture.world_note(scene, viewport, size),
         furniture.scale_bar(viewport, size, style.size - pad - 2.2 * size, below + 0.3 * size),
-        legend.legend(rows, pad, below - 0.2 * size, min(bar_width, furniture_left), size),
+        "" if legend is None else legend.drawn(pad, below - 0.2 * size),
+        profiles.profiles(plots, pad, strip, viewport.width, size),
     ]
-    return document(parts, style.size, below + foot + pad, _described(scene))
+    bottom = strip + profiles.height(plots, size) if plots else below + foot
+    return document(parts, style.size, bottom + pad, _described(scene))
 
 
 def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") -> str:
@@ -64,6 +73,7 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
     ribbons = {road.name: ribbon_of(road, viewport) for road in scene.roads}
     parts = [
         furniture.ground(viewport),
+        photo.beneath(style.photo, viewport, style.fade) if style.photo is not None else "",
         ghost.context(ribbons[name] for name in selection.context),
         ghost.ghosts(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         roads(scene, ribbons, selection.full, viewport),
@@ -74,6 +84,7 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         actors.objects(scene, viewport),
         *_stations(scene, selection, ribbons, viewport, style),
         actors.agents(scene, viewport),
+        tight_places(scene, ribbons, style.font) if style.profiles and style.labels else "",
         actors.labels(scene, viewport, style.font) if style.labels else "",
     ]
     return group(parts, class_="map", clip_path=f"url(#{clip})")

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from . import palette
 from .markup import element, group, text
 
 if TYPE_CHECKING:
+    from roadlang.api import Scene
+
     from .ribbon import Ribbon
     from .viewport import Viewport
 
@@ -76,6 +78,27 @@ def north_arrow(x: float, y: float, size: float) -> str:
         ],
         class_="north",
     )  # fmt: skip
+
+
+def world_note(scene: Scene, viewport: Viewport, size: float) -> str:
+    """What `world` says, in the map's lower right corner: `rain · 18:30 · friction 0.70`."""
+    note = " · ".join(_world_parts(scene.world))
+    if not note:
+        return ""
+    x, y = viewport.x + viewport.width - 0.8 * size, viewport.y + viewport.height - 0.8 * size
+    return text(note, x, y, text_anchor="end", font_size=0.9 * size, fill=palette.QUIET_INK,
+                stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
+
+
+def _world_parts(world: Mapping[str, object]) -> Iterator[str]:
+    weather, time, friction = (world.get(key) for key in ("weather", "time_of_day", "friction"))
+    if isinstance(weather, str):
+        yield weather
+    if isinstance(time, int | float):
+        minutes = round(time / 60)
+        yield f"{minutes // 60 % 24:02d}:{minutes % 60:02d}"
+    if isinstance(friction, int | float):
+        yield f"friction {friction:.2f}"
 
 
 def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:

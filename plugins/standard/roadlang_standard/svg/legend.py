@@ -9,16 +9,21 @@ from typing import TYPE_CHECKING
 from . import palette
 from .markup import element, group, rho, text
 from .violations import broken
+from .wrapping import letters, wrapped
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, Verdict
 
 _MOST_ROWS = 14
+_LINE = 1.25
+_ROW_GAP = 0.3
+_LONGEST_NAME = 22
+_OUTCOME = 7.5
 
 
 @dataclass(frozen=True)
 class Row:
-    """One line of the legend."""
+    """One requirement or expectation of the legend."""
 
     mark: str
     color: str
@@ -27,7 +32,53 @@ class Row:
     outcome: str
 
 
-def rows_of(scene: Scene) -> list[Row]:
+@dataclass(frozen=True)
+class Legend:
+    """Rows laid out `width` pixels wide at a font size; long formulas take several lines."""
+
+    rows: tuple[Row, ...]
+    width: float
+    size: float
+
+    @property
+    def _formula(self) -> float:
+        """Pixels from the left at which formulas begin."""
+        longest = max((len(row.name) for row in self.rows), default=0)
+        return (2.9 + 0.62 * min(longest, _LONGEST_NAME)) * self.size
+
+    def _lines(self, row: Row) -> list[str]:
+        room = self.width - self._formula - _OUTCOME * self.size
+        return wrapped(row.formula, letters(room, self.size))
+
+    def _height(self, row: Row) -> float:
+        return (_LINE * len(self._lines(row)) + _ROW_GAP) * self.size
+
+    @property
+    def height(self) -> float:
+        """Pixels that all rows take."""
+        return sum(map(self._height, self.rows))
+
+    def drawn(self, x: float, y: float) -> str:
+        """From (x, y) down: a mark, the name, the formula, the robustness."""
+        cells: list[str] = []
+        for row in self.rows:
+            cells += self._cells(row, x, y + self.size)
+            y += self._height(row)
+        return group(cells, class_="legend", font_size=self.size, fill=palette.INK)
+
+    def _cells(self, row: Row, x: float, base: float) -> Iterator[str]:
+        size = self.size
+        yield _mark(row, x + 0.6 * size, base - 0.34 * size, size)
+        yield text(_short(row.name), x + 1.9 * size, base, font_weight="600")
+        for number, line in enumerate(self._lines(row)):
+            if line:
+                below = base + number * _LINE * size
+                yield text(line, x + self._formula, below, fill=palette.QUIET_INK)
+        yield text(row.outcome, x + self.width, base, text_anchor="end", fill=row.color,
+                   font_weight="600")  # fmt: skip
+
+
+def legend_of(scene: Scene, width: float, size: float) -> Legend:
     """Requirements, then expectations; the last row counts those left out."""
     colors = {
         verdict.name: palette.violation_color(index) for index, verdict in enumerate(broken(scene))
@@ -37,7 +88,7 @@ def rows_of(scene: Scene) -> list[Row]:
     if len(verdicts) > _MOST_ROWS:
         rest = f"and {len(verdicts) - _MOST_ROWS} more"
         rows.append(Row("none", palette.QUIET_INK, rest, "", ""))
-    return rows
+    return Legend(tuple(rows), width, size)
 
 
 def _row(verdict: Verdict, color: str | None) -> Row:
@@ -46,35 +97,6 @@ def _row(verdict: Verdict, color: str | None) -> Row:
     mark = "tick" if verdict.satisfied else "cross"
     outcome = "" if verdict.robustness is None else rho(verdict.robustness)
     return Row(mark, color or palette.SATISFIED, verdict.name, verdict.text, outcome)
-
-
-def height(rows: list[Row], size: float) -> float:
-    """Pixels that the rows take."""
-    return len(rows) * 1.55 * size
-
-
-def legend(rows: list[Row], x: float, y: float, width: float, size: float) -> str:
-    """Rows from (x, y) down: a mark, the name, the formula, the robustness."""
-    names = max((len(row.name) for row in rows), default=0)
-    column = x + 1.9 * size
-    formula = column + min(names, 22) * 0.62 * size + 1.0 * size
-    drawn: list[str] = []
-    for index, row in enumerate(rows):
-        base = y + (index + 0.8) * 1.55 * size
-        drawn += _cells(row, x, base, column, formula, x + width, size)
-    return group(drawn, class_="legend", font_size=size, fill=palette.INK)
-
-
-def _cells(
-    row: Row, x: float, base: float, column: float, formula: float, right: float, size: float
-) -> Iterator[str]:
-    yield _mark(row, x + 0.6 * size, base - 0.34 * size, size)
-    yield text(_short(row.name, 22), column, base, font_weight="600")
-    room = right - formula - 7.5 * size
-    yield text(
-        _short(row.formula, int(room / (0.53 * size))), formula, base, fill=palette.QUIET_INK
-    )
-    yield text(row.outcome, right, base, text_anchor="end", fill=row.color, font_weight="600")
 
 
 def _mark(row: Row, x: float, y: float, size: float) -> str:
@@ -93,5 +115,5 @@ def _mark(row: Row, x: float, y: float, size: float) -> str:
     return ""
 
 
-def _short(content: str, most: int) -> str:
-    return content if len(content) <= most else content[: max(most - 1, 1)].rstrip() + "…"
+def _short(name: str) -> str:
+    return name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 1].rstrip() + "…"

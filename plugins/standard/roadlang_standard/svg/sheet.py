@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
 from . import furniture, palette
 from .drawing import Style, document, map_of
 from .markup import element, group, rho, text
+from .profiles import number_text
 from .viewport import Box, Viewport, bounds, within
+from .wrapping import letters, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -19,6 +21,9 @@ if TYPE_CHECKING:
 
 MOST_SCENES = 48
 _GAP = 14.0
+_LINE = 1.2
+_SMALL = 0.85
+_MOST_LINES = 3
 
 
 def contact_sheet(scenes: Iterable[Scene], size: float) -> str | None:
@@ -33,17 +38,56 @@ def contact_sheet(scenes: Iterable[Scene], size: float) -> str | None:
     cell = (size - _GAP * (columns + 1)) / columns
     tall = cell * min(max(whole.height / max(whole.width, 1e-9), 0.35), 1.3)
     font = max(size / 90, 8.0)
-    head, caption = 3.2 * font, 2.0 * font
+    notes = _notes(shown, letters(cell, _SMALL * font))
+    head, caption = 3.2 * font, (1.6 + _LINE * max(map(len, notes))) * font
     parts = [_heading(shown[0], len(shown), rest, _GAP, 1.9 * font, font)]
-    for index, scene in enumerate(shown):
+    for index, (scene, note) in enumerate(zip(shown, notes, strict=True)):
         row, column = divmod(index, columns)
         x = _GAP + column * (cell + _GAP)
         y = head + row * (tall + caption + _GAP)
         frame = Viewport(whole, x, y, cell, tall)
-        parts.append(_cell(scene, within(whole, frame), f"cell-{index}", font))
+        parts.append(_cell(scene, within(whole, frame), f"cell-{index}", font, note))
     rows = math.ceil(len(shown) / columns)
     height = head + rows * (tall + caption + _GAP)
     return document(parts, size, height, f"{shown[0].title or shown[0].name}: contact sheet")
+
+
+def _notes(scenes: Sequence[Scene], most: int) -> list[list[str]]:
+    """Below each scene, in lines of at most `most` letters: the nearest miss and the draws."""
+    names = _varying(scenes)
+    return [
+        [
+            *(wrapped(outcome, most) if (outcome := _outcome(scene)[1]) else ()),
+            *wrapped(_draws(scene, names), most)[:_MOST_LINES],
+        ]
+        for scene in scenes
+    ]
+
+
+def _varying(scenes: Sequence[Scene]) -> dict[str, str]:
+    """The draws that differ between scenes, by place, with the shortest name that is unique."""
+    places = dict.fromkeys(place for scene in scenes for place in scene.draws)
+    differing = [
+        place for place in places if len({repr(scene.draws.get(place)) for scene in scenes}) > 1
+    ]
+    ends = [place.rpartition("/")[2] for place in differing]
+    return {
+        place: end if ends.count(end) == 1 else place
+        for place, end in zip(differing, ends, strict=True)
+    }
+
+
+def _draws(scene: Scene, names: Mapping[str, str]) -> str:
+    shown = (
+        f"{name}\N{NO-BREAK SPACE}{_value(scene.draws[place])}"
+        for place, name in names.items()
+        if place in scene.draws
+    )
+    return ", ".join(shown)
+
+
+def _value(value: object) -> str:
+    return number_text(value) if isinstance(value, float) else str(value)
 
 
 def _around(scenes: Sequence[Scene]) -> Box:
@@ -65,10 +109,20 @@ def _heading(scene: Scene, shown: int, rest: int, x: float, base: float, font: f
     return text(title, x, base, font_size=1.35 * font, font_weight="700", fill=palette.INK)
 
 
-def _cell(scene: Scene, viewport: Viewport, clip: str, font: float) -> str:
-    style = Style(size=viewport.width, labels=False, legend=False, stations=False)
+def _cell(scene: Scene, viewport: Viewport, clip: str, font: float, note: Sequence[str]) -> str:
+    style = Style(viewport.width, labels=False, legend=False, stations=False, profiles=False)
     base = viewport.y + viewport.height + 1.35 * font
     color, outcome = _outcome(scene)
+    lines = [
+        text(
+            line,
+            viewport.x,
+            base + (index + 1) * _LINE * font,
+            font_size=_SMALL * font,
+            fill=color if outcome.startswith(line) else palette.QUIET_INK,
+        )
+        for index, line in enumerate(note)
+    ]
     return group(
         [
             element("defs", furniture.clip(viewport, clip)),
@@ -76,8 +130,7 @@ def _cell(scene: Scene, viewport: Viewport, clip: str, font: float) -> str:
             furniture.frame(viewport),
             text(f"scene {scene.index}", viewport.x, base, font_size=font, font_weight="600",
                  fill=palette.INK),
-            text(outcome, viewport.x + viewport.width, base, font_size=font, text_anchor="end",
-                 fill=color),
+            *lines,
         ],
         class_="cell",
     )  # fmt: skip

@@ -1,0 +1,138 @@
+"""Below the legend: signals and robustness over arc length, one row each, with their extremes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from . import palette
+from .furniture import round_length
+from .markup import element, group, number, path_data, rho, text
+
+if TYPE_CHECKING:
+    from roadlang.api import Profile, Scene
+
+_ROW = 3.1
+_PLOT = 2.1
+_MOST_ROWS = 8
+_TICKS = 8
+
+
+@dataclass(frozen=True)
+class Row:
+    """A curve over arc length. `is_robustness`: with a line at zero, green above and red below."""
+
+    name: str
+    note: str
+    profile: Profile
+    is_robustness: bool
+
+
+def rows_of(scene: Scene) -> list[Row]:
+    """The `let` signals, then the judged constraints; of networks, the road of the extreme."""
+    rows = []
+    for signal in scene.signals:
+        largest = max(
+            signal.profiles, key=lambda p: max(map(abs, p.values), default=0.0), default=None
+        )
+        if largest is not None and largest.values:
+            peak = max(largest.values, key=abs)
+            note = f"up to {number_text(peak)} {signal.unit}".rstrip()
+            rows.append(Row(signal.name, note, largest, False))
+    for verdict in (*scene.requirements, *scene.expectations):
+        least = min(verdict.profiles, key=lambda p: min(p.values, default=0.0), default=None)
+        if least is not None and least.values:
+            rows.append(Row(verdict.name, rho(min(least.values)), least, True))
+    return rows[:_MOST_ROWS]
+
+
+def number_text(value: float) -> str:
+    """Three significant digits with a typographic minus."""
+    return f"{value:.3g}".replace("-", "\N{MINUS SIGN}")
+
+
+def height(rows: Sequence[Row], size: float) -> float:
+    """Pixels that the rows and their axis take."""
+    return (len(rows) * _ROW + 2.4) * size if rows else 0.0
+
+
+def profiles(rows: Sequence[Row], x: float, y: float, width: float, size: float) -> str:
+    """The plots from (x, y) down, all over the same arc length."""
+    if not rows:
+        return ""
+    left = x + 0.62 * size * max(10, min(22, max(len(row.name) for row in rows)))
+    length = max(row.profile.stations[-1] for row in rows) or 1.0
+    drawn: list[str] = []
+    for index, row in enumerate(rows):
+        top = y + (index * _ROW + 0.5) * size
+        drawn += _row(row, x, top, left, x + width, length, size)
+    drawn += _axis(y + (len(rows) * _ROW + 0.2) * size, left, x + width, length, size)
+    return group(drawn, class_="profiles", font_size=0.9 * size, fill=palette.INK)
+
+
+def _row(
+    row: Row, x: float, top: float, left: float, right: float, length: float, size: float
+) -> Iterator[str]:
+    import numpy as np
+
+    tall = _PLOT * size
+    values, stations = np.asarray(row.profile.values), np.asarray(row.profile.stations)
+    low, high = min(float(values.min()), 0.0), max(float(values.max()), 0.0)
+    span = (high - low) or 1.0
+    across = left + (right - left) * stations / length
+    down = top + tall * (high - values) / span
+    zero = top + tall * high / span
+    base = top + 0.62 * tall
+    yield text(row.name, x, base - 0.5 * size, font_weight="600")
+    yield text(row.note, x, base + 0.6 * size, font_size=0.8 * size, fill=palette.QUIET_INK)
+    yield element("line", x1=left, y1=zero, x2=right, y2=zero, stroke=palette.GROUND_EDGE,
+                  stroke_width=1.0)  # fmt: skip
+    if row.is_robustness:
+        yield from _filled(across, down, zero)
+    color = palette.SATISFIED if row.is_robustness else palette.AGENTS[0]
+    yield element("path", d=path_data(_thinned(across, down)), fill="none", stroke=color,
+                  stroke_width=1.3, stroke_linejoin="round")  # fmt: skip
+    at = int(values.argmin() if row.is_robustness else np.abs(values).argmax())
+    yield element("circle", cx=float(across[at]), cy=float(down[at]), r=0.22 * size,
+                  fill=palette.TIGHT if row.is_robustness else color)  # fmt: skip
+
+
+def _filled(across: object, down: object, zero: float) -> Iterator[str]:
+    """The area to zero: green where the robustness is positive, red where it is negative."""
+    import numpy as np
+
+    for limit, color in ((np.minimum, palette.SATISFIED), (np.maximum, palette.VIOLATIONS[0])):
+        edge = limit(down, zero)
+        if (edge != zero).any():
+            line = _thinned(across, edge)
+            outline = np.concatenate([[[line[0, 0], zero]], line, [[line[-1, 0], zero]]])
+            yield element("path", d=path_data(outline, closed=True), fill=color, fill_opacity=0.16)
+
+
+def _thinned(across: object, down: object) -> object:
+    """At most a point a pixel, extremes kept: (n, 2)."""
+    import numpy as np
+
+    line = np.column_stack([across, down])  # type: ignore[list-item]
+    most = 1200
+    if len(line) <= most:
+        return line
+    groups = np.array_split(np.arange(len(line)), most // 2)
+    keep = [i for g in groups for i in sorted({g[line[g, 1].argmin()], g[line[g, 1].argmax()]})]
+    return line[sorted({0, *keep, len(line) - 1})]
+
+
+def _axis(y: float, left: float, right: float, length: float, size: float) -> Iterator[str]:
+    step = round_length(length / _TICKS * 2)
+    yield element("line", x1=left, y1=y, x2=right, y2=y, stroke=palette.QUIET_INK,
+                  stroke_width=0.8)  # fmt: skip
+    for index in range(int(length / step + 1e-9) + 1):
+        at = left + (right - left) * index * step / length
+        yield element("line", x1=at, y1=y, x2=at, y2=y + 0.3 * size, stroke=palette.QUIET_INK,
+                      stroke_width=0.8)  # fmt: skip
+        label = number(index * step) + (" m" if index == 0 else "")
+        yield text(label, at, y + 1.25 * size, text_anchor="middle", font_size=0.8 * size,
+                   fill=palette.QUIET_INK)  # fmt: skip
+    yield text("arc length", right, y + 1.25 * size, text_anchor="end", font_size=0.8 * size,
+               fill=palette.QUIET_INK)  # fmt: skip

@@ -1,0 +1,25 @@
+"""Text in lines of a given width, measured by the average width of a letter."""
+
+from __future__ import annotations
+
+LETTER = 0.53
+"""Width of an average letter of the figure's font, as a share of its size."""
+
+
+def letters(width: float, size: float) -> int:
+    """How many letters fit into `width` pixels at a font size."""
+    return max(int(width / (LETTER * size)), 1)
+
+
+def wrapped(content: str, most: int) -> list[str]:
+    """Lines of at most `most` letters, broken at spaces where there are any."""
+    lines: list[str] = []
+    for word in content.split():
+        while len(word) > most:
+            lines.append(word[:most])
+            word = word[most:]
+        if lines and len(lines[-1]) + 1 + len(word) <= most:
+            lines[-1] += f" {word}"
+        elif word:
+            lines.append(word)
+    return lines or [""]
