@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend, Flag, Pixels, option
+from roadlang.api import Backend, Flag, ImageName, Number, Pixels, option
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -22,13 +22,25 @@ class Svg(Backend):
     labels: Flag = option(True, help="name agents and objects")
     legend: Flag = option(True, help="list requirements and expectations below the map")
     stations: Flag = option(True, help="mark arc length along the road")
+    profiles: Flag = option(True, help="plot signals and robustness over arc length")
+    photo: ImageName = option(None, help="the image that is shown under the roads")
+    fade: Number = option(0.35, minimum=0, maximum=1, help="share of white mixed into the photo")
     contact_sheet: Flag = option(True, help="write contact-sheet.svg where there are many scenes")
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         """The figure."""
         from .svg.drawing import Style, draw
 
-        style = Style(self.size, self.ghost, self.labels, self.legend, self.stations)
+        style = Style(
+            self.size,
+            self.ghost,
+            self.labels,
+            self.legend,
+            self.stations,
+            self.profiles,
+            self.photo,
+            self.fade,
+        )
         return {"svg": draw(scene, style)}
 
     def collection(self, scenes: Iterable[Scene]) -> Mapping[str, str]:

@@ -106,6 +106,17 @@ class Constraint:
 
 
 @dataclass(frozen=True, slots=True)
+class NamedSignal:
+    """A `let` that names a signal over roads. `condition` is `signal >= 0`, whose robustness at a
+    station is the signal's value there."""
+
+    name: str
+    condition: Condition
+    dimension: Dimension
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Actor:
     """An agent or object. `kind` is the call of an agent or object kind, or a draw among such.
 
@@ -134,6 +145,7 @@ class Scenario:
     images: tuple[Image, ...] = ()
     networks: tuple[Network, ...] = ()
     roads: tuple[Road, ...] = ()
+    signals: tuple[NamedSignal, ...] = ()
     requirements: tuple[Constraint, ...] = ()
     expectations: tuple[Constraint, ...] = ()
     agents: tuple[Actor, ...] = ()

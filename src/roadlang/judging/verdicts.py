@@ -66,12 +66,12 @@ def _violated(condition: Condition, candidates: CandidateBatch) -> tuple[Stretch
         if isinstance(formula, Always) and formula.interval is not None:
             low, high = formula.interval.lo, formula.interval.hi
         inside = (positions >= positions[0] + low) & (positions <= positions[0] + high)
-        name = _road_name(condition, axis, candidates)
+        name = road_name(condition, axis, candidates)
         found.extend(_runs(name, positions, (trace < 0.0) & inside))
     return tuple(found)
 
 
-def _road_name(condition: Condition, axis: Any, candidates: CandidateBatch) -> str:
+def road_name(condition: Condition, axis: Any, candidates: CandidateBatch) -> str:
     for binding in condition.signals:
         for _, value in binding.call.options:
             role = getattr(value, "role", None)

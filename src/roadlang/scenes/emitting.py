@@ -10,9 +10,10 @@ from typing import Any
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.building import KindInstance, build
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..ir.picture import Picture
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
-from ..ir.values import PassCall
+from ..ir.values import Entity, PassCall
 from ..plugins.kinds import Backend
 from ..plugins.registry import Registry
 
@@ -38,7 +39,22 @@ def backends_of(
     """
     scenario = IndexedScenario(source, registry)
     calls = source.emits if names is None else [_call(source, name) for name in names]
-    return [build(call, scenario.fixed, single=True) for call in calls]
+
+    def resolve(entity: Entity) -> Any:
+        return _picture(entity, scenario) if entity.role == "image" else entity.name
+
+    return [build(call, scenario.fixed, single=True, resolve=resolve) for call in calls]
+
+
+def _picture(entity: Entity, scenario: IndexedScenario) -> Picture:
+    """The picture of an image that an `emit` names. Raises RL229 for one that is drawn."""
+    from ..world.pictures import is_drawn, picture
+
+    image = scenario.images[entity.name]
+    if is_drawn(image, scenario):
+        what, due = f"`{image.name}`", "the same in every scene"
+        raise DiagnosticError(diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, due=due))
+    return picture(entity.name, scenario.fixed)
 
 
 def _call(source: Scenario, name: str) -> PassCall:

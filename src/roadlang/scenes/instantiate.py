@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -9,8 +10,10 @@ import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate, named
-from ..ir.scene import Provenance, Scene
-from ..ir.values import PassCall
+from ..ir.scenario import Constraint
+from ..ir.scene import Provenance, Scene, Verdict
+from ..ir.values import Condition, PassCall
+from ..judging.profiles import robustness_profiles, scene_signals
 from ..judging.verdicts import verdict
 from .actors import call_of, concrete, legend_objects, scene_actors
 from .roads import scene_networks, scene_roads
@@ -44,10 +47,18 @@ def instantiate(
         agents=agents,
         objects=objects,
         world=world,
-        requirements=tuple(verdict(item, candidates) for item in source.requirements),
-        expectations=tuple(verdict(item, candidates) for item in source.expectations),
+        signals=scene_signals(candidates),
+        requirements=tuple(_judged(item, candidates) for item in source.requirements),
+        expectations=tuple(_judged(item, candidates) for item in source.expectations),
         simulate=simulate,
     )
+
+
+def _judged(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
+    found = verdict(constraint, candidates)
+    if not isinstance(constraint.test, Condition):
+        return found
+    return replace(found, profiles=robustness_profiles(constraint.test, candidates))
 
 
 def provenance(candidates: CandidateBatch, index: int, overrides: dict[str, str]) -> Provenance:

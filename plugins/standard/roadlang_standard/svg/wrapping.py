@@ -14,7 +14,7 @@ def letters(width: float, size: float) -> int:
 def wrapped(content: str, most: int) -> list[str]:
     """Lines of at most `most` letters, broken at spaces where there are any."""
     lines: list[str] = []
-    for word in content.split():
+    for word in content.split(" "):
         while len(word) > most:
             lines.append(word[:most])
             word = word[most:]

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from ...diagnostics import Code, Label
 from ...ir import scenario as ir
 from ...ir.dimension import Dimension
 from ...ir.values import PassCall
+from ...stl import Comparison, Constant
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
+from ..infer.conditions import condition_of
 from ..names.definition_order import definition_order
 from ..names.program import Declaration, Placed
-from ..types.expression_types import Quantity, TypedExpression
+from ..types.expression_types import Quantity, SignalType, TypedExpression
 from .actors import lower_actor
 from .constraints import lower_constraint
 from .evaluation_order import evaluation_order
@@ -57,6 +60,7 @@ def lower(checker: Checker) -> ir.Scenario:
         images=of("image"),
         networks=of("network"),
         roads=of("road"),
+        signals=_signals(checker),
         requirements=as_written("require"),
         expectations=as_written("expect"),
         agents=of("agent"),
@@ -81,6 +85,21 @@ def _named(declaration: Declaration, typed: TypedExpression) -> ir.Named | None:
     is_param = declaration.role == "param"
     span = declaration.statement.span
     return ir.Named(declaration.name.text, typed.value, dimension, is_param, span)
+
+
+def _signals(checker: Checker) -> tuple[ir.NamedSignal, ...]:
+    """The `let`s that name signals over roads, as written."""
+    found = []
+    for declaration in checker.program.in_role("let"):
+        typed = checker.definition(declaration.name.text)
+        if isinstance(typed.type, SignalType) and typed.type.domain == "road":
+            assert typed.term is not None
+            above_zero = Comparison(">=", typed.term, Constant(0.0))
+            condition = condition_of(replace(typed, formula=above_zero))
+            span = declaration.statement.span
+            name = declaration.name.text
+            found.append(ir.NamedSignal(name, condition, typed.type.dimension, span))
+    return tuple(found)
 
 
 def _header(checker: Checker) -> ir.Header:
