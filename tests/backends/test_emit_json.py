@@ -12,6 +12,7 @@ from handmade_scenes import bend, town
 
 from roadlang.ir.encoding import NotFinite, json_schema, scene_from_json, to_json
 from roadlang.ir.scene import Scene
+from roadlang.ir.scene_versions import UnknownSceneSchema
 from roadlang_standard.emit_json import Json
 
 
@@ -35,7 +36,7 @@ def test_the_schema_refuses_another_version():
 
 
 def test_the_first_member_says_what_the_file_is():
-    assert to_json(bend()).splitlines()[1] == '  "schema": "roadlang.scene/1",'
+    assert to_json(bend()).splitlines()[1] == '  "schema": "roadlang.scene/2",'
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf")])
@@ -57,3 +58,25 @@ def test_maps_are_sorted_so_that_equal_scenes_are_equal_bytes():
     one = replace(bend(), values={"a": 1, "b": 2})
     other = replace(bend(), values={"b": 2, "a": 1})
     assert to_json(one) == to_json(other)
+
+
+def test_scenes_of_the_first_schema_are_read():
+    """`colour` became `color`; what was added since is empty."""
+    scene = bend()
+    painted = replace(scene.agents[0], options={"color": "#112233"})
+    record = json.loads(to_json(replace(scene, agents=(painted,))))
+    record["schema"] = "roadlang.scene/1"
+    record["agents"][0]["options"] = {"colour": "#112233"}
+    del record["signals"]
+    for verdict in record["requirements"] + record["expectations"]:
+        del verdict["profiles"], verdict["tightest"]
+    read = scene_from_json(json.dumps(record))
+    assert read == scene_from_json(to_json(replace(scene, agents=(painted,))))
+    assert read.schema == "roadlang.scene/2"
+
+
+@pytest.mark.parametrize("schema", ["roadlang.scene/9", None, 2])
+def test_other_schemas_are_refused(schema):
+    record = {**json.loads(to_json(bend())), "schema": schema}
+    with pytest.raises(UnknownSceneSchema, match="scene/2"):
+        scene_from_json(json.dumps(record))

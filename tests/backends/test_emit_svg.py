@@ -6,9 +6,12 @@ import re
 from dataclasses import replace
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from handmade_scenes import actor, bend, road, town
 
+from roadlang.api import Picture
+from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.emit_svg import Svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -90,6 +93,63 @@ def test_a_ghost_is_drawn_only_where_the_road_was_changed():
     assert group(drawn(same), "ghosts") is None
 
 
+def test_a_long_formula_is_written_whole_in_several_lines():
+    scene = bend()
+    shown = " ".join(texts(group(drawn(scene), "legend")))
+    assert scene.requirements[1].text in shown
+    long = replace(scene.requirements[1], text="always (e < 1m) and " * 40 + "e < 2m")
+    words = texts(
+        group(drawn(replace(scene, requirements=(long,), expectations=()), size=300.0), "legend")
+    )
+    assert " ".join(words).count("always") == 40
+
+
+def test_signals_and_robustness_are_plotted_over_arc_length():
+    stations = tuple(float(s) for s in range(0, 240, 2))
+    e1 = SceneSignal("e1", "deviation(bent, main)", "m", (
+        Profile("bent", stations, tuple(s / 60 for s in stations)),))  # fmt: skip
+    left = tuple(4.0 - s / 60 for s in stations)
+    phi1 = replace(
+        bend().requirements[0],
+        profiles=(Profile("bent", stations, left),),
+        tightest=RoadPlace("bent", 238.0),
+    )
+    root = drawn(replace(bend(), signals=(e1,), requirements=(phi1,)))
+    shown = texts(group(root, "profiles"))
+    assert {"e1", "up to 3.97 m", "phi1", "arc length"} <= set(shown)
+    assert texts(group(root, "tightest")) == ["phi1"]
+    assert group(drawn(bend(), profiles=True), "profiles") is None
+    assert group(drawn(replace(bend(), signals=(e1,)), profiles=False), "profiles") is None
+
+
+def test_the_place_where_a_constraint_is_tight_is_marked_on_the_road():
+    scene = bend()
+    at = scene.roads[1].stations[200]
+    phi1 = replace(scene.requirements[0], tightest=RoadPlace("bent", at))
+    pin = group(drawn(replace(scene, requirements=(phi1,))), "tightest")
+    foot = pin.find(f".//{SVG}circle")
+    center = re.findall(r"(-?[\d.]+) (-?[\d.]+)", group(drawn(scene), "ghost-lines")[0].get("d"))
+    middle = center[len(center) // 2]
+    assert abs(float(foot.get("cx")) - float(middle[0])) < 40
+
+
+def test_the_world_is_said_in_a_corner():
+    world = {"weather": "rain", "time_of_day": 66600.0, "friction": 0.7}
+    assert "rain · 18:30 · friction 0.70" in texts(drawn(replace(bend(), world=world)))
+
+
+def test_the_photo_lies_under_the_roads_where_it_was_taken():
+    pixels = np.full((120, 480, 3), 90, np.uint8)
+    scene = bend()
+    root = drawn(scene, photo=Picture(pixels, 0.5), fade=0.5)
+    picture = root.find(f".//{SVG}image")
+    bar = group(root, "scale-bar")
+    meters = float(texts(bar)[-1].split()[0])
+    per_meter = float(bar.findall(f"{SVG}rect")[2].get("width")) / meters
+    assert float(picture.get("width")) == pytest.approx(240 * per_meter, rel=0.01)
+    assert picture.get("opacity") == "0.5"
+
+
 def test_junctions_are_covered_so_that_no_edge_line_crosses_them():
     roads = group(drawn(town()), "roads")
     surface = roads.findall(f"{SVG}g")[1]
@@ -151,6 +211,29 @@ def test_a_contact_sheet_shows_every_scene_at_one_scale():
     ]
 
 
+def test_a_contact_sheet_shows_the_draws_that_differ():
+    def scene(index: int) -> object:
+        draws = {"bent/perturb 1/amplitude": 1.5 + index, "bent/perturb 1/phase": 0.25}
+        return replace(bend(index=index), draws=draws)
+
+    sheet = Svg().collection([scene(i) for i in range(3)])["contact-sheet.svg"]
+    shown = texts(ElementTree.fromstring(sheet))
+    assert [word for word in shown if "amplitude" in word] == [
+        f"amplitude {1.5 + i:g}" for i in range(3)
+    ]
+    assert not any("phase" in word for word in shown)
+
+
+def test_draws_of_one_name_are_told_apart_by_their_place():
+    def scene(index: int) -> object:
+        draws = {"left/amplitude": 1.0 + index, "right/amplitude": 2.0 + index}
+        return replace(bend(index=index), draws=draws)
+
+    sheet = Svg(size=2048.0).collection([scene(i) for i in range(2)])["contact-sheet.svg"]
+    assert "left/amplitude" in sheet
+    assert "right/amplitude" in sheet
+
+
 def test_a_contact_sheet_says_how_many_scenes_it_leaves_out():
     sheet = Svg().collection(bend(index=i) for i in range(60))["contact-sheet.svg"]
     assert "the first 48 of 60 scenes" in sheet
@@ -192,7 +275,8 @@ def test_a_road_that_runs_on_a_network_is_a_route_on_its_streets():
     street = next(r for r in scene.roads if r.name == "town/3")
     tour = replace(street, name="tour", root="tour", network=None, edge=None)
     root = drawn(replace(scene, roads=(*scene.roads, tour)))
-    assert len(group(root, "routes")) == 1
+    assert len(group(root, "routes").findall(f"{SVG}path")) == 1
+    assert texts(group(root, "routes")) == ["tour"]
 
 
 def test_edge_lines_make_no_loops_inside_tight_bends():

@@ -35,12 +35,17 @@ def to_json(value: Any) -> str:
 
 
 def scene_from_json(text: str | bytes) -> Scene:
-    """Read a scene file. Raises `msgspec.ValidationError` where it does not fit the schema."""
+    """Read a scene file of this version or an earlier one.
+
+    Raises `msgspec.ValidationError` where it does not fit the schema, `msgspec.DecodeError` where
+    it is no JSON, `UnknownSceneSchema` for another schema; all of them are `ValueError`s.
+    """
     import msgspec
 
     from .scene import Scene
+    from .scene_versions import current
 
-    return msgspec.json.decode(text, type=Scene)
+    return msgspec.convert(current(msgspec.json.decode(text)), type=Scene)
 
 
 def json_schema(kind: type) -> dict[str, Any]:

@@ -102,6 +102,14 @@ class Stretch:
 
 
 @dataclass(frozen=True, slots=True)
+class RoadPlace:
+    """A place on a road: arc length of the root road, meters."""
+
+    road: str
+    station: float
+
+
+@dataclass(frozen=True, slots=True)
 class Profile:
     """Values along a road: `stations` is arc length of the root road, as long as `values`."""
 
@@ -133,7 +141,9 @@ class Verdict:
     violated: tuple[Stretch, ...] = ()
     formula: Mapping[str, Any] | None = None
     profiles: tuple[Profile, ...] = ()
-    """robustness along each road: of what the outermost `always` governs, else of the formula"""
+    """of `always p` and `eventually p` over roads: the robustness of `p` along each road"""
+    tightest: RoadPlace | None = None
+    """where the robustness is attained: the least of `always p`, the greatest of `eventually p`"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..ir.scenario import NamedSignal
-from ..ir.scene import Profile, SceneSignal
+from ..ir.scene import Profile, RoadPlace, SceneSignal
 from ..ir.values import Condition
-from ..stl import Always, Formula
+from ..stl import Always, Eventually, Formula
 from ..world.signals import axes_of
 from .requirements import axis_signals
 from .verdicts import road_name
@@ -20,14 +22,32 @@ def scene_signals(candidates: CandidateBatch) -> tuple[SceneSignal, ...]:
 
 
 def robustness_profiles(condition: Condition, candidates: CandidateBatch) -> tuple[Profile, ...]:
-    """The robustness along each road of what an outermost `always` governs; of another formula,
-    its own robustness from each station on. Empty for a formula that is not over roads."""
-    if condition.domain != "road":
-        return ()
+    """The robustness of `p` along each road, of `always p` and `eventually p` over roads."""
     formula = condition.formula
-    return _profiles(
-        condition, formula.operand if isinstance(formula, Always) else formula, candidates
-    )
+    if condition.domain != "road" or not isinstance(formula, Always | Eventually):
+        return ()
+    return _profiles(condition, formula.operand, candidates)
+
+
+def tightest(condition: Condition, profiles: tuple[Profile, ...]) -> RoadPlace | None:
+    """Where the robustness is attained: the least of `always p`, the greatest of `eventually p`."""
+    formula = condition.formula
+    if not isinstance(formula, Always | Eventually):
+        return None
+    low, high = 0.0, math.inf
+    if formula.interval is not None:
+        low, high = formula.interval.lo, formula.interval.hi
+    sign = 1.0 if isinstance(formula, Always) else -1.0
+    places = [
+        (sign * value, profile.road, station)
+        for profile in profiles
+        for station, value in zip(profile.stations, profile.values, strict=True)
+        if low <= station - profile.stations[0] <= high
+    ]
+    if not places:
+        return None
+    _, road, station = min(places, key=lambda place: place[0])
+    return RoadPlace(road, station)
 
 
 def _signal(signal: NamedSignal, candidates: CandidateBatch) -> SceneSignal:

@@ -13,7 +13,7 @@ from ..evaluate.evaluation import evaluate, named
 from ..ir.scenario import Constraint
 from ..ir.scene import Provenance, Scene, Verdict
 from ..ir.values import Condition, PassCall
-from ..judging.profiles import robustness_profiles, scene_signals
+from ..judging.profiles import robustness_profiles, scene_signals, tightest
 from ..judging.verdicts import verdict
 from .actors import call_of, concrete, legend_objects, scene_actors
 from .roads import scene_networks, scene_roads
@@ -58,7 +58,8 @@ def _judged(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
     found = verdict(constraint, candidates)
     if not isinstance(constraint.test, Condition):
         return found
-    return replace(found, profiles=robustness_profiles(constraint.test, candidates))
+    profiles = robustness_profiles(constraint.test, candidates)
+    return replace(found, profiles=profiles, tightest=tightest(constraint.test, profiles))
 
 
 def provenance(candidates: CandidateBatch, index: int, overrides: dict[str, str]) -> Provenance:

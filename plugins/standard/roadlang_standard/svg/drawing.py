@@ -78,7 +78,8 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         ghost.ghosts(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         roads(scene, ribbons, selection.full, viewport),
         ghost.versions((ribbons[name] for name in selection.versions), style.font),
-        ghost.routes(ribbons[name] for name in selection.routes),
+        ghost.routes((ribbons[name] for name in selection.routes), style.font),
+        ghost.names(_single_roads(scene, selection, ribbons), style.font) if style.labels else "",
         ghost.ghost_lines(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         violations(scene, ribbons),
         actors.objects(scene, viewport),
@@ -88,6 +89,17 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         actors.labels(scene, viewport, style.font) if style.labels else "",
     ]
     return group(parts, class_="map", clip_path=f"url(#{clip})")
+
+
+def _single_roads(
+    scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon]
+) -> list[Ribbon]:
+    """What is drawn in full and is no road of a network."""
+    return [
+        ribbons[road.name]
+        for road in scene.roads
+        if road.name in selection.full and road.network is None
+    ]
 
 
 def _stations(

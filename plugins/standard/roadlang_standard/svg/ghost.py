@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from . import palette
@@ -50,8 +50,8 @@ def ghost_lines(originals: Iterable[Ribbon]) -> str:
 
 def versions(roads: Iterable[Ribbon], size: float) -> str:
     """Roads of one root: translucent, each in its color, with its name where it ends."""
-    shapes = []
-    for index, ribbon in enumerate(roads):
+    shapes, shown = [], list(roads)
+    for index, ribbon in enumerate(shown):
         color = palette.agent_color(index)
         surface = path_data(ribbon.outline(), closed=True)
         shapes.append(
@@ -62,25 +62,42 @@ def versions(roads: Iterable[Ribbon], size: float) -> str:
             element("path", d=path_data(ribbon.line(0.0)), fill="none", stroke=color,
                     stroke_width=1.0, stroke_dasharray="7 5")
         )  # fmt: skip
-        x, y = ribbon.center[-1].tolist()
-        shapes.append(
-            text(ribbon.name, x, y + (1.3 * index - 0.9) * size, text_anchor="middle",
-                 font_size=size, font_weight="600", fill=color, stroke=palette.GROUND,
-                 stroke_width=3.0, paint_order="stroke")
-        )  # fmt: skip
+        shapes.append(end_label(ribbon, shown[:index], size, color))
     return group(shapes, class_="versions")
 
 
-def routes(roads: Iterable[Ribbon]) -> str:
-    """Roads that run on a network: a band along the streets that they take."""
-    bands = [
-        element("path", d=path_data(ribbon.line(0.0)), fill="none",
-                stroke=palette.agent_color(index), stroke_opacity=0.55,
-                stroke_width=max(0.6 * float(ribbon.half.mean()), 2.0), stroke_linejoin="round",
-                stroke_linecap="round")
-        for index, ribbon in enumerate(roads)
-    ]  # fmt: skip
+def routes(roads: Iterable[Ribbon], size: float) -> str:
+    """Roads that run on a network: a band along the streets that they take, with their names."""
+    bands, shown = [], list(roads)
+    for index, ribbon in enumerate(shown):
+        color = palette.agent_color(index)
+        bands.append(
+            element("path", d=path_data(ribbon.line(0.0)), fill="none", stroke=color,
+                    stroke_opacity=0.55, stroke_width=max(0.6 * float(ribbon.half.mean()), 2.0),
+                    stroke_linejoin="round", stroke_linecap="round")
+        )  # fmt: skip
+        bands.append(end_label(ribbon, shown[:index], size, color))
     return group(bands, class_="routes")
+
+
+def names(roads: Iterable[Ribbon], size: float) -> str:
+    """The names of roads where they end, of several that are drawn in full."""
+    shown = list(roads)
+    if len(shown) < 2:
+        return ""
+    labels = [end_label(ribbon, shown[:i], size, palette.INK) for i, ribbon in enumerate(shown)]
+    return group(labels, class_="road-names")
+
+
+def end_label(ribbon: Ribbon, before: Sequence[Ribbon], size: float, color: str) -> str:
+    """The name of a road a little beyond its end, clear of those of roads that end there too."""
+    x, y = ribbon.center[-1].tolist()
+    left_x, left_y = ribbon.left[-1].tolist()
+    crowd = sum(bool(abs(other.center[-1] - (x, y)).max() < 2 * size) for other in before)
+    ahead = (1.3 * crowd + 1.3) * size
+    return text(ribbon.name, x - ahead * left_y, y + ahead * left_x + 0.35 * size,
+                text_anchor="middle", font_size=size, font_weight="600", fill=color,
+                stroke=palette.GROUND, stroke_width=3.0, paint_order="stroke")  # fmt: skip
 
 
 def context(others: Iterable[Ribbon]) -> str:

@@ -21,12 +21,13 @@ _TICKS = 8
 
 @dataclass(frozen=True)
 class Row:
-    """A curve over arc length. `is_robustness`: with a line at zero, green above and red below."""
+    """A curve over arc length with a dot at `station`; a robustness is filled down to zero."""
 
     name: str
     note: str
     profile: Profile
-    is_robustness: bool
+    station: float
+    signal: bool = False
 
 
 def rows_of(scene: Scene) -> list[Row]:
@@ -37,13 +38,14 @@ def rows_of(scene: Scene) -> list[Row]:
             signal.profiles, key=lambda p: max(map(abs, p.values), default=0.0), default=None
         )
         if largest is not None and largest.values:
-            peak = max(largest.values, key=abs)
-            note = f"up to {number_text(peak)} {signal.unit}".rstrip()
-            rows.append(Row(signal.name, note, largest, False))
+            peak = max(range(len(largest.values)), key=lambda i: abs(largest.values[i]))
+            note = f"up to {number_text(largest.values[peak])} {signal.unit}".rstrip()
+            rows.append(Row(signal.name, note, largest, largest.stations[peak], signal=True))
     for verdict in (*scene.requirements, *scene.expectations):
-        least = min(verdict.profiles, key=lambda p: min(p.values, default=0.0), default=None)
-        if least is not None and least.values:
-            rows.append(Row(verdict.name, rho(min(least.values)), least, True))
+        place = verdict.tightest
+        shown = [p for p in verdict.profiles if place is not None and p.road == place.road]
+        if place is not None and shown and verdict.robustness is not None:
+            rows.append(Row(verdict.name, rho(verdict.robustness), shown[0], place.station))
     return rows[:_MOST_ROWS]
 
 
@@ -88,14 +90,14 @@ def _row(
     yield text(row.note, x, base + 0.6 * size, font_size=0.8 * size, fill=palette.QUIET_INK)
     yield element("line", x1=left, y1=zero, x2=right, y2=zero, stroke=palette.GROUND_EDGE,
                   stroke_width=1.0)  # fmt: skip
-    if row.is_robustness:
+    if not row.signal:
         yield from _filled(across, down, zero)
-    color = palette.SATISFIED if row.is_robustness else palette.AGENTS[0]
+    color = palette.AGENTS[0] if row.signal else palette.SATISFIED
     yield element("path", d=path_data(_thinned(across, down)), fill="none", stroke=color,
                   stroke_width=1.3, stroke_linejoin="round")  # fmt: skip
-    at = int(values.argmin() if row.is_robustness else np.abs(values).argmax())
+    at = int(np.abs(stations - row.station).argmin())
     yield element("circle", cx=float(across[at]), cy=float(down[at]), r=0.22 * size,
-                  fill=palette.TIGHT if row.is_robustness else color)  # fmt: skip
+                  fill=color if row.signal else palette.TIGHT)  # fmt: skip
 
 
 def _filled(across: object, down: object, zero: float) -> Iterator[str]:
@@ -131,6 +133,8 @@ def _axis(y: float, left: float, right: float, length: float, size: float) -> It
         at = left + (right - left) * index * step / length
         yield element("line", x1=at, y1=y, x2=at, y2=y + 0.3 * size, stroke=palette.QUIET_INK,
                       stroke_width=0.8)  # fmt: skip
+        if index and at > right - 6 * size:  # the axis has its name there
+            continue
         label = number(index * step) + (" m" if index == 0 else "")
         yield text(label, at, y + 1.25 * size, text_anchor="middle", font_size=0.8 * size,
                    fill=palette.QUIET_INK)  # fmt: skip

@@ -28,8 +28,8 @@ class Selection:
 
     @property
     def measured(self) -> tuple[str, ...]:
-        """The roads that get marks of arc length: versions share those of the first."""
-        return (*self.full, *self.versions[:1], *self.routes)
+        """The roads that get marks of arc length: versions and routes share those of the first."""
+        return (*self.full, *self.versions[:1], *self.routes[:1])
 
 
 def select(scene: Scene) -> Selection:

@@ -1,8 +1,9 @@
-"""Where along the roads each judged requirement has its least robustness."""
+"""Where along the roads each satisfied constraint is nearest to being violated."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -18,33 +19,15 @@ _CLOSE = 34.0
 """Pixels under which two places share one mark."""
 
 
-@dataclass(frozen=True)
-class Tightest:
-    """`station` is arc length of the root road, meters."""
-
-    name: str
-    road: str
-    station: float
-    robustness: float
-
-
-def tightest(verdict: Verdict) -> Tightest | None:
-    """The place of the least robustness along all roads; None for what has no profile."""
-    found = [
-        Tightest(verdict.name, profile.road, station, value)
-        for profile in verdict.profiles
-        for station, value in zip(profile.stations, profile.values, strict=True)
-    ]
-    return min(found, key=lambda place: place.robustness, default=None)
-
-
 def tight_places(scene: Scene, ribbons: Mapping[str, Ribbon], size: float) -> str:
     """A pin beside the road at each place, with the names of the constraints that are tight."""
-    verdicts = (*scene.requirements, *scene.expectations)
-    satisfied = [verdict for verdict in verdicts if verdict.satisfied]
-    places = [place for place in map(tightest, satisfied) if place and place.road in ribbons]
+    verdicts = [
+        verdict
+        for verdict in (*scene.requirements, *scene.expectations)
+        if verdict.satisfied and verdict.tightest and verdict.tightest.road in ribbons
+    ]
     return group(
-        _pins(places, ribbons, size),
+        _pins(verdicts, ribbons, size),
         class_="tightest",
         font_size=0.85 * size,
         fill=palette.TIGHT,
@@ -55,38 +38,56 @@ def tight_places(scene: Scene, ribbons: Mapping[str, Ribbon], size: float) -> st
     )
 
 
-def _pins(places: list[Tightest], ribbons: Mapping[str, Ribbon], size: float) -> Iterator[str]:
-    import numpy as np
+@dataclass(frozen=True)
+class Pin:
+    """Pixels: its foot (`x`, `y`) at the road's left edge, (`dx`, `dy`) away from the road."""
 
-    pins: list[tuple[float, float, float, float, list[Tightest]]] = []
-    for place in places:
-        ribbon = ribbons[place.road]
-        part = ribbon.part(place.station, place.station + 1e-3, by_reference=True)
-        foot = part.line(1.0)[0] + 3.0 * part.left[0]
-        out = part.left[0]
-        if not np.isfinite(foot).all():
+    x: float
+    y: float
+    dx: float
+    dy: float
+    verdicts: list[Verdict]
+
+
+def _pins(verdicts: Sequence[Verdict], ribbons: Mapping[str, Ribbon], size: float) -> Iterator[str]:
+    pins: list[Pin] = []
+    for verdict in verdicts:
+        pin = _pin_of(verdict, ribbons)
+        if pin is None:
             continue
-        near = [pin for pin in pins if np.hypot(pin[0] - foot[0], pin[1] - foot[1]) < _CLOSE]
+        near = [p for p in pins if math.hypot(p.x - pin.x, p.y - pin.y) < _CLOSE]
         if near:
-            near[0][4].append(place)
+            near[0].verdicts.append(verdict)
         else:
-            pins.append((*foot.tolist(), *out.tolist(), [place]))
-    for x, y, dx, dy, together in pins:
-        yield from _pin(x, y, dx, dy, together, size)
+            pins.append(pin)
+    for pin in pins:
+        yield from _drawn(pin, size)
 
 
-def _pin(
-    x: float, y: float, dx: float, dy: float, places: list[Tightest], size: float
-) -> Iterator[str]:
-    hint = "; ".join(f"{p.name} is tightest here: {rho(p.robustness)}" for p in places)
-    end = (x + 1.1 * size * dx, y + 1.1 * size * dy)
+def _pin_of(verdict: Verdict, ribbons: Mapping[str, Ribbon]) -> Pin | None:
+    place = verdict.tightest
+    assert place is not None
+    part = ribbons[place.road].part(place.station, place.station + 1e-3, by_reference=True)
+    away = part.left[0]
+    x, y = (part.line(1.0)[0] + 3.0 * away).tolist()
+    return Pin(x, y, *away.tolist(), [verdict]) if math.isfinite(x + y) else None
+
+
+def _drawn(pin: Pin, size: float) -> Iterator[str]:
+    hint = "; ".join(
+        f"{verdict.name} is tightest here: {rho(verdict.robustness)}"
+        for verdict in pin.verdicts
+        if verdict.robustness is not None
+    )
+    x, y = pin.x + 1.1 * size * pin.dx, pin.y + 1.1 * size * pin.dy
+    line = {"stroke": palette.TIGHT, "stroke_width": 1.2}
     yield element(
         "g",
         title(hint),
-        element("line", x1=x, y1=y, x2=end[0], y2=end[1], stroke=palette.TIGHT, stroke_width=1.2),
-        element("circle", cx=x, cy=y, r=0.24 * size, stroke=palette.TIGHT, stroke_width=1.0),
+        element("line", x1=pin.x, y1=pin.y, x2=x, y2=y, **line),
+        element("circle", cx=pin.x, cy=pin.y, r=0.24 * size, stroke=palette.TIGHT),
     )
-    anchor = "start" if dx > 0.35 else "end" if dx < -0.35 else "middle"
-    below = 0.75 * size if dy > 0.35 else -0.15 * size if dy < -0.35 else 0.3 * size
-    label = ", ".join(place.name for place in places)
-    yield text(label, end[0] + 0.25 * size * dx, end[1] + below, text_anchor=anchor)
+    anchor = "start" if pin.dx > 0.35 else "end" if pin.dx < -0.35 else "middle"
+    below = 0.75 * size if pin.dy > 0.35 else -0.15 * size if pin.dy < -0.35 else 0.3 * size
+    label = ", ".join(verdict.name for verdict in pin.verdicts)
+    yield text(label, x + 0.25 * size * pin.dx, y + below, text_anchor=anchor)

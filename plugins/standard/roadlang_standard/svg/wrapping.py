@@ -12,7 +12,7 @@ def letters(width: float, size: float) -> int:
 
 
 def wrapped(content: str, most: int) -> list[str]:
-    """Lines of at most `most` letters, broken at spaces where there are any."""
+    """Lines of at most `most` letters, broken at spaces; no-break spaces hold words together."""
     lines: list[str] = []
     for word in content.split(" "):
         while len(word) > most:
@@ -22,4 +22,4 @@ def wrapped(content: str, most: int) -> list[str]:
             lines[-1] += f" {word}"
         elif word:
             lines.append(word)
-    return lines or [""]
+    return [line.replace("\N{NO-BREAK SPACE}", " ") for line in lines] or [""]
