@@ -13,7 +13,7 @@ from ...ir.values import PassCall
 from ...stl import Comparison, Constant
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
-from ..infer.conditions import condition_of
+from ..infer.formulas import condition_of
 from ..names.definition_order import definition_order
 from ..names.program import Declaration, Placed
 from ..types.expression_types import Quantity, SignalType, TypedExpression
