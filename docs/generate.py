@@ -250,6 +250,7 @@ PAGES = {
 
 
 def main(arguments: list[str]) -> int:
+    """Write the pages, or with `--check` report those that are not current."""
     stale = 0
     for name, make in PAGES.items():
         path, text = HERE / name, make()

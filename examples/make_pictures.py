@@ -78,6 +78,7 @@ def truth_of(rendering: Rendering) -> dict[str, object]:
 
 
 def main() -> None:
+    """Render the photos with their truth files."""
     for name, make in PHOTOS.items():
         rendering = make()
         quality = [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY]

@@ -24,6 +24,7 @@ class Residual(nn.Module):
         self.norm = nn.BatchNorm2d(width)
 
     def forward(self, x: Tensor) -> Tensor:
+        """Features (n, c, h, w) of the same size."""
         return functional.relu(x + self.norm(self.second(self.first(x))))
 
 
@@ -59,6 +60,7 @@ class RoadNet(nn.Module):
         return self.head(y)
 
     def forward(self, x: Tensor) -> Tensor:
+        """Probabilities in [0, 1]; `logits` gives them before the sigmoid."""
         return torch.sigmoid(self.logits(x))
 
 
@@ -67,7 +69,7 @@ def _twice(x: Tensor) -> Tensor:
 
 
 def loss(logits: Tensor, target: Tensor, weight: Tensor) -> Tensor:
-    """2 BCE + soft Dice for each map, the line at half weight; (n, 2, h, w), weight (n, 1, h, w)"""
+    """2 BCE + soft Dice per map, the line at half weight; (n, 2, h, w), weight (n, 1, h, w)."""
     total = logits.new_zeros(())
     for channel, share in ((0, 1.0), (1, 0.5)):
         z, t, w = logits[:, channel], target[:, channel], weight[:, 0]

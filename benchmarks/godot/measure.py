@@ -122,7 +122,7 @@ def repeats() -> None:
             for _ in range(2):
                 _build(session, scene(bent, agents=cars))
                 trace = driving.run(session, 60 * 30).trace
-                digests.append(hashlib.md5(trace.tobytes()).hexdigest())
+                digests.append(hashlib.sha256(trace.tobytes()).hexdigest())
     print(f"repeats: {len(set(digests))} digest in {len(digests)} drives of 2 engines")
 
 

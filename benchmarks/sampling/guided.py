@@ -74,6 +74,7 @@ require calm: always (abs(curvature(bent)) < 0.00958/m)
 
 
 def main() -> None:
+    """Print a row per case: rejection beside guided sampling."""
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 100
     registry = load_registry()
     for title, rules in CASES.items():
@@ -90,6 +91,7 @@ def main() -> None:
 
 
 def rejection(worker: Worker, number: int) -> tuple[float, float]:
+    """Attempts per scene and diversity of rejection sampling."""
     accepted, stats = accepted_attempts(worker.judge, 1, range(number), 1_000_000)
     points = []
     for scene, attempt in accepted.items():
@@ -101,6 +103,7 @@ def rejection(worker: Worker, number: int) -> tuple[float, float]:
 
 
 def guided(worker: Worker, number: int) -> tuple[float, float, int]:
+    """Attempts per scene, diversity and pilot size of guided sampling."""
     from roadlang_standard.sample_guided import Guided
 
     judge, sampler = worker.judge, Guided()

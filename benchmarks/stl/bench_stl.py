@@ -42,6 +42,7 @@ class Report:
     met: bool = True
 
     def line(self, what: str, value: float, unit: str, bar: float, *, least: bool = False) -> None:
+        """Print one measurement beside its bar, and remember whether it was met."""
         good = value >= bar if least else value <= bar
         self.met &= good
         sign = ">=" if least else "<="
@@ -51,6 +52,7 @@ class Report:
 
 
 def main() -> int:
+    """Run all measurements; 1 where a bar was missed."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--rtamt", action="store_true", help="compare with RTAMT (minutes)")
     arguments = options.parse_args()
@@ -85,6 +87,7 @@ def cpu_seconds(work: Callable[[], object], runs: int = 7) -> float:
 
 
 def against_a_copy(report: Report, positions: Floats, signals: dict[str, Floats]) -> None:
+    """Evaluation time as a multiple of copying one signal."""
     target = np.empty_like(signals["e"])
     copy = cpu_seconds(lambda: np.copyto(target, signals["e"]))
     print(f"one copy of {VARIANTS} x {SAMPLES}: {copy * 1e3:.2f} ms")
@@ -97,6 +100,7 @@ def against_a_copy(report: Report, positions: Floats, signals: dict[str, Floats]
 
 
 def window_independence(report: Report, positions: Floats, signals: dict[str, Floats]) -> None:
+    """Evaluation time must not grow with the window."""
     for text in ("always[0, {}] (e < 10)", "(e < 10) until[2, {}] (d < 5)"):
         times = []
         for width in (5, 500):
@@ -106,6 +110,7 @@ def window_independence(report: Report, positions: Floats, signals: dict[str, Fl
 
 
 def memory(report: Report, positions: Floats, signals: dict[str, Floats]) -> None:
+    """Peak memory as a multiple of one signal."""
     for name, text in FORMULAS.items():
         formula = stl.parse(text)
         for method in (formula.rho, formula.robustness):
@@ -118,6 +123,7 @@ def memory(report: Report, positions: Floats, signals: dict[str, Floats]) -> Non
 
 
 def parsing(report: Report) -> None:
+    """Time to parse each formula."""
     stl.parse("true")
     for name, text in FORMULAS.items():
         taken = cpu_seconds(partial(stl.parse, text)) * 1e3
@@ -163,6 +169,7 @@ def _evaluate_all(
 
 
 def rtamt_evaluator(text: str) -> Callable[[dict[str, list[float]]], list[tuple[float, float]]]:
+    """RTAMT's evaluation of a formula over the signals `e` and `d`."""
     import rtamt
 
     specification = rtamt.StlDiscreteTimeSpecification()

@@ -52,4 +52,3 @@ def test_a_road_found_in_its_own_picture_is_where_it_was(
     # All of it was found, but for a dozen meters at both ends, which thinning shortens.
     back, _ = cKDTree(points).query(dense(np.array(truth.x), np.array(truth.y)))
     assert (back < 1.5).mean() > 0.85
-    print(f"mean distance {away.mean():.3f} m")

@@ -28,8 +28,7 @@ def run(folder: Path, limit: str) -> int:
     started().stop()
     file = folder / "scene.rl"
     file.write_text(SCENE.format(limit=limit), encoding="utf-8")
-    code = cli.run(["run", str(file), "--engine", "godot", "-o", str(folder / "out")])
-    return code
+    return cli.run(["run", str(file), "--engine", "godot", "-o", str(folder / "out")])
 
 
 def test_kept_expectations_leave_with_0_and_the_trace_is_written(tmp_path: Path) -> None:

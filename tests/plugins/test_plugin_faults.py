@@ -162,7 +162,7 @@ def test_what_a_kind_prints_goes_to_standard_error(
         name: ClassVar[str] = "odd"
 
         def displacement(self, road: Any, random: Any) -> Any:
-            print("so far so good")
+            print("so far so good")  # noqa: T201
             return 0.0 * road.stations
 
     assert sample(BENT.replace("KIND", "odd"), kinds=(Odd,)).accepted == 1

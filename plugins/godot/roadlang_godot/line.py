@@ -32,6 +32,7 @@ class Line:
 
     @cached_property
     def length(self) -> float:
+        """Arc length from the first to the last sample, in meters."""
         return float(self.s[-1] - self.s[0])
 
     @cached_property

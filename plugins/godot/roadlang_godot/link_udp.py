@@ -36,4 +36,5 @@ class UdpLink:
         return out
 
     def close(self) -> None:
+        """Close the socket."""
         self._socket.close()

@@ -43,6 +43,7 @@ class WebSocketLink:
         return self._messages()
 
     def close(self) -> None:
+        """Close the connection."""
         self._socket.close()
 
     def _upgrade(self, host: str, port: int) -> None:

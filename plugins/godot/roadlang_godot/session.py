@@ -36,9 +36,14 @@ _PROBE = struct.Struct("<IHHff")
 class Link(Protocol):
     """A way to send and receive datagrams."""
 
-    def send(self, datagram: bytes) -> None: ...
-    def receive(self, timeout: float) -> list[bytes]: ...
-    def close(self) -> None: ...
+    def send(self, datagram: bytes) -> None:
+        """Send one datagram. May lose it; raises `OSError` where the engine has gone."""
+
+    def receive(self, timeout: float) -> list[bytes]:
+        """What has come, after waiting up to `timeout` seconds for the first datagram."""
+
+    def close(self) -> None:
+        """Release the socket."""
 
 
 @dataclass(frozen=True, slots=True)

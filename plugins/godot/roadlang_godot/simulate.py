@@ -47,6 +47,7 @@ class Settings:
 
     @property
     def ticks(self) -> int:
+        """Physics ticks of a whole drive."""
         return round(self.duration * self.rate)
 
 

@@ -28,6 +28,7 @@ class Thing:
 
     @property
     def key(self) -> Key:
+        """What identifies a thing within a scene."""
         return (self.kind, self.id)
 
     def message(self, world: int, revision: int) -> bytes:

@@ -35,9 +35,11 @@ class LazyGroup(click.Group):
     """A group that knows its commands' names and help without importing them."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
+        """Commands of roadlang in a fixed order, then those of plugins by name."""
         return [*COMMANDS, *sorted(_of_plugins())]
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
+        """Import and return a command, or None if there is none of that name."""
         if name in COMMANDS:
             module = importlib.import_module(f".{COMMANDS[name][0]}", __package__)
             command: click.Command = module.command
@@ -48,6 +50,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command; an unknown one raises `UsageError` with near names."""
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError as error:
@@ -60,6 +63,7 @@ class LazyGroup(click.Group):
             raise click.UsageError(message, ctx) from error
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List commands with their one-line help, without importing them."""
         rows = [(name, line) for name, (_, line) in COMMANDS.items()]
         with formatter.section("Commands"):
             formatter.write_dl(rows)

@@ -89,7 +89,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         return exit_codes.PIPE_CLOSED
     except SystemExit as request:
         return request.code if isinstance(request.code, int) else int(request.code is not None)
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001 - a bug becomes RL900, never a traceback
         return _explain(error)
 
 

@@ -121,7 +121,7 @@ def _line(entry: KindEntry) -> tuple[str, str]:
 def _help(entry: KindEntry) -> str:
     try:
         return entry.help
-    except Exception as error:  # a kind that cannot be imported is listed with the reason
+    except Exception as error:  # noqa: BLE001 - a broken kind is listed with the reason
         return f"cannot be imported: {type(error).__name__}: {error}"
 
 
@@ -168,7 +168,7 @@ def _kind_record(entry: KindEntry) -> dict[str, Any]:
     }
     try:
         record["options"] = [_option_record(option) for option in entry.options]
-    except Exception as error:  # the kind's module failed; the listing goes on
+    except Exception as error:  # noqa: BLE001 - the kind's module failed; go on
         record["broken"] = f"{type(error).__name__}: {error}"
     return record
 

@@ -34,6 +34,7 @@ class ProgressBar:
             sys.stderr.flush()
 
     def __call__(self, done: int, total: int) -> None:
+        """Show that `done` of `total` are done."""
         now = time.monotonic()
         if not self._watched or now < self._next or total <= 0:
             return

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 @click.option("--duration", type=click.FloatRange(min=0.1), help="Seconds at most.")
 @click.option("--window", is_flag=True, help="Show the drive in a window, in real time.")
 @click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON.")
-def command(
+def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     engine: str | None,
     folder: str,

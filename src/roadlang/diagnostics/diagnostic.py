@@ -44,10 +44,12 @@ class Diagnostic:
 
     @property
     def is_error(self) -> bool:
+        """Whether this keeps a scenario from being compiled."""
         return self.severity == "error"
 
     @property
     def file(self) -> str | None:
+        """Path of the file that this is about, if there is one."""
         return self.span.source.path if self.span is not None else self.path
 
 

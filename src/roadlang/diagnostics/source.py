@@ -32,9 +32,11 @@ class Source:
 
     @property
     def line_count(self) -> int:
+        """Number of lines; the last may be empty."""
         return len(self._line_starts)
 
     def span(self, start: int, end: int) -> Span:
+        """The characters from offset `start` up to and without `end`."""
         return Span(self, start, end)
 
     @property
@@ -54,14 +56,17 @@ class Span:
 
     @property
     def line(self) -> int:
+        """Line of the first character, from 1."""
         return self.source.position(self.start)[0]
 
     @property
     def column(self) -> int:
+        """Column of the first character, from 1."""
         return self.source.position(self.start)[1]
 
     @property
     def end_line(self) -> int:
+        """Line of the position after the last character, from 1."""
         return self.source.position(self.end)[0]
 
     @property
@@ -71,6 +76,7 @@ class Span:
 
     @property
     def text(self) -> str:
+        """The characters themselves."""
         return self.source.text[self.start : self.end]
 
     def to(self, other: Span) -> Span:

@@ -33,6 +33,7 @@ class KindInstance:
 
     @property
     def guarded(self) -> AbstractContextManager[None]:
+        """A context in which what is raised is attributed to the plugin of this kind."""
         return plugin_guard(self.entry, self.call.span)
 
 

@@ -47,6 +47,7 @@ class CandidateBatch:
 
     @property
     def count(self) -> int:
+        """Number of candidates, V."""
         return len(self.scenes)
 
     def take(self, rows: NDArray[np.intp]) -> CandidateBatch:

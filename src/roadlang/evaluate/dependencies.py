@@ -73,6 +73,7 @@ class Varying:
         self._known: dict[str, bool] = {}
 
     def __call__(self, name: str) -> bool:
+        """Whether the root of the road or network `name` is drawn."""
         if name not in self._known:
             self._known[name] = any(map(self._is_drawn, self._scenario.chain(self._thing(name))))
         return self._known[name]

@@ -40,6 +40,7 @@ class IndexedScenario:
         self._classes: dict[tuple[str, str], tuple[KindEntry, type[Kind]]] = {}
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
+        """The result of `compute`, which runs once per key."""
         if key not in self._kept:
             self._kept[key] = compute()
         kept: T = self._kept[key]

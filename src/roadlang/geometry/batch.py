@@ -49,6 +49,7 @@ class CurveBatch:
 
     @property
     def variants(self) -> int:
+        """Number of curves, V."""
         return int(self.points.shape[0])
 
     @cached_property
@@ -124,10 +125,12 @@ class DisplacedBatch(CurveBatch):
 
     @property
     def variants(self) -> int:
+        """Number of curves, V."""
         return int(self.displacement.shape[0])
 
     @cached_property
     def points(self) -> Floats:
+        """Displaced points in meters, (V, S, 2)."""
         points = np.empty((*self.displacement.shape, 2))
         normal = self.frame.normal
         for axis in (0, 1):
@@ -153,11 +156,13 @@ class DisplacedBatch(CurveBatch):
 
     @cached_property
     def heading(self) -> Floats:
+        """Heading in radians, (V, S)."""
         progress = 1.0 - self.frame.curvature * self.displacement
         return np.asarray(self.frame.heading + np.arctan2(self.slope, progress))
 
     @cached_property
     def curvature(self) -> Floats:
+        """Signed curvature in 1/m, (V, S)."""
         return turned_curvature(
             self.displacement,
             self.slope,
@@ -172,6 +177,7 @@ class DisplacedBatch(CurveBatch):
         return fold(self.displacement, self.frame.curvature)
 
     def take(self, variants: ArrayLike) -> DisplacedBatch:
+        """The chosen variants; `variants` are indices or a Boolean mask."""
         chosen = np.asarray(variants)
         slope = None if self._slope is None else self._slope[chosen]
         bend = None if self._bend is None else self._bend[chosen]

@@ -57,6 +57,7 @@ class Curve:
 
     @cached_property
     def arc(self) -> ArcLength:
+        """Arc length as a function of the spline's parameter."""
         return ArcLength.of(self.spline)
 
     @property

@@ -37,6 +37,7 @@ class Stencil:
 
     @property
     def even(self) -> bool:
+        """Whether all gaps are equal, up to rounding."""
         gaps = self.gaps
         return bool(np.ptp(gaps) <= 1e-9 * gaps.max())
 

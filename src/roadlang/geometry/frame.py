@@ -37,6 +37,7 @@ class Frame:
 
     @property
     def closed(self) -> bool:
+        """Whether the curve ends where it begins."""
         return self.curve.closed
 
     @property

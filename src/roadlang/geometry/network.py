@@ -45,10 +45,12 @@ class Edge:
 
     @property
     def length(self) -> float:
+        """Arc length in meters."""
         return self.curve.length
 
     @cached_property
     def width(self) -> WidthProfile:
+        """Width in meters by arc length."""
         return WidthProfile.even(self.widths, self.curve.length, self.curve.closed)
 
     @cached_property
@@ -62,6 +64,7 @@ class Edge:
         return self.end if node == self.start else self.start
 
     def road(self, lanes: int = 2) -> Road:
+        """The edge as a road of its own."""
         return Road(self.curve, self.width, lanes)
 
 
@@ -89,11 +92,13 @@ class RoadNetwork:
         WidthProfile.even(edge.widths, edge.length)
 
     def node(self, id: int) -> Node:
+        """The node with this id. Raises `GeometryError` if there is none."""
         if id not in self._nodes:
             raise GeometryError(f"the network has no node {id}")
         return self._nodes[id]
 
     def edge(self, id: int) -> Edge:
+        """The edge with this id. Raises `GeometryError` if there is none."""
         if id not in self._edges:
             known = ", ".join(str(edge.id) for edge in self.edges[:12])
             more = ", ..." if len(self.edges) > 12 else ""

@@ -37,6 +37,7 @@ class Step:
 
     @property
     def length(self) -> float:
+        """Arc length in meters."""
         return abs(self.stop - self.start)
 
 
@@ -91,6 +92,7 @@ class Path:
         return edge.curve.closed and self.steps[0].length >= edge.length
 
     def road(self, lanes: int = 2) -> Road:
+        """The path as one road."""
         return Road(self.curve, self.width, lanes)
 
     def _part(self, step: Step) -> Curve:

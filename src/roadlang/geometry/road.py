@@ -32,10 +32,12 @@ class Road:
 
     @property
     def closed(self) -> bool:
+        """Whether the road ends where it begins."""
         return self.curve.closed
 
     @property
     def length(self) -> float:
+        """Arc length in meters."""
         return self.curve.length
 
     @property

@@ -26,6 +26,7 @@ class Straight:
 
     @property
     def curvatures(self) -> tuple[float, float]:
+        """Curvature at start and end, in 1/m."""
         return 0.0, 0.0
 
 
@@ -38,10 +39,12 @@ class Arc:
 
     @property
     def length(self) -> float:
+        """Arc length in meters."""
         return self.radius * abs(self.angle)
 
     @property
     def curvatures(self) -> tuple[float, float]:
+        """Curvature at start and end, in 1/m."""
         curvature = float(np.copysign(1.0 / self.radius, self.angle))
         return curvature, curvature
 
@@ -56,6 +59,7 @@ class Clothoid:
 
     @property
     def curvatures(self) -> tuple[float, float]:
+        """Curvature at start and end, in 1/m."""
         return self.start_curvature, self.end_curvature
 
 

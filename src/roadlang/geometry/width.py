@@ -36,6 +36,7 @@ class WidthProfile:
 
     @classmethod
     def constant(cls, width: float) -> WidthProfile:
+        """The same width everywhere, in meters."""
         return cls(np.zeros(1), np.array([width]))
 
     @classmethod

@@ -10,6 +10,8 @@ from .tiff import TiffError, TiffTags
 
 @dataclass(frozen=True, slots=True)
 class Header:
+    """What the first bytes of an image file say of it; sizes are in pixels."""
+
     format: str
     width: int
     height: int

@@ -64,6 +64,7 @@ class RoadBatch:
 
     @property
     def closed(self) -> bool:
+        """Whether the roads end where they begin."""
         return self.curves.closed
 
     @property
@@ -78,6 +79,7 @@ class RoadBatch:
 
     @property
     def variants(self) -> int:
+        """Number of roads, V."""
         return self.curves.variants
 
     @property

@@ -36,10 +36,12 @@ class Dimension:
 
     @property
     def exponents(self) -> tuple[float, float, float, float, float]:
+        """Exponents of length, pixel, time, angle and mass."""
         return (self.length, self.pixel, self.time, self.angle, self.mass)
 
     @property
     def is_pure(self) -> bool:
+        """Whether this is the dimension of a plain number."""
         return not any(self.exponents)
 
     def __mul__(self, other: Dimension) -> Dimension:

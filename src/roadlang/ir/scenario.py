@@ -21,6 +21,8 @@ class Input:
 
 @dataclass(frozen=True, slots=True)
 class Header:
+    """Name and title of a scenario."""
+
     name: str
     title: str = ""
 

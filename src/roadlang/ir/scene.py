@@ -38,6 +38,8 @@ class SceneRoad:
 
 @dataclass(frozen=True, slots=True)
 class SceneNode:
+    """A point where roads of a network meet or end; x and y in meters."""
+
     id: int
     x: float
     y: float

@@ -24,6 +24,8 @@ class Constant:
 
 @dataclass(frozen=True, slots=True)
 class Flag:
+    """`true` or `false`."""
+
     value: bool
 
 

@@ -30,6 +30,7 @@ class Judged:
 
     @property
     def accepted(self) -> NDArray[np.bool_]:
+        """Which candidates satisfy every requirement, (V,)."""
         return np.asarray(self.rejected_by == ACCEPTED)
 
 

@@ -47,6 +47,7 @@ class Requirement:
 
     @cached_property
     def line(self) -> int | None:
+        """Line of the statement, from 1; None for one that no line states."""
         return self.span.line if self.span is not None else None
 
 

@@ -76,7 +76,7 @@ def collect(candidates: Iterable[_Candidate]) -> Registry:
                 found, expected = _load(candidate, origin)
         except (KeyboardInterrupt, MemoryError):
             raise
-        except BaseException as error:  # a plugin may even call sys.exit on import
+        except BaseException as error:  # noqa: BLE001 - a plugin may even call sys.exit
             broken.append(BrokenPlugin(origin, _reason(error)))
         else:
             entries.extend(found)

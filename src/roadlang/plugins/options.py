@@ -67,14 +67,17 @@ class OptionSchema:
 
     @property
     def required(self) -> bool:
+        """Whether a scene file has to set this option."""
         return self.default is REQUIRED
 
     @property
     def help(self) -> str:
+        """One sentence for the reference."""
         return self.constraints.help
 
     @property
     def words(self) -> tuple[str, ...]:
+        """The words that are accepted; empty if any value of the type is."""
         return self.constraints.words
 
 

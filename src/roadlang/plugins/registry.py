@@ -25,6 +25,7 @@ class Origin:
 
     @property
     def is_shipped(self) -> bool:
+        """Whether this plugin is part of roadlang's own wheel."""
         return self.plugin in SHIPPED
 
     def __str__(self) -> str:
@@ -42,6 +43,7 @@ class KindEntry:
 
     @property
     def qualified(self) -> str:
+        """`plugin.name`, which no two kinds of one verb share."""
         return f"{self.origin.plugin}.{self.name}"
 
     @property
@@ -72,10 +74,12 @@ class KindEntry:
 
     @property
     def options(self) -> tuple[OptionSchema, ...]:
+        """The options of the kind. Loads its class."""
         return schema_of(self.load())
 
     @property
     def help(self) -> str:
+        """First line of the kind's docstring. Loads its class."""
         return (self.load().__doc__ or "").strip().split("\n")[0]
 
 
@@ -135,6 +139,7 @@ class Registry:
         return self.find(verb, name)
 
     def has(self, verb: str, name: str) -> bool:
+        """Whether `verb with name` can be written."""
         return (verb, name) in self._by_name
 
     def names(self, verb: str) -> tuple[str, ...]:
@@ -159,6 +164,7 @@ class Registry:
         return None
 
     def of(self, verb: str) -> Iterator[KindEntry]:
+        """All kinds of a verb."""
         return (entry for entry in self.entries if entry.verb == verb)
 
 

@@ -43,6 +43,7 @@ class RejectionStats:
 
     @classmethod
     def empty(cls, requirements: int) -> RejectionStats:
+        """Statistics of no candidates."""
         return cls(0, [0] * requirements, [0] * requirements, [-np.inf] * requirements)
 
     def count(self, judged: Judged, rows: NDArray[np.bool_]) -> None:
@@ -57,6 +58,7 @@ class RejectionStats:
             self.best[index] = max(self.best[index], float(seen.max(initial=-np.inf)))
 
     def add(self, other: RejectionStats) -> None:
+        """Add the counts of `other` to these."""
         self.candidates += other.candidates
         for index in range(len(self.tried)):
             self.tried[index] += other.tried[index]

@@ -39,10 +39,12 @@ class SamplingResult:
 
     @property
     def accepted(self) -> int:
+        """Number of accepted scenes."""
         return len(self.scenes)
 
     @property
     def table_text(self) -> str:
+        """The table of requirements as text."""
         return as_text(self.table, self.candidates)
 
 

@@ -43,6 +43,7 @@ class Found:
 
     @property
     def diversity(self) -> float | None:
+        """Mean distance to the nearest accepted draw; None where that is undefined."""
         from .diversity import mean_nearest
 
         return mean_nearest(self.points)
@@ -179,6 +180,7 @@ class DrawnPlace:
 
     @property
     def place(self) -> str:
+        """The place in the source that the draw belongs to."""
         return self.draw.place
 
     def levels(self, steps: int) -> Sequence[float]:

@@ -118,4 +118,5 @@ class Checker:
 
     @property
     def has_errors(self) -> bool:
+        """Whether any diagnostic so far is an error."""
         return any(found.is_error for found in self.diagnostics)

@@ -46,6 +46,7 @@ class NetworkRoot:
 
     @cached_property
     def edges(self) -> tuple[Edge, ...]:
+        """The edges of the network."""
         return self.network.edges
 
 

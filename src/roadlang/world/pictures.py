@@ -160,5 +160,4 @@ def _check_adjusted(pixels: Any, before: Picture, entry: KindEntry, call: PassCa
 
 def _kind_name(item: Value | str) -> str:
     """A legend's value: "road", or the plain name of an object kind."""
-    name = item.kind if isinstance(item, PassCall) else str(getattr(item, "name", item))
-    return name
+    return item.kind if isinstance(item, PassCall) else str(getattr(item, "name", item))

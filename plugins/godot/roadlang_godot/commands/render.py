@@ -33,7 +33,7 @@ CLIPS = (".avi",)
 @click.option("--scene", "index", type=click.IntRange(min=0), default=0, help="Which scene.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
-def command(
+def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     output: str,
     view: str | None,

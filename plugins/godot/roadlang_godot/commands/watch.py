@@ -31,7 +31,7 @@ JUDGE_EVERY = 0.5
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
 @click.option("--for", "seconds", type=float, help="Leave after so many seconds.")
-def command(
+def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     headless: bool,
     host: str | None,

@@ -25,6 +25,7 @@ def ground(viewport: Viewport) -> str:
 
 
 def frame(viewport: Viewport) -> str:
+    """The outline of a viewport."""
     return element(
         "rect",
         **_rectangle(viewport),

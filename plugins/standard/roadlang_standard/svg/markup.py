@@ -38,6 +38,7 @@ def group(children: Iterable[str], **attributes: object) -> str:
 
 
 def text(content: str, x: float, y: float, **attributes: object) -> str:
+    """A text element; control characters are left out."""
     return element("text", escape(_printable(content)), x=x, y=y, **attributes)
 
 

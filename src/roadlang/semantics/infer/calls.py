@@ -62,6 +62,7 @@ def dotted(expression: ast.Expression) -> str | None:
 
 
 def has(checker: Checker, verb: str, name: str) -> bool:
+    """Whether `verb` has a kind of this name, a planned one included."""
     return checker.registry.has(verb, name) or checker.registry.is_planned(verb, name)
 
 
@@ -143,6 +144,7 @@ def _fresh(checker: Checker, call: ast.Call, context: Context) -> TypedExpressio
 def of_kind(
     checker: Checker, call: ast.Call, verb: str, name: str, context: Context
 ) -> TypedExpression:
+    """Type a call of the kind that is registered as `name` under `verb`."""
     found = find_kind(checker, verb, name, call.function.span)
     if found is None:
         return unknown(call.span)
@@ -216,4 +218,5 @@ def _roles_of(option: OptionSchema) -> Iterable[str]:
 
 
 def signature(schema: tuple[OptionSchema, ...]) -> str:
+    """The positional parameters of a kind, as messages show them."""
     return ", ".join(" or ".join(_roles_of(option)) or option.name for option in schema)

@@ -113,7 +113,7 @@ def _support(found: ResolvedKind, bound: BoundOptions) -> tuple[float, float] | 
         return None
     try:
         support = found.kind(**options).support()  # type: ignore[attr-defined]
-    except Exception:  # a plugin's mistake shows when it draws, with its name
+    except Exception:  # noqa: BLE001 - a plugin's mistake shows when it draws
         return None
     return support if isinstance(support, tuple) and len(support) == 2 else None
 

@@ -46,10 +46,12 @@ _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off":
 def infer_string(
     checker: Checker, string: ast.String | ast.Text, context: Context
 ) -> TypedExpression:
+    """A string or bare text: a word that options may accept."""
     return TypedExpression(string.span, StringType(frozenset({string.value})), Text(string.value))
 
 
 def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> TypedExpression:
+    """`true` or `false`, as a flag and as a formula."""
     from ...stl import Truth
 
     return TypedExpression(
@@ -58,10 +60,12 @@ def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> T
 
 
 def infer_group(checker: Checker, group: ast.Group, context: Context) -> TypedExpression:
+    """Parentheses: what is inside them."""
     return checker.infer(group.inner, context)
 
 
 def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> TypedExpression:
+    """`-x` of a number or signal."""
     operand = checker.infer(negation.operand, context)
     if operand.is_unknown:
         return operand
@@ -136,11 +140,13 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
 
 
 def infer_point(checker: Checker, point: ast.Point, context: Context) -> TypedExpression:
+    """`(x, y)`: every item by itself."""
     items = tuple(checker.infer(item, context) for item in point.items)
     return _collected(TypedExpression(point.span, CoordinatesType(), items=items))
 
 
 def infer_list(checker: Checker, items: ast.ListValue, context: Context) -> TypedExpression:
+    """`[a, b, ...]`: every item by itself."""
     parts = tuple(checker.infer(item, context) for item in items.items)
     return _collected(TypedExpression(items.span, SequenceType(), items=parts))
 

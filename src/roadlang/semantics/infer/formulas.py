@@ -89,6 +89,7 @@ def _formula(
 
 
 def infer_not(checker: Checker, node: ast.Not, context: Context) -> TypedExpression:
+    """`not f` of a formula."""
     from ...stl import Not
 
     operand = _operand(checker, node.operand, context, "`not`")

@@ -112,6 +112,7 @@ def bound_of(
     schema: Sequence[OptionSchema],
     complete: bool,
 ) -> BoundOptions:
+    """Options in the order of the schema, with their values, types and draws."""
     ordered = {option.name: given[option.name] for option in schema if option.name in given}
     alike: list[TypedExpression] = []
     for option in schema:

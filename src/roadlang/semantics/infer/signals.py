@@ -59,7 +59,7 @@ def _dimension(
         if not isinstance(dimension, Dimension):
             raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
         return dimension
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001 - reported with the plugin's name
         plugin, reason = found.entry.origin, reason_of(error)
         kind = found.entry.name
         checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=plugin, reason=reason)

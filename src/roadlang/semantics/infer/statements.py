@@ -152,6 +152,7 @@ class StatementSpec:
 
     @property
     def schema(self) -> tuple[OptionSchema, ...]:
+        """The options that a block of this statement takes."""
         return schema_of(self.options)
 
 

@@ -27,6 +27,7 @@ def lower_plan(checker: Checker, placed: Placed) -> PassCall | None:
 
 
 def lower_emit(checker: Checker, placed: Placed, number: int) -> PassCall | None:
+    """An `emit` statement as a call of its kind; None where it has errors."""
     statement = placed.statement
     assert isinstance(statement, ast.Emit)
     kind = statement.kind

@@ -12,6 +12,7 @@ from ..names.program import Placed
 
 
 def lower_world(checker: Checker, placed: Placed) -> tuple[tuple[str, Value], ...]:
+    """The options of the `world` statement as values."""
     statement = placed.statement
     assert isinstance(statement, ast.World)
     context = Context(user="world", place="world")

@@ -22,6 +22,7 @@ _OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": 
 
 
 def signal_negation(operand: TypedExpression, span: Span) -> TypedExpression:
+    """`-signal`, with its bounds mirrored."""
     from ...stl import Negate
 
     assert operand.term is not None
@@ -235,6 +236,7 @@ def signal_of_functions(
 
 
 def function_bounds(name: str, arguments: Sequence[TypedExpression]) -> tuple[float, float] | None:
+    """Bounds of `abs`, `min` or `max` of the arguments; None if unknown."""
     parts = [argument.bounds for argument in arguments]
     if name == "abs":
         return bounds.absolute(parts[0])

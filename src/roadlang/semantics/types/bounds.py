@@ -9,6 +9,7 @@ Bounds: TypeAlias = tuple[float, float]
 
 
 def negated(a: Bounds | None) -> Bounds | None:
+    """Bounds of `-a`."""
     return None if a is None else (-a[1], -a[0])
 
 

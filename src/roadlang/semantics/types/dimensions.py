@@ -102,6 +102,7 @@ def unit_missing(checker: Checker, typed: TypedExpression, expected: Dimension) 
 
 
 def dimension_of(typed: TypedExpression) -> Dimension:
+    """Dimension of a quantity or signal."""
     assert isinstance(typed.type, Quantity | SignalType)
     return typed.type.dimension
 

@@ -181,6 +181,7 @@ class TypedExpression:
 
     @property
     def is_unknown(self) -> bool:
+        """Whether an error was reported for this expression already."""
         return isinstance(self.type, Unknown)
 
     @property

@@ -36,6 +36,7 @@ class Windows:
 
     @property
     def count(self) -> int:
+        """Number of windows."""
         return int(self.starts.size)
 
     def samples(self, window: int) -> IntArray:

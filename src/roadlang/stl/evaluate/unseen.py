@@ -38,6 +38,7 @@ class Affine:
     offset: FloatArray
 
     def plus(self, other: Affine) -> Affine:
+        """The sum of two affine functions."""
         slopes = dict(self.slopes)
         for name, slope in other.slopes:
             slopes[name] = slopes.get(name, 0.0) + slope
@@ -45,6 +46,7 @@ class Affine:
         return Affine(kept, self.offset + other.offset)
 
     def times(self, scale: float) -> Affine:
+        """The function multiplied by a number."""
         slopes = tuple((name, scale * slope) for name, slope in self.slopes if scale)
         return Affine(slopes, scale * self.offset)
 

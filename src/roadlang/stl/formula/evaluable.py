@@ -70,7 +70,7 @@ class Evaluable:
     def verdict(
         self, positions: Positions, signals: Signals, *, wrap: float | None = None
     ) -> NDArray[np.str_] | Verdict:
-        """ "satisfied", "violated" or "unknown"; an array (V,) of them for a batch."""
+        """One of "satisfied", "violated" and "unknown"; an array (V,) of them for a batch."""
         from ..evaluate.verdicts import verdict
 
         return verdict(self._formula, positions, signals, wrap=wrap)

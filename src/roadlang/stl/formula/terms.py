@@ -59,6 +59,7 @@ class Negate(Term):
 
     @property
     def parts(self) -> tuple[Term, ...]:
+        """The operands, left to right."""
         return (self.operand,)
 
 
@@ -72,6 +73,7 @@ class Arithmetic(Term):
 
     @property
     def parts(self) -> tuple[Term, ...]:
+        """The operands, left to right."""
         return (self.left, self.right)
 
 
@@ -84,4 +86,5 @@ class Apply(Term):
 
     @property
     def parts(self) -> tuple[Term, ...]:
+        """The operands, left to right."""
         return self.arguments

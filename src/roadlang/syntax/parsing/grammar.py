@@ -23,6 +23,7 @@ def grammar_path() -> Path:
 
 
 def grammar_text() -> str:
+    """The grammar as lark reads it."""
     return grammar_path().read_text(encoding="utf-8")
 
 

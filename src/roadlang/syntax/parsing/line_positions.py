@@ -29,5 +29,6 @@ def indentation(source: Source, offset: int) -> int:
 
 
 def at_margin(source: Source, token: Token) -> bool:
+    """Whether the token begins a line with no white space before it."""
     start = token[2]
     return start == 0 or source.text[start - 1] in "\n\ufeff"

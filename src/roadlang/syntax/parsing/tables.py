@@ -60,6 +60,7 @@ class Tables:
     starts: dict[str, int]
 
     def terminals(self, state: int) -> list[str]:
+        """Names of the terminals that the parser accepts in `state`."""
         return [symbol for symbol in self.actions[state] if not symbol.islower()]
 
 

@@ -54,9 +54,11 @@ class ErrorPosition:
         return (END, "", 0, 0) if index < 0 else self.tokens[-1]
 
     def kind(self, offset: int = 0) -> str:
+        """Terminal of the token `offset` after the error."""
         return self.token(offset)[0]
 
     def word(self, offset: int = 0) -> str:
+        """Text of the token `offset` after the error."""
         return self.token(offset)[1]
 
     def span(self, first: int = 0, last: int | None = None) -> Span:
@@ -69,24 +71,30 @@ class ErrorPosition:
         return self.token(offset - 1)[3] == self.token(offset)[2]
 
     def starts_line(self, offset: int = 0) -> bool:
+        """Whether only white space precedes the token on its line."""
         return starts_line(self.source, self.token(offset))
 
     def same_line(self, first: int, second: int) -> bool:
+        """Whether two tokens, by offset, stand on one line."""
         between = self.source.text[self.token(first)[3] : self.token(second)[2]]
         return "\n" not in between
 
     def expects(self, *kinds: str) -> bool:
+        """Whether these terminals, one after the other, would be accepted here."""
         return accepts(self.tables, self.states, *kinds)
 
     def expected(self) -> set[str]:
+        """Every terminal that would be accepted here."""
         return expected(self.tables, self.states)
 
     @property
     def wants_value(self) -> bool:
+        """Whether a value would be accepted here."""
         return self.expects("NUMBER")
 
     @property
     def first_kind(self) -> str:
+        """Terminal of the first token of the file."""
         return self.tokens[0][0]
 
     def back(self, offset: int) -> ErrorPosition | None:

@@ -20,6 +20,7 @@ def misspelled_temporal(tokens: Sequence[Token], start: int = 0) -> int | None:
 
 
 def meant_temporal(word: str) -> str | None:
+    """The temporal operator that `word` misspells, if it does."""
     if not 5 <= len(word) <= 14:
         return None
     return next((known for known in _LONG if slip(word, known)), None)

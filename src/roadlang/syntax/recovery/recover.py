@@ -88,6 +88,7 @@ class Recovery:
         return repaired
 
     def attempt(self, start: str, tokens: list[Token]) -> Any:
+        """Parse `tokens` from the start symbol `start`. Raises where they do not fit."""
         self.budget -= len(tokens)
         return run(self.tables, start, tokens, self.builds)
 
@@ -105,6 +106,7 @@ class Recovery:
         return spoil(self.source, tokens, culprit)
 
     def report(self, mistake: Mistake) -> None:
+        """Keep the diagnostic of a mistake, unless its line or an earlier guess has it already."""
         found = mistake.diagnostic
         if found is None or found.span is None or found.span.line in self.reported_lines:
             return

@@ -57,6 +57,7 @@ def one_too_many(place: ErrorPosition) -> Mistake | None:
 
 
 def power_of_python(place: ErrorPosition) -> Mistake | None:
+    """`**`, which is written `^` here."""
     if place.kind() != "TIMES" or place.kind(-1) != "TIMES" or not place.glued(0):
         return None
     span = place.span(-1, 0)

@@ -39,17 +39,21 @@ class UnlexableText:
 
     @property
     def tokens(self) -> list[Token]:
+        """Tokens before the character that cannot be read."""
         return self.lexed.tokens
 
     @property
     def text(self) -> str:
+        """The whole source."""
         return self.source.text
 
     def line_end(self) -> int:
+        """Offset where the current line ends."""
         found = re.compile(r"[\r\n]|\Z").search(self.text, self.start)
         return found.start() if found else len(self.text)
 
     def read_as(self, kind: str, text: str, end: int) -> int:
+        """Read the text up to offset `end` as a token of this kind; returns `end`."""
         self.tokens.append((kind, text, self.start, end))
         return end
 

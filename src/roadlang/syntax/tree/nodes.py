@@ -48,6 +48,7 @@ class Number(Node):
 
     @property
     def value(self) -> float:
+        """The number that the digits mean."""
         return float(self.digits)
 
 
@@ -67,6 +68,8 @@ class Text(Node):
 
 @dataclass(frozen=True, slots=True)
 class Boolean(Node):
+    """`true` or `false`."""
+
     value: bool
 
 
@@ -103,6 +106,8 @@ class Call(Node):
 
 @dataclass(frozen=True, slots=True)
 class Negate(Node):
+    """`-operand`."""
+
     operand: Expression
 
 
@@ -134,6 +139,8 @@ class Comparison(Node):
 
 @dataclass(frozen=True, slots=True)
 class Not(Node):
+    """`not operand`."""
+
     operand: Expression
 
 
@@ -197,6 +204,8 @@ class ListValue(Node):
 
 @dataclass(frozen=True, slots=True)
 class MapEntry(Node):
+    """`key: value` in a map."""
+
     key: Word | String
     value: Expression
 
@@ -243,6 +252,8 @@ class Kind(Node):
 
 @dataclass(frozen=True, slots=True)
 class Option(Node):
+    """`key: value` in a block."""
+
     key: Word
     value: Expression
 
@@ -269,10 +280,12 @@ class Block(Node):
 
     @property
     def options(self) -> tuple[Option, ...]:
+        """The options of the block, in order."""
         return tuple(item for item in self.items if isinstance(item, Option))
 
     @property
     def passes(self) -> tuple[Pass, ...]:
+        """The passes of the block, in order."""
         return tuple(item for item in self.items if isinstance(item, Pass))
 
 
@@ -297,12 +310,16 @@ class Include(Node):
 
 @dataclass(frozen=True, slots=True)
 class Param(Node):
+    """`param NAME = value`."""
+
     name: Word
     value: Expression
 
 
 @dataclass(frozen=True, slots=True)
 class Let(Node):
+    """`let NAME = value`."""
+
     name: Word
     value: Expression
 
@@ -342,6 +359,8 @@ class Actor(Node):
 
 @dataclass(frozen=True, slots=True)
 class World(Node):
+    """`world { ... }`."""
+
     block: Block | None
 
 
@@ -356,6 +375,8 @@ class Plan(Node):
 
 @dataclass(frozen=True, slots=True)
 class Emit(Node):
+    """`emit KIND { ... }`."""
+
     kind: Kind
     block: Block | None
 
