@@ -72,6 +72,7 @@ def _violated(condition: Condition, candidates: CandidateBatch) -> tuple[Stretch
 
 
 def road_name(condition: Condition, axis: Any, candidates: CandidateBatch) -> str:
+    """The road whose arc length `axis` a condition is judged over."""
     for binding in condition.signals:
         for _, value in binding.call.options:
             role = getattr(value, "role", None)
