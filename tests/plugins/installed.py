@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 
@@ -13,3 +16,15 @@ def install(folder: Path, name: str, text: str, *, entry: str | None = None) -> 
     info.mkdir()
     (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 1.2\n")
     (info / "entry_points.txt").write_text(f"[roadlang]\n{name} = {entry or module}\n")
+
+
+def start(folder: Path, *arguments: str) -> subprocess.Popen[str]:
+    """A real `roadlang` process with the plugins of `folder`, in that folder."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "roadlang", *arguments],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(folder), "MARKER": str(folder / "reached")},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import contextlib
 import os
-import signal
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
-from types import FrameType
-from typing import NoReturn
 
 import click
 
 from .. import __version__
+from ..plugins.termination import (
+    Terminated,
+    end_on_sigterm,
+    raise_if_terminated,
+    stop_noticing_sigterm,
+)
 from . import exit_codes
 from .commands import LazyGroup
+from .standard_output import claim_standard_output
 
 _NO_PLUGINS = "ROADLANG_NO_PLUGINS"
 
@@ -59,17 +63,19 @@ def _plugins_refused(names: tuple[str, ...]) -> Iterator[None]:
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """The console script."""
-    # As Ctrl-C does, so that what is half written is removed before the process ends.
-    signal.signal(signal.SIGTERM, _terminate)
-    code = run(arguments)
+    claim_standard_output()
+    try:
+        end_on_sigterm()
+        code = run(arguments)
+        raise_if_terminated()
+        stop_noticing_sigterm()
+    except Terminated:
+        click.echo("stopped", err=True)
+        code = exit_codes.TERMINATED
     with contextlib.suppress(OSError, ValueError):
         sys.stdout.flush()
         sys.stderr.flush()
     sys.exit(code)
-
-
-def _terminate(number: int, frame: FrameType | None) -> NoReturn:
-    raise SystemExit(128 + number)
 
 
 def run(arguments: Sequence[str] | None = None) -> int:

@@ -119,10 +119,13 @@ def _line(entry: KindEntry) -> tuple[str, str]:
 
 
 def _help(entry: KindEntry) -> str:
+    from ..plugins.guard import PluginFault, attributed
+
     try:
-        return entry.help
-    except Exception as error:  # noqa: BLE001 - a broken kind is listed with the reason
-        return f"cannot be imported: {type(error).__name__}: {error}"
+        with attributed():
+            return entry.help
+    except PluginFault as fault:  # the kind is listed with the reason
+        return f"cannot be used: {fault}"
 
 
 def _shown(entry: KindEntry) -> list[str]:
@@ -157,6 +160,8 @@ def _record(registry: Registry, verb: str | None) -> dict[str, Any]:
 
 
 def _kind_record(entry: KindEntry) -> dict[str, Any]:
+    from ..plugins.guard import PluginFault, attributed
+
     record: dict[str, Any] = {
         "verb": entry.verb,
         "name": entry.name,
@@ -167,9 +172,11 @@ def _kind_record(entry: KindEntry) -> dict[str, Any]:
         "help": _help(entry),
     }
     try:
-        record["options"] = [_option_record(option) for option in entry.options]
-    except Exception as error:  # noqa: BLE001 - the kind's module failed; go on
-        record["broken"] = f"{type(error).__name__}: {error}"
+        with attributed():
+            options = entry.options
+        record["options"] = [_option_record(option) for option in options]
+    except PluginFault as fault:  # the kind's module failed; the listing goes on
+        record["broken"] = str(fault)
     return record
 
 

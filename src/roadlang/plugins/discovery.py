@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Iterable
-from contextlib import redirect_stdout
 from importlib.metadata import Distribution, EntryPoint, entry_points
 from typing import Any
 
 import pluggy
 
 from . import hookspecs
+from .guard import PluginFault, attributed
 from .registry import SHIPPED, BrokenPlugin, KindEntry, Origin, Registry, entries_of
 
 GROUP = "roadlang"
@@ -72,12 +71,10 @@ def collect(candidates: Iterable[_Candidate]) -> Registry:
     for candidate in candidates:
         origin = candidate.origin
         try:
-            with redirect_stdout(sys.stderr):  # standard output is for the JSON of commands
+            with attributed():
                 found, expected = _load(candidate, origin)
-        except (KeyboardInterrupt, MemoryError):
-            raise
-        except BaseException as error:  # noqa: BLE001 - a plugin may even call sys.exit
-            broken.append(BrokenPlugin(origin, _reason(error)))
+        except PluginFault as fault:
+            broken.append(BrokenPlugin(origin, str(fault)))
         else:
             entries.extend(found)
             planned.update(expected)
@@ -109,8 +106,3 @@ def _refuse_duplicates(entries: Iterable[KindEntry]) -> None:
         if (entry.verb, entry.name) in seen:
             raise TypeError(f"it brings `{entry.verb} {entry.name}` twice")
         seen.add((entry.verb, entry.name))
-
-
-def _reason(error: BaseException) -> str:
-    text = " ".join(str(error).split())
-    return f"{type(error).__name__}: {text}" if text else type(error).__name__

@@ -39,6 +39,9 @@ class Kind:
     name: ClassVar[str] = ""
     rest: ClassVar[str] = ""
     """The list that takes all arguments without a name, of a kind that is written as a call."""
+    geometry_is_user_input: ClassVar[bool] = False
+    """a `GeometryError` that it raises is about what the scene file asks for (RL472), not a fault
+    of the plugin (RL470)"""
 
 
 class Adjuster(Kind):
@@ -67,6 +70,7 @@ class Reader(Kind):
     """`read with`: a file to what the statement declares (`reads`), chosen by `suffixes`."""
 
     verb: ClassVar[str] = "read"
+    geometry_is_user_input: ClassVar[bool] = True
     suffixes: ClassVar[tuple[str, ...]] = ()
     reads: ClassVar[tuple[str, ...]] = ("road",)
 
@@ -79,6 +83,7 @@ class Drawer(Kind):
     """`draw with`: nothing to a curve."""
 
     verb: ClassVar[str] = "draw"
+    geometry_is_user_input: ClassVar[bool] = True
 
     def draw(self, closed: bool) -> Curve:
         """The center line; `closed` is the road's option."""
@@ -89,6 +94,7 @@ class Piece(Kind):
     """A piece of a drawn road, written as a call: `arc(40m, 60deg)`."""
 
     verb: ClassVar[str] = "piece"
+    geometry_is_user_input: ClassVar[bool] = True
 
     def laid(self, curvature: float) -> geometry.Straight | geometry.Arc | geometry.Clothoid:
         """The piece as it goes on from a road of this curvature (1/m, left positive)."""
@@ -99,6 +105,7 @@ class Selector(Kind):
     """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
 
     verb: ClassVar[str] = "select"
+    geometry_is_user_input: ClassVar[bool] = True
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
         """The way through the network."""
@@ -113,6 +120,7 @@ class Perturber(Kind):
     """
 
     verb: ClassVar[str] = "perturb"
+    geometry_is_user_input: ClassVar[bool] = True
     is_random: ClassVar[bool] = True
     """it draws from `random`: set to False where the options alone tell the displacement"""
 
@@ -310,3 +318,9 @@ BASES: tuple[type[Kind], ...] = (
     Simulator, Searcher, Backend, AgentKind, ObjectKind,
 )  # fmt: skip
 VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)
+_BASE_OF = {base.verb: base for base in BASES}
+
+
+def base_of(verb: str) -> type[Kind]:
+    """The base class of the kinds of a verb."""
+    return _BASE_OF[verb]

@@ -13,6 +13,7 @@ from ..evaluate.evaluation import evaluate, scalar
 from ..ir.scenario import Actor, Network
 from ..ir.scene import Call, SceneActor
 from ..ir.values import Condition, Entity, PassCall
+from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 from ..stl.formats.json_form import to_json
 from ..world.networks import network_root
@@ -146,7 +147,9 @@ def _kind_defaults(kind: str, candidates: CandidateBatch) -> dict[str, Any]:
     registry = candidates.scenario.registry
     if not registry.has("object", kind):
         return {}
-    schema = schema_of(registry.find("object", kind).load())
+    entry = registry.find("object", kind)
+    with plugin_guard(entry, None):
+        schema = schema_of(entry.load())
     return {option.name: option.default for option in schema if not option.required}
 
 

@@ -81,13 +81,18 @@ class WorkerPool:
         self._worker = Worker(scenario, seed, overrides)
         self._jobs = max(1, jobs)
         self._pool: ProcessPoolExecutor | None = None
+        self._others = frozenset(multiprocessing.active_children())
 
     def __enter__(self) -> WorkerPool:
         return self
 
-    def __exit__(self, *error: object) -> None:
-        if self._pool is not None:
-            self._pool.shutdown(wait=True, cancel_futures=True)
+    def __exit__(self, kind: type[BaseException] | None, *error: object) -> None:
+        if self._pool is None:
+            return
+        if kind is not None:  # nobody waits for what the workers are doing
+            for process in set(multiprocessing.active_children()) - self._others:
+                process.terminate()
+        self._pool.shutdown(wait=True, cancel_futures=True)
 
     def search(self, blocks: Sequence[Block]) -> Iterator[Searched]:
         """The blocks in order."""

@@ -7,6 +7,7 @@ from typing import Any
 from ...diagnostics import Code
 from ...ir.dimension import PURE
 from ...ir.values import Constant, Draw, Items, PassCall, Value
+from ...plugins.guard import PluginFault, attributed
 from ...plugins.option_types import AnyType, ListType, QuantityType
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
@@ -112,8 +113,9 @@ def _support(found: ResolvedKind, bound: BoundOptions) -> tuple[float, float] | 
     if any(option is None for option in options.values()):
         return None
     try:
-        support = found.kind(**options).support()  # type: ignore[attr-defined]
-    except Exception:  # noqa: BLE001 - a plugin's mistake shows when it draws
+        with attributed():
+            support = found.kind(**options).support()  # type: ignore[attr-defined]
+    except PluginFault:  # a plugin's mistake shows when it draws, with its name
         return None
     return support if isinstance(support, tuple) and len(support) == 2 else None
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
-from contextlib import redirect_stdout
 
 from ...diagnostics import Code, Span, nearest
+from ...plugins.guard import PluginFault, attributed
 from ...plugins.kinds import VERBS
 from ...plugins.options import schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
@@ -57,18 +56,11 @@ def _load(checker: Checker, entry: KindEntry, span: Span) -> ResolvedKind | None
 def loaded(entry: KindEntry) -> ResolvedKind | str:
     """The kind, or why it cannot be had: a plugin may do anything when it is imported."""
     try:
-        with redirect_stdout(sys.stderr):
+        with attributed():
             kind = entry.load()
-        return ResolvedKind(entry, kind, schema_of(kind))
-    except (KeyboardInterrupt, MemoryError):
-        raise
-    except BaseException as error:  # noqa: BLE001 - a plugin may even call sys.exit
-        return reason_of(error)
-
-
-def reason_of(error: BaseException) -> str:
-    """An exception in one line."""
-    return f"{type(error).__name__}: {' '.join(str(error).split())}"
+            return ResolvedKind(entry, kind, schema_of(kind))
+    except PluginFault as fault:
+        return str(fault)
 
 
 def display_name(verb: str, name: str) -> str:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
+from ...plugins.guard import PluginFault, attributed
 from ..checker import Checker, ResolvedKind
 from ..types.expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
 from ..types.number_terms import call_text
 from .draws import constant_of
-from .kinds import reason_of
 from .option_binding import BoundOptions
 
 _DOMAINS = {"signal": "road", "drive_signal": "drive"}
@@ -55,12 +55,12 @@ def _dimension(
         if option.name not in bound.given and not option.required:
             given.setdefault(option.name, option.default)
     try:
-        dimension = found.kind.dimension_of(given)  # type: ignore[attr-defined]
-        if not isinstance(dimension, Dimension):
-            raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
-        return dimension
-    except Exception as error:  # noqa: BLE001 - reported with the plugin's name
-        plugin, reason = found.entry.origin, reason_of(error)
-        kind = found.entry.name
-        checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=plugin, reason=reason)
+        with attributed():
+            dimension = found.kind.dimension_of(given)  # type: ignore[attr-defined]
+            if not isinstance(dimension, Dimension):
+                raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
+    except PluginFault as fault:
+        plugin, kind = found.entry.origin, found.entry.name
+        checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=plugin, reason=fault)
         return None
+    return dimension
