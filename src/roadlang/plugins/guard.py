@@ -33,7 +33,7 @@ def attributed() -> Iterator[None]:
         raise_if_terminated()
     except (KeyboardInterrupt, Terminated):
         raise
-    except BaseException as error:  # noqa: BLE001 - a plugin may even call sys.exit
+    except BaseException as error:  # a plugin may even call sys.exit
         raise_if_terminated()
         raise PluginFault(reason_of(error)) from error
 
