@@ -11,14 +11,14 @@ import pytest
 
 import roadlang_godot.plugin
 import roadlang_standard
-from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.ir.scenario import Scenario
 from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.plugins.hookspecs import hookimpl
 from roadlang.plugins.registry import Registry
-from roadlang.search.sampling import SamplingResult, sample_scenes
+from roadlang.scenes.sampling import SamplingResult, sample_scenes
 from roadlang.semantics import check_text
+from roadlang.world.index import index_scenario
 
 
 def plugin_of(*kinds: type) -> ModuleType:
@@ -63,4 +63,4 @@ def sample(registry: Registry, tmp_path: Path) -> Callable[..., SamplingResult]:
 @pytest.fixture
 def judge(registry: Registry) -> Callable[[str], Judge]:
     """The judge of a text's requirements."""
-    return lambda text: Judge(IndexedScenario(scenario_of(text, registry), registry))
+    return lambda text: Judge(index_scenario(scenario_of(text, registry), registry))

@@ -18,10 +18,10 @@ from pathlib import Path
 import numpy as np
 
 from roadlang.evaluate.candidates import CandidateBatch
-from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
+from roadlang.world.index import index_scenario
 
 ROAD = """
 road main { draw with waypoints { points: [
@@ -53,7 +53,7 @@ def main() -> None:
         text = ROAD.replace("REACH", reach).replace("BOUND", bound)
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
-        judge = Judge(IndexedScenario(scenario, registry))
+        judge = Judge(index_scenario(scenario, registry))
         rate, share = measure(judge)
         print(f"{title:36} {rate:9,.0f} candidates/s   {share:6.1%} accepted")
 

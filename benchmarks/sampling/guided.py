@@ -13,15 +13,19 @@ from pathlib import Path
 
 import numpy as np
 
-from roadlang.evaluate.indexed_scenario import IndexedScenario
+from roadlang.evaluate.draw_record import DrawRecord
+from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import load_registry
+from roadlang.search.accepted import Accepted
+from roadlang.search.attempts import accepted_attempts
 from roadlang.search.diversity import mean_nearest
-from roadlang.search.guiding import first_accepted, run_pilot
-from roadlang.search.rejection_report import RejectionStats
-from roadlang.search.searching import accepted_attempts
-from roadlang.search.workers import Worker
+from roadlang.search.guiding import guided_attempts, run_pilot
 from roadlang.semantics import check_text
+from roadlang.world.index import index_scenario
+from roadlang_standard.sample_guided import Guided
+from roadlang_standard.sample_random import Random
 
+SEED = 1
 ROAD = """
 road main { draw with waypoints { points: [
   (0m, 0m), (120m, 10m), (230m, 70m), (350m, 60m), (470m, 70m)
@@ -81,44 +85,38 @@ def main() -> None:
         text = ROAD + rules + "sample with guided\n"
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
-        worker = Worker(IndexedScenario(scenario, registry), 1, {})
-        plain, plain_spread = rejection(worker, number)
-        steered, spread, learned = guided(worker, number)
+        judge = Judge(index_scenario(scenario, registry))
+        plain, plain_spread = rejection(judge, number)
+        steered, spread, learned = guided(judge, number)
         print(
             f"{title:36} acceptance {1 / plain:7.2%}  rejection {plain:7.1f}  guided {steered:5.1f}"
             f"  fewer {plain / steered:6.1f}x  spread {spread / plain_spread:4.0%}  pilot {learned}"
         )
 
 
-def rejection(worker: Worker, number: int) -> tuple[float, float]:
+def rejection(judge: Judge, number: int) -> tuple[float, float]:
     """Attempts per scene and diversity of rejection sampling."""
-    accepted, stats = accepted_attempts(worker.judge, 1, range(number), 1_000_000)
-    points = []
-    for scene, attempt in accepted.items():
-        variants = worker.single(scene, attempt, {})
-        variants.asked = {}
-        worker.judge.measure(variants)
-        points.append(worker.coordinates(variants))
-    return stats.candidates / len(accepted), mean_nearest(points) or 0.0
+    accepted, stats = accepted_attempts(judge, Random(attempts=1_000_000), SEED, range(number))
+    return stats.candidates / len(accepted), mean_nearest(coordinates(judge, accepted)) or 0.0
 
 
-def guided(worker: Worker, number: int) -> tuple[float, float, int]:
+def guided(judge: Judge, number: int) -> tuple[float, float, int]:
     """Attempts per scene, diversity and pilot size of guided sampling."""
-    from roadlang_standard.sample_guided import Guided
+    accepted, stats = guided_attempts(judge, Guided(), SEED, range(number))
+    assert len(accepted) == number
+    pilot = run_pilot(judge, Guided(), SEED)
+    spread = mean_nearest(coordinates(judge, accepted)) or 0.0
+    return stats.candidates / number, spread, pilot.stats.candidates
 
-    judge, sampler = worker.judge, Guided()
-    pilot = run_pilot(judge, sampler, 1)
-    stats = RejectionStats.empty(len(judge.requirements))
-    stats.add(pilot.stats)
-    points = []
-    for scene in range(number):
-        found = first_accepted(judge, sampler, pilot, 1, scene, stats)
-        assert found is not None
-        variants = worker.single(scene, *found)
-        variants.asked = {}
-        worker.judge.measure(variants)
-        points.append(worker.coordinates(variants))
-    return stats.candidates / number, mean_nearest(points) or 0.0, pilot.stats.candidates
+
+def coordinates(judge: Judge, accepted: list[Accepted]) -> list[dict[str, float]]:
+    """The draws of each scene in the unit cube, by name."""
+    found = []
+    for item in accepted:
+        record = DrawRecord()
+        judge.measure(item.candidate(judge.scenario, SEED, record))
+        found.append({name: float(values[0]) for name, values in record.coordinates.items()})
+    return found
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from test_discovery import ACME, GOOD
 from roadlang.cli.main import run
 from roadlang.diagnostics import Diagnostic
 from roadlang.plugins.discovery import load_registry
-from roadlang.search.sampling import sample_scenes
+from roadlang.scenes.sampling import sample_scenes
 from roadlang.semantics import check_text
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"

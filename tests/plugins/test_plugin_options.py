@@ -22,7 +22,7 @@ from roadlang.api import (
     option,
 )
 from roadlang.diagnostics import DiagnosticError
-from roadlang.search.sampling import SamplingResult
+from roadlang.scenes.sampling import SamplingResult
 from straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]

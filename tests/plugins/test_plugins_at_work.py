@@ -11,7 +11,7 @@ import pytest
 
 from roadlang.api import Adjuster, Length, Monitor, Perturber, RoadName, Signal, option
 from roadlang.diagnostics import DiagnosticError
-from roadlang.search.sampling import SamplingResult
+from roadlang.scenes.sampling import SamplingResult
 from straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roadlang.ir.encoding import to_json
-from roadlang.search.sampling import SamplingResult
+from roadlang.scenes.sampling import SamplingResult
 from straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.search.sampling import SamplingResult
+from roadlang.scenes.sampling import SamplingResult
 
 Sample = Callable[..., SamplingResult]
 TOWN = '''

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.search.sampling import SamplingResult
+from roadlang.scenes.sampling import SamplingResult
 from straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]

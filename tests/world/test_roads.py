@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.search.sampling import SamplingResult
+from roadlang.scenes.sampling import SamplingResult
 from straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ..ir.manifest import Manifest
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
-    from ..search.sampling import SamplingResult
+    from ..scenes.sampling import SamplingResult
 
 
 @click.command("compile")
@@ -113,7 +113,7 @@ class _Run:
     def _sample(
         self, scenario: Scenario, registry: Registry, count: int | None, seed: int, jobs: int
     ) -> None:
-        from ..search.sampling import sample_scenes
+        from ..scenes.sampling import sample_scenes
         from .progress import ProgressBar
 
         with ProgressBar("scenes") as progress:

@@ -37,7 +37,7 @@ def make_scenes(
     Raises `DiagnosticError` where there is none to have.
     """
     from ..plugins.discovery import load_registry
-    from ..search.sampling import sample_scenes
+    from ..scenes.sampling import sample_scenes
     from ..semantics import check_text
 
     registry = load_registry()

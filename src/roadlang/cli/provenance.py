@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .. import __version__
-from ..evaluate.building import KindInstance
+from ..evaluate.kind_instance import KindInstance
 from ..ir.manifest import Manifest, OutputFile, RequirementRecord
 from ..ir.scenario import Scenario
 from ..scenes.emitting import Output
-from ..search.sampling import SamplingResult
+from ..scenes.sampling import SamplingResult
 
 
 def manifest_of(

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..ir.batch import BatchRandom, RoadBatch, unit_interval
+from .draw_record import DrawRecord
+from .indexed_scenario import IndexedScenario
 from .randomness import place_keys, variant_keys
-
-if TYPE_CHECKING:
-    from .indexed_scenario import IndexedScenario
 
 Floats = NDArray[np.float64]
 T = TypeVar("T")
@@ -22,8 +21,9 @@ class CandidateBatch:
     """V candidates, told apart by (scene, attempt).
 
     `given` holds coordinates that a sampler or a search has chosen, (V,) by name; all others are
-    hashed of their place. Whatever is computed is kept by `once`, also for the survivors that
-    `take` chooses, so that a later requirement pays only for what is new to it.
+    hashed of their place. `record`, where one is passed, is told of all that is drawn. Whatever is
+    computed is kept by `once`, also for the survivors that `take` chooses, so that a later
+    requirement pays only for what is new to it; they have no record.
     """
 
     def __init__(
@@ -33,6 +33,7 @@ class CandidateBatch:
         scenes: NDArray[np.int64],
         attempts: NDArray[np.int64],
         given: Mapping[str, Floats] | None = None,
+        record: DrawRecord | None = None,
     ) -> None:
         self.scenario = scenario
         self.seed = seed
@@ -40,9 +41,8 @@ class CandidateBatch:
         self.attempts = attempts
         self.given = given or {}
         self.keys = variant_keys(seed, scenes, attempts)
-        self.asked: dict[str, Floats] | None = None
-        """All coordinates asked for, (V,) by name, where someone wants to know."""
-        self._kept: dict[Hashable, Any] = {}
+        self.record = record
+        self._computed: dict[Hashable, Any] = {}
         self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
 
     @property
@@ -61,30 +61,28 @@ class CandidateBatch:
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """What `compute` gives, computed at most once for these candidates."""
-        kept: T
-        if key in self._kept:
-            kept = self._kept[key]
+        computed: T
+        if key in self._computed:
+            computed = self._computed[key]
         else:
             found, value = self._inherited(key)
-            kept = self._kept[key] = value if found else compute()
-        return kept
+            computed = self._computed[key] = value if found else compute()
+        return computed
 
-    def kept(self, group: str) -> list[tuple[Any, Any]]:
-        """Keys and values of a group that were computed for these candidates."""
-        return [
-            (key, value)
-            for key, value in self._kept.items()
-            if isinstance(key, tuple) and key[0] == group
-        ]
+    def root(self, key: Hashable, is_drawn: bool, make: Callable[[CandidateBatch], T]) -> T:
+        """What `make` gives for these candidates; where nothing of it is drawn, once for all."""
+        if is_drawn:
+            return self.once(key, lambda: make(self))
+        return self.scenario.once(key, lambda: make(fixed_candidate(self.scenario)))
 
     def _inherited(self, key: Hashable) -> tuple[bool, Any]:
         if self._parent is None:
             return False, None
         parent, rows = self._parent
-        if key in parent._kept:
-            return True, _taken(parent._kept[key], rows, parent.count)
+        if key in parent._computed:
+            return True, _rows_of(parent._computed[key], rows, parent.count)
         found, value = parent._inherited(key)
-        return found, _taken(value, rows, parent.count) if found else None
+        return found, _rows_of(value, rows, parent.count) if found else None
 
     def uniform(self, place: str, element: int = 0) -> Floats:
         """(V, 1) numbers in [0, 1)."""
@@ -93,8 +91,8 @@ class CandidateBatch:
             numbers = self.given[name][:, None]
         else:
             numbers = unit_interval(place_keys(self.keys, place, element)[:, None], 1)
-        if self.asked is not None:
-            self.asked[name] = numbers[:, 0]
+        if self.record is not None:
+            self.record.coordinates[name] = numbers[:, 0]
         return numbers
 
     def random(self, place: str, element: int = 0) -> BatchRandom:
@@ -112,15 +110,22 @@ class _PassRandom(BatchRandom):
 
     def uniform(self, count: int, stream: int = 0) -> Floats:
         numbers = super().uniform(count, stream)
-        if self._candidates.asked is None and not self._candidates.given:
+        record, given = self._candidates.record, self._candidates.given
+        if record is None and not given:
             return numbers
         for column in range(count):
             name = f"{self._name}:{stream}:{column}"
-            if name in self._candidates.given:
-                numbers[:, column] = self._candidates.given[name]
-            if self._candidates.asked is not None:
-                self._candidates.asked[name] = numbers[:, column]
+            if name in given:
+                numbers[:, column] = given[name]
+            if record is not None:
+                record.coordinates[name] = numbers[:, column]
         return numbers
+
+
+def fixed_candidate(scenario: IndexedScenario) -> CandidateBatch:
+    """The one candidate that what does not depend on any draw is computed for."""
+    first = np.zeros(1, np.int64)
+    return scenario.once("fixed candidate", lambda: CandidateBatch(scenario, 0, first, first))
 
 
 def coordinate_name(place: str, element: int) -> str:
@@ -128,14 +133,14 @@ def coordinate_name(place: str, element: int) -> str:
     return f"{place}[{element}]" if element else place
 
 
-def _taken(value: Any, rows: NDArray[np.intp], count: int) -> Any:
+def _rows_of(value: Any, rows: NDArray[np.intp], count: int) -> Any:
     """The rows of what was computed for `count` candidates; what is alike in all stays."""
     if isinstance(value, np.ndarray):
         return value if value.ndim == 0 or value.shape[0] == 1 else value[rows]
     if isinstance(value, RoadBatch):
         return value.take(rows)
     if isinstance(value, tuple):
-        return tuple(_taken(item, rows, count) for item in value)
+        return tuple(_rows_of(item, rows, count) for item in value)
     if isinstance(value, dict):
-        return {key: _taken(item, rows, count) for key, item in value.items()}
+        return {key: _rows_of(item, rows, count) for key, item in value.items()}
     return value

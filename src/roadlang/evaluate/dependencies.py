@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
-from ..ir.scenario import Image, Named, Network, Road
+from ..ir.scenario import Named
 from ..ir.values import (
     Condition,
     Draw,
@@ -16,12 +15,8 @@ from ..ir.values import (
     Operation,
     PassCall,
     Reference,
-    Text,
     Value,
 )
-
-if TYPE_CHECKING:
-    from .indexed_scenario import IndexedScenario
 
 
 def children(value: Value) -> Iterator[Value]:
@@ -60,36 +55,3 @@ def draws_in(value: Value | None, named: Mapping[str, Named]) -> Iterator[Draw]:
 def entities_in(value: Value | None, named: Mapping[str, Named]) -> Iterator[Entity]:
     """All declared things that a value names."""
     return (item for item in walk(value, named) if isinstance(item, Entity))
-
-
-class Varying:
-    """Tells whether the root of a road or network (what it is before any `perturb`) is drawn.
-
-    Such roads differ in their stations, so that candidates are evaluated one by one.
-    """
-
-    def __init__(self, scenario: IndexedScenario) -> None:
-        self._scenario = scenario
-        self._known: dict[str, bool] = {}
-
-    def __call__(self, name: str) -> bool:
-        """Whether the root of the road or network `name` is drawn."""
-        if name not in self._known:
-            self._known[name] = any(map(self._is_drawn, self._scenario.chain(self._thing(name))))
-        return self._known[name]
-
-    def _thing(self, name: str) -> Image | Network | Road:
-        scenario = self._scenario
-        thing: Image | Network | Road | None = scenario.roads.get(name) or scenario.networks.get(
-            name
-        )
-        return thing if thing is not None else scenario.images[name]
-
-    def _is_drawn(self, thing: Image | Network | Road) -> bool:
-        shaping = [call for call in thing.passes if call.verb != "perturb"]
-        if any(getattr(self._scenario.kind(call)[1], "is_random", False) for call in shaping):
-            return True
-        options = [value for name, value in thing.options if name not in ("width", "lanes")]
-        if dict(thing.options).get("select") == Text("any"):
-            return True
-        return any(True for v in (*shaping, *options) for _ in draws_in(v, self._scenario.values))

@@ -1,4 +1,8 @@
-"""Values of a scenario for many candidates: numbers, or columns (V, 1) where they are random."""
+"""Values of a scenario for many candidates: numbers, or columns (V, 1) where they are random.
+
+Values hold calls of kinds and the options of kinds hold values, so that `evaluate` and `build`
+call each other.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +29,13 @@ from ..ir.values import (
     Text,
     Value,
 )
-from .candidates import CandidateBatch
+from ..plugins.guard import plugin_guard
+from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
+from ..plugins.options import OptionSchema, schema_of
+from .candidates import CandidateBatch, coordinate_name
+from .kind_instance import KindInstance, check_bounds, scalar
+
+Resolve = Callable[[Entity], Any]
 
 _BINARY: dict[str, Callable[[Any, Any], Any]] = {
     "+": operator.add,
@@ -53,9 +63,7 @@ def evaluate(value: Value, candidates: CandidateBatch, element: int = 0) -> Any:
     if isinstance(value, Operation):
         return _operation(value, candidates, element)
     if isinstance(value, Measure):
-        from ..world.signals import measured
-
-        return measured(value.call, candidates, element)
+        return candidates.scenario.measure(value.call, candidates, element)
     if isinstance(value, Items):
         return tuple(evaluate(item, candidates, element) for item in value.items)
     if isinstance(value, Entries):
@@ -80,8 +88,6 @@ def named(name: str, candidates: CandidateBatch) -> Any:
 
 def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
     """(V, 1) values of a draw."""
-    from .building import build
-
     element = 0 if draw.per == "scene" else element
 
     def quantile() -> Any:
@@ -90,7 +96,10 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
             found = built.kind.quantile(candidates.uniform(draw.place, element))
             return np.asarray(found).reshape(candidates.count, 1)
 
-    return candidates.once(("draw", draw.place, element), quantile)
+    values = candidates.once(("draw", draw.place, element), quantile)
+    if candidates.record is not None:
+        candidates.record.values[coordinate_name(draw.place, element)] = values
+    return values
 
 
 def _operation(value: Operation, candidates: CandidateBatch, element: int) -> Any:
@@ -105,14 +114,59 @@ def _operation(value: Operation, candidates: CandidateBatch, element: int) -> An
         return reduce(_BINARY[value.operator], operands)
 
 
-def scalar(value: Any) -> Any:
-    """A value of a single candidate without its column: plain Python numbers and strings."""
-    if isinstance(value, np.ndarray):
-        return value.reshape(-1)[0].item() if value.dtype != object else value.reshape(-1)[0]
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, tuple | list):
-        return tuple(scalar(item) for item in value)
-    if isinstance(value, dict):
-        return {key: scalar(item) for key, item in value.items()}
+def build(
+    call: PassCall,
+    candidates: CandidateBatch,
+    element: int = 0,
+    *,
+    single: bool = False,
+    resolve: Resolve | None = None,
+) -> KindInstance:
+    """The kind of a call. `single`: plain numbers of one candidate instead of columns.
+
+    Raises RL470 where the kind cannot be loaded or refuses its options, RL473 for a drawn option
+    that is out of bounds.
+    """
+    entry, kind = candidates.scenario.kind(call)
+    written = dict(call.options)
+    fields: dict[str, Any] = {}
+    for option in schema_of(kind):
+        if option.name in written:
+            value = evaluate(written[option.name], candidates, element)
+            value = scalar(value) if single else value
+            check_bounds(option, value, call)
+            fields[option.name] = _converted(option, value, candidates, element, single, resolve)
+        elif not option.required:
+            fields[option.name] = option.default
+    with plugin_guard(entry, call.span):
+        return KindInstance(kind(**fields), entry, call)
+
+
+def _converted(
+    option: OptionSchema,
+    value: Any,
+    candidates: CandidateBatch,
+    element: int,
+    single: bool,
+    resolve: Resolve | None,
+) -> Any:
+    if isinstance(value, Entity):
+        return resolve(value) if resolve is not None else value.name
+    if isinstance(value, PassCall) and not _takes_calls(option.type):
+        return value
+    if isinstance(value, PassCall):
+        return build(value, candidates, element, single=single, resolve=resolve).kind
+    if isinstance(value, tuple):
+        return tuple(_converted(option, v, candidates, element, single, resolve) for v in value)
+    if isinstance(option.type, QuantityType) and option.type.whole and not isinstance(value, str):
+        return np.rint(value).astype(np.int64) if isinstance(value, np.ndarray) else round(value)
     return value
+
+
+def _takes_calls(type: OptionType) -> bool:
+    """Whether a call in an option is built with it; in other options it is left to be chosen."""
+    if isinstance(type, ListType):
+        return _takes_calls(type.item)
+    if isinstance(type, UnionType):
+        return any(map(_takes_calls, type.alternatives))
+    return isinstance(type, CallType)

@@ -4,29 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import suppress
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
-from ..ir.values import Draw, PassCall, Value
+from ..ir.values import Draw, PassCall, Text, Value
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
 from ..plugins.registry import KindEntry, Registry, UnknownKind
 from .dependencies import draws_in, walk
 
-if TYPE_CHECKING:
-    from .candidates import CandidateBatch
-
 T = TypeVar("T")
+MeasureGeometry = Callable[[PassCall, Any, int], Any]
+"""From the call of a number of the geometry (`length(street)`), a `CandidateBatch` and the number
+of a road or copy to the values (V, 1)."""
 
 
 class IndexedScenario:
-    """What does not differ between candidates. `once` keeps what is computed for all of them."""
+    """What does not differ between candidates. `once` keeps what is computed for all of them.
 
-    def __init__(self, source: Scenario, registry: Registry) -> None:
+    `measure` reads numbers off the geometry, which stands above this room: the world hands it in.
+    """
+
+    def __init__(self, source: Scenario, registry: Registry, measure: MeasureGeometry) -> None:
         self.source = source
         self.registry = registry
+        self.measure = measure
         self.values: dict[str, Named] = {item.name: item for item in source.values}
         self.images: dict[str, Image] = {item.name: item for item in source.images}
         self.networks: dict[str, Network] = {item.name: item for item in source.networks}
@@ -34,17 +37,15 @@ class IndexedScenario:
         self.actors: dict[str, Actor] = {
             item.name: item for item in (*source.agents, *source.objects)
         }
-        self.digests: dict[str, str] = {}
-        """sha256 of every file read, by its path as written"""
-        self._kept: dict[Hashable, Any] = {}
+        self._computed: dict[Hashable, Any] = {}
         self._classes: dict[tuple[str, str], tuple[KindEntry, type[Kind]]] = {}
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """The result of `compute`, which runs once per key."""
-        if key not in self._kept:
-            self._kept[key] = compute()
-        kept: T = self._kept[key]
-        return kept
+        """What `compute` gives, computed at most once for all candidates."""
+        if key not in self._computed:
+            self._computed[key] = compute()
+        computed: T = self._computed[key]
+        return computed
 
     def kind(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
         """The class that a call names. Raises RL470 when it cannot be imported."""
@@ -62,14 +63,6 @@ class IndexedScenario:
             ) from None
         with plugin_guard(entry, call.span):
             return entry, entry.load()
-
-    def kept(self, group: str) -> list[tuple[Any, Any]]:
-        """Keys and values of a group that were computed."""
-        return [
-            (key, value)
-            for key, value in self._kept.items()
-            if isinstance(key, tuple) and key[0] == group
-        ]
 
     def values_everywhere(self) -> Iterator[Value]:
         """Every value that the scenario holds, in its order."""
@@ -137,18 +130,22 @@ class IndexedScenario:
         """The places of all draws that values depend on, named ones included."""
         return frozenset(draw.place for value in values for draw in draws_in(value, self.values))
 
-    @cached_property
-    def fixed(self) -> CandidateBatch:
-        """The one candidate that what does not depend on any draw is computed for."""
-        import numpy as np
+    def is_varying(self, name: str) -> bool:
+        """Whether the root of a road, network or image (what it is before any `perturb`) is drawn.
 
-        from .candidates import CandidateBatch
+        Such roads differ in their stations, so that candidates are evaluated one by one.
+        """
+        return self.once(("varying", name), lambda: any(map(self._is_drawn, self._links(name))))
 
-        return CandidateBatch(self, 0, np.zeros(1, np.int64), np.zeros(1, np.int64))
+    def _links(self, name: str) -> Iterator[Image | Network | Road]:
+        thing: Image | Network | Road | None = self.roads.get(name) or self.networks.get(name)
+        return self.chain(thing if thing is not None else self.images[name])
 
-    @cached_property
-    def is_varying(self) -> Callable[[str], bool]:
-        """Whether the root of a road or network differs between candidates."""
-        from .dependencies import Varying
-
-        return Varying(self)
+    def _is_drawn(self, thing: Image | Network | Road) -> bool:
+        shaping = [call for call in thing.passes if call.verb != "perturb"]
+        if any(getattr(self.kind(call)[1], "is_random", False) for call in shaping):
+            return True
+        options = [value for name, value in thing.options if name not in ("width", "lanes")]
+        if dict(thing.options).get("select") == Text("any"):
+            return True
+        return any(True for v in (*shaping, *options) for _ in draws_in(v, self.values))

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError
-from ..evaluate.building import build
-from ..evaluate.candidates import CandidateBatch
-from ..evaluate.evaluation import evaluate
+from ..evaluate.candidates import CandidateBatch, fixed_candidate
+from ..evaluate.dependencies import draws_in, walk
+from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Road
 from ..ir.values import (
@@ -150,12 +150,10 @@ def _support(draw: Draw, scenario: IndexedScenario) -> tuple[float, float]:
     ranges = dict(draw.call.options)
     if draw.call.kind in _FROM_LOW_TO_HIGH:
         return value_range(ranges["low"], scenario)[0], value_range(ranges["high"], scenario)[1]
-    from ..evaluate.dependencies import draws_in
-
     if any(True for _, v in draw.call.options for _ in draws_in(v, scenario.values)):
         return -math.inf, math.inf
     try:
-        built = build(draw.call, scenario.fixed, single=True)
+        built = build(draw.call, fixed_candidate(scenario), single=True)
     except DiagnosticError:  # bounds are a convenience: what is wrong shows when it is drawn
         return -math.inf, math.inf
     with built.guarded:
@@ -270,6 +268,4 @@ def _passes_between(a: Entity, b: Entity, scenario: IndexedScenario) -> list[Pas
 
 
 def _is_geometric(value: Value, scenario: IndexedScenario) -> bool:
-    from ..evaluate.dependencies import walk
-
     return any(isinstance(item, Measure) for item in walk(value, scenario.values))

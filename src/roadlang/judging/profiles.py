@@ -11,6 +11,7 @@ from ..ir.scenario import NamedSignal
 from ..ir.scene import Profile, RoadPlace, SceneSignal
 from ..ir.values import Condition
 from ..stl import Always, Eventually, Formula
+from ..world.placement import is_absent
 from ..world.signals import axes_of
 from .requirements import axis_signals
 from .verdicts import road_name
@@ -59,6 +60,9 @@ def _signal(signal: NamedSignal, candidates: CandidateBatch) -> SceneSignal:
 def _profiles(
     condition: Condition, formula: Formula, candidates: CandidateBatch
 ) -> tuple[Profile, ...]:
+    absent = is_absent(condition, 1, candidates)
+    if absent is not None and absent[0]:  # a group without any copy
+        return ()
     found = []
     for axis in axes_of(condition, candidates):
         positions, values, wrap = axis_signals(condition, axis, 1, candidates)

@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in, entities_in, walk
-from ..evaluate.evaluation import evaluate
+from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Actor, Constraint, Network, Road

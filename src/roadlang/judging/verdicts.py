@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.concrete import condition_json
+from ..evaluate.evaluation import build
 from ..ir.scenario import Constraint
 from ..ir.scene import Stretch, Verdict
 from ..ir.values import Condition
-from ..scenes.actors import condition_json
 from ..world.signals import axes_of
 from .requirements import axis_signals, condition_rho, monitor_rho
 

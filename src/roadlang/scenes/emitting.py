@@ -8,14 +8,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..evaluate.building import KindInstance, build
+from ..evaluate.candidates import fixed_candidate
+from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.kind_instance import KindInstance
 from ..ir.picture import Picture
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import Entity, PassCall
 from ..plugins.kinds import Backend
 from ..plugins.registry import Registry
+from ..world.index import index_scenario
+from ..world.pictures import load_picture
 
 _FILE_NAME = re.compile(r"[\w][\w.-]*\Z")
 
@@ -37,24 +41,23 @@ def backends_of(
 
     Raises `DiagnosticError` for options that are out of bounds and for kinds that are not there.
     """
-    scenario = IndexedScenario(source, registry)
+    scenario = index_scenario(source, registry)
+    fixed = fixed_candidate(scenario)
     calls = source.emits if names is None else [_call(source, name) for name in names]
 
     def resolve(entity: Entity) -> Any:
         return _picture(entity, scenario) if entity.role == "image" else entity.name
 
-    return [build(call, scenario.fixed, single=True, resolve=resolve) for call in calls]
+    return [build(call, fixed, single=True, resolve=resolve) for call in calls]
 
 
 def _picture(entity: Entity, scenario: IndexedScenario) -> Picture:
     """The picture of an image that an `emit` names. Raises RL229 for one that is drawn."""
-    from ..world.pictures import is_drawn, picture
-
     image = scenario.images[entity.name]
-    if is_drawn(image, scenario):
+    if scenario.is_varying(image.name):
         what, due = f"`{image.name}`", "the same in every scene"
         raise DiagnosticError(diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, due=due))
-    return picture(entity.name, scenario.fixed)
+    return load_picture(entity.name, fixed_candidate(scenario)).picture
 
 
 def _call(source: Scenario, name: str) -> PassCall:

@@ -2,56 +2,75 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
 
-from ..evaluate.candidates import CandidateBatch
+from ..evaluate.candidates import CandidateBatch, fixed_candidate
+from ..evaluate.concrete import call_of, concrete
+from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import evaluate, named
-from ..ir.scenario import Constraint
+from ..evaluate.indexed_scenario import IndexedScenario
+from ..ir.scenario import Constraint, Input
 from ..ir.scene import Provenance, Scene, Verdict
 from ..ir.values import Condition, PassCall
 from ..judging.profiles import robustness_profiles, scene_signals, tightest
 from ..judging.verdicts import verdict
-from .actors import call_of, concrete, legend_objects, scene_actors
+from ..world.networks import network_root
+from ..world.roads import road_root
+from .actors import legend_objects, scene_actors
 from .roads import scene_networks, scene_roads
 
 
+@dataclass(frozen=True)
+class ConcreteScene:
+    """A scene, and what extractors had to say of the pictures that it was made from."""
+
+    scene: Scene
+    remarks: tuple[str, ...]
+
+
 def instantiate(
-    candidates: CandidateBatch, index: int, overrides: dict[str, str] | None = None
-) -> Scene:
-    """The scene of the only candidate; `index` is its number.
+    candidates: CandidateBatch, index: int, overrides: Mapping[str, str]
+) -> ConcreteScene:
+    """The scene of the only candidate, which has a record; `index` is the scene's number.
 
     Evaluated by itself, so that its bytes do not depend on what it was searched with.
     """
-    scenario = candidates.scenario
-    source = scenario.source
-    # All that is drawn is drawn before it is listed.
-    roads, networks = scene_roads(candidates), scene_networks(candidates)
-    agents = scene_actors(source.agents, candidates)
-    objects = (*scene_actors(source.objects, candidates), *legend_objects(candidates))
+    assert candidates.record is not None
+    source = candidates.scenario.source
+    roots = [network_root(network, candidates) for network in source.networks]
     values = {item.name: _plain(named(item.name, candidates), candidates) for item in source.values}
     world = {name: _plain(evaluate(value, candidates), candidates) for name, value in source.world}
-    simulate = None if source.simulate is None else call_of(source.simulate, candidates)
-    return Scene(
+    legend = legend_objects(candidates)
+    scene = Scene(
         name=source.header.name,
         title=source.header.title,
         index=index,
-        provenance=provenance(candidates, index, overrides or {}),
+        provenance=provenance(candidates, index, overrides),
         values=values,
-        draws=_draws(candidates),
-        networks=networks,
-        roads=roads,
-        agents=agents,
-        objects=objects,
+        networks=scene_networks(candidates),
+        roads=scene_roads(candidates),
+        agents=scene_actors(source.agents, candidates),
+        objects=(*scene_actors(source.objects, candidates), *legend),
         world=world,
         signals=scene_signals(candidates),
         requirements=tuple(_judged(item, candidates) for item in source.requirements),
         expectations=tuple(_judged(item, candidates) for item in source.expectations),
-        simulate=simulate,
+        simulate=None if source.simulate is None else call_of(source.simulate, candidates),
     )
+    scene = replace(scene, draws=_draws(candidates.record, candidates))
+    return ConcreteScene(scene, tuple(remark for root in roots for remark in root.remarks))
+
+
+def fixed_remarks(scenario: IndexedScenario) -> tuple[str, ...]:
+    """What extractors had to say of the networks that are the same in every scene."""
+    fixed = [item for item in scenario.networks.values() if not scenario.is_varying(item.name)]
+    roots = [network_root(network, fixed_candidate(scenario)) for network in fixed]
+    return tuple(remark for root in roots for remark in root.remarks)
 
 
 def _judged(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
@@ -62,7 +81,7 @@ def _judged(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
     return replace(found, profiles=profiles, tightest=tightest(constraint.test, profiles))
 
 
-def provenance(candidates: CandidateBatch, index: int, overrides: dict[str, str]) -> Provenance:
+def provenance(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]) -> Provenance:
     """What a scene was made from and by."""
     scenario = candidates.scenario
     return Provenance(
@@ -70,9 +89,9 @@ def provenance(candidates: CandidateBatch, index: int, overrides: dict[str, str]
         seed=candidates.seed,
         scene=index,
         attempt=int(candidates.attempts[0]),
-        inputs=dict(sorted(scenario.digests.items())),
+        inputs={item.path: item.sha256 for item in _inputs(candidates)},
         plugins=scenario.origins(),
-        overrides=overrides,
+        overrides=dict(overrides),
     )
 
 
@@ -83,14 +102,19 @@ def _version(distribution: str) -> str:
         return "0+unknown"
 
 
-def _draws(candidates: CandidateBatch) -> dict[str, Any]:
+def _inputs(candidates: CandidateBatch) -> list[Input]:
+    """The files behind all networks and roads, by path."""
+    scenario = candidates.scenario
+    networks = [network_root(network, candidates) for network in scenario.networks.values()]
+    roads = [road_root(name, candidates) for name in scenario.roads]
+    found = {item for network in networks for item in network.inputs}
+    found |= {item for road in roads for item in road.inputs}
+    return sorted(found, key=lambda item: item.path)
+
+
+def _draws(record: DrawRecord, candidates: CandidateBatch) -> dict[str, Any]:
     """Every random value by its place; where there are several, by number (`place[2]`)."""
-    named: dict[str, Any] = {}
-    for key, value in candidates.kept("draw"):
-        place, element = key[1], key[2]
-        name = f"{place}[{element}]" if element else place
-        named[name] = _plain(value, candidates)
-    return dict(sorted(named.items()))
+    return {name: _plain(value, candidates) for name, value in sorted(record.values.items())}
 
 
 def _plain(value: Any, candidates: CandidateBatch) -> Any:

@@ -10,12 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from ..evaluate.candidates import CandidateBatch
+from ..evaluate.candidates import fixed_candidate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Image
 from ..judging.acceptance import Judge
-from ..world.pictures import is_drawn
+from ..world.networks import network_root
+from ..world.roads import road_root
 
+BATCH = 512
+"""Candidates judged at once: a signal of 500 stations then fits the second cache."""
 MOST, FEWEST = 10_000, 100
 BUDGET = 5e8
 """Units of work (a displacement at one station), about ten nanoseconds each."""
@@ -53,15 +56,12 @@ def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
     if thing is None:
         return False
     links = (link for link in scenario.chain(thing) if isinstance(link, Image))
-    return any(is_drawn(link, scenario) for link in links)
+    return any(scenario.is_varying(link.name) for link in links)
 
 
 def _stations(names: frozenset[str], scenario: IndexedScenario) -> int:
     """Of all the roads that are looked at."""
-    from ..world.networks import network_root
-    from ..world.roads import road_root
-
-    fixed: CandidateBatch = scenario.fixed
+    fixed = fixed_candidate(scenario)
     count = 1
     for name in names:
         if name in scenario.roads:

@@ -9,21 +9,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.draw_record import DrawRecord
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Judge
-from ..scenes.instantiate import instantiate
+from .accepted import Accepted
 from .effort import attempts_of
 from .rejection_report import RejectionStats
 from .surrogate import Surrogate
-
-if TYPE_CHECKING:
-    from .workers import Searched, Worker
 
 Floats = NDArray[np.float64]
 FIRST = 64
@@ -94,37 +92,27 @@ class Pilot:
         return np.asarray(groups[np.arange(ROUND), chance.argmax(axis=1)])
 
 
-def guided_search(worker: Worker, sampler: Any, scenes: Sequence[int]) -> Searched:
-    """The scenes of a block, each searched for by itself."""
-    judge, seed = worker.judge, worker.seed
+def guided_attempts(
+    judge: Judge, sampler: Any, seed: int, scenes: Sequence[int]
+) -> tuple[list[Accepted], RejectionStats]:
+    """The first accepted attempt of each scene, each searched for by itself."""
     pilot = judge.scenario.once(("pilot", seed), lambda: run_pilot(judge, sampler, seed))
     stats = RejectionStats.empty(len(judge.requirements))
     if 0 in scenes:
         stats.add(pilot.stats)
-    made, missing, points = [], [], []
-    for scene in scenes:
-        found = first_accepted(judge, sampler, pilot, seed, scene, stats)
-        if found is None:
-            missing.append(scene)
-            continue
-        attempt, given = found
-        candidates = worker.single(scene, attempt, given)
-        candidates.asked = {}
-        made.append(instantiate(candidates, scene, worker.overrides))
-        points.append(worker.coordinates(candidates))
-    return made, missing, stats, points
+    found = (first_accepted(judge, sampler, pilot, seed, scene, stats) for scene in scenes)
+    return [accepted for accepted in found if accepted is not None], stats
 
 
 def run_pilot(judge: Judge, sampler: Any, seed: int) -> Pilot:
     """Learn where the requirements hold: candidates drawn evenly first, then rounds of those that a
     surrogate of the robustness takes for the likeliest, until enough of them hold."""
     stats = RejectionStats.empty(len(judge.requirements))
-    first = _candidates(judge, seed, _PILOT, 0, FIRST)
-    first.asked = {}
-    rho = judge.measure(first)
+    record = DrawRecord()
+    rho = judge.measure(_candidates(judge, seed, _PILOT, 0, FIRST, record=record))
     _count(stats, rho)
-    names = tuple(first.asked)
-    points = np.stack([*first.asked.values(), np.empty(FIRST)], axis=1)[:, :-1]
+    names = tuple(record.coordinates)
+    points = np.stack([*record.coordinates.values(), np.empty(FIRST)], axis=1)[:, :-1]
     scale = _scale(rho)
     values = _scaled(rho, scale)
     pilot = Pilot(names, np.empty((0, len(names))), None, stats)
@@ -160,8 +148,8 @@ def _held(values: Floats) -> NDArray[np.bool_]:
 
 def first_accepted(
     judge: Judge, sampler: Any, pilot: Pilot, seed: int, scene: int, stats: RejectionStats
-) -> tuple[int, Mapping[str, Floats]] | None:
-    """The first accepted attempt of a scene and the coordinates that it was given."""
+) -> Accepted | None:
+    """The first accepted attempt of a scene."""
     for attempt in range(attempts_of(sampler, judge)):
         candidates = _candidates(judge, seed, scene, attempt, 1)
         if len(pilot.known):
@@ -171,7 +159,7 @@ def first_accepted(
         judged = judge.judge(candidates)
         stats.count(judged, np.ones(1, dtype=bool))
         if judged.accepted[0]:
-            return attempt, candidates.given
+            return Accepted(scene, scene, attempt, candidates.given)
     return None
 
 
@@ -182,9 +170,10 @@ def _candidates(
     start: int,
     count: int,
     given: Mapping[str, Floats] | None = None,
+    record: DrawRecord | None = None,
 ) -> CandidateBatch:
     attempts = np.arange(start, start + count)
-    return CandidateBatch(judge.scenario, seed, np.full(count, scene), attempts, given)
+    return CandidateBatch(judge.scenario, seed, np.full(count, scene), attempts, given, record)
 
 
 def _scale(rho: Floats) -> Floats:

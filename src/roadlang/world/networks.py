@@ -3,30 +3,33 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.kind_instance import scalar
 from ..geometry import Edge, Frame, RoadNetwork, WidthProfile
+from ..geometry.joints import junction_window
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
-from ..ir.scenario import FileSource, Image, Network
+from ..ir.scenario import FileSource, Image, Input, Network
 from ..ir.values import PassCall
 from .perturbation import perturbed
-from .pictures import is_drawn, picture
-from .reading import read_by_name, read_with
+from .pictures import load_picture
+from .reading import read_file
 from .stations import stations_of, still
 
 
 @dataclass(frozen=True, eq=False)
 class NetworkRoot:
-    """A network before any `perturb`. `mask` are the road pixels, where the extractor has them."""
+    """A network before any `perturb`. `mask` are the road pixels, where the extractor has them,
+    `inputs` the files that it was made from."""
 
     name: str
     network: RoadNetwork
@@ -35,6 +38,7 @@ class NetworkRoot:
     remarks: tuple[str, ...] = ()
     mask: NDArray[np.bool_] | None = None
     scale: float | None = None
+    inputs: tuple[Input, ...] = ()
     _frames: dict[int, Frame] = field(default_factory=dict)
 
     def frame(self, edge: int) -> Frame:
@@ -54,9 +58,8 @@ def network_root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     """The network at the bottom of a chain of networks."""
     scenario = candidates.scenario
     bottom: Any = list(_networks(network, scenario))[-1]
-    if scenario.is_varying(bottom.name):
-        return candidates.once(("network root", bottom.name), lambda: _root(bottom, candidates))
-    return scenario.once(("network root", bottom.name), lambda: _root(bottom, scenario.fixed))
+    drawn = scenario.is_varying(bottom.name)
+    return candidates.root(("network root", bottom.name), drawn, partial(_root, bottom))
 
 
 def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
@@ -84,8 +87,6 @@ def _still_edge(network: Network, edge: int, candidates: CandidateBatch) -> Road
 
 
 def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
-    from ..geometry.joints import junction_window
-
     calls = [call for call in network.passes if call.verb == "perturb"]
     if not calls:
         return batch
@@ -100,8 +101,6 @@ def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBa
 def _chosen_edges(
     call: PassCall, network: RoadNetwork, candidates: CandidateBatch
 ) -> frozenset[int]:
-    from ..evaluate.evaluation import evaluate, scalar
-
     given = dict(call.common).get("roads")
     every = frozenset(edge.id for edge in network.edges)
     if given is None:
@@ -146,19 +145,25 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
 
 
 def _from_file(network: Network, source: FileSource, scenario: IndexedScenario) -> NetworkRoot:
-    reading = [call for call in network.passes if call.verb == "read"]
-    if reading:
-        found: Any = read_with(reading[0], source, "network", scenario, network.span)
-    else:
-        found, _ = read_by_name(source, "network", scenario, network.span)
+    content = read_file(source, "network", network.passes, scenario, network.span)
+    found: Extraction | RoadNetwork = content.value
     if isinstance(found, RoadNetwork):
-        return NetworkRoot(network.name, found)
-    return _root_of(network.name, found)
+        return NetworkRoot(network.name, found, inputs=(content.input,))
+    return _root_of(network.name, found, None, (content.input,))
 
 
-def _root_of(name: str, found: Extraction, scale: float | None = None) -> NetworkRoot:
+def _root_of(
+    name: str, found: Extraction, scale: float | None, inputs: tuple[Input, ...]
+) -> NetworkRoot:
     return NetworkRoot(
-        name, found.network, found.objects, found.confidence, found.remarks, found.mask, scale
+        name,
+        found.network,
+        found.objects,
+        found.confidence,
+        found.remarks,
+        found.mask,
+        scale,
+        inputs,
     )
 
 
@@ -167,11 +172,10 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
     call = (
         calls[0] if calls else PassCall("extract", "standard.auto", (), f"{network.name}/extract")
     )
-    scenario = candidates.scenario
-    shot = picture(image.name, candidates if is_drawn(image, scenario) else scenario.fixed)
+    loaded = load_picture(image.name, candidates)
     built = build(call, candidates, single=True)
     with built.guarded:
-        found = built.kind.extract(shot)
+        found = built.kind.extract(loaded.picture)
     if not isinstance(found, Extraction):
         raise DiagnosticError(
             diagnose(
@@ -182,7 +186,7 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
                 fault=f"gave a {type(found).__name__}, not an Extraction",
             )
         )
-    return _root_of(network.name, found, shot.scale)
+    return _root_of(network.name, found, loaded.picture.scale, loaded.inputs)
 
 
 def _check_finite(root: NetworkRoot, network: Network) -> None:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..evaluate.building import KindInstance, build, one_of_batch
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.evaluation import evaluate
+from ..evaluate.evaluation import build, evaluate
+from ..evaluate.kind_instance import KindInstance, row_of_kind
 from ..geometry import Window, displace, over
 from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
@@ -85,7 +85,7 @@ def _displacements(
 def _displacement(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
     """(S,) meters of one variant."""
     one = road.take(np.array([row if road.variants > 1 else 0]))
-    kind = one_of_batch(built.kind, row)
+    kind = row_of_kind(built.kind, row)
     with built.guarded:
         moves = np.asarray(kind.displacement(one, random.generator(row)), dtype=np.float64)
     stations = len(road.stations)

@@ -4,38 +4,47 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import draws_in
-from ..evaluate.evaluation import evaluate, scalar
+from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..images.image_file import OpenedImage, open_image
+from ..evaluate.kind_instance import scalar
+from ..images.image_file import open_image
 from ..ir.picture import Picture
-from ..ir.scenario import FileSource, Image, TextSource
+from ..ir.scenario import FileSource, Image, Input, TextSource
 from ..ir.values import PassCall, Value
 from ..plugins.registry import KindEntry
+from .reading import read_file
 
 LEAST_SCALE, GREATEST_SCALE = 1e-4, 1e4
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
+class LoadedPicture:
+    """`inputs`: the files that it was read from."""
+
+    picture: Picture
+    inputs: tuple[Input, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class _Draft:
-    """A picture whose scale is not known yet."""
+    """A picture whose scale may not be known yet."""
 
     picture: Picture
     scale: float | None
+    inputs: tuple[Input, ...] = ()
 
 
-def picture(name: str, candidates: CandidateBatch) -> Picture:
+def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
     """The image of the only candidate. Raises DiagnosticError RL400 to RL408."""
     image = candidates.scenario.images[name]
-    candidates = candidates if is_drawn(image, candidates.scenario) else candidates.scenario.fixed
     draft = _draft(image, candidates)
     if draft.scale is None:
         raise DiagnosticError(
@@ -50,37 +59,27 @@ def picture(name: str, candidates: CandidateBatch) -> Picture:
         raise DiagnosticError(
             diagnose(Code.IMPLAUSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")
         )
-    return replace(draft.picture, scale=draft.scale)
-
-
-def is_drawn(image: Image, scenario: IndexedScenario) -> bool:
-    """Whether an image differs between candidates."""
-    values = [value for link in scenario.chain(image) for _, value in link.options]
-    calls = [call for link in scenario.chain(image) for call in link.passes]
-    if any(getattr(scenario.kind(call)[1], "is_random", False) for call in calls):
-        return True
-    return any(True for value in (*values, *calls) for _ in draws_in(value, scenario.values))
+    return LoadedPicture(replace(draft.picture, scale=draft.scale), draft.inputs)
 
 
 def _draft(image: Image, candidates: CandidateBatch) -> _Draft:
-    scenario = candidates.scenario
+    drawn = candidates.scenario.is_varying(image.name)
+    return candidates.root(("picture", image.name), drawn, partial(_adjusted, image))
 
-    def make() -> _Draft:
-        draft = _base(image, candidates)
-        options = {key: scalar(evaluate(value, candidates)) for key, value in image.options}
-        if options.get("scale") is not None:
-            draft = replace(draft, scale=float(options["scale"]))
-        if options.get("legend"):
-            legend = {key: _kind_name(item) for key, item in options["legend"].items()}
-            draft = replace(draft, picture=replace(draft.picture, legend=legend))
-        for call in image.passes:
-            if call.verb == "adjust":
-                draft = replace(draft, picture=_adjusted(draft.picture, call, candidates))
-        return draft
 
-    if is_drawn(image, scenario):
-        return candidates.once(("picture", image.name), make)
-    return scenario.once(("picture", image.name), make)
+def _adjusted(image: Image, candidates: CandidateBatch) -> _Draft:
+    """The picture with its scale and legend, after all its passes."""
+    draft = _base(image, candidates)
+    options = {key: scalar(evaluate(value, candidates)) for key, value in image.options}
+    if options.get("scale") is not None:
+        draft = replace(draft, scale=float(options["scale"]))
+    if options.get("legend"):
+        legend = {key: _kind_name(item) for key, item in options["legend"].items()}
+        draft = replace(draft, picture=replace(draft.picture, legend=legend))
+    for call in image.passes:
+        if call.verb == "adjust":
+            draft = replace(draft, picture=_after(call, draft.picture, candidates))
+    return draft
 
 
 def _base(image: Image, candidates: CandidateBatch) -> _Draft:
@@ -91,8 +90,7 @@ def _base(image: Image, candidates: CandidateBatch) -> _Draft:
             raise DiagnosticError(diagnose(Code.EMPTY_TEXT_IMAGE, image.span, name=image.name))
         return _Draft(Picture(None, 1.0, characters=_squared(rows)), None)
     if isinstance(source, FileSource):
-        opened = _opened(source, image, candidates.scenario)
-        return _Draft(Picture(opened.pixels, 1.0, path=source.path), opened.scale)
+        return _from_file(source, image, candidates.scenario)
     origin = candidates.scenario.source_of(image)
     assert isinstance(origin, Image)
     return _draft(origin, candidates)
@@ -103,34 +101,31 @@ def _squared(rows: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(row.ljust(width) for row in rows)
 
 
-def _opened(source: FileSource, image: Image, scenario: IndexedScenario) -> OpenedImage:
-    reading = [call for call in image.passes if call.verb == "read"]
-    if reading:
-        return scenario.once(
-            ("read", source.resolved), lambda: _read(source, reading[0], image, scenario)
-        )
+def _from_file(source: FileSource, image: Image, scenario: IndexedScenario) -> _Draft:
+    has_reader = any(call.verb == "read" for call in image.passes)
 
-    def opening() -> OpenedImage:
+    def make() -> _Draft:
+        if has_reader:
+            return _read(source, image, scenario)
         opened = open_image(Path(source.resolved), source.path, image.span)
-        scenario.digests[source.path] = opened.sha256
-        return opened
+        inputs = (Input(source.path, opened.sha256),)
+        return _Draft(Picture(opened.pixels, 1.0, path=source.path), opened.scale, inputs)
 
-    return scenario.once(("open", source.resolved), opening)
+    # Pictures that are opened are shared; what a reader makes of one depends on its options.
+    key = ("image read", image.name) if has_reader else ("image opened", source.resolved)
+    return scenario.once(key, make)
 
 
-def _read(
-    source: FileSource, call: PassCall, image: Image, scenario: IndexedScenario
-) -> OpenedImage:
-    from .reading import read_with
-
-    found = read_with(call, source, "image", scenario, image.span)
-    pixels = np.asarray(found, np.uint8)
+def _read(source: FileSource, image: Image, scenario: IndexedScenario) -> _Draft:
+    content = read_file(source, "image", image.passes, scenario, image.span)
+    pixels = np.asarray(content.value, np.uint8)
     if pixels.ndim == 2:
         pixels = np.repeat(pixels[..., None], 3, axis=2)
-    return OpenedImage(np.ascontiguousarray(pixels[..., :3]), None, scenario.digests[source.path])
+    colors = np.ascontiguousarray(pixels[..., :3])
+    return _Draft(Picture(colors, 1.0, path=source.path), None, (content.input,))
 
 
-def _adjusted(before: Picture, call: PassCall, candidates: CandidateBatch) -> Picture:
+def _after(call: PassCall, before: Picture, candidates: CandidateBatch) -> Picture:
     if before.pixels is None:
         raise DiagnosticError(
             diagnose(Code.ADJUST_ON_TEXT_IMAGE, call.span, kind=call.kind.rpartition(".")[2])

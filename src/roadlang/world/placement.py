@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in, entities_in
-from ..evaluate.evaluation import evaluate, scalar
+from ..evaluate.evaluation import evaluate
+from ..evaluate.kind_instance import scalar
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Actor
 from ..ir.values import Condition, PassCall
@@ -69,8 +70,8 @@ def counts(actor: Actor, candidates: CandidateBatch) -> NDArray[np.int64]:
 
 
 def most_copies(actor: Actor, candidates: CandidateBatch) -> int:
-    """The greatest count among these candidates, at least 1."""
-    return max(1, int(counts(actor, candidates).max()))
+    """The greatest count among these candidates."""
+    return int(counts(actor, candidates).max(initial=0))
 
 
 def is_absent(
@@ -95,9 +96,8 @@ def room(actor: Actor, candidates: CandidateBatch) -> Floats:
         return np.ones(candidates.count)
     number = counts(actor, candidates)
     least = np.full(candidates.count, np.inf)
-    for copy in range(
-        1, (most_copies(actor, candidates) if _differs(actor, candidates) else 1) + 1
-    ):
+    most = most_copies(actor, candidates) if _differs(actor, candidates) else 1
+    for copy in range(1, most + 1):
         start = start_of(actor, candidates, copy)
         inside = np.minimum(start, road.length - start)[:, 0]
         # The last station is the end: rounding must not put 100% beyond it.

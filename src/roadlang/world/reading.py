@@ -3,42 +3,66 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
-from ..evaluate.building import build
-from ..evaluate.candidates import CandidateBatch
+from ..evaluate.candidates import fixed_candidate
+from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Curve, Road, RoadNetwork
 from ..images.image_file import read_input
 from ..ir.picture import Extraction
-from ..ir.scenario import FileSource
+from ..ir.scenario import FileSource, Input
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry
 
 
-def read_with(
+@dataclass(frozen=True, eq=False)
+class FileContent:
+    """What a reader made of a file, and the file with its digest."""
+
+    value: Any
+    input: Input
+
+
+def read_file(
+    source: FileSource,
+    reads: str,
+    passes: tuple[PassCall, ...],
+    scenario: IndexedScenario,
+    span: Span | None,
+) -> FileContent:
+    """What a file holds: by the `read with` among `passes`, else by the ending of its name.
+
+    `reads` is what the statement declares: "image", "network" or "road". Raises RL400 and RL401
+    for a file that cannot be read, RL410 where no reader takes it, RL474 for a wrong result.
+    """
+    reading = [call for call in passes if call.verb == "read"]
+    if reading:
+        return _read_with(reading[0], source, reads, scenario, span)
+    return _read_by_name(source, reads, scenario, span)
+
+
+def _read_with(
     call: PassCall, source: FileSource, reads: str, scenario: IndexedScenario, span: Span | None
-) -> Any:
-    """What the reader of a call makes of a file."""
-    only = CandidateBatch(scenario, 0, np.zeros(1, np.int64), np.zeros(1, np.int64))
-    note_digest(source, scenario, call.span or span)
-    built = build(call, only, single=True)
+) -> FileContent:
+    input = _input_of(source, scenario, call.span or span)
+    built = build(call, fixed_candidate(scenario), single=True)
     with built.guarded:
         found = built.kind.read(Path(source.resolved))
-    return checked_input(found, reads, built.entry, call.span or span)
+    return FileContent(checked_input(found, reads, built.entry, call.span or span), input)
 
 
-def read_by_name(
+def _read_by_name(
     source: FileSource, reads: str, scenario: IndexedScenario, span: Span | None
-) -> tuple[Any, KindEntry]:
-    """What the reader of a file's ending makes of it. Raises RL410 when there is none."""
+) -> FileContent:
     ending = Path(source.path).suffix.lower()
-    note_digest(source, scenario, span)
+    input = _input_of(source, scenario, span)
     known: set[str] = set()
     failures: list[DiagnosticError] = []
     for entry in scenario.registry.of("read"):
@@ -53,7 +77,7 @@ def read_by_name(
         if ending in suffixes:
             with plugin_guard(entry, span):
                 found = kind().read(Path(source.resolved))
-            return checked_input(found, reads, entry, span), entry
+            return FileContent(checked_input(found, reads, entry, span), input)
     if failures:
         raise failures[0]
     raise DiagnosticError(
@@ -93,8 +117,11 @@ def _described(found: Any) -> str:
     return f"a {type(found).__name__}"
 
 
-def note_digest(source: FileSource, scenario: IndexedScenario, span: Span | None) -> None:
-    """Keep the sha256 of an input for the provenance. Raises RL400, RL401."""
-    if source.path not in scenario.digests:
+def _input_of(source: FileSource, scenario: IndexedScenario, span: Span | None) -> Input:
+    """The file with its sha256, read once for all candidates."""
+
+    def make() -> Input:
         content = read_input(Path(source.resolved), source.path, span)
-        scenario.digests[source.path] = hashlib.sha256(content).hexdigest()
+        return Input(source.path, hashlib.sha256(content).hexdigest())
+
+    return scenario.once(("input", source.resolved), make)

@@ -4,25 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.evaluation import evaluate, scalar
+from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.kind_instance import scalar
 from ..geometry import Curve, Frame, Path, WidthProfile
 from ..geometry import Road as RoadShape
 from ..ir.batch import RoadBatch
-from ..ir.scenario import FileSource, Network, Road
+from ..ir.scenario import FileSource, Input, Network, Road
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
-from .networks import edge_batch, network_root
+from .networks import NetworkRoot, edge_batch, network_root
 from .perturbation import displaced, perturbed
-from .reading import read_by_name, read_with
+from .reading import read_file
 from .selection import selected
 from .stations import stations_of, still
 
@@ -33,7 +34,8 @@ DEFAULT_LANES = 2
 
 @dataclass(frozen=True, eq=False)
 class RoadRoot:
-    """A road before any `perturb`. `path`: its way through a network, where it comes of one."""
+    """A road before any `perturb`. `path`: its way through a network, where it comes of one;
+    `inputs`: the files that it was made from."""
 
     id: str
     frame: Frame
@@ -41,6 +43,7 @@ class RoadRoot:
     lanes: int | None = None
     path: Path | None = None
     network: Network | None = None
+    inputs: tuple[Input, ...] = ()
 
 
 def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
@@ -66,9 +69,8 @@ def road_root(name: str, candidates: CandidateBatch) -> RoadRoot:
     """What a road is before anything was perturbed."""
     scenario = candidates.scenario
     bottom = list(_roads(scenario.roads[name], scenario))[-1]
-    if scenario.is_varying(bottom.name):
-        return candidates.once(("road root", bottom.name), lambda: _root(bottom, candidates))
-    return scenario.once(("road root", bottom.name), lambda: _root(bottom, scenario.fixed))
+    drawn = scenario.is_varying(bottom.name)
+    return candidates.root(("road root", bottom.name), drawn, partial(_root, bottom))
 
 
 def lanes_of(name: str, candidates: CandidateBatch) -> int:
@@ -166,11 +168,12 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
         edge = root.network.edge(steps[0].edge)
         if steps[0].stop >= edge.length:
             id = f"{root.name}/{edge.id}"
-            return RoadRoot(id, root.frame(edge.id), edge.width, None, path, network)
-    return _way(root.name, path, network, candidates)
+            frame = root.frame(edge.id)
+            return RoadRoot(id, frame, edge.width, None, path, network, root.inputs)
+    return _way(root, path, network, candidates)
 
 
-def _way(name: str, path: Path, network: Network, candidates: CandidateBatch) -> RoadRoot:
+def _way(root: NetworkRoot, path: Path, network: Network, candidates: CandidateBatch) -> RoadRoot:
     """The same way through the same network is one root, whichever road statement names it."""
     steps = "+".join(f"{step.edge}:{step.start:.6g}:{step.stop:.6g}" for step in path.steps)
     keeper = candidates if candidates.scenario.is_varying(network.name) else candidates.scenario
@@ -178,8 +181,9 @@ def _way(name: str, path: Path, network: Network, candidates: CandidateBatch) ->
     def frame() -> Frame:
         return Frame.of(path.curve, stations_of(path.curve))
 
-    id = f"{name}/{steps}"
-    return RoadRoot(id, keeper.once(("way", id), frame), path.width, None, path, network)
+    id = f"{root.name}/{steps}"
+    shared = keeper.once(("way", id), frame)
+    return RoadRoot(id, shared, path.width, None, path, network, root.inputs)
 
 
 def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
@@ -197,12 +201,8 @@ def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
 
 
 def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
-    scenario = candidates.scenario
-    reading = [call for call in road.passes if call.verb == "read"]
-    if reading:
-        found = read_with(reading[0], source, "road", scenario, road.span)
-    else:
-        found, _ = read_by_name(source, "road", scenario, road.span)
+    content = read_file(source, "road", road.passes, candidates.scenario, road.span)
+    found: Curve | RoadShape = content.value
     curve = found.curve if isinstance(found, RoadShape) else found
     width = found.width if isinstance(found, RoadShape) else None
     lanes = found.lanes if isinstance(found, RoadShape) else None
@@ -210,8 +210,10 @@ def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> Ro
     if closed is not None and bool(scalar(evaluate(closed, candidates))) != curve.closed:
         curve = Curve.through(curve.points, not curve.closed)
         width = None if width is None else WidthProfile.even(width.widths, curve.length)
+    reading = [call for call in road.passes if call.verb == "read"]
     curve = _checked(curve, road, reading[0] if reading else None)
-    return RoadRoot(road.name, Frame.of(curve, stations_of(curve)), width, lanes)
+    frame = Frame.of(curve, stations_of(curve))
+    return RoadRoot(road.name, frame, width, lanes, inputs=(content.input,))
 
 
 def _is_closed(road: Road, candidates: CandidateBatch) -> bool:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.evaluation import evaluate, scalar
+from ..evaluate.evaluation import build, evaluate
+from ..evaluate.kind_instance import scalar
 from ..geometry import GeometryError, Path, Step
 from ..ir.scenario import Road
 from ..ir.values import PassCall

@@ -9,14 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..evaluate.building import build
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import entities_in
+from ..evaluate.evaluation import build
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Network
 from ..ir.values import Entity, PassCall, Value
 from ..plugins.guard import wrong_result
 from .networks import NetworkRoot, edge_batch, network_root
+from .placement import start_of
 from .roads import road_batch
 
 Floats = NDArray[np.float64]
@@ -88,7 +89,6 @@ def _stations_of(kind: Any) -> set[int]:
 
 def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Floats:
     """A number of the geometry, (V, 1): `length(street)`, `van.start`."""
-    from .placement import start_of
 
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):

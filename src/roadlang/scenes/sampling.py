@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 import numpy as np
 
-from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.candidates import CandidateBatch
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
-from ..ir.values import PassCall
 from ..judging.acceptance import Judge
 from ..judging.bounds import is_impossible
 from ..plugins.registry import Registry
-from .rejection_report import RejectionStats, Row, as_text, rows_of
-
-Progress = Callable[[int, int], None]
+from ..search.rejection_report import RejectionStats, Row, as_text, rows_of
+from ..search.samplers import Progress
+from ..search.scene_search import SceneSearch
+from ..search.searching import search
+from ..world.index import index_scenario
+from .instantiate import fixed_remarks, instantiate
 
 
 @dataclass(frozen=True)
@@ -62,44 +63,27 @@ def sample_scenes(
     Neither `n` nor `jobs` changes a scene. Raises DiagnosticError for what is wrong with the
     inputs or a plugin; that nothing was accepted is no error, but told by the result.
     """
-    from .searching import search
-    from .workers import WorkerPool
-
-    scenario = IndexedScenario(source, registry)
-    judge = Judge(scenario)
-    impossible = _impossible(judge, seed)
+    scenario = index_scenario(source, registry)
+    task = SceneSearch(scenario, seed, partial(instantiate, overrides=overrides or {}))
+    impossible = _impossible(task.judge, seed)
     if impossible:
-        return _nothing(judge, impossible, n or 1)
-    with WorkerPool(scenario, seed, jobs, overrides or {}) as pool:
-        found = search(judge, seed, n, pool, progress)
-    names = frozenset(found.impossible)
+        return _nothing(task.judge, impossible, n or 1)
+    found = search(task, n, jobs, progress)
+    concrete = [sample.result for sample in found.samples]
+    remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))
     return SamplingResult(
-        scenes=tuple(found.scenes),
+        scenes=tuple(item.scene for item in concrete),
         wanted=found.wanted,
         candidates=found.stats.candidates,
-        table=rows_of(found.stats, judge.requirements, names),
+        table=rows_of(found.stats, task.judge.requirements, frozenset()),
         missing=tuple(found.missing),
-        impossible=tuple(judge.requirements[index].text for index in sorted(names)),
-        remarks=remarks_of(scenario),
+        remarks=tuple(dict.fromkeys(remarks)),
         diversity=found.diversity,
     )
 
 
-def remarks_of(scenario: IndexedScenario) -> tuple[str, ...]:
-    """What extractors had to say of the pictures."""
-    roots: list[Any] = [value for key, value in scenario.kept("network root")]
-    return tuple(dict.fromkeys(remark for root in roots for remark in root.remarks))
-
-
-def sampler_call(scenario: IndexedScenario) -> PassCall:
-    """The `sample with` of the file, or `random`."""
-    return scenario.source.sample or PassCall("sample", "standard.random", (), "sample")
-
-
 def _impossible(judge: Judge, seed: int) -> frozenset[int]:
     """Requirements that bounds refute, or that nothing random has a say in and that fail."""
-    from ..evaluate.candidates import CandidateBatch
-
     refuted = {
         index
         for index, requirement in enumerate(judge.requirements)

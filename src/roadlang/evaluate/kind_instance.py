@@ -1,0 +1,93 @@
+"""A kind with its options evaluated, and the plugin to name when it fails."""
+
+from __future__ import annotations
+
+import dataclasses
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..ir.values import PassCall
+from ..plugins.guard import plugin_guard
+from ..plugins.kinds import Kind
+from ..plugins.options import OptionSchema
+from ..plugins.registry import KindEntry
+
+
+@dataclass(frozen=True)
+class KindInstance:
+    """A kind with concrete options, where it comes from, and the call that asked for it."""
+
+    kind: Any
+    entry: KindEntry
+    call: PassCall
+
+    @property
+    def guarded(self) -> AbstractContextManager[None]:
+        """What the kind raises inside is reported with the name of its plugin."""
+        return plugin_guard(self.entry, self.call.span)
+
+
+def row_of_kind(kind: Any, row: int) -> Any:
+    """The kind of one candidate of a batch: its columns become plain numbers and words."""
+    picked = {
+        field.name: _at_row(getattr(kind, field.name), row) for field in dataclasses.fields(kind)
+    }
+    return dataclasses.replace(kind, **picked)
+
+
+def _at_row(value: Any, row: int) -> Any:
+    """The value of one candidate, also of columns inside lists, points, maps and calls."""
+    if isinstance(value, np.ndarray) and value.ndim == 2:
+        return scalar(value[row : row + 1] if value.shape[0] > 1 else value)
+    if isinstance(value, tuple):
+        return tuple(_at_row(item, row) for item in value)
+    if isinstance(value, dict):
+        return {key: _at_row(item, row) for key, item in value.items()}
+    return row_of_kind(value, row) if isinstance(value, Kind) else value
+
+
+def scalar(value: Any) -> Any:
+    """A value of a single candidate without its column: plain Python numbers and strings."""
+    if isinstance(value, np.ndarray):
+        return value.reshape(-1)[0].item() if value.dtype != object else value.reshape(-1)[0]
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, tuple | list):
+        return tuple(scalar(item) for item in value)
+    if isinstance(value, dict):
+        return {key: scalar(item) for key, item in value.items()}
+    return value
+
+
+def check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:
+    """Constants are checked with the file; drawn and computed values here. Raises RL473."""
+    if not isinstance(value, float | int | np.ndarray) or isinstance(value, bool):
+        return
+    numbers = np.asarray(value)
+    if numbers.dtype.kind not in "fiu":
+        return
+    limits = option.constraints
+    wrong = np.isnan(numbers)
+    for bound, outside in (
+        (limits.minimum, np.less),
+        (limits.maximum, np.greater),
+        (limits.above, np.less_equal),
+        (limits.below, np.greater_equal),
+    ):
+        if bound is not None:
+            wrong = wrong | outside(numbers, bound)
+    if wrong.any():
+        found = float(numbers[wrong].reshape(-1)[0])
+        raise DiagnosticError(
+            diagnose(
+                Code.DRAWN_VALUE_OUT_OF_BOUNDS,
+                call.span,
+                option=option.name,
+                kind=call.kind.rpartition(".")[2],
+                value=f"{found:g}",
+            )
+        )

@@ -1,0 +1,43 @@
+"""Random search: a stream of attempts for each scene, judged in batches."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..evaluate.candidates import CandidateBatch
+from ..judging.acceptance import Judge
+from .accepted import Accepted
+from .effort import BATCH, attempts_of
+from .rejection_report import RejectionStats
+
+
+def accepted_attempts(
+    judge: Judge, sampler: Any, seed: int, scenes: Sequence[int]
+) -> tuple[list[Accepted], RejectionStats]:
+    """The first accepted attempt of each scene, and the counts up to it."""
+    attempts = attempts_of(sampler, judge)
+    stats = RejectionStats.empty(len(judge.requirements))
+    accepted: dict[int, int] = {}
+    pending, start = list(scenes), 0
+    while pending and start < attempts:
+        width = 1 if judge.one_by_one else max(1, BATCH // len(pending))
+        width = min(width, attempts - start, 4 * start + 4)
+        tries = np.arange(start, start + width)
+        candidates = CandidateBatch(
+            judge.scenario, seed, np.repeat(pending, width), np.tile(tries, len(pending))
+        )
+        judged = judge.judge(candidates)
+        counted = np.ones(candidates.count, dtype=bool)
+        fine = judged.accepted.reshape(len(pending), width)
+        for row, scene in enumerate(pending):
+            if fine[row].any():
+                first = int(fine[row].argmax())
+                accepted[scene] = start + first
+                counted[row * width + first + 1 : (row + 1) * width] = False
+        stats.count(judged, counted)
+        pending = [scene for scene in pending if scene not in accepted]
+        start += width
+    return [Accepted(scene, scene, accepted[scene]) for scene in sorted(accepted)], stats

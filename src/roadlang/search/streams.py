@@ -1,0 +1,88 @@
+"""Sequential search: one stream of candidates for all scenes, as grids and sequences have it."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.kind_instance import KindInstance
+from ..judging.acceptance import Judge
+from ..plugins.guard import wrong_result
+from .accepted import Accepted
+from .effort import BATCH, attempts_of
+from .rejection_report import RejectionStats
+from .samplers import DrawnPlace, drawn_values
+
+
+@dataclass(frozen=True)
+class StreamResult:
+    """`missing`: the scenes that no candidate was left for."""
+
+    wanted: int
+    accepted: tuple[Accepted, ...]
+    missing: tuple[int, ...]
+    stats: RejectionStats
+
+
+def accepted_of_stream(
+    judge: Judge, sampler: KindInstance, seed: int, n: int | None
+) -> StreamResult:
+    """Scene i is the i-th accepted candidate of the stream. `n` None: all of a finite stream, one
+    of an endless one."""
+    draws = drawn_values(judge.scenario)
+    with sampler.guarded:
+        size = _size(sampler.kind.size(draws))
+    wanted = n if n is not None else (size or 1)
+    limit = size if size is not None else attempts_of(sampler.kind, judge)
+    stats = RejectionStats.empty(len(judge.requirements))
+    accepted: list[Accepted] = []
+    for candidates in _stream(judge, sampler, draws, seed, limit):
+        judged = judge.judge(candidates)
+        rows = np.flatnonzero(judged.accepted)[: wanted - len(accepted)]
+        for row in rows:
+            chosen = {name: values[row : row + 1] for name, values in candidates.given.items()}
+            accepted.append(Accepted(len(accepted), 0, int(candidates.attempts[row]), chosen))
+        last = int(rows[-1]) if len(accepted) == wanted and len(rows) else candidates.count
+        stats.count(judged, np.arange(candidates.count) <= last)
+        if len(accepted) == wanted:
+            break
+    is_short = bool(accepted) and (size is None or n is not None)
+    missing = range(len(accepted), wanted) if is_short else range(0 if accepted else 1)
+    return StreamResult(wanted, tuple(accepted), tuple(missing), stats)
+
+
+def _size(given: object) -> int | None:
+    """A count or None. Raises `TypeError` for anything else, `ValueError` below 0."""
+    size = None if given is None else operator.index(given)  # type: ignore[arg-type]
+    if size is not None and size < 0:
+        raise ValueError(f"its size is {size}")
+    return size
+
+
+def _stream(
+    judge: Judge, sampler: KindInstance, draws: Sequence[DrawnPlace], seed: int, limit: int
+) -> Iterator[CandidateBatch]:
+    width = 1 if judge.one_by_one else BATCH
+    for start in range(0, limit, width):
+        indices = np.arange(start, min(start + width, limit))
+        with sampler.guarded:
+            points = np.asarray(sampler.kind.points(indices, draws, seed), dtype=float)
+        _check_points(points, sampler, len(indices), len(draws))
+        given = {draw.place: points[:, column] for column, draw in enumerate(draws)}
+        yield CandidateBatch(judge.scenario, seed, np.zeros_like(indices), indices, given)
+
+
+def _check_points(
+    points: NDArray[np.float64], sampler: KindInstance, count: int, dimensions: int
+) -> None:
+    if points.shape != (count, dimensions) or not ((points >= 0) & (points <= 1)).all():
+        raise wrong_result(
+            sampler.entry,
+            sampler.call.span,
+            f"gave points of shape {points.shape} or beyond [0, 1]",
+        )
