@@ -1,3 +1,58 @@
-"""roadlang: a plugin-based compiler for driving scenarios."""
+"""roadlang: a plugin-based compiler for driving scenarios.
+
+    import roadlang
+
+    scenes = roadlang.load("hairpin.rl").sample(3, seed=7)
+    scenes[0].roads["bent"].curvature
+    scenes.emit("out")
+
+All names are imported when they are first used: `import roadlang` alone imports no numpy.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 __version__ = "0.2.0"
+
+if TYPE_CHECKING:
+    from .diagnostics import Diagnostic, DiagnosticError
+    from .session.drives import Drive, DriveSet
+    from .session.loading import LoadedScenario, load, loads
+    from .session.scene import RoadArrays, Scene
+    from .session.scene_set import NoSceneError, SceneSet
+
+_MODULES = {
+    ".diagnostics": "Diagnostic DiagnosticError",
+    ".session.drives": "Drive DriveSet",
+    ".session.loading": "LoadedScenario load loads",
+    ".session.scene": "RoadArrays Scene",
+    ".session.scene_set": "NoSceneError SceneSet",
+}
+_HOME = {name: module for module, names in _MODULES.items() for name in names.split()}
+
+__all__ = [
+    "Diagnostic",
+    "DiagnosticError",
+    "Drive",
+    "DriveSet",
+    "LoadedScenario",
+    "NoSceneError",
+    "RoadArrays",
+    "Scene",
+    "SceneSet",
+    "__version__",
+    "load",
+    "loads",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOME[name], __package__), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -9,7 +9,7 @@ import pytest
 from godot_scenes import bend, pieces, road, scene, straight
 from scipy.spatial import cKDTree
 
-from roadlang.cli.made_scenes import make_scenes
+from roadlang import load
 from roadlang_godot.engine import Engine
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import Shot, build, take
@@ -40,7 +40,7 @@ def test_a_road_found_in_its_own_picture_is_where_it_was(
         "road main from found { select: longest }\n",
         encoding="utf-8",
     )
-    made = make_scenes(str(file), {}, 1).scenes[0]
+    made = load(file).sample(1)[0].record
     found = next(one for one in made.roads if one.name == "main")
     # The picture's bottom left corner is the origin of what is read from it.
     corner = np.array([layout.frame.x, layout.frame.y]) - 0.5 * PIXELS * SCALE

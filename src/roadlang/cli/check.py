@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import click
 
 from ..diagnostics import Diagnostic, DiagnosticError
 from ..ir.scenario import Scenario
+from ..session.scene_files import parse_overrides
 from . import exit_codes
 from .console import report
-from .scene_files import parse_overrides, read_scene_file
 
 
 @click.command("check")
@@ -46,13 +45,15 @@ def command(
 
 
 def _check(name: str, overrides: dict[str, str]) -> tuple[Scenario | None, list[Diagnostic]]:
-    from ..semantics import check_text
+    from ..session.loading import load
 
     try:
-        text = read_scene_file(name)
+        loaded = load(name).with_params(overrides)
+        found = list(loaded.check())
     except DiagnosticError as error:
         return None, list(error.diagnostics)
-    return check_text(text, Path(name), overrides)
+    has_errors = any(diagnostic.is_error for diagnostic in found)
+    return None if has_errors else loaded.scenario, found
 
 
 def _print_scenario(scenario: Scenario) -> None:

@@ -51,11 +51,11 @@ def _count(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}" if number else ""
 
 
-def say(text: str) -> None:
+def echo(text: str) -> None:
     """A result, to stdout."""
     click.echo(text, color=wants_color(sys.stdout))
 
 
-def paint(text: str, style: str) -> str:
-    """`text` in an ANSI style (`"1"` bold, `"32"` green) where stdout shows colors."""
-    return f"\x1b[{style}m{text}\x1b[0m" if wants_color(sys.stdout) else text
+def style(text: str, *, fg: str | None = None, bold: bool | None = None) -> str:
+    """`text` in a color or bold, as `click.style` has them, where stdout shows colors."""
+    return click.style(text, fg=fg, bold=bold) if wants_color(sys.stdout) else text

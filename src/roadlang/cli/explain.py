@@ -15,7 +15,7 @@ from ..diagnostics import (
     did_you_mean,
     page,
 )
-from .console import paint, say
+from .console import echo, style
 
 
 def _complete(
@@ -37,9 +37,9 @@ def command(code: str | None) -> None:
     """
     if code is None:
         for known in codes():
-            say(f"{paint(known, '1')} {page(known).name}: {page(known).title}")
+            echo(f"{style(known, bold=True)} {page(known).name}: {page(known).title}")
         return
-    say(_shown(_find(code)))
+    echo(_shown(_find(code)))
 
 
 def _find(code: str) -> Page:
@@ -61,5 +61,5 @@ def _find(code: str) -> Page:
 
 
 def _shown(found: Page) -> str:
-    title = paint(f"{found.code} {found.name}: {found.title}", "1")
+    title = style(f"{found.code} {found.name}: {found.title}", bold=True)
     return f"{title} ({found.severity})\n\n{found.body}"

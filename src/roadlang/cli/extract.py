@@ -10,7 +10,7 @@ import click
 
 from ..diagnostics import Code
 from . import exit_codes
-from .console import report, say
+from .console import echo, report
 
 if TYPE_CHECKING:
     from ..ir.picture import Extraction, Picture
@@ -191,7 +191,7 @@ def _tell(found: Extraction, wrote: bool) -> None:
         count = len(found.network.edges)
         roads = f"{count} road{'' if count == 1 else 's'}"
         about = f"{found.remarks[0]}, " if found.remarks else ""
-        say(f"{roads} ({about}{found.confidence:.0%} sure)")
+        echo(f"{roads} ({about}{found.confidence:.0%} sure)")
     if not found.network.edges:
         report([diagnose(Code.NO_ROAD_IN_IMAGE, help=found.remarks)])
         click.get_current_context().exit(exit_codes.SCENARIO_HAS_ERRORS)

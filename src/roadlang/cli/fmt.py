@@ -11,9 +11,9 @@ from pathlib import Path
 import click
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, diagnose
+from ..session.scene_files import STANDARD_INPUT, read_scene_file
 from . import exit_codes
-from .console import report, say
-from .scene_files import STANDARD_INPUT, read_scene_file
+from .console import echo, report
 
 
 @click.command("fmt")
@@ -40,7 +40,7 @@ def command(files: tuple[str, ...], only_check: bool, diff: bool) -> None:
         elif name == STANDARD_INPUT and not only_check:
             sys.stdout.write(formatted)
         elif formatted != text and only_check:
-            say(f"{name} would change")
+            echo(f"{name} would change")
         elif formatted != text:
             _replace(Path(name), formatted)
     report(found)

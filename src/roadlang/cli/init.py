@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from .console import say
+from .console import echo
 
 TEMPLATES = {
     "bend": "a drawn road, bent within limits, with a car",
@@ -46,4 +46,4 @@ def command(file: str, template: str) -> None:
         raise DiagnosticError(
             diagnose(Code.UNWRITABLE_OUTPUT, path=file, reason=reason.lower())
         ) from None
-    say(f"wrote {file}; now: roadlang compile {file} -o out -n 4")
+    echo(f"wrote {file}; now: roadlang compile {file} -o out -n 4")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .console import say
+from .console import echo
 
 if TYPE_CHECKING:
     from ..stl.explain.mining import Parameter
@@ -53,12 +53,12 @@ def command(
             "robustness": mined.rho if abs(mined.rho) != float("inf") else str(mined.rho),
             "at_bound": list(mined.at_bound),
         }
-        say(json.dumps(found, indent=2))
+        echo(json.dumps(found, indent=2))
         return
     for name, value in mined.values.items():
         note = "  (the end of its bounds)" if name in mined.at_bound else ""
-        say(f"{name} = {value:.{digits}g}{note}")
-    say(f"{mined.formula}  holds on every trace")
+        echo(f"{name} = {value:.{digits}g}{note}")
+    echo(f"{mined.formula}  holds on every trace")
 
 
 def _parameter(text: str) -> Parameter:

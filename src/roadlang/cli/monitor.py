@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from . import exit_codes
-from .console import say
+from .console import echo
 
 if TYPE_CHECKING:
     from ..stl import Formula
@@ -38,10 +38,10 @@ def command(
     parsed = parse(formula)
     findings = [_finding(parsed, path, wrap, plot) for path in traces]
     if as_json:
-        say(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
+        echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
     else:
-        say(str(parsed))
-        say(_table(findings))
+        echo(str(parsed))
+        echo(_table(findings))
     broken = any(finding["verdict"] == "violated" for finding in findings)
     click.get_current_context().exit(exit_codes.EXPECTATION_BROKEN if broken else exit_codes.DONE)
 

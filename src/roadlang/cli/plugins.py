@@ -9,7 +9,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from ..diagnostics import Code
-from .console import paint, say
+from .console import echo, style
 
 if TYPE_CHECKING:
     from ..plugins.registry import KindEntry, Registry
@@ -35,7 +35,7 @@ def command(context: click.Context, as_json: bool, verb: str | None) -> None:
         click.echo(json.dumps(_record(registry, verb), indent=2))
         return
     for line in _listing(registry, verb):
-        say(line)
+        echo(line)
 
 
 def _complete(
@@ -62,7 +62,7 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
     if as_json:
         click.echo(json.dumps([_kind_record(entry) for entry in entries], indent=2))
         return
-    say("\n\n".join("\n".join(_shown(entry)) for entry in entries))
+    echo("\n\n".join("\n".join(_shown(entry)) for entry in entries))
 
 
 def _check_verb(verb: str) -> None:
@@ -102,10 +102,10 @@ def _listing(registry: Registry, verb: str | None) -> list[str]:
         entries = [entry for entry in registry.entries if entry.origin == origin]
         shown = [entry for entry in entries if verb in (None, entry.verb)]
         if shown:
-            lines += ["", f"{paint(origin.plugin, '1')}  ({origin}, {len(entries)} kinds)"]
+            lines += ["", f"{style(origin.plugin, bold=True)}  ({origin}, {len(entries)} kinds)"]
             lines += [f"  {name:<30} {text}" for name, text in map(_line, shown)]
     for broken in registry.broken:
-        head = paint(f"{broken.origin.plugin}  ({broken.origin}) is broken", "31")
+        head = style(f"{broken.origin.plugin}  ({broken.origin}) is broken", fg="red")
         lines += ["", f"{head}: {broken.reason}"]
     return lines[1:] or ["no plugins are installed"]
 
@@ -131,12 +131,12 @@ def _help(entry: KindEntry) -> str:
 def _shown(entry: KindEntry) -> list[str]:
     from ..plugins.describing import bounds_text, default_text, type_text
 
-    lines = [f"{paint(f'{entry.verb} {entry.name}', '1')}: {_help(entry)}"]
+    lines = [f"{style(f'{entry.verb} {entry.name}', bold=True)}: {_help(entry)}"]
     lines.append(f"  from {entry.origin} (plugin `{entry.origin.plugin}`)")
     for option in entry.options:
         default = "required" if option.required else f"default {default_text(option)}"
         facts = "; ".join(filter(None, [type_text(option), default, bounds_text(option)]))
-        lines.append(f"\n  {paint(option.name, '1')}: {facts}")
+        lines.append(f"\n  {style(option.name, bold=True)}: {facts}")
         if option.help:
             lines.append(f"      {option.help}")
     if not entry.options:

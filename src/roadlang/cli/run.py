@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..session.scene_files import parse_overrides
 from . import exit_codes
-from .console import paint, report, say
-from .scene_files import parse_overrides
+from .console import echo, report, style
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from ..ir.scene import Scene, Verdict
-    from ..ir.trace import Trace
-    from ..plugins.kinds import Simulator
-    from ..plugins.registry import KindEntry
-    from .made_scenes import MadeScenes
+    from ..session.drives import Drive, DriveSet
 
 
 @click.command("run")
@@ -49,105 +41,66 @@ def command(  # noqa: PLR0913 - one parameter per option
 
     The exit code is 4 where an expectation is broken, and 5 where the engine failed.
     """
-    from .made_scenes import make_scenes
+    from ..session.loading import load
 
-    made = make_scenes(file, parse_overrides(settings), count, seed)
-    report(made.warnings)
-    changes: dict[str, Any] = {}
+    target = Path(folder).absolute()
+    scenes = load(file).with_params(parse_overrides(settings)).sample(count, seed=seed)
+    report(scenes.diagnostics)
+    options: dict[str, Any] = {}
     if duration is not None:
-        changes["duration"] = duration
+        options["duration"] = duration
     if window:
-        changes["headless"] = False
-    simulator, entry = simulator_of(made, engine, changes)
-    driven = _driven(simulator, entry, made)
-    _write(Path(folder), driven)
+        options["headless"] = False
+    drives = scenes.run(engine, **options)
+    _write(target, drives)
     if as_json:
-        click.echo(
-            json.dumps([_record(scene, verdicts) for scene, _, verdicts in driven], indent=2)
-        )
+        click.echo(json.dumps([_record(drive) for drive in drives], indent=2))
     else:
-        for scene, trace, verdicts in driven:
-            _print(scene, trace, verdicts)
-    broken = any(v.satisfied is False for _, _, verdicts in driven for v in verdicts)
-    code = exit_codes.EXPECTATION_BROKEN if broken else exit_codes.DONE
+        for drive in drives:
+            _print(drive)
+        echo(f"{_summary(drives)}traces and verdicts in {folder}")
+    code = exit_codes.DONE if drives.satisfied else exit_codes.EXPECTATION_BROKEN
     click.get_current_context().exit(code)
 
 
-def simulator_of(
-    made: MadeScenes, engine: str | None, changes: dict[str, Any]
-) -> tuple[Simulator, KindEntry]:
-    """The simulator that the command line or the file names, with the file's options."""
-    from ..plugins.guard import plugin_guard
-
-    call = made.scenes[0].simulate
-    names = made.registry.names("simulate")
-    name = engine or (call.kind if call is not None else names[0])
-    if not made.registry.has("simulate", name):
-        hints = did_you_mean(name, names) or (f"there are {', '.join(names)}",)
-        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="engine", name=name, help=hints))
-    entry = made.registry.find_recorded("simulate", name)
-    with plugin_guard(entry, None):
-        kind: Any = entry.load()
-    options = dict(call.options) if call is not None and call.kind == name else {}
-    known = {field.name for field in dataclasses.fields(kind)}
-    options |= {key: value for key, value in changes.items() if key in known}
-    with plugin_guard(entry, None):
-        simulator: Simulator = kind(**options)
-    return simulator, entry
-
-
-def _driven(
-    simulator: Simulator, entry: KindEntry, made: MadeScenes
-) -> list[tuple[Scene, Trace, tuple[Verdict, ...]]]:
-    from ..drive.controllers import python_controllers
-    from ..ir.trace import Trace
-    from ..judging.drives import judge
-    from ..plugins.guard import plugin_guard, wrong_result
-
-    controllers = [python_controllers(scene, made.registry) for scene in made.scenes]
-    with plugin_guard(entry, None):
-        traces = list(simulator.drive_all(made.scenes, controllers))
-    for trace in traces:
-        if not isinstance(trace, Trace):
-            raise wrong_result(entry, None, f"gave a {type(trace).__name__}, not a Trace")
-    return [
-        (scene, trace, judge(scene, trace, made.registry))
-        for scene, trace in zip(made.scenes, traces, strict=True)
-    ]
-
-
-def _write(folder: Path, driven: Sequence[tuple[Scene, Trace, tuple[Verdict, ...]]]) -> None:
-    from ..drive.trace_files import to_csv, to_json
+def _write(folder: Path, drives: DriveSet) -> None:
     from ..scenes.writing import write_all
 
-    files: dict[str, bytes] = {}
-    for scene, trace, verdicts in driven:
-        stem = f"scene-{scene.index:04d}"
-        files[f"{stem}.trace.csv"] = to_csv(trace).encode()
-        files[f"{stem}.trace.json"] = to_json(trace).encode()
-        record = json.dumps(_record(scene, verdicts), indent=2) + "\n"
-        files[f"{stem}.verdicts.json"] = record.encode()
+    files: dict[str, str] = {}
+    for drive in drives:
+        stem = f"scene-{drive.scene.index:04d}"
+        files[f"{stem}.trace.csv"] = drive.to_csv()
+        files[f"{stem}.trace.json"] = drive.to_json()
+        files[f"{stem}.verdicts.json"] = json.dumps(_record(drive), indent=2) + "\n"
     write_all(folder, files)
 
 
-def _record(scene: Scene, verdicts: Sequence[Verdict]) -> dict[str, Any]:
+def _record(drive: Drive) -> dict[str, Any]:
     return {
-        "scene": scene.index,
-        "name": scene.name,
+        "scene": drive.scene.index,
+        "name": drive.scene.name,
         "expectations": [
             {"name": v.name, "text": v.text, "robustness": v.robustness, "satisfied": v.satisfied}
-            for v in verdicts
+            for v in drive.verdicts.values()
         ],
     }
 
 
-def _print(scene: Scene, trace: Trace, verdicts: Sequence[Verdict]) -> None:
-    took = f"{trace.time[-1]:.1f} s" if len(trace.time) else "no time"
-    say(f"scene {scene.index}: {took} driven in {trace.engine}")
-    for verdict in verdicts:
-        good = verdict.satisfied
-        word = paint("holds ", "32") if good else paint("broken", "31")
-        if good is None:
+def _print(drive: Drive) -> None:
+    took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
+    echo(f"scene {drive.scene.index}: {took} driven in {drive.engine}")
+    for verdict in drive.verdicts.values():
+        word = style("holds ", fg="green") if verdict.satisfied else style("broken", fg="red")
+        if verdict.satisfied is None:
             word = "not judged"
         rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
-        say(f"  {word}  {verdict.name}: {verdict.text}{rho}")
+        echo(f"  {word}  {verdict.name}: {verdict.text}{rho}")
+
+
+def _summary(drives: DriveSet) -> str:
+    """`5 of 9 scenes satisfy all expectations; `, or nothing where nothing is expected."""
+    if not any(drive.verdicts for drive in drives):
+        return ""
+    satisfied = sum(drive.satisfied for drive in drives)
+    noun = "scene satisfies" if len(drives) == 1 else "scenes satisfy"
+    return f"{satisfied} of {len(drives)} {noun} all expectations; "

@@ -2,7 +2,8 @@
 
 from .catalog import Page, UnknownCode, codes, page
 from .code import Code
-from .diagnostic import Diagnostic, DiagnosticError, Fix, Label, Severity, diagnose
+from .diagnostic import Diagnostic, Fix, Label, Severity, diagnose
+from .errors import DiagnosticError
 from .nearest import did_you_mean, nearest
 from .source import Source, Span
 

@@ -150,6 +150,7 @@ class Code:
     MISSING_FILE: Final = "RL450"
     UNUSABLE_FILE: Final = "RL451"
     OUTPUT_NOT_WRITTEN: Final = "RL460"
+    NOT_A_SCENE: Final = "RL461"
     PLUGIN_FAILED: Final = "RL470"
     KIND_NOT_INSTALLED: Final = "RL471"
     IMPOSSIBLE_GEOMETRY: Final = "RL472"

@@ -53,14 +53,6 @@ class Diagnostic:
         return self.span.source.path if self.span is not None else self.path
 
 
-class DiagnosticError(Exception):
-    """Carries diagnostics to whoever reports them. Raised for bad input, never for bugs."""
-
-    def __init__(self, *diagnostics: Diagnostic) -> None:
-        super().__init__("; ".join(f"{d.code}: {d.message}" for d in diagnostics))
-        self.diagnostics = diagnostics
-
-
 def diagnose(
     code: str,
     span: Span | None = None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from roadlang.cli.console import say
+from roadlang.cli.console import echo
 
 
 @click.command("godot")
@@ -23,14 +23,14 @@ def command(headless: bool, host: str, port: int, transport: str, where: bool) -
 
     if where:
         found = engine.find()
-        say(f"engine   {found}")
-        say(f"version  {engine.version_of(found)}")
-        say(f"project  {engine.project()}")
+        echo(f"engine   {found}")
+        echo(f"version  {engine.version_of(found)}")
+        echo(f"project  {engine.project()}")
         return
     engine.version_of(engine.find())
     running = engine.start(
         window=not headless, host=host, port=port, transport=transport, quit_idle=None
     )
     with running:
-        say(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C ends it")
+        echo(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C ends it")
         running.process.wait()

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import click
 
-from roadlang.cli.console import report, say
-from roadlang.cli.scene_files import parse_overrides
+from roadlang.cli.console import echo, report
 from roadlang.diagnostics import Code, DiagnosticError, diagnose
+from roadlang.session.scene_files import parse_overrides
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
@@ -54,7 +54,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     A chase view follows an agent, the top view shows the whole scene from above with north up,
     the free view looks from anywhere. Without a screen a virtual one is used.
     """
-    from roadlang.cli.made_scenes import make_scenes
+    from roadlang import load
     from roadlang.scenes.writing import write_all
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
@@ -65,9 +65,9 @@ def command(  # noqa: PLR0913 - one parameter per option
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_CHOICE, what="picture format", name=suffix, help=help)
         )
-    made = make_scenes(file, parse_overrides(settings), index + 1, seed)
-    report(made.warnings)
-    scene = made.scenes[-1]
+    scenes = load(file).with_params(parse_overrides(settings)).sample(index + 1, seed=seed)
+    report(scenes.diagnostics)
+    scene = scenes[-1].record
     width, height = _size(size)
     pose = _numbers(camera) if camera else None
     view = view or ("chase" if scene.agents else "top")
@@ -75,10 +75,10 @@ def command(  # noqa: PLR0913 - one parameter per option
     moment = time if time is not None else (0.0 if view == "top" else 4.0)
     if suffix in CLIPS:
         frames = render_clip(scene, shot, path, duration, fps, time or 0.0)
-        say(f"{path}: {frames} frames")
+        echo(f"{path}: {frames} frames")
         return
     write_all(path.parent, {path.name: render_picture(scene, shot, moment)})
-    say(f"{path}: {width} x {height}")
+    echo(f"{path}: {width} x {height}")
 
 
 def _size(text: str) -> tuple[int, int]:

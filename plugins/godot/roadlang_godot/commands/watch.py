@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.cli.console import report, say
-from roadlang.cli.scene_files import parse_overrides, read_scene_file
+from roadlang.cli.console import echo, report
 from roadlang.diagnostics import DiagnosticError
+from roadlang.session.scene_files import parse_overrides, read_scene_file
 
 if TYPE_CHECKING:
-    from roadlang.cli.made_scenes import MadeScenes
+    from roadlang import LoadedScenario, SceneSet
     from roadlang_godot.live import LiveScene, Move
     from roadlang_godot.session import Session
 
@@ -46,41 +46,39 @@ def command(  # noqa: PLR0913 - one parameter per option
 
     In the window, objects and road points can be dragged; robustness is shown live.
     """
-    from roadlang.cli.made_scenes import make_scenes
+    from roadlang import load
     from roadlang_godot import engine
 
-    overrides = parse_overrides(settings)
-    made = make_scenes(file, overrides, 1, seed)
-    report(made.warnings)
-    watcher = Watcher(file, overrides, seed, road, save)
+    loaded = load(file).with_params(parse_overrides(settings))
+    scenes = loaded.sample(1, seed=seed)
+    report(scenes.diagnostics)
+    watcher = Watcher(loaded, seed, road, save)
     deadline = float("inf") if seconds is None else time.monotonic() + seconds
     if host is not None:
-        with engine.connect(host, port, name=made.scenes[0].name) as session:
-            watcher.run(session, made, deadline)
+        with engine.connect(host, port, name=scenes[0].name) as session:
+            watcher.run(session, scenes, deadline)
         return
     with engine.start(window=not headless) as running, running.connect() as session:
-        watcher.run(session, made, deadline)
+        watcher.run(session, scenes, deadline)
 
 
 class Watcher:
     """Looks after one file and one simulator."""
 
-    def __init__(
-        self, file: str, overrides: dict[str, str], seed: int, road: str, save: bool
-    ) -> None:
-        self._file = file
-        self._overrides = overrides
+    def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
+        self._loaded = loaded
+        self._file = str(loaded.path)
         self._seed = seed
         self._road = road
         self._save = save
-        self._text = read_scene_file(file)
+        self._text = loaded.text
 
-    def run(self, session: Session, made: MadeScenes, deadline: float) -> None:
+    def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
         from roadlang_godot.live import LiveScene
 
-        live = LiveScene(session, made.scenes[0], self._road)
-        say(f"{self._file} is driven; save it to change it, Ctrl-C to leave")
+        live = LiveScene(session, scenes[0].record, self._road)
+        echo(f"{self._file} is driven; save it to change it, Ctrl-C to leave")
         judged = 0.0
         while time.monotonic() < deadline:
             for move in live.listen(LISTEN):
@@ -88,7 +86,7 @@ class Watcher:
             self._look(live)
             if time.monotonic() - judged > JUDGE_EVERY:
                 judged = time.monotonic()
-                live.show(_lines(live, made))
+                live.show(_lines(live, scenes))
 
     def _look(self, live: LiveScene) -> None:
         try:
@@ -101,19 +99,17 @@ class Watcher:
             self._change(live)
 
     def _change(self, live: LiveScene) -> None:
-        from roadlang.cli.made_scenes import make_scenes
-
         try:
             began = time.monotonic()
-            made = make_scenes(self._file, self._overrides, 1, self._seed, self._text)
+            (scene,) = self._loaded.with_text(self._text).sample(1, seed=self._seed)
             compiled = time.monotonic()
-            count = live.change(made.scenes[0])
+            count = live.change(scene.record)
         except DiagnosticError as error:
             report(error.diagnostics)
             return
         sent = 1000 * (time.monotonic() - compiled)
         compiling = 1000 * (compiled - began)
-        say(f"{count} changes in {sent:.0f} ms, after {compiling:.0f} ms of compiling")
+        echo(f"{count} changes in {sent:.0f} ms, after {compiling:.0f} ms of compiling")
 
     def _take(self, move: Move, live: LiveScene) -> None:
         from .scene_edits import object_moved, waypoint_moved
@@ -125,7 +121,7 @@ class Watcher:
         else:
             text = waypoint_moved(self._text, move.name, move.start, move.end)
         if text is None:
-            say(f"`{move.name}` is not placed by numbers in {self._file}: it stays")
+            echo(f"`{move.name}` is not placed by numbers in {self._file}: it stays")
             return
         self._text = text
         if self._save:
@@ -133,14 +129,14 @@ class Watcher:
         self._change(live)
 
 
-def _lines(live: LiveScene, made: MadeScenes) -> list[str]:
+def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
     """Robustness of every requirement, and of every expectation on what was driven lately."""
     from roadlang.judging.drives import judge
 
     verdicts = list(live.scene.requirements)
     trace = live.trace()
     if trace is not None:
-        verdicts += judge(live.scene, trace, made.registry)
+        verdicts += judge(live.scene, trace, scenes.loaded.registry)
     return [
         f"{'ok ' if v.satisfied else 'BROKEN '} {v.name}  {v.robustness:.2f}"
         for v in verdicts

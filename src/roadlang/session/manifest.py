@@ -24,7 +24,7 @@ def manifest_of(
     backends: Sequence[KindInstance],
 ) -> Manifest:
     """What was written, from what, and how the requirements fared."""
-    made = result.scenes[0].provenance
+    sampled = result.scenes[0].provenance
     emitting = {b.entry.origin.distribution: b.entry.origin.version for b in backends}
     return Manifest(
         name=scenario.header.name,
@@ -35,8 +35,8 @@ def manifest_of(
         scenes=result.accepted,
         asked=result.wanted,
         candidates=result.candidates,
-        inputs=dict(sorted({**_scene_file_digests(scenario), **made.inputs}.items())),
-        plugins=dict(sorted({**made.plugins, **emitting}.items())),
+        inputs=dict(sorted({**_scene_file_digests(scenario), **sampled.inputs}.items())),
+        plugins=dict(sorted({**sampled.plugins, **emitting}.items())),
         overrides=dict(sorted(overrides.items())),
         requirements=tuple(
             RequirementRecord(row.name, row.text, row.tried, row.rejected, row.best)

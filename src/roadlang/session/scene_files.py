@@ -1,4 +1,4 @@
-"""The scene files named on a command line, as text."""
+"""Scene files as text, and the values that replace those of their params."""
 
 from __future__ import annotations
 

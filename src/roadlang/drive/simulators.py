@@ -1,0 +1,61 @@
+"""Drives scenes in a simulator and judges what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ..ir.scene import Scene, Verdict
+from ..ir.trace import Trace
+from ..judging.drives import judge
+from ..plugins.configured import configured, entry_of
+from ..plugins.guard import plugin_guard, wrong_result
+from ..plugins.kinds import Simulator
+from ..plugins.registry import KindEntry, Registry
+from .controllers import python_controllers
+
+
+@dataclass(frozen=True)
+class Driven:
+    """What happened to one scene, and how its expectations came out."""
+
+    scene: Scene
+    trace: Trace
+    verdicts: tuple[Verdict, ...]
+
+
+def simulator_of(
+    scene: Scene, registry: Registry, engine: str | None, options: Mapping[str, Any]
+) -> tuple[KindEntry, Simulator]:
+    """The simulator called `engine`, else the scene's, else the first there is.
+
+    `options` (SI units) come before those of the scene's `simulate with`, which count where it
+    names the same engine. Raises `DiagnosticError` RL930 and what `configured` raises.
+    """
+    call = scene.simulate
+    name = engine or (call.kind if call is not None else registry.names("simulate")[0])
+    entry = entry_of(registry, "simulate", name)
+    own = call is not None and entry_of(registry, "simulate", call.kind) == entry
+    written = dict(call.options) if call is not None and own else {}
+    entry, simulator = configured(registry, "simulate", name, {**written, **options})
+    return entry, simulator
+
+
+def drive_scenes(
+    scenes: Sequence[Scene], registry: Registry, engine: str | None, options: Mapping[str, Any]
+) -> tuple[Driven, ...]:
+    """Drive each scene, all with one engine, and judge its expectations."""
+    entry, simulator = simulator_of(scenes[0], registry, engine, options)
+    controllers = [python_controllers(scene, registry) for scene in scenes]
+    with plugin_guard(entry, None):
+        traces = list(simulator.drive_all(scenes, controllers))
+    for trace in traces:
+        if not isinstance(trace, Trace):
+            raise wrong_result(entry, None, f"gave a {type(trace).__name__}, not a Trace")
+    if len(traces) != len(scenes):
+        raise wrong_result(entry, None, f"gave {len(traces)} traces of {len(scenes)} scenes")
+    return tuple(
+        Driven(scene, trace, judge(scene, trace, registry))
+        for scene, trace in zip(scenes, traces, strict=True)
+    )

@@ -1,0 +1,99 @@
+"""A kind with options from Python: for figures, engines and whatever else no scene file names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
+from .describing import bounds_text, value_text
+from .guard import plugin_guard
+from .options import OptionSchema
+from .registry import KindEntry, Registry
+
+_NOUNS = {"simulate": "engine", "emit": "backend"}
+
+
+def configured(
+    registry: Registry, verb: str, name: str, options: Mapping[str, Any]
+) -> tuple[KindEntry, Any]:
+    """The kind that a scene would record as `name`, with `options` in SI units and radians.
+
+    Raises `DiagnosticError`: RL930 where there is no such kind, RL220, RL221 and RL208 for its
+    options, RL470 where the plugin fails.
+    """
+    entry = entry_of(registry, verb, name)
+    with plugin_guard(entry, None):
+        schemas = entry.options
+    faults = [
+        *_unknown(entry, schemas, options),
+        *_missing(entry, schemas, options),
+        *_out_of_bounds(schemas, options),
+    ]
+    if faults:
+        raise DiagnosticError(*faults)
+    with plugin_guard(entry, None):
+        return entry, entry.load()(**options)
+
+
+def entry_of(registry: Registry, verb: str, name: str) -> KindEntry:
+    """The kind that a scene would record as `name`. Raises `DiagnosticError` RL930."""
+    if not registry.has(verb, name):
+        known = registry.names(verb)
+        hints = did_you_mean(name, known) or (f"there are {', '.join(known)}",)
+        what = _NOUNS.get(verb, f"`{verb}` kind")
+        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what=what, name=name, help=hints))
+    return registry.find_recorded(verb, name)
+
+
+def _unknown(
+    entry: KindEntry, schemas: tuple[OptionSchema, ...], options: Mapping[str, Any]
+) -> list[Diagnostic]:
+    known = [schema.name for schema in schemas]
+    return [
+        diagnose(
+            Code.UNKNOWN_OPTION,
+            owner=f"`{entry.verb} {entry.name}`",
+            name=name,
+            help=did_you_mean(name, known) or f"its options are {', '.join(known) or 'none'}",
+        )
+        for name in options
+        if name not in known
+    ]
+
+
+def _missing(
+    entry: KindEntry, schemas: tuple[OptionSchema, ...], options: Mapping[str, Any]
+) -> list[Diagnostic]:
+    names = [f"`{s.name}`" for s in schemas if s.required and s.name not in options]
+    if not names:
+        return []
+    sort = "option" if len(names) == 1 else "options"
+    owner = f"`{entry.verb} {entry.name}`"
+    return [diagnose(Code.MISSING_OPTION, owner=owner, sort=sort, names=", ".join(names))]
+
+
+def _out_of_bounds(
+    schemas: tuple[OptionSchema, ...], options: Mapping[str, Any]
+) -> list[Diagnostic]:
+    faults = []
+    for schema in schemas:
+        value = options.get(schema.name)
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            limits = schema.constraints
+            fine = (
+                (limits.minimum is None or value >= limits.minimum)
+                and (limits.maximum is None or value <= limits.maximum)
+                and (limits.above is None or value > limits.above)
+                and (limits.below is None or value < limits.below)
+            )
+            if not fine:
+                faults.append(
+                    diagnose(
+                        Code.VALUE_OUT_OF_BOUNDS,
+                        what=f"`{schema.name}`",
+                        due=f"be {bounds_text(schema)}",
+                        found=f"is {value_text(float(value), schema.type)}",
+                    )
+                )
+    return faults

@@ -1,0 +1,127 @@
+"""Drives of scenes: traces as columns, and how the expectations came out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, overload
+
+from ..drive.simulators import Driven, drive_scenes
+from ..drive.trace_files import COLUMNS, to_csv, to_json
+from .scene import Scene
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas
+    from numpy.typing import NDArray
+
+    from ..ir.scene import Verdict
+    from ..ir.trace import Trace
+    from ..plugins.registry import Registry
+
+    Floats = NDArray[np.float64]
+
+
+def drive(
+    scenes: Sequence[Scene], registry: Registry, engine: str | None, options: Mapping[str, Any]
+) -> DriveSet:
+    """Drive scenes, all with one engine."""
+    records = [scene.record for scene in scenes]
+    driven = drive_scenes(records, registry, engine, options) if records else ()
+    return DriveSet(Drive(scene, found) for scene, found in zip(scenes, driven, strict=True))
+
+
+class Drive:
+    """One scene, driven. `trace` is what was recorded; SI units and radians."""
+
+    def __init__(self, scene: Scene, driven: Driven) -> None:
+        self.scene = scene
+        self.trace: Trace = driven.trace
+        self._verdicts = driven.verdicts
+
+    def __repr__(self) -> str:
+        return f"<drive of scene {self.scene.index} in {self.engine}: {self.duration:.6g} s>"
+
+    @property
+    def engine(self) -> str:
+        """Who drove, as it calls itself."""
+        return self.trace.engine
+
+    @property
+    def duration(self) -> float:
+        """Seconds that were driven."""
+        return float(self.trace.time[-1]) if len(self.trace.time) else 0.0
+
+    @cached_property
+    def verdicts(self) -> Mapping[str, Verdict]:
+        """Each `expect` by name, with its robustness, satisfied or not."""
+        return MappingProxyType({verdict.name: verdict for verdict in self._verdicts})
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether no expectation is violated."""
+        return all(verdict.satisfied is not False for verdict in self._verdicts)
+
+    def to_dict(self) -> dict[str, Floats]:
+        """Columns for `pandas.DataFrame`: `time`, and `ego.x`, `ego.speed`, ... of each agent.
+
+        Formulas of `roadlang.stl` can name them: `always (ego.speed < 15)`. What the engine does
+        not record is NaN.
+        """
+        columns = {"time": self.trace.time}
+        for name, agent in self.trace.agents.items():
+            columns |= {f"{name}.{column}": getattr(agent, column) for column in COLUMNS}
+        return columns
+
+    def to_frame(self) -> pandas.DataFrame:
+        """`to_dict` as a data frame with the time as index. Raises `ImportError` without pandas."""
+        import pandas
+
+        return pandas.DataFrame(self.to_dict()).set_index("time")
+
+    def to_csv(self) -> str:
+        """The trace as `roadlang run` writes it: one row for each agent at each time."""
+        return to_csv(self.trace)
+
+    def to_json(self) -> str:
+        """The trace with everything in it."""
+        return to_json(self.trace)
+
+
+class DriveSet(Sequence[Drive]):
+    """The drives of several scenes, in their order."""
+
+    def __init__(self, drives: Iterator[Drive]) -> None:
+        self._drives = tuple(drives)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} drives, {sum(drive.satisfied for drive in self)} satisfied>"
+
+    def __len__(self) -> int:
+        return len(self._drives)
+
+    @overload
+    def __getitem__(self, index: int) -> Drive: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Drive]: ...
+    def __getitem__(self, index: int | slice) -> Drive | Sequence[Drive]:
+        return self._drives[index]
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether no expectation is violated in any of them."""
+        return all(drive.satisfied for drive in self)
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Columns for `pandas.DataFrame`, one row a drive: `scene`, params and draws, then for
+        each expectation its robustness and, as `NAME satisfied`, how it came out."""
+        rows = []
+        for drive in self:
+            row: dict[str, Any] = {"scene": drive.scene.index}
+            row |= {**drive.scene.values, **drive.scene.draws}
+            for name, verdict in drive.verdicts.items():
+                row |= {name: verdict.robustness, f"{name} satisfied": verdict.satisfied}
+            rows.append(row)
+        names = dict.fromkeys(name for row in rows for name in row)
+        return {name: [row.get(name) for row in rows] for name in names}

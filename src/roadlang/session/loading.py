@@ -1,0 +1,124 @@
+"""Scene files, loaded and checked, ready to be sampled: `roadlang.load`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..diagnostics import Diagnostic, DiagnosticError
+from .params import ParamValue, param_texts
+from .scene_files import read_scene_file
+
+if TYPE_CHECKING:
+    from ..ir.scenario import Scenario
+    from ..plugins.registry import Registry
+    from .scene_set import SceneSet
+
+Progress = Callable[[int, int], None]
+
+
+def load(file: str | Path, /, **params: ParamValue) -> LoadedScenario:
+    """The scenario of a scene file, with values for its `param`s.
+
+    A value is a number for a param without unit, or text as in the language: `reach="12m"`.
+    Nothing heavy happens before `check` or `sample`. Raises `DiagnosticError` (RL920 to RL923)
+    where the file cannot be read.
+    """
+    name = str(file)
+    return LoadedScenario(read_scene_file(name), Path(name), param_texts(params))
+
+
+def loads(text: str, /, *, folder: str | Path = ".", **params: ParamValue) -> LoadedScenario:
+    """The scenario of a text; the files that it names are relative to `folder`."""
+    return LoadedScenario(text, Path(folder) / "scene.rl", param_texts(params))
+
+
+class LoadedScenario:
+    """A scene file with values for its params. It does not change; `with_params` gives another.
+
+    `path` is where the file is, or for a text would be; `params` holds the values from outside
+    as texts of the language.
+    """
+
+    def __init__(
+        self,
+        text: str,
+        path: Path,
+        params: Mapping[str, str] | None = None,
+        registry: Registry | None = None,
+    ) -> None:
+        self.text = text
+        self.path = path
+        self.params: dict[str, str] = dict(params or {})
+        self._registry = registry
+
+    def __repr__(self) -> str:
+        params = "".join(f", {name}={value!r}" for name, value in self.params.items())
+        return f"roadlang.load({str(self.path)!r}{params})"
+
+    @cached_property
+    def registry(self) -> Registry:
+        """The kinds that the scenario may use: those of all installed plugins."""
+        from ..plugins.discovery import load_registry
+
+        return load_registry() if self._registry is None else self._registry
+
+    def with_params(
+        self, params: Mapping[str, ParamValue] | None = None, /, **more: ParamValue
+    ) -> LoadedScenario:
+        """The same file with other values for some params."""
+        texts = param_texts({**(params or {}), **more})
+        if not texts:
+            return self
+        return LoadedScenario(self.text, self.path, {**self.params, **texts}, self.registry)
+
+    def with_text(self, text: str) -> LoadedScenario:
+        """Another text in the place of the file, with the same params."""
+        return LoadedScenario(text, self.path, self.params, self.registry)
+
+    def check(self) -> tuple[Diagnostic, ...]:
+        """Everything that is wrong or doubtful in the file, in the order of the places."""
+        return self._checked[1]
+
+    @property
+    def scenario(self) -> Scenario:
+        """The checked scenario, with random values not drawn yet.
+
+        Raises `DiagnosticError` with all errors and warnings of the file where it has errors.
+        """
+        scenario, found = self._checked
+        if scenario is None:
+            raise DiagnosticError(*found)
+        return scenario
+
+    def sample(
+        self,
+        n: int | None = None,
+        *,
+        seed: int = 0,
+        jobs: int = 1,
+        progress: Progress | None = None,
+        **params: ParamValue,
+    ) -> SceneSet:
+        """`n` scenes that satisfy the requirements; one, or all of a grid, where `n` is None.
+
+        The same file, inputs, params and seed give the same scenes: neither `n` nor the number
+        of processes (`jobs`) changes one. `progress` is called with the scenes done and wanted.
+        Raises `DiagnosticError` for what is wrong with the file, its inputs or a plugin, and
+        `NoSceneError` (RL600, RL601) where no candidate satisfies the requirements.
+        """
+        if params:
+            changed = self.with_params(params)
+            return changed.sample(n, seed=seed, jobs=jobs, progress=progress)
+        from .scene_set import sampled
+
+        return sampled(self, n, seed, jobs, progress)
+
+    @cached_property
+    def _checked(self) -> tuple[Scenario | None, tuple[Diagnostic, ...]]:
+        from ..semantics import check_text
+
+        scenario, found = check_text(self.text, self.path, self.params, self.registry)
+        return scenario, tuple(found)

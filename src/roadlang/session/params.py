@@ -1,0 +1,36 @@
+"""Values for params from Python, as texts of the language."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+ParamValue = str | int | float | bool | Sequence[Any]
+"""Text as in the language (`"12m"`), a number without unit, true or false, or a list of such."""
+
+
+def param_texts(params: Mapping[str, ParamValue]) -> dict[str, str]:
+    """Each value as it would be written after `--set name=`.
+
+    Raises `TypeError` for what is no such value, `ValueError` for numbers that are not finite.
+    """
+    return {name: _text(name, value) for name, value in params.items()}
+
+
+def _text(name: str, value: Any) -> str:
+    value = value.item() if hasattr(value, "item") and not getattr(value, "shape", ()) else value
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int | float):
+        if not math.isfinite(value):
+            raise ValueError(f"the value of `{name}` is {value}")
+        return repr(value)
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(_text(name, item) for item in value) + "]"
+    raise TypeError(
+        f"the value of `{name}` is a {type(value).__name__}; write a number,"
+        ' or a text as in the language, such as "12m"'
+    )

@@ -1,0 +1,254 @@
+"""A scene for Python users: its roads as arrays, its figure, its drive."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache, cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..ir.scene import Provenance, SceneActor, SceneNetwork, SceneRoad, Verdict
+    from ..ir.scene import Scene as SceneRecord
+    from ..plugins.registry import Registry
+    from .drives import Drive
+
+    Floats = NDArray[np.float64]
+
+FIGURE = "svg"
+"""The `emit` whose file is the figure of a scene, and its ending."""
+
+
+@cache
+def installed() -> Registry:
+    """The kinds of all installed plugins."""
+    from ..plugins.discovery import load_registry
+
+    return load_registry()
+
+
+class RoadArrays:
+    """A road of a scene as numpy arrays over its S stations, which cannot be written to.
+
+    Meters, radians, 1/m; x east, y north. `record` is the road as backends get it.
+    """
+
+    def __init__(self, record: SceneRoad) -> None:
+        self.record = record
+        self.name = record.name
+        self.length = record.length
+        """meters along the center line"""
+        self.lanes = record.lanes
+        self.closed = record.closed
+        self.derived = record.derived
+        """whether this is the last road of a chain: the one that is driven and built"""
+        self.root = record.root
+        """name of the road that this one was made from by perturbing; its own, if none"""
+
+    def __repr__(self) -> str:
+        return f"<road {self.name}: {self.length:.6g} m, {self.lanes} lanes>"
+
+    @cached_property
+    def stations(self) -> Floats:
+        """(S,) arc length along this road."""
+        return _array(self.record.stations)
+
+    @cached_property
+    def reference_stations(self) -> Floats:
+        """(S,) arc length of the root road at the same points: the positions of requirements."""
+        return _array(self.record.reference_stations)
+
+    @cached_property
+    def points(self) -> Floats:
+        """(S, 2) x and y of the center line."""
+        import numpy as np
+
+        return _array(np.column_stack((self.record.x, self.record.y)))
+
+    @cached_property
+    def x(self) -> Floats:
+        """(S,) meters east."""
+        return _array(self.record.x)
+
+    @cached_property
+    def y(self) -> Floats:
+        """(S,) meters north."""
+        return _array(self.record.y)
+
+    @cached_property
+    def heading(self) -> Floats:
+        """(S,) counter-clockwise from east, continuous along the road."""
+        return _array(self.record.heading)
+
+    @cached_property
+    def curvature(self) -> Floats:
+        """(S,) left positive."""
+        return _array(self.record.curvature)
+
+    @cached_property
+    def width(self) -> Floats:
+        """(S,) of all lanes together."""
+        return _array(self.record.width)
+
+    def to_dict(self) -> dict[str, Floats]:
+        """Columns for `pandas.DataFrame`: station, x, y, heading, curvature, width."""
+        return {
+            "station": self.stations,
+            "x": self.x,
+            "y": self.y,
+            "heading": self.heading,
+            "curvature": self.curvature,
+            "width": self.width,
+        }
+
+
+class Scene:
+    """One concrete scene. `record` is the plain dataclass that backends and simulators get.
+
+    Notebooks show its figure.
+    """
+
+    def __init__(self, record: SceneRecord, registry: Registry | None = None) -> None:
+        self.record = record
+        self._registry = registry
+
+    @classmethod
+    def from_json(cls, text: str | bytes) -> Scene:
+        """The scene in a document that `emit json` or `to_json` wrote.
+
+        Raises `DiagnosticError` (RL461) for anything else.
+        """
+        import msgspec
+
+        from ..ir.encoding import scene_from_json
+
+        try:
+            return cls(scene_from_json(text))
+        except (msgspec.DecodeError, UnicodeError) as error:
+            raise DiagnosticError(diagnose(Code.NOT_A_SCENE, reason=str(error))) from error
+
+    def __repr__(self) -> str:
+        roads = ", ".join(self.roads)
+        return f"<scene {self.index} of {self.name or 'a scenario without a name'}: {roads}>"
+
+    @property
+    def name(self) -> str:
+        """Of the scenario."""
+        return self.record.name
+
+    @property
+    def title(self) -> str:
+        return self.record.title
+
+    @property
+    def index(self) -> int:
+        """The number of the scene, from 0."""
+        return self.record.index
+
+    @property
+    def provenance(self) -> Provenance:
+        """Seed, attempt, versions, digests of inputs."""
+        return self.record.provenance
+
+    @property
+    def values(self) -> Mapping[str, Any]:
+        """Params and `let`s that are values, by name, in SI units and radians."""
+        return MappingProxyType(dict(self.record.values))
+
+    @property
+    def draws(self) -> Mapping[str, Any]:
+        """Every random value by the place of its draw (`bent/perturb 1/amplitude`)."""
+        return MappingProxyType(dict(self.record.draws))
+
+    @property
+    def world(self) -> Mapping[str, Any]:
+        """What `world { ... }` says."""
+        return MappingProxyType(dict(self.record.world))
+
+    @cached_property
+    def roads(self) -> Mapping[str, RoadArrays]:
+        """By name; edge 3 of network `town` is `town/3`."""
+        return MappingProxyType({road.name: RoadArrays(road) for road in self.record.roads})
+
+    @cached_property
+    def networks(self) -> Mapping[str, SceneNetwork]:
+        return MappingProxyType({network.name: network for network in self.record.networks})
+
+    @cached_property
+    def agents(self) -> Mapping[str, SceneActor]:
+        """By name; the third of the group `oncoming` is `oncoming[2]`."""
+        return MappingProxyType({actor.name: actor for actor in self.record.agents})
+
+    @cached_property
+    def objects(self) -> Mapping[str, SceneActor]:
+        """By name, as `agents`."""
+        return MappingProxyType({actor.name: actor for actor in self.record.objects})
+
+    @cached_property
+    def requirements(self) -> Mapping[str, Verdict]:
+        """Each `require` with its robustness in this scene."""
+        return MappingProxyType({verdict.name: verdict for verdict in self.record.requirements})
+
+    @cached_property
+    def expectations(self) -> Mapping[str, Verdict]:
+        """Each `expect`; what is about the drive has no robustness before the scene is driven."""
+        return MappingProxyType({verdict.name: verdict for verdict in self.record.expectations})
+
+    def to_json(self) -> str:
+        """The scene as `emit json` writes it (`roadlang schema scene`)."""
+        from ..ir.encoding import to_json
+
+        return to_json(self.record)
+
+    def svg(self, **options: Any) -> str:
+        """The figure that `emit svg` draws; `options` are those of the kind, in pixels and SI.
+
+        Raises `DiagnosticError` for an option that `emit svg` does not have.
+        """
+        from ..plugins.configured import configured
+        from ..plugins.guard import plugin_guard
+
+        entry, kind = configured(self.registry, "emit", FIGURE, options)
+        with plugin_guard(entry, None):
+            return str(kind.files(self.record)[FIGURE])
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def run(self, engine: str | None = None, **options: Any) -> Drive:
+        """Drive the scene in a simulator and judge its expectations.
+
+        `engine` is the name of a `simulate` kind; without it the file's, or the first that is
+        installed. `options` are those of the kind in SI units: `duration=10.0`. Raises
+        `DiagnosticError` where the engine fails.
+        """
+        from .drives import drive
+
+        return drive([self], self.registry, engine, options)[0]
+
+    def save(self, path: str | Path) -> Path:
+        """Write the scene as JSON, whole or not at all. Raises `DiagnosticError` RL460."""
+        from ..scenes.writing import write_all
+
+        target = Path(path)
+        (written,) = write_all(target.parent, {target.name: self.to_json()})
+        return written
+
+    @property
+    def registry(self) -> Registry:
+        """The kinds that figures and drives are made with."""
+        return installed() if self._registry is None else self._registry
+
+
+def _array(values: Any) -> Floats:
+    import numpy as np
+
+    array = np.array(values, dtype=np.float64)
+    array.setflags(write=False)
+    return array

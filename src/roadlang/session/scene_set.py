@@ -1,0 +1,159 @@
+"""The scenes that a scenario was sampled for, and how often each requirement refused one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..scenes.sampling import SamplingResult, sample_scenes
+from .scene import Scene
+
+if TYPE_CHECKING:
+    from ..ir.manifest import Manifest
+    from ..search.rejection_report import Row
+    from .drives import DriveSet
+    from .loading import LoadedScenario
+
+Progress = Callable[[int, int], None]
+
+
+class NoSceneError(DiagnosticError):
+    """No candidate satisfied the requirements; `result` tells which of them refused how many."""
+
+    def __init__(self, result: SceneSet) -> None:
+        super().__init__(*result.diagnostics)
+        self.result = result
+
+    def __str__(self) -> str:
+        return f"{super().__str__()}\n\n{self.result.rejection_table}"
+
+
+def sampled(
+    loaded: LoadedScenario, n: int | None, seed: int, jobs: int, progress: Progress | None
+) -> SceneSet:
+    """The scenes of a scenario; `LoadedScenario.sample` tells what is raised."""
+    result = sample_scenes(loaded.scenario, loaded.registry, n, seed, jobs, progress, loaded.params)
+    scenes = SceneSet(loaded, seed, result)
+    if not scenes:
+        raise NoSceneError(scenes)
+    return scenes
+
+
+class SceneSet(Sequence[Scene]):
+    """Scenes in order of their index, with the statistics of the search for them.
+
+    `loaded` is the scenario, `seed` what it was sampled with. Notebooks show the contact sheet.
+    """
+
+    def __init__(self, loaded: LoadedScenario, seed: int, result: SamplingResult) -> None:
+        self.loaded = loaded
+        self.seed = seed
+        self.result = result
+        self._scenes = tuple(Scene(record, loaded.registry) for record in result.scenes)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} scenes of {self.candidates:,} candidates>"
+
+    def __len__(self) -> int:
+        return len(self._scenes)
+
+    @overload
+    def __getitem__(self, index: int) -> Scene: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Scene]: ...
+    def __getitem__(self, index: int | slice) -> Scene | Sequence[Scene]:
+        return self._scenes[index]
+
+    def __iter__(self) -> Iterator[Scene]:
+        return iter(self._scenes)
+
+    @property
+    def candidates(self) -> int:
+        """How many were tried."""
+        return self.result.candidates
+
+    @property
+    def rejections(self) -> tuple[Row, ...]:
+        """How many candidates each requirement was tried on and rejected, most rejecting first."""
+        return self.result.table
+
+    @property
+    def rejection_table(self) -> str:
+        """`rejections` for people."""
+        return self.result.table_text
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What extractors had to say of the pictures."""
+        return self.result.remarks
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Warnings of the check, and why there are fewer scenes than asked for (RL600 to RL602)."""
+        return (*self.loaded.check(), *_shortfall(self.result, str(self.loaded.path)))
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Columns for `pandas.DataFrame`, one row a scene: `scene`, params and `let`s, draws by
+        place, and the robustness of each constraint that is known before the drive."""
+        rows = [_row(scene) for scene in self]
+        names = dict.fromkeys(name for row in rows for name in row)
+        return {name: [row.get(name) for row in rows] for name in names}
+
+    def emit(
+        self,
+        folder: str | Path,
+        kinds: Sequence[str] | None = None,
+        *,
+        progress: Progress | None = None,
+    ) -> Manifest:
+        """Write the files of the scenario's `emit`s, or of `kinds`, and `manifest.json`.
+
+        JSON and SVG where the scenario has no `emit`. Files are written whole, all of them or
+        none. Raises `DiagnosticError` (RL460 where the folder cannot be written).
+        """
+        from .emitting import emit
+
+        return emit(self, Path(folder), kinds, progress)
+
+    def run(self, engine: str | None = None, **options: Any) -> DriveSet:
+        """Drive every scene in a simulator, all with one engine; see `Scene.run`."""
+        from .drives import drive
+
+        return drive(self, self.loaded.registry, engine, options)
+
+    def _repr_svg_(self) -> str:
+        from ..plugins.configured import configured
+        from ..plugins.guard import plugin_guard
+        from .scene import FIGURE
+
+        entry, kind = configured(self.loaded.registry, "emit", FIGURE, {})
+        with plugin_guard(entry, None):
+            sheets = kind.collection([scene.record for scene in self])
+            return next((str(sheet) for sheet in sheets.values()), "") or self[0].svg()
+
+
+def _row(scene: Scene) -> dict[str, Any]:
+    verdicts = {**scene.requirements, **scene.expectations}
+    return {
+        "scene": scene.index,
+        **scene.values,
+        **scene.draws,
+        **{name: v.robustness for name, v in verdicts.items() if v.robustness is not None},
+    }
+
+
+def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
+    """Why there are fewer scenes than asked for."""
+    hint = "the table shows what rejects most"
+    if result.scenes and result.missing:
+        made = f"{result.accepted} of {result.wanted}"
+        return [diagnose(Code.TOO_FEW_SCENES, path=file, made=made, help=hint)]
+    if result.scenes:
+        return []
+    if result.impossible:
+        which = "; ".join(result.impossible)
+        return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which)]
+    tried = f"{result.candidates:,}"
+    return [diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried, help=hint)]

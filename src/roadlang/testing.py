@@ -1,0 +1,155 @@
+"""What authors of plugins test with: a text to scenes, roads to perturb, a pytest fixture.
+
+    from roadlang import testing
+
+    def test_a_road_sways():
+        (scene,) = testing.sample(ROAD_THAT_SWAYS, kinds=[Sway])
+        assert scene.roads["bent"].length > 100
+
+A `conftest.py` with `pytest_plugins = ["roadlang.testing"]` brings the fixture `roadlang_sample`,
+which is `sample` with files in the test's `tmp_path`. Without pytest the functions work as well.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from .diagnostics import Diagnostic
+from .plugins.discovery import load_registry, registry_of
+from .plugins.hookspecs import hookimpl
+from .plugins.kinds import Kind
+from .plugins.registry import Registry
+from .session.loading import LoadedScenario, loads
+from .session.params import ParamValue
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .ir.batch import BatchRandom, RoadBatch
+    from .session.scene_set import SceneSet
+
+PLUGIN = "tested"
+"""The plugin that kinds under test belong to: `tested.sway` where a plain name is not enough."""
+
+
+def sample(
+    text: str,
+    n: int | None = 1,
+    *,
+    kinds: Iterable[type[Kind]] = (),
+    seed: int = 0,
+    folder: str | Path = ".",
+    **params: ParamValue,
+) -> SceneSet:
+    """Scenes of a text in which `kinds` can be named, beside those of all installed plugins.
+
+    Files that the text names are in `folder`. Raises `roadlang.DiagnosticError`, whose text is
+    what a user would see, for faults of the text and of the kinds.
+    """
+    return scenario(text, kinds=kinds, folder=folder, **params).sample(n, seed=seed)
+
+
+def check(
+    text: str,
+    *,
+    kinds: Iterable[type[Kind]] = (),
+    folder: str | Path = ".",
+    **params: ParamValue,
+) -> tuple[Diagnostic, ...]:
+    """What `roadlang check` says of a text: errors and warnings, in order of their places."""
+    return scenario(text, kinds=kinds, folder=folder, **params).check()
+
+
+def scenario(
+    text: str,
+    *,
+    kinds: Iterable[type[Kind]] = (),
+    folder: str | Path = ".",
+    **params: ParamValue,
+) -> LoadedScenario:
+    """A text with `kinds` in it, to be checked or sampled."""
+    loaded = loads(text, folder=folder, **params)
+    return LoadedScenario(loaded.text, loaded.path, loaded.params, registry_with(*kinds))
+
+
+def registry_with(*kinds: type[Kind]) -> Registry:
+    """All installed kinds, and `kinds` as those of a plugin called `tested`.
+
+    Raises `TypeError` with the reason where they could not be loaded from a plugin.
+    """
+    installed = load_registry()
+    if not kinds:
+        return installed
+    found = registry_of({PLUGIN: plugin_of(*kinds)})
+    if found.broken:
+        raise TypeError(found.broken[0].reason)
+    entries = (*installed.entries, *found.entries)
+    return Registry(entries, installed.broken, installed.planned)
+
+
+def plugin_of(*kinds: type[Kind]) -> ModuleType:
+    """A plugin that brings `kinds`."""
+    module = ModuleType(PLUGIN)
+
+    @hookimpl
+    def roadlang_kinds() -> list[type[Kind]]:
+        return list(kinds)
+
+    vars(module)["roadlang_kinds"] = roadlang_kinds
+    return module
+
+
+def road_batch(
+    points: ArrayLike,
+    *,
+    width: ArrayLike = 7.0,
+    closed: bool = False,
+    variants: int = 1,
+    name: str = "road",
+) -> RoadBatch:
+    """A road through (P, 2) `points`, meters, in `variants` equal variants: what a perturber,
+    signal or monitor gets, sampled about every meter.
+
+    `width` in meters is a number, or (variants, 1). Raises `GeometryError` for points that no
+    road goes through.
+    """
+    import numpy as np
+
+    from .geometry import Curve, DisplacedBatch, Frame
+    from .ir.batch import RoadBatch
+    from .world.stations import stations_of
+
+    curve = Curve.through(points, closed=closed)
+    frame = Frame.of(curve, stations_of(curve))
+    zeros = np.zeros((variants, len(frame.stations)))
+    widths = np.broadcast_to(np.asarray(width, dtype=float).reshape(-1, 1), (variants, 1))
+    curves = DisplacedBatch(frame, zeros, zeros, zeros)
+    return RoadBatch(name, name, curves, widths, zeros)
+
+
+def random(variants: int = 1, seed: int = 0) -> BatchRandom:
+    """Random numbers as a pass gets them, for each of `variants`."""
+    import numpy as np
+
+    from .evaluate.randomness import variant_keys
+    from .ir.batch import BatchRandom
+
+    attempts = np.arange(variants)
+    return BatchRandom(variant_keys(seed, np.zeros_like(attempts), attempts))
+
+
+with contextlib.suppress(ImportError):
+    import pytest
+
+    @pytest.fixture
+    def roadlang_sample(tmp_path: Path) -> Callable[..., SceneSet]:
+        """`sample`, where files that a text names are in the test's `tmp_path`."""
+
+        def sample_here(text: str, n: int | None = 1, **more: Any) -> SceneSet:
+            return sample(text, n, **{"folder": tmp_path, **more})
+
+        return sample_here
