@@ -5,4 +5,4 @@ from hypothesis import settings
 settings.register_profile("roadlang", deadline=None, max_examples=50, derandomize=True)
 settings.load_profile("roadlang")
 
-pytest_plugins = ["scene_texts"]
+pytest_plugins = ["roadlang.testing", "scene_texts"]

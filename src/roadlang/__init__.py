@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic, DiagnosticError
     from .session.drives import Drive, DriveSet
     from .session.loading import LoadedScenario, load, loads
+    from .session.profiles import Profiles, RoadProfile
     from .session.scene import RoadArrays, Scene
     from .session.scene_set import NoSceneError, SceneSet
 
@@ -27,6 +28,7 @@ _MODULES = {
     ".diagnostics": "Diagnostic DiagnosticError",
     ".session.drives": "Drive DriveSet",
     ".session.loading": "LoadedScenario load loads",
+    ".session.profiles": "Profiles RoadProfile",
     ".session.scene": "RoadArrays Scene",
     ".session.scene_set": "NoSceneError SceneSet",
 }
@@ -39,7 +41,9 @@ __all__ = [
     "DriveSet",
     "LoadedScenario",
     "NoSceneError",
+    "Profiles",
     "RoadArrays",
+    "RoadProfile",
     "Scene",
     "SceneSet",
     "__version__",

@@ -92,7 +92,7 @@ def _out_of_bounds(
                     diagnose(
                         Code.VALUE_OUT_OF_BOUNDS,
                         what=f"`{schema.name}`",
-                        due=f"be {bounds_text(schema)}",
+                        expected=f"be {bounds_text(schema)}",
                         found=f"is {value_text(float(value), schema.type)}",
                     )
                 )

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from .profiles import Profiles, read_only
 
 if TYPE_CHECKING:
     import numpy as np
@@ -57,44 +58,44 @@ class RoadArrays:
     @cached_property
     def stations(self) -> Floats:
         """(S,) arc length along this road."""
-        return _array(self.record.stations)
+        return read_only(self.record.stations)
 
     @cached_property
     def reference_stations(self) -> Floats:
         """(S,) arc length of the root road at the same points: the positions of requirements."""
-        return _array(self.record.reference_stations)
+        return read_only(self.record.reference_stations)
 
     @cached_property
     def points(self) -> Floats:
         """(S, 2) x and y of the center line."""
         import numpy as np
 
-        return _array(np.column_stack((self.record.x, self.record.y)))
+        return read_only(np.column_stack((self.record.x, self.record.y)))
 
     @cached_property
     def x(self) -> Floats:
         """(S,) meters east."""
-        return _array(self.record.x)
+        return read_only(self.record.x)
 
     @cached_property
     def y(self) -> Floats:
         """(S,) meters north."""
-        return _array(self.record.y)
+        return read_only(self.record.y)
 
     @cached_property
     def heading(self) -> Floats:
         """(S,) counter-clockwise from east, continuous along the road."""
-        return _array(self.record.heading)
+        return read_only(self.record.heading)
 
     @cached_property
     def curvature(self) -> Floats:
         """(S,) left positive."""
-        return _array(self.record.curvature)
+        return read_only(self.record.curvature)
 
     @cached_property
     def width(self) -> Floats:
         """(S,) of all lanes together."""
-        return _array(self.record.width)
+        return read_only(self.record.width)
 
     def to_dict(self) -> dict[str, Floats]:
         """Columns for `pandas.DataFrame`: station, x, y, heading, curvature, width."""
@@ -124,13 +125,11 @@ class Scene:
 
         Raises `DiagnosticError` (RL461) for anything else.
         """
-        import msgspec
-
         from ..ir.encoding import scene_from_json
 
         try:
             return cls(scene_from_json(text))
-        except (msgspec.DecodeError, UnicodeError) as error:
+        except ValueError as error:
             raise DiagnosticError(diagnose(Code.NOT_A_SCENE, reason=str(error))) from error
 
     def __repr__(self) -> str:
@@ -144,6 +143,7 @@ class Scene:
 
     @property
     def title(self) -> str:
+        """Of the scenario, for people; empty where it has none."""
         return self.record.title
 
     @property
@@ -178,6 +178,7 @@ class Scene:
 
     @cached_property
     def networks(self) -> Mapping[str, SceneNetwork]:
+        """By name; their roads are in `roads`."""
         return MappingProxyType({network.name: network for network in self.record.networks})
 
     @cached_property
@@ -199,6 +200,20 @@ class Scene:
     def expectations(self) -> Mapping[str, Verdict]:
         """Each `expect`; what is about the drive has no robustness before the scene is driven."""
         return MappingProxyType({verdict.name: verdict for verdict in self.record.expectations})
+
+    @cached_property
+    def signals(self) -> Mapping[str, Profiles]:
+        """Each `let` that names a signal over roads, with its values along them."""
+        found = {s.name: Profiles(s.name, s.text, s.unit, s.profiles) for s in self.record.signals}
+        return MappingProxyType(found)
+
+    @cached_property
+    def robustness(self) -> Mapping[str, Profiles]:
+        """The robustness along the roads of each `require` and `expect` that is `always p` or
+        `eventually p`: that of `p`. The number for the scene is in `requirements`."""
+        verdicts = (*self.record.requirements, *self.record.expectations)
+        found = {v.name: Profiles(v.name, v.text, "", v.profiles) for v in verdicts if v.profiles}
+        return MappingProxyType(found)
 
     def to_json(self) -> str:
         """The scene as `emit json` writes it (`roadlang schema scene`)."""
@@ -244,11 +259,3 @@ class Scene:
     def registry(self) -> Registry:
         """The kinds that figures and drives are made with."""
         return installed() if self._registry is None else self._registry
-
-
-def _array(values: Any) -> Floats:
-    import numpy as np
-
-    array = np.array(values, dtype=np.float64)
-    array.setflags(write=False)
-    return array

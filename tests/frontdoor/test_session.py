@@ -1,0 +1,240 @@
+"""The front door: what a Python user does with a scene file."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import roadlang
+
+SCENE = """\
+param reach = 6m
+param turns = 2
+road main { draw with waypoints { points: [(0m, 0m), (80m, 10m), (160m, -10m), (240m, 30m)] } }
+road bent from main { perturb with sine { amplitude: 1m..reach, wavelength: 80m..200m } }
+let away = abs(deviation(bent, main))
+require near: always (away < 3m)
+"""
+IMPOSSIBLE = SCENE + "require far: always (deviation(bent, main) > 50m)\n"
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "scene.rl"
+    path.write_text(SCENE)
+    return path
+
+
+def test_importing_roadlang_imports_nothing_heavy(tmp_path):
+    code = "import roadlang, sys; print(*{m.partition('.')[0] for m in sys.modules})"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert not set(done.stdout.split()) & {"numpy", "scipy", "cv2", "lark", "click", "pluggy"}
+
+
+def test_every_name_of_the_front_door_is_there():
+    for name in roadlang.__all__:
+        assert getattr(roadlang, name)
+    assert set(dir(roadlang)) == set(roadlang.__all__)
+    with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
+        _ = roadlang.nonsense
+
+
+def test_scenes_are_those_of_the_command_line(file, tmp_path, monkeypatch):
+    from roadlang.cli.main import run
+
+    monkeypatch.chdir(tmp_path)
+    assert run(["compile", "scene.rl", "-n", "2", "--seed", "3", "-o", "cli"]) == 0
+    scenes = roadlang.load("scene.rl").sample(2, seed=3)
+    scenes.emit("python")
+    for path in (tmp_path / "cli").iterdir():
+        assert (tmp_path / "python" / path.name).read_bytes() == path.read_bytes(), path.name
+    assert scenes[1].to_json() == (tmp_path / "cli/scene-0001.json").read_text()
+
+
+def test_a_road_is_read_only_arrays(file):
+    (scene,) = roadlang.load(file).sample()
+    road = scene.roads["bent"]
+    count = len(road.stations)
+    assert road.points.shape == (count, 2)
+    for array in (road.heading, road.curvature, road.width, road.reference_stations, road.x):
+        assert array.shape == (count,)
+        assert not array.flags.writeable
+    np.testing.assert_array_equal(road.points[:, 1], road.y)
+    assert road.stations[-1] == pytest.approx(road.length)
+    assert set(road.to_dict()) == {"station", "x", "y", "heading", "curvature", "width"}
+    assert road.root == "main"
+    assert not scene.roads["main"].derived
+
+
+def test_signals_and_robustness_along_the_road(file):
+    (scene,) = roadlang.load(file).sample()
+    away = scene.signals["away"]
+    near = scene.robustness["near"]
+    assert away.unit == "m"
+    np.testing.assert_allclose(near.values, 3.0 - away.values, atol=1e-9)
+    assert near.values.min() == pytest.approx(scene.requirements["near"].robustness)
+    assert away.stations[-1] == pytest.approx(scene.roads["main"].reference_stations[-1])
+
+
+def test_values_along_several_roads_are_told_apart_by_name():
+    text = '''\
+image town from """
+.......
+.#####.
+.#...#.
+.#####.
+.#.....
+.......
+""" { scale: 8m/px }
+network net from town {}
+let turn = abs(curvature(net))
+require calm: always (turn < 10/m)
+'''
+    (scene,) = roadlang.loads(text).sample()
+    turn = scene.signals["turn"]
+    assert len(turn.roads) > 1
+    with pytest.raises(ValueError, match="several roads"):
+        _ = turn.values
+    assert set(turn.roads) <= set(scene.roads)
+
+
+def test_params_are_numbers_or_texts_of_the_language(file):
+    loaded = roadlang.load(file, reach="2m", turns=3)
+    (scene,) = loaded.sample()
+    assert (scene.values["reach"], scene.values["turns"]) == (2.0, 3.0)
+    (other,) = loaded.sample(reach="1.5m")
+    assert other.values["reach"] == 1.5
+    assert other.provenance.overrides == {"reach": "1.5m", "turns": "3"}
+    assert loaded.params["reach"] == "2m"
+    assert loaded.with_params() is loaded
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        ("12m", "12m"),
+        (3, "3"),
+        (0.5, "0.5"),
+        (True, "true"),
+        (np.float64(0.25), "0.25"),
+        (np.int64(4), "4"),
+        ([1, 2.5], "[1, 2.5]"),
+    ],
+)
+def test_how_a_value_is_written(value, text):
+    from roadlang.session.params import param_texts
+
+    assert param_texts({"a": value}) == {"a": text}
+
+
+def test_values_that_the_language_cannot_write_are_refused(file):
+    with pytest.raises(ValueError, match="`reach` is nan"):
+        roadlang.load(file, reach=float("nan"))
+    with pytest.raises(TypeError, match="a dict"):
+        roadlang.load(file, reach={})
+
+
+def test_check_tells_all_and_sampling_raises_it_as_text(tmp_path):
+    loaded = roadlang.loads(SCENE.replace("amplitude", "amplitud").replace("< 3m", "< 3s"))
+    assert len([found for found in loaded.check() if found.is_error]) == 2
+    with pytest.raises(roadlang.DiagnosticError) as caught:
+        loaded.sample()
+    words = str(caught.value)
+    assert "scene.rl:4:43" in words
+    assert "did you mean `amplitude`?" in words
+    assert caught.value.diagnostics == loaded.check()
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(roadlang.DiagnosticError, match="RL920"):
+        roadlang.load(tmp_path / "nope.rl")
+
+
+def test_what_cannot_be_satisfied_raises_with_the_statistics():
+    with pytest.raises(roadlang.NoSceneError) as caught:
+        roadlang.loads(IMPOSSIBLE).sample(3)
+    result = caught.value.result
+    assert len(result) == 0
+    assert [row.name for row in result.rejections if row.impossible] == ["far"]
+    assert "rejected" in str(caught.value)
+
+
+def test_rejections_are_counted(file):
+    scenes = roadlang.load(file).sample(5, seed=1)
+    (row,) = scenes.rejections
+    assert (row.name, scenes.candidates - row.rejected) == ("near", 5)
+    assert scenes.rejection_table.startswith(f"{scenes.candidates} candidates tried")
+
+
+def test_fewer_scenes_than_asked_for_is_a_warning():
+    text = "param side = choice(1m, 2m)\n" + SCENE + "sample with grid { steps: 2 }\n"
+    scenes = roadlang.loads(text.replace("< 3m", "< 1.6m")).sample(50)
+    assert 0 < len(scenes) < 50
+    assert [found.code for found in scenes.diagnostics if found.code == "RL602"] == ["RL602"]
+
+
+def test_a_set_is_a_sequence_and_a_table(file):
+    scenes = roadlang.load(file).sample(3)
+    assert [scene.index for scene in scenes] == [0, 1, 2]
+    assert scenes[-1] is scenes[2]
+    assert len(scenes[:2]) == 2
+    table = scenes.to_dict()
+    assert table["scene"] == [0, 1, 2]
+    assert table["near"] == [scene.requirements["near"].robustness for scene in scenes]
+    assert {len(column) for column in table.values()} == {3}
+    assert "bent/perturb 1/amplitude" in table
+
+
+def test_a_scene_survives_its_json(file, tmp_path):
+    (scene,) = roadlang.load(file).sample()
+    again = roadlang.Scene.from_json(scene.to_json())
+    assert again.record == scene.record
+    path = scene.save(tmp_path / "kept" / "scene.json")
+    assert roadlang.Scene.from_json(path.read_bytes()).to_json() == scene.to_json()
+
+
+@pytest.mark.parametrize("text", ["", "{}", "[]", '{"schema": "roadlang.trace/1"}', "\ud800"])
+def test_what_is_no_scene_is_refused(text):
+    with pytest.raises(roadlang.DiagnosticError, match="RL461"):
+        roadlang.Scene.from_json(text)
+
+
+def test_notebooks_show_the_figure_and_the_contact_sheet(file):
+    scenes = roadlang.load(file).sample(2)
+    assert scenes[0]._repr_svg_().startswith("<svg") or "<svg" in scenes[0].svg()[:200]
+    assert 'width="800"' in scenes[0].svg(size=800)
+    assert scenes._repr_svg_() != scenes[0].svg()
+
+
+def test_options_of_a_figure_are_checked(file):
+    (scene,) = roadlang.load(file).sample()
+    with pytest.raises(roadlang.DiagnosticError, match=r"RL220(.|\n)*did you mean `size`"):
+        scene.svg(sizes=800)
+    with pytest.raises(roadlang.DiagnosticError, match="RL208"):
+        scene.svg(size=-1)
+
+
+def test_emit_takes_kinds(file, tmp_path):
+    manifest = roadlang.load(file).sample().emit(tmp_path / "out", ["json"])
+    assert [output.path for output in manifest.files] == ["scene-0000.json"]
+    assert json.loads((tmp_path / "out/manifest.json").read_text())["scenes"] == 1
+
+
+def test_an_unknown_engine_is_refused(file):
+    (scene,) = roadlang.load(file).sample()
+    with pytest.raises(roadlang.DiagnosticError, match="RL930"):
+        scene.run("gdot")
+
+
+def test_objects_describe_themselves(file):
+    loaded = roadlang.load(file)
+    scenes = loaded.sample(2)
+    assert repr(loaded) == f"roadlang.load({str(file)!r})"
+    assert repr(scenes).startswith("<2 scenes of ")
+    assert repr(scenes[1]) == "<scene 1 of scene: main, bent>"
+    assert repr(scenes[0].roads["main"]).startswith("<road main: ")

@@ -1,0 +1,74 @@
+"""`roadlang.testing`: what authors of plugins try their kinds with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+import pytest
+
+from roadlang import DiagnosticError, testing
+from roadlang.api import Length, Perturber, RoadBatch, option
+
+TEXT = """\
+road main { draw with waypoints { points: [(0m, 0m), (100m, 0m)] } }
+road moved from main { perturb with shift { by: 2m } }
+"""
+
+
+@dataclass(frozen=True)
+class Shift(Perturber):
+    """Move the road to the left."""
+
+    name: ClassVar[str] = "shift"
+    is_random: ClassVar[bool] = False
+    by: Length = option(help="how far", minimum=0)
+
+    def displacements(self, roads, random):
+        return np.broadcast_to(self.by, (roads.variants, len(roads.stations)))
+
+
+def test_a_text_can_name_a_kind_under_test():
+    (scene,) = testing.sample(TEXT, kinds=[Shift])
+    np.testing.assert_allclose(scene.roads["moved"].y, 2.0)
+    (scene,) = testing.sample(TEXT.replace("with shift", "with tested.shift"), kinds=[Shift])
+    assert scene.provenance.plugins["tested"]
+
+
+def test_its_faults_read_as_a_user_would_see_them():
+    found = testing.check(TEXT.replace("by: 2m", "by: -2m"), kinds=[Shift])
+    assert [diagnostic.code for diagnostic in found] == ["RL208"]
+    with pytest.raises(DiagnosticError, match=r"RL210(.|\n)*shift"):
+        testing.sample(TEXT)
+
+
+def test_a_kind_that_no_plugin_could_bring_is_refused():
+    class Nameless(Perturber):
+        pass
+
+    with pytest.raises(TypeError, match="Nameless"):
+        testing.registry_with(Nameless)
+
+
+def test_a_road_to_perturb_by_hand():
+    road = testing.road_batch([(0, 0), (100, 0)], variants=3, width=[6.0, 7.0, 8.0])
+    assert isinstance(road, RoadBatch)
+    assert road.points.shape == (3, len(road.stations), 2)
+    np.testing.assert_array_equal(road.width, [[6.0], [7.0], [8.0]])
+    moved = Shift(by=1.0).displacements(road, testing.random(3))
+    assert moved.shape == (3, len(road.stations))
+
+
+def test_random_numbers_differ_between_variants_and_repeat():
+    first = testing.random(4, seed=7).uniform(3)
+    assert first.shape == (4, 3)
+    assert len(np.unique(first)) == 12
+    np.testing.assert_array_equal(first, testing.random(4, seed=7).uniform(3))
+    assert (first != testing.random(4, seed=8).uniform(3)).all()
+
+
+def test_the_fixture_finds_files_in_the_folder_of_the_test(roadlang_sample, tmp_path):
+    (tmp_path / "line.csv").write_text("x,y\n0,0\n50,0\n100,0\n")
+    (scene,) = roadlang_sample('road main from "line.csv"\n')
+    assert scene.roads["main"].length == pytest.approx(100.0)
