@@ -74,7 +74,7 @@ def test_what_the_engine_does_not_hold_is_named(session: Session) -> None:
     begin(session, things)
     false = replace(things[0], content=things[0].content[:-1] + b"\x07")
     session._built[0][false.key] = (session._built[0][false.key][0], false)
-    with pytest.raises(EngineError, match=f"RL504: 1 thing.*{false.label}"):
+    with pytest.raises(EngineError, match=f"RL504\\]: 1 thing.*{false.label}"):
         session.prove()
 
 
