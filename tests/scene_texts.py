@@ -11,12 +11,12 @@ import pytest
 import roadlang_godot.plugin
 import roadlang_standard
 from roadlang import LoadedScenario, NoSceneError, testing
-from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.ir.scenario import Scenario
 from roadlang.judging.acceptance import Judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.plugins.registry import Registry
 from roadlang.scenes.sampling import SamplingResult
+from roadlang.world.index import index_scenario
 
 SHIPPED = {"standard": roadlang_standard, "godot": roadlang_godot.plugin}
 
