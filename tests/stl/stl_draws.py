@@ -9,6 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roadlang import stl
+from roadlang.stl.formula.formulas import (
+    COMPOUNDS,
+    BinaryTemporal,
+    Connective,
+    Junction,
+    Pointwise,
+    TemporalOperator,
+)
 
 NAMES = ("x", "y", "z")
 
@@ -67,22 +75,26 @@ class FormulaDraw:
 
     def _logic(self, depth: int) -> stl.Formula:
         draw = self.random
-        kind = draw.choice([stl.Not, stl.And, stl.Or, stl.Implies, stl.Iff, stl.Xor])
-        if kind is stl.Not:
-            return stl.Not(self.formula(depth))
-        if kind in (stl.And, stl.Or):
-            parts = tuple(self.formula(draw.randint(0, depth)) for _ in range(draw.randint(2, 3)))
-            return kind(parts)
-        return kind(self.formula(depth), self.formula(draw.randint(0, depth)))
+        kind = draw.choice(_of_shape(Pointwise))
+        if issubclass(kind, Junction):
+            parts = [self.formula(draw.randint(0, depth)) for _ in range(draw.randint(2, 3))]
+            return kind.of(parts)
+        if issubclass(kind, Connective):
+            return kind.of([self.formula(depth), self.formula(draw.randint(0, depth))])
+        return kind.of([self.formula(depth)])
 
     def _temporal(self, depth: int) -> stl.Formula:
         draw = self.random
-        ahead = [stl.Always, stl.Eventually, stl.Until]
-        behind = [stl.Historically, stl.Once, stl.Since] if self.past else []
-        kind = draw.choice(ahead + behind)
-        if kind in (stl.Until, stl.Since):
-            return kind(self.interval(), self.formula(draw.randint(0, depth)), self.formula(depth))
-        return kind(self.interval(), self.formula(depth))
+        kinds = _of_shape(TemporalOperator)
+        kind = draw.choice([kind for kind in kinds if self.past or not kind.past])
+        if issubclass(kind, BinaryTemporal):
+            sides = [self.formula(draw.randint(0, depth)), self.formula(depth)]
+            return kind.of(sides, self.interval())
+        return kind.of([self.formula(depth)], self.interval())
+
+
+def _of_shape(shape: type) -> list[type]:
+    return [kind for kind in COMPOUNDS.values() if issubclass(kind, shape)]
 
 
 def draw_trace(

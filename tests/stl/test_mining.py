@@ -7,7 +7,7 @@ import pytest
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.stl.explain.mining import Parameter, mine
-from roadlang.stl.formula.printing import number_text
+from roadlang.stl.formula.terms import number_text
 
 POSITIONS = np.arange(0.0, 50.0, 0.5)
 RECORDINGS = [

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 
+from .operators import BY_WORD, token_kinds
+
 STATEMENTS = (
     "scenario", "include", "param", "let", "image", "network", "road", "require", "expect",
     "agent", "object", "world", "sample", "simulate", "falsify", "emit",
 )  # fmt: skip
 CONNECTIVES = ("from", "is", "on", "at")
-TEMPORAL = ("always", "eventually", "once", "historically")
-BINDING = ("until", "since")
-RESERVED = (
-    "and", "or", "not", "xor", "implies", "iff", "true", "false", "with", *BINDING, *TEMPORAL,
-)  # fmt: skip
+RESERVED = ("true", "false", "with", *BY_WORD)
 UNITS = (
     "m", "mm", "cm", "km", "ft", "mi", "px", "s", "ms", "min", "h", "deg", "rad", "kg", "t", "N",
     "Hz", "mph",
@@ -25,9 +23,9 @@ DEEPEST = 150
 
 STATEMENT_KINDS = frozenset(word.upper() for word in STATEMENTS)
 RESERVED_KINDS = frozenset(word.upper() for word in RESERVED)
-TEMPORAL_KINDS = frozenset(word.upper() for word in TEMPORAL) | set("GFHO")
-BINDING_KINDS = frozenset(word.upper() for word in BINDING) | set("US")
-LOGIC_KINDS = {"AND", "OR", "XOR", "IMPLIES", "IFF", "NOT"} | TEMPORAL_KINDS | BINDING_KINDS
+TEMPORAL_KINDS = token_kinds("temporal")
+BINDING_KINDS = token_kinds("binding")
+LOGIC_KINDS = token_kinds("not", "logic", "temporal", "binding")
 OPERATOR_KINDS = {"PLUS", "MINUS", "TIMES", "DIVIDE", "POWER", "COMPARISON", "RANGE"}
 OPENERS = {"LPAR": "RPAR", "LSQB": "RSQB", "LBRACE": "RBRACE"}
 CLOSERS = {closer: opener for opener, closer in OPENERS.items()}

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ...diagnostics import Code, Span
 from ...ir.dimension import LENGTH, TIME
 from ...ir.values import Condition, NumberBinding, Reference
+from ...stl.formula.formulas import compound
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -100,21 +101,12 @@ def infer_not(checker: Checker, node: ast.Not, context: Context) -> TypedExpress
 
 def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> TypedExpression:
     """`and`, `or`, `implies`, `iff`, `xor`."""
-    from ... import stl
-
     what = f"`{node.word}`"
     parts = [_operand(checker, operand, context, what) for operand in node.operands]
     formulas = [part.formula for part in parts if part.formula is not None]
     if len(formulas) < len(parts):
         return unknown(node.span)
-    makers: dict[str, Any] = {
-        "and": lambda: stl.And(tuple(formulas)),
-        "or": lambda: stl.Or(tuple(formulas)),
-        "implies": lambda: stl.Implies(*formulas),
-        "iff": lambda: stl.Iff(*formulas),
-        "xor": lambda: stl.Xor(*formulas),
-    }
-    return _joined(checker, node.span, makers[node.word], parts)
+    return _joined(checker, node.span, lambda: compound(node.word, formulas), parts)
 
 
 def _joined(
@@ -129,8 +121,6 @@ def _joined(
 
 def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> TypedExpression:
     """`always[a, b] p` and its kin."""
-    from ... import stl
-
     operand = _operand(checker, node.operand, context, f"`{node.word}`")
     ends = _ends(checker, node.interval, context)
     if operand.formula is None or ends is None:
@@ -138,19 +128,12 @@ def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Ty
     interval = _interval(checker, node, ends, operand.evidence)
     if isinstance(interval, TypedExpression):
         return interval
-    maker = {
-        "always": stl.Always,
-        "eventually": stl.Eventually,
-        "once": stl.Once,
-        "historically": stl.Historically,
-    }[node.word]
-    return replace(operand, span=node.span, formula=maker(interval, operand.formula))
+    formula = compound(node.word, [operand.formula], interval)
+    return replace(operand, span=node.span, formula=formula)
 
 
 def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> TypedExpression:
     """`left until[a, b] right` and `since`."""
-    from ... import stl
-
     sides = (node.left, node.right)
     parts = [_operand(checker, side, context, f"`{node.word}`") for side in sides]
     ends = _ends(checker, node.interval, context)
@@ -162,9 +145,8 @@ def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> Type
     interval = _interval(checker, node, ends, evidence)
     if isinstance(interval, TypedExpression):
         return interval
-    maker: Any = stl.Until if node.word == "until" else stl.Since
-    left, right = parts[0].formula, parts[1].formula
-    return _joined(checker, node.span, lambda: maker(interval, left, right), parts)
+    sides_read = [part.formula for part in parts if part.formula is not None]
+    return _joined(checker, node.span, lambda: compound(node.word, sides_read, interval), parts)
 
 
 def _operand(

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Code
+from ...diagnostics import Code, Span
+from ...stl.formula.formulas import COMPOUNDS, TemporalOperator
+from ...syntax.operators import BY_WORD
 from ...syntax.tree import nodes as ast
+from ...syntax.tree.walk import walk
 from ..checker import Checker
 from ..context import Context
 from ..types.expression_types import BooleanType, FormulaType, TypedExpression
 from .formulas import condition_of
-
-_FUTURE = ("always", "eventually", "until")
 
 
 def check_condition(
@@ -39,44 +40,26 @@ def check_condition(
 
 def _only_past(checker: Checker, expression: ast.Expression, typed: TypedExpression) -> bool:
     """False, reported, where a formula looks ahead."""
-    from ...stl import Always, Eventually, Until
-
-    written = _future_word(expression)
-    if written is not None:
-        checker.report(
-            Code.FUTURE_OPERATOR_IN_WHEN,
-            written.word_span,
-            word=written.word,
-            help=_backwards(written.word),
-        )
+    written = next(filter(_looks_ahead, (node for node, _ in walk(expression))), None)
+    if isinstance(written, ast.Temporal | ast.Binding):
+        _report_future(checker, written.word, written.word_span)
         return False
-    formula = typed.formula
-    ahead = (Always, Eventually, Until)
-    if formula is not None and any(isinstance(part, ahead) for part in formula.walk()):
-        part = next(part for part in formula.walk() if isinstance(part, ahead))
-        word = type(part).__name__.lower()
-        checker.report(Code.FUTURE_OPERATOR_IN_WHEN, typed.span, word=word, help=_backwards(word))
+    # A `let` that the formula names may look ahead as well.
+    parts = typed.formula.walk() if typed.formula is not None else ()
+    ahead = (part for part in parts if isinstance(part, TemporalOperator) and not part.past)
+    if (part := next(ahead, None)) is not None:
+        _report_future(checker, part.word, typed.span)
         return False
     return True
 
 
-def _backwards(word: str) -> str:
-    past = {"always": "historically", "eventually": "once", "until": "since"}[word]
-    return f"`{past}` looks back instead"
+def _looks_ahead(node: ast.Node) -> bool:
+    if not isinstance(node, ast.Temporal | ast.Binding):
+        return False
+    operator = COMPOUNDS[node.word]
+    return issubclass(operator, TemporalOperator) and not operator.past
 
 
-def _future_word(expression: ast.Expression) -> ast.Temporal | ast.Binding | None:
-    if isinstance(expression, ast.Temporal | ast.Binding) and expression.word in _FUTURE:
-        return expression
-    parts: tuple[ast.Expression, ...] = ()
-    match expression:
-        case ast.Temporal() | ast.Not():
-            parts = (expression.operand,)
-        case ast.Group():
-            parts = (expression.inner,)
-        case ast.Binding():
-            parts = (expression.left, expression.right)
-        case ast.Logic():
-            parts = expression.operands
-    found = (_future_word(part) for part in parts)
-    return next((part for part in found if part is not None), None)
+def _report_future(checker: Checker, word: str, span: Span) -> None:
+    help_ = f"`{BY_WORD[word].mirror}` looks back instead"
+    checker.report(Code.FUTURE_OPERATOR_IN_WHEN, span, word=word, help=help_)

@@ -29,9 +29,10 @@ def extended_axis(formula: f.Formula, positions: FloatArray) -> Axis:
 
 
 def _looks_back_from_later(formula: f.Formula, later: bool) -> bool:
-    if later and isinstance(formula, f.PAST):
-        return True
-    later = later or isinstance(formula, f.FUTURE)
+    if isinstance(formula, f.TemporalOperator):
+        if later and formula.past:
+            return True
+        later = later or not formula.past
     return any(_looks_back_from_later(part, later) for part in formula.parts)
 
 
@@ -52,7 +53,7 @@ def _marks(formula: f.Formula, positions: FloatArray, slack: float) -> FloatArra
 def _shifts(formula: f.Formula) -> set[float]:
     """All sums of bounds, either way, of the intervals on a path from the root down."""
     below = {0.0}.union(*(_shifts(part) for part in formula.parts))
-    interval = getattr(formula, "interval", None)
+    interval = formula.window if isinstance(formula, f.Compound) else None
     if interval is None:
         return below
     bounds = [bound for bound in (interval.lo, interval.hi) if math.isfinite(bound)]

@@ -86,18 +86,13 @@ class Graph:
         match formula:
             case f.Not():
                 return self.add(Pointwise(negative), *parts)
-            case f.And() | f.Or():
+            case f.Junction():
                 if not parts:
-                    return self.formula(f.Truth(isinstance(formula, f.And)))
-                return self.add(
-                    Pointwise(least if isinstance(formula, f.And) else greatest), *parts
-                )
-            case f.Always(interval) | f.Historically(interval):
-                past = isinstance(formula, f.Historically)
-                return self.add(Sliding(LEAST, interval, past), *parts)
-            case f.Eventually(interval) | f.Once(interval):
-                past = isinstance(formula, f.Once)
-                return self.add(Sliding(GREATEST, interval, past), *parts)
-            case f.Until(interval) | f.Since(interval):
-                return self.add(Reaching(interval, isinstance(formula, f.Since)), *parts)
+                    return self.formula(f.Truth(formula.least))
+                return self.add(Pointwise(least if formula.least else greatest), *parts)
+            case f.UnaryTemporal(interval):
+                extreme = LEAST if formula.least else GREATEST
+                return self.add(Sliding(extreme, interval, formula.past), *parts)
+            case f.BinaryTemporal(interval):
+                return self.add(Reaching(interval, formula.past), *parts)
         raise TypeError(f"not in normal form: {formula!r}")

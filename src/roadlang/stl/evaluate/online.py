@@ -57,9 +57,10 @@ class Monitor:
         verdict: Verdict = decided(self.formula, trace, *ends)[0].item()
         lo, hi = (float(end[0]) for end in ends)
         if self._settled is not None:
-            join = min if isinstance(self.formula, f.Always) else max
+            assert isinstance(self.formula, f.UnaryTemporal)
+            fatal = self.formula.least
+            join = min if fatal else max
             lo, hi = join(lo, self._settled), join(hi, self._settled)
-            fatal = isinstance(self.formula, f.Always)
             if self._settled_truth is not fatal:
                 verdict = "violated" if fatal else "satisfied"
         self.lo, self.hi, self.verdict = lo, hi, verdict
@@ -68,7 +69,7 @@ class Monitor:
 
     def _fold(self, trace: Trace) -> None:
         """Settle the samples whose windows have ended, many at a time."""
-        assert isinstance(self.formula, f.Always | f.Eventually)
+        assert isinstance(self.formula, f.UnaryTemporal)
         body = self.formula.operand
         reach = horizon(body)
         settled = int(np.searchsorted(trace.positions, trace.positions[-1] - reach * (1 + 1e-6)))
@@ -77,7 +78,7 @@ class Monitor:
         signals = {name: np.asarray(self._values[name]) for name in self._names}
         rho = body.robustness(trace.positions, signals)[:settled]
         truth = body.truth(trace.positions, signals)[:settled]
-        least = isinstance(self.formula, f.Always)
+        least = self.formula.least
         known = () if self._settled is None else (self._settled,)
         self._settled = min(*known, *rho.tolist()) if least else max(*known, *rho.tolist())
         told = () if self._settled_truth is None else (self._settled_truth,)
@@ -92,7 +93,6 @@ class Monitor:
 
 
 def _is_foldable(formula: f.Formula) -> bool:
-    if not isinstance(formula, f.Always | f.Eventually) or formula.interval is not None:
+    if not isinstance(formula, f.UnaryTemporal) or formula.interval is not None:
         return False
-    looks_back = any(isinstance(node, f.PAST) for node in formula.walk())
-    return not looks_back and math.isfinite(horizon(formula.operand))
+    return not formula.looks_back and math.isfinite(horizon(formula.operand))

@@ -47,7 +47,7 @@ def range_at_start(
 ) -> tuple[FloatArray, FloatArray]:
     """(lo, hi) at the first sample of each variant, each (V,)."""
     plain = normal_form(formula)
-    if trace.wrap is not None or not any(isinstance(node, f.FUTURE) for node in plain.walk()):
+    if trace.wrap is not None or not plain.looks_ahead:
         graph = Graph.of(formula, leaves)
         exact = run_at_start(graph, trace, Axis(trace.positions, trace.wrap))
         return exact, exact
@@ -86,23 +86,21 @@ class BoundGraph(Graph):
             case f.Not(operand):
                 other: Side = "upper" if side == "lower" else "lower"
                 return self.add(Pointwise(negative), self.bound(operand, other, later))
-            case f.And(operands) | f.Or(operands):
-                function = least if isinstance(formula, f.And) else greatest
+            case f.Junction(operands):
+                function = least if formula.least else greatest
                 parts = _state_parts_together(type(formula), operands)
                 bounds = [self.bound(part, side, later) for part in parts]
                 return bounds[0] if len(bounds) == 1 else self.add(Pointwise(function), *bounds)
-            case f.Until() | f.Since():
+            case f.BinaryTemporal():
                 return self._reach(formula, side, later)
-            case f.Always() | f.Eventually() | f.Historically() | f.Once():
+            case f.UnaryTemporal():
                 return self._slide(formula, side, later)
         raise TypeError(f"not in normal form: {formula!r}")
 
-    def _slide(
-        self, formula: f.Always | f.Eventually | f.Historically | f.Once, side: Side, later: bool
-    ) -> int:
+    def _slide(self, formula: f.UnaryTemporal, side: Side, later: bool) -> int:
         """Samples that are yet to come count where they help, and stay away where they do not."""
-        extreme = LEAST if isinstance(formula, f.Always | f.Historically) else GREATEST
-        past = isinstance(formula, f.PAST)
+        extreme = LEAST if formula.least else GREATEST
+        past = formula.past
         helped = (side == "lower") == (extreme is LEAST)
         operand = self.bound(formula.operand, side, later or (helped and not past))
         sliding = Sliding(extreme, formula.interval, past)
@@ -115,9 +113,9 @@ class BoundGraph(Graph):
             return self.add(AtUnseen(self.seen, join), result, operand)
         return result
 
-    def _reach(self, formula: f.Until | f.Since, side: Side, later: bool) -> int:
+    def _reach(self, formula: f.BinaryTemporal, side: Side, later: bool) -> int:
         """Later witnesses count for the upper end only, later failures for the lower end only."""
-        past = isinstance(formula, f.Since)
+        past = formula.past
         reaching = Reaching(formula.interval, past)
         upper = side == "upper"
         left = self.bound(formula.left, side, later)
@@ -148,13 +146,12 @@ class BoundGraph(Graph):
         return self.add(Given(name))
 
 
-def _holds_own_sample(formula: f.Formula) -> bool:
-    interval = getattr(formula, "interval", None)
-    return interval is None or interval.lo == 0
+def _holds_own_sample(formula: f.TemporalOperator) -> bool:
+    return formula.window is None or formula.window.lo == 0
 
 
 def _state_parts_together(
-    kind: type[f.And] | type[f.Or], operands: tuple[f.Formula, ...]
+    kind: type[f.Junction], operands: tuple[f.Formula, ...]
 ) -> tuple[f.Formula, ...]:
     """Operands without temporal operators joined into one: their signals are the same."""
     states = tuple(operand for operand in operands if not operand.temporal)

@@ -88,10 +88,9 @@ def _formula_pieces(formula: f.Formula, constants: Constants) -> Pieces:
             from ..formula.normal_form import normal_form
 
             return _formula_pieces(normal_form(operand, negated=True), constants)
-        case f.And(operands):
-            return _least([_formula_pieces(operand, constants) for operand in operands])
-        case f.Or(operands):
-            return _greatest([_formula_pieces(operand, constants) for operand in operands])
+        case f.Junction(operands):
+            join = _least if formula.least else _greatest
+            return join([_formula_pieces(operand, constants) for operand in operands])
         case f.Comparison(op, left, right):
             sides = _term_pieces(left, constants), _term_pieces(right, constants)
             above, below = _difference(*sides), _difference(*sides[::-1])

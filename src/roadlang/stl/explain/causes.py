@@ -66,10 +66,10 @@ class _Blame:
                 self.guarded[blamed] = self.guarded.get(blamed, False) | asked
             case f.Not(operand):
                 self.spread(operand, asked, not holding)
-            case f.Until(interval, left, right) | f.Since(interval, left, right):
+            case f.BinaryTemporal(interval, left, right):
                 self.spread(left, self._reached(formula, interval, asked, whole=True), holding)
                 self.spread(right, self._reached(formula, interval, asked, whole=False), holding)
-            case f.Always() | f.Eventually() | f.Once() | f.Historically():
+            case f.UnaryTemporal():
                 reached = self._reached(formula, formula.interval, asked, whole=False)
                 self.spread(formula.operand, reached, holding)
             case _:
@@ -77,10 +77,10 @@ class _Blame:
                     self.spread(part, asked, holding)
 
     def _reached(
-        self, formula: f.Formula, interval: Interval | None, asked: Mask, *, whole: bool
+        self, formula: f.TemporalOperator, interval: Interval | None, asked: Mask, *, whole: bool
     ) -> Mask:
         """The samples in the windows of `asked`; `whole`: and those on the way to them."""
-        past = isinstance(formula, f.PAST)
+        past = formula.past
         reached = np.zeros(self.trace.samples, dtype=bool)
         windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, whole=whole)
         if windows is None:

@@ -138,37 +138,36 @@ class _Finder:
 
     def _next(self, formula: f.Formula, sample: int) -> tuple[f.Formula, int] | None:
         match formula:
-            case f.Not(operand):
-                return operand, sample
-            case f.And(operands) | f.Or(operands):
-                pick = min if isinstance(formula, f.And) else max
-                chosen = pick(operands, key=lambda part: self.value(part, sample), default=None)
-                return None if chosen is None else (chosen, sample)
-            case f.Implies(left, right):
-                refuted = -self.value(left, sample) >= self.value(right, sample)
-                return (left if refuted else right), sample
-            case f.Iff(left, right) | f.Xor(left, right):
-                sides = (left, right)
-                return min(sides, key=lambda part: abs(self.value(part, sample))), sample
-            case f.Until() | f.Since():
+            case f.Pointwise():
+                return self._deciding_part(formula, sample)
+            case f.BinaryTemporal():
                 return self._decider(formula, sample)
-        return self._extreme(formula, sample)
+            case f.UnaryTemporal():
+                return self._extreme(formula, sample)
+        raise TypeError(f"not a formula of others: {formula!r}")
 
-    def _extreme(self, formula: f.Formula, sample: int) -> tuple[f.Formula, int] | None:
-        assert isinstance(formula, f.Always | f.Eventually | f.Once | f.Historically)
-        past = isinstance(formula, f.PAST)
-        windows = self.axis.windows(formula.interval, (sample, sample), past=past)
+    def _deciding_part(self, formula: f.Pointwise, sample: int) -> tuple[f.Formula, int] | None:
+        """The first part whose robustness is that of the formula, its sign turned or not."""
+        rho = self.value(formula, sample)
+        for part, trend in zip(formula.parts, formula.trends, strict=True):
+            value = self.value(part, sample)
+            if rho in ((value, -value) if trend == 0 else (trend * value,)):
+                return part, sample
+        return None
+
+    def _extreme(self, formula: f.UnaryTemporal, sample: int) -> tuple[f.Formula, int] | None:
+        windows = self.axis.windows(formula.interval, (sample, sample), past=formula.past)
         if windows is None:
             return None
         held = windows.samples(0)
         values = self.values(formula.operand)[held]
-        least = isinstance(formula, f.Always | f.Historically)
-        return formula.operand, int(held[np.argmin(values) if least else np.argmax(values)])
+        extreme = np.argmin(values) if formula.least else np.argmax(values)
+        return formula.operand, int(held[extreme])
 
-    def _decider(self, formula: f.Until | f.Since, sample: int) -> tuple[f.Formula, int] | None:
+    def _decider(self, formula: f.BinaryTemporal, sample: int) -> tuple[f.Formula, int] | None:
         """The best witness, and whether it or a sample on the way to it decides."""
-        past = isinstance(formula, f.Since)
-        windows = self.axis.windows(formula.interval, (sample, sample), past=past, whole=True)
+        span = (sample, sample)
+        windows = self.axis.windows(formula.interval, span, past=formula.past, whole=True)
         if windows is None:
             return None
         held = windows.samples(0)

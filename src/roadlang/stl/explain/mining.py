@@ -15,7 +15,7 @@ from ..errors import stl_error
 from ..evaluate.trace import Positions, Signals
 from ..formats.text import parse
 from ..formula import formulas as f
-from ..formula.printing import number_text
+from ..formula.terms import number_text
 
 Recording = tuple[Positions, Signals]
 

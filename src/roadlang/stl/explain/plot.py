@@ -12,7 +12,7 @@ from ..evaluate.evaluation import everywhere
 from ..evaluate.trace import FloatArray, Positions, Signals, Trace
 from ..formula import formulas as f
 from ..formula import terms as t
-from ..formula.printing import number_text
+from ..formula.terms import number_text
 from .explanation import Explanation, explain
 
 _WIDTH, _PANEL, _GAP = 860, 130, 44
@@ -110,9 +110,9 @@ class _Panel:
 
 def _robustness_panel(formula: f.Formula, trace: Trace, why: Explanation) -> _Panel:
     """Of `always p` and `eventually p`, the robustness of p says where: that is drawn."""
-    whole = isinstance(formula, f.Always | f.Eventually)
-    shown = formula.parts[0] if whole else formula
-    title = f"robustness of {_shortened(str(shown))}" if whole else "robustness"
+    ahead = isinstance(formula, f.UnaryTemporal) and not formula.past
+    shown = formula.parts[0] if ahead else formula
+    title = f"robustness of {_shortened(str(shown))}" if ahead else "robustness"
     panel = _Panel(title, _INK, trace.positions, everywhere(shown, trace)[0])
     panel.levels = {0.0: ""}
     panel.shaded = [(stretch.start, stretch.end) for stretch in why.stretches]

@@ -5,22 +5,21 @@ from __future__ import annotations
 import re
 
 from ...diagnostics import Code, Source
+from ...syntax.operators import OPERATORS
 from ..errors import stl_error
 from ..formula import formulas as f
 from .text import parse
 
 _SIGNAL = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*t\s*([^\]]*)\]")
 _BREACH_WORDS = {
-    "alw": "always", "always": "always", "ev": "eventually", "eventually": "eventually",
-    "until": "until", "once": "once", "hist": "historically", "historically": "historically",
-    "since": "since", "not": "not",
-}  # fmt: skip
-_BREACH_TEMPORAL = re.compile(
-    r"\b(alw|always|ev|eventually|until|once|hist|historically|since)\b_?"
-)
-_UNDERSCORE = re.compile(
-    r"\b(alw|always|ev|eventually|until|once|hist|historically|since)_(?=\s*\[)"
-)
+    word: operator.word
+    for operator in OPERATORS
+    if operator.form in ("temporal", "binding")
+    for word in operator.breach
+}
+_TEMPORAL = "|".join(sorted(_BREACH_WORDS, key=len, reverse=True))
+_BREACH_TEMPORAL = re.compile(rf"\b({_TEMPORAL})\b_?")
+_UNDERSCORE = re.compile(rf"\b({_TEMPORAL})_(?=\s*\[)")
 _COMMENT = re.compile(r"%[^\n]*")
 
 _BINARY_FONT = re.compile(r"\\math(?:bin|rel|op)\s*\{(\\math\w+\s*\{\w+\}|\w+|\\[A-Za-z]+)\s*\}")
@@ -58,7 +57,7 @@ def read_latex(text: str) -> f.Formula:
     from ...syntax.recovery.foreign_notation import from_latex
 
     text = _DEFINITION.sub("", text.strip().strip("$"))
-    text = re.sub(r"\\left|\\right(?![a-z])", "", text).replace("~", " ")
+    text = re.sub(r"\\(?:left|right)(?![a-z])", "", text).replace("~", " ")
     text = _BINARY_FONT.sub(r"\1", text)
     text = _MAGNITUDE.sub(lambda match: f"abs({match[1] or match[2]})", text)
     text = _OPEN_INTERVAL.sub(_interval, text)

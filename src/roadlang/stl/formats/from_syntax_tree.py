@@ -21,11 +21,6 @@ from ..formula import terms as t
 from ..formula.interval import Interval
 from . import unit_factors as units
 
-_UNARY: dict[str, Any] = {
-    "always": f.Always, "eventually": f.Eventually, "once": f.Once,
-    "historically": f.Historically,
-}  # fmt: skip
-_PAIRS: dict[str, Any] = {"implies": f.Implies, "iff": f.Iff, "xor": f.Xor}
 _NUMBER_NODES = (ast.Number, ast.Name, ast.Member, ast.Negate, ast.Arithmetic, ast.Call)
 _FORMULA_NODES = (ast.Boolean, ast.Comparison, ast.Not, ast.Temporal, ast.Binding, ast.Logic)
 _NOTHING = f.Truth(False)
@@ -52,16 +47,12 @@ class Reader:
                 return f.Not(self.formula(operand))
             case ast.Temporal(word, interval, operand):
                 bounds = self._interval(interval)
-                return cast(f.Formula, _UNARY[word](bounds, self.formula(operand)))
+                return f.compound(word, [self.formula(operand)], bounds)
             case ast.Binding(word, interval, left, right):
-                kind = f.Until if word == "until" else f.Since
                 before, bounds = self.formula(left), self._interval(interval)
-                return kind(bounds, before, self.formula(right))
+                return f.compound(word, [before, self.formula(right)], bounds)
             case ast.Logic(word, operands):
-                formulas = tuple(self.formula(operand) for operand in operands)
-                if word in ("and", "or"):
-                    return f.And(formulas) if word == "and" else f.Or(formulas)
-                return cast(f.Formula, _PAIRS[word](*formulas))
+                return f.compound(word, [self.formula(operand) for operand in operands])
         if isinstance(node, ast.Call) and _dotted(node.function) not in get_args(t.FunctionName):
             self._unknown_function(node.function)
             return _NOTHING

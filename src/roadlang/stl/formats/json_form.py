@@ -11,6 +11,7 @@ import math
 from typing import Any, cast, get_args
 
 from ...diagnostics import Code
+from ...syntax.operators import OPERATORS
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
@@ -18,10 +19,9 @@ from ..formula.interval import Interval
 
 Json = Any
 
-_UNARY = {"always": f.Always, "eventually": f.Eventually, "once": f.Once,
-          "historically": f.Historically}  # fmt: skip
-_BINARY = {"until": f.Until, "since": f.Since}
-_LOGIC = {"implies": f.Implies, "iff": f.Iff, "xor": f.Xor}
+_WORDS = {operator.json: operator.word for operator in OPERATORS}
+_UNARY = {operator.json for operator in OPERATORS if operator.form in ("not", "temporal")}
+"""Their operand stands by itself, not in a list."""
 
 
 def to_json(formula: f.Formula) -> Json:
@@ -31,14 +31,14 @@ def to_json(formula: f.Formula) -> Json:
             return value
         case f.Comparison(op, left, right):
             return {op: [_term_to_json(left), _term_to_json(right)]}
-    word = type(formula).__name__.lower()
-    parts = [to_json(part) for part in formula.parts]
-    single = isinstance(formula, (f.Not, *_UNARY.values()))
-    result: dict[str, Json] = {word: parts[0] if single else parts}
-    interval = getattr(formula, "interval", None)
-    if interval is not None:
-        result["interval"] = [interval.lo, None if math.isinf(interval.hi) else interval.hi]
-    return result
+        case f.Compound():
+            tag, window = formula.notation.json, formula.window
+            parts = [to_json(part) for part in formula.parts]
+            result: dict[str, Json] = {tag: parts[0] if tag in _UNARY else parts}
+            if window is not None:
+                result["interval"] = [window.lo, None if math.isinf(window.hi) else window.hi]
+            return result
+    raise TypeError(f"not a formula: {formula!r}")
 
 
 def _term_to_json(term: t.Term) -> Json:
@@ -68,7 +68,7 @@ def from_json(value: Json) -> f.Formula:
             left, right = (_term_from_json(operand) for operand in operands)
             return f.Comparison(cast(f.ComparisonOperator, word), left, right)
         return _formula(word, operands, _interval(value.get("interval")))
-    except (TypeError, ValueError) as problem:
+    except (TypeError, ValueError, KeyError) as problem:
         raise _refusal(value) from problem
 
 
@@ -79,20 +79,9 @@ def _head(value: dict[str, Json]) -> tuple[str, Json]:
     return heads[0]
 
 
-def _formula(word: str, operands: Json, interval: Interval | None) -> f.Formula:
-    if word == "not":
-        return f.Not(from_json(operands))
-    if word in _UNARY:
-        return _UNARY[word](interval, from_json(operands))
-    parts = tuple(from_json(operand) for operand in operands)
-    if word in ("and", "or"):
-        return f.And(parts) if word == "and" else f.Or(parts)
-    left, right = parts
-    if word in _BINARY:
-        return _BINARY[word](interval, left, right)
-    if word in _LOGIC:
-        return _LOGIC[word](left, right)
-    raise ValueError(word)
+def _formula(tag: str, operands: Json, interval: Interval | None) -> f.Formula:
+    parts = [from_json(operand) for operand in ([operands] if tag in _UNARY else operands)]
+    return f.compound(_WORDS[tag], parts, interval)
 
 
 def _interval(bounds: Json) -> Interval | None:

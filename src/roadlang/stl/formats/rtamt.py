@@ -10,14 +10,13 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.interval import Interval
-from ..formula.printing import number_text
+from ..formula.terms import number_text
 
 _RESERVED = frozenset(
     {"G", "F", "U", "X", "H", "O", "S", "Y", "W", "s", "ms", "us", "ns", "ps", "abs", "sqrt"}
     | {"exp", "pow", "rise", "fall"}
 )
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
-_LOGIC: dict[type[f.Formula], str] = {f.And: "and", f.Or: "or", f.Implies: "->"}
 
 
 def to_rtamt(formula: f.Formula) -> str:
@@ -30,29 +29,25 @@ def to_rtamt(formula: f.Formula) -> str:
         case f.Comparison(op, left, right):
             sign = "!==" if op == "!=" else op
             return f"({_term(left)} {sign} {_term(right)})"
+        case f.Connective() if not formula.notation.rtamt:
+            return to_rtamt(formula.expanded())
         case f.Not(operand):
-            return f"(not {to_rtamt(operand)})"
-        case f.And(parts) | f.Or(parts) if parts:
-            return _nested(_LOGIC[type(formula)], [to_rtamt(part) for part in parts])
-        case f.Implies(left, right):
-            return _nested("->", [to_rtamt(left), to_rtamt(right)])
-        case f.Iff(left, right):
-            return to_rtamt(f.And((f.Implies(left, right), f.Implies(right, left))))
-        case f.Xor(left, right):
-            return to_rtamt(f.Or((f.And((left, f.Not(right))), f.And((f.Not(left), right)))))
-        case f.Always() | f.Eventually() | f.Once() | f.Historically():
+            return f"({formula.notation.rtamt} {to_rtamt(operand)})"
+        case f.Junction() | f.Connective() if formula.parts:
+            return _nested(formula.notation.rtamt, [to_rtamt(part) for part in formula.parts])
+        case f.UnaryTemporal():
             return _unary(formula)
-        case f.Until(interval, left, right) | f.Since(interval, left, right):
-            word = type(formula).__name__.lower()
+        case f.BinaryTemporal(interval, left, right):
+            word = formula.notation.rtamt
             if interval is not None and interval.lo > 0 and math.isinf(interval.hi):
                 raise _cannot(f"{word}[{number_text(interval.lo)}, inf]")
             return f"({to_rtamt(left)} {word}{_bounds(interval)} {to_rtamt(right)})"
     raise _cannot(str(formula))
 
 
-def _unary(formula: f.Always | f.Eventually | f.Once | f.Historically) -> str:
+def _unary(formula: f.UnaryTemporal) -> str:
     """[a, inf] is said in two steps: a ahead, and then without bounds."""
-    word = type(formula).__name__.lower()
+    word = formula.notation.rtamt
     interval = formula.interval
     text = to_rtamt(formula.operand)
     if interval is not None and interval.lo > 0 and math.isinf(interval.hi):

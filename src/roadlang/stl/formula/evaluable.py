@@ -1,4 +1,9 @@
-"""What every formula can be asked; the work is imported only when it is asked."""
+"""What every formula can be asked.
+
+This is a facade, the one place of the room where imports go up: a method imports what does its
+work when it is called. So `formula.rho(...)` reads well, and a formula that is only checked or
+printed imports no numpy.
+"""
 
 from __future__ import annotations
 
@@ -87,6 +92,11 @@ class Evaluable:
         from ..explain.explanation import explain
 
         return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
+
+    def __str__(self) -> str:
+        from .printing import formula_text
+
+        return formula_text(self._formula)
 
     def to_rtamt(self) -> str:
         """The formula in the syntax of RTAMT; DiagnosticError RL330 for what RTAMT cannot say."""

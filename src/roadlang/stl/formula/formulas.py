@@ -1,11 +1,15 @@
-"""STL formulas: the one type that scene files, the library and every report share."""
+"""STL formulas: the one type that scene files, the library and every report share.
+
+How an operator is written is in `roadlang.syntax.operators`, found by its `word`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import ClassVar, Literal, Self, TypeAlias
 
+from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
 from .interval import Interval
 from .terms import Term
@@ -32,18 +36,23 @@ class Formula(Evaluable):
     @property
     def temporal(self) -> bool:
         """Whether a temporal operator occurs anywhere in the formula."""
-        return any(isinstance(node, TEMPORAL) for node in self.walk())
+        return any(isinstance(node, TemporalOperator) for node in self.walk())
+
+    @property
+    def looks_ahead(self) -> bool:
+        """Whether an operator that looks ahead occurs anywhere in the formula."""
+        return any(isinstance(node, TemporalOperator) and not node.past for node in self.walk())
+
+    @property
+    def looks_back(self) -> bool:
+        """Whether an operator that looks back occurs anywhere in the formula."""
+        return any(isinstance(node, TemporalOperator) and node.past for node in self.walk())
 
     def walk(self) -> Iterator[Formula]:
         """This formula and all below it, parents first."""
         yield self
         for part in self.parts:
             yield from part.walk()
-
-    def __str__(self) -> str:
-        from .printing import formula_text
-
-        return formula_text(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,127 +71,300 @@ class Comparison(Formula):
     right: Term
 
 
-@dataclass(frozen=True, slots=True)
-class _Unary(Formula):
-    operand: Formula
+# --- the shapes of operators -------------------------------------------------------------
+
+
+class Compound(Formula):
+    """A formula that an operator makes of others."""
+
+    __slots__ = ()
+    word: ClassVar[str]
 
     @property
-    def parts(self) -> tuple[Formula, ...]:
-        return (self.operand,)
-
-
-@dataclass(frozen=True, slots=True)
-class _Nary(Formula):
-    operands: tuple[Formula, ...]
+    def notation(self) -> Operator:
+        """How the operator is written."""
+        return BY_WORD[self.word]
 
     @property
-    def parts(self) -> tuple[Formula, ...]:
-        return self.operands
+    def window(self) -> Interval | None:
+        """The interval of a temporal operator; None without one, and for other operators."""
+        return None
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula that the operator makes. Raises TypeError for another number of parts."""
+        raise NotImplementedError
 
 
-@dataclass(frozen=True, slots=True)
-class _Binary(Formula):
-    left: Formula
-    right: Formula
+class Pointwise(Compound):
+    """An operator whose value at a sample is that of its parts at the same sample.
 
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        return (self.left, self.right)
-
-
-@dataclass(frozen=True, slots=True)
-class _TemporalUnary(Formula):
-    interval: Interval | None
-    operand: Formula
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        return (self.operand,)
-
-
-@dataclass(frozen=True, slots=True)
-class _TemporalBinary(Formula):
-    interval: Interval | None
-    left: Formula
-    right: Formula
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        return (self.left, self.right)
-
-
-class Not(_Unary):
-    """Robustness with its sign turned."""
+    `trends`, one for each part: +1 where the robustness is that of the part or of another, -1
+    where it is that of the part with the sign turned, 0 where it may be either.
+    """
 
     __slots__ = ()
 
+    @property
+    def trends(self) -> tuple[int, ...]:
+        """How the robustness moves with each part."""
+        raise NotImplementedError
 
-class And(_Nary):
+
+class TemporalOperator(Compound):
+    """An operator that looks at other samples: ahead, or back if it is `past`."""
+
+    __slots__ = ()
+    past: ClassVar[bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Not(Pointwise):
+    """Robustness with its sign turned."""
+
+    operand: Formula
+    word = "not"
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return (self.operand,)
+
+    @property
+    def trends(self) -> tuple[int, ...]:
+        """How the robustness moves with each part."""
+        return (-1,)
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts."""
+        return cls(*parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Junction(Pointwise):
+    """The least or the greatest of any number of operands."""
+
+    operands: tuple[Formula, ...]
+    least: ClassVar[bool]
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return self.operands
+
+    @property
+    def trends(self) -> tuple[int, ...]:
+        """How the robustness moves with each part."""
+        return (1,) * len(self.operands)
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts."""
+        return cls(tuple(parts))
+
+
+@dataclass(frozen=True, slots=True)
+class Connective(Pointwise):
+    """Two operands joined in a way that `not`, `and` and `or` can express."""
+
+    left: Formula
+    right: Formula
+    directions: ClassVar[tuple[int, int]]
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return (self.left, self.right)
+
+    @property
+    def trends(self) -> tuple[int, ...]:
+        """How the robustness moves with each part."""
+        return self.directions
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts."""
+        return cls(*parts)
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """The same by `not`, `and` and `or`: a least of greatests, or a `greatest` of leasts.
+
+        Where there are two forms they have the same robustness, but the one gives the better
+        lower, the other the better upper bound from bounds of the parts.
+        """
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, slots=True)
+class UnaryTemporal(TemporalOperator):
+    """The least or the greatest of the operand in a window (None: as far as the trace goes)."""
+
+    interval: Interval | None
+    operand: Formula
+    least: ClassVar[bool]
+
+    @property
+    def window(self) -> Interval | None:
+        """The interval, None for all samples ahead (or behind)."""
+        return self.interval
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return (self.operand,)
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts."""
+        return cls(interval, *parts)
+
+
+@dataclass(frozen=True, slots=True)
+class BinaryTemporal(TemporalOperator):
+    """`right` at a witness in the window, `left` at every sample on the way to it."""
+
+    interval: Interval | None
+    left: Formula
+    right: Formula
+
+    @property
+    def window(self) -> Interval | None:
+        """The interval, None for all samples ahead (or behind)."""
+        return self.interval
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return (self.left, self.right)
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts."""
+        return cls(interval, *parts)
+
+
+# --- the operators -----------------------------------------------------------------------
+
+
+class And(Junction):
     """The least of its operands; `And(())` is true."""
 
     __slots__ = ()
+    word = "and"
+    least = True
 
 
-class Or(_Nary):
+class Or(Junction):
     """The greatest of its operands; `Or(())` is false."""
 
     __slots__ = ()
+    word = "or"
+    least = False
 
 
-class Implies(_Binary):
+class Implies(Connective):
     """`not left or right`."""
 
     __slots__ = ()
+    word = "implies"
+    directions = (-1, 1)
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not`, `and` and `or`."""
+        return Or((Not(self.left), self.right))
 
 
-class Iff(_Binary):
+class Iff(Connective):
     """`(left implies right) and (right implies left)`."""
 
     __slots__ = ()
+    word = "iff"
+    directions = (0, 0)
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not`, `and` and `or`."""
+        return _both_or_neither(self.left, self.right, greatest)
 
 
-class Xor(_Binary):
+class Xor(Connective):
     """`(left and not right) or (not left and right)`."""
 
     __slots__ = ()
+    word = "xor"
+    directions = (0, 0)
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not`, `and` and `or`."""
+        return _both_or_neither(self.left, Not(self.right), greatest)
 
 
-class Always(_TemporalUnary):
+def _both_or_neither(left: Formula, right: Formula, greatest: bool) -> Formula:
+    if greatest:
+        return Or((And((left, right)), And((Not(left), Not(right)))))
+    return And((Or((Not(left), right)), Or((left, Not(right)))))
+
+
+class Always(UnaryTemporal):
     """The least of the operand over the samples in `t + interval` (None: to the end)."""
 
     __slots__ = ()
+    word = "always"
+    least, past = True, False
 
 
-class Eventually(_TemporalUnary):
+class Eventually(UnaryTemporal):
     """The greatest of the operand over the samples in `t + interval` (None: to the end)."""
 
     __slots__ = ()
+    word = "eventually"
+    least, past = False, False
 
 
-class Once(_TemporalUnary):
-    """The greatest of the operand over the samples in `t - interval` (None: from the start)."""
-
-    __slots__ = ()
-
-
-class Historically(_TemporalUnary):
+class Historically(UnaryTemporal):
     """The least of the operand over the samples in `t - interval` (None: from the start)."""
 
     __slots__ = ()
+    word = "historically"
+    least, past = True, True
 
 
-class Until(_TemporalBinary):
+class Once(UnaryTemporal):
+    """The greatest of the operand over the samples in `t - interval` (None: from the start)."""
+
+    __slots__ = ()
+    word = "once"
+    least, past = False, True
+
+
+class Until(BinaryTemporal):
     """`right` at some witness t' in `t + interval`, `left` at every sample of [t, t')."""
 
     __slots__ = ()
+    word = "until"
+    past = False
 
 
-class Since(_TemporalBinary):
+class Since(BinaryTemporal):
     """`right` at some witness t' in `t - interval`, `left` at every sample of (t', t]."""
 
     __slots__ = ()
+    word = "since"
+    past = True
 
 
-TEMPORAL = (_TemporalUnary, _TemporalBinary)
-FUTURE = (Always, Eventually, Until)
-PAST = (Once, Historically, Since)
+COMPOUNDS: dict[str, type[Compound]] = {
+    kind.word: kind
+    for kind in (
+        Not, And, Or, Implies, Iff, Xor, Always, Eventually, Historically, Once, Until, Since,
+    )
+}  # fmt: skip
+"""The operators by their words."""
+
+
+def compound(word: str, parts: Sequence[Formula], interval: Interval | None = None) -> Formula:
+    """The formula that the operator `word` makes of `parts`.
+
+    Raises KeyError for a word that is no operator, TypeError for another number of parts.
+    """
+    return COMPOUNDS[word].of(parts, interval)

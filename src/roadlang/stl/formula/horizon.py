@@ -9,17 +9,16 @@ from . import formulas as f
 
 def horizon(formula: f.Formula) -> float:
     """The furthest that a sample ahead can matter: 0 for a state formula, inf without bounds."""
-    return _reach(formula, f.FUTURE)
+    return _furthest(formula, past=False)
 
 
 def memory(formula: f.Formula) -> float:
     """The furthest that a sample behind can matter."""
-    return _reach(formula, f.PAST)
+    return _furthest(formula, past=True)
 
 
-def _reach(formula: f.Formula, counted: tuple[type[f.Formula], ...]) -> float:
-    below = max((_reach(part, counted) for part in formula.parts), default=0.0)
-    if not isinstance(formula, counted):
+def _furthest(formula: f.Formula, *, past: bool) -> float:
+    below = max((_furthest(part, past=past) for part in formula.parts), default=0.0)
+    if not isinstance(formula, f.TemporalOperator) or formula.past != past:
         return below
-    interval = getattr(formula, "interval", None)
-    return below + (math.inf if interval is None else interval.hi)
+    return below + (math.inf if formula.window is None else formula.window.hi)

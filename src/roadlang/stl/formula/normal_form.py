@@ -14,13 +14,16 @@ from . import formulas as f
 _OPPOSITE: dict[f.ComparisonOperator, f.ComparisonOperator] = {
     "<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "==",
 }  # fmt: skip
+_DUAL: dict[type[f.Compound], type[f.Compound]] = {
+    f.And: f.Or, f.Always: f.Eventually, f.Historically: f.Once,
+}  # fmt: skip
+_DUAL |= {dual: kind for kind, dual in _DUAL.items()}
 
 
 def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = False) -> f.Formula:
     """`formula`, or `not formula`, in normal form.
 
-    `iff` and `xor` become a least of greatests, or a `greatest` of leasts. They are worth the same,
-    but the one gives the better lower, the other the better upper bound from bounds of the parts.
+    What has two forms (`iff`, `xor`) becomes a least of greatests, or a `greatest` of leasts.
     """
 
     def of(part: f.Formula, negated: bool = negated) -> f.Formula:
@@ -33,38 +36,24 @@ def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = F
             return f.Comparison(_OPPOSITE[op], left, right) if negated else formula
         case f.Not(operand):
             return of(operand, not negated)
-        case f.And(operands) | f.Or(operands):
-            conjunctive = isinstance(formula, f.And) != negated
-            parts = (of(operand) for operand in operands)
-            return _joined(f.And if conjunctive else f.Or, parts)
-        case f.Implies() | f.Iff() | f.Xor():
-            return of(_spelled_out(formula, greatest != negated))
-        case f.Until(interval, left, right) | f.Since(interval, left, right):
+        case f.Connective():
+            return of(formula.expanded(greatest=greatest != negated))
+        case f.Junction(operands):
+            kind = _DUAL[type(formula)] if negated else type(formula)
+            return _joined(kind, (of(operand) for operand in operands))
+        case f.BinaryTemporal(interval, left, right):
             sides = [normal_form(side, greatest=greatest != negated) for side in (left, right)]
             plain = type(formula)(interval, *sides)
             return f.Not(plain) if negated else plain
-        case f.Always(interval, operand) | f.Eventually(interval, operand):
-            least = isinstance(formula, f.Always) != negated
-            return (f.Always if least else f.Eventually)(interval, of(operand))
-        case f.Historically(interval, operand) | f.Once(interval, operand):
-            least = isinstance(formula, f.Historically) != negated
-            return (f.Historically if least else f.Once)(interval, of(operand))
+        case f.UnaryTemporal(interval, operand):
+            kind = _DUAL[type(formula)] if negated else type(formula)
+            return kind.of([of(operand)], interval)
     raise TypeError(f"not a formula: {formula!r}")
 
 
-def _spelled_out(formula: f.Implies | f.Iff | f.Xor, greatest: bool) -> f.Formula:
-    left, right = formula.left, formula.right
-    if isinstance(formula, f.Implies):
-        return f.Or((f.Not(left), right))
-    other = right if isinstance(formula, f.Iff) else f.Not(right)
-    if greatest:
-        return f.Or((f.And((left, other)), f.And((f.Not(left), f.Not(other)))))
-    return f.And((f.Or((f.Not(left), other)), f.Or((left, f.Not(other)))))
-
-
-def _joined(kind: type[f.And] | type[f.Or], parts: Iterable[f.Formula]) -> f.Formula:
+def _joined(kind: type[f.Compound], parts: Iterable[f.Formula]) -> f.Formula:
     """Nested conjunctions and disjunctions flattened, repeats dropped, order kept."""
     flat: dict[f.Formula, None] = {}
     for part in parts:
-        flat.update(dict.fromkeys(part.operands if isinstance(part, kind) else (part,)))
-    return next(iter(flat)) if len(flat) == 1 else kind(tuple(flat))
+        flat.update(dict.fromkeys(part.parts if isinstance(part, kind) else (part,)))
+    return next(iter(flat)) if len(flat) == 1 else kind.of(tuple(flat))

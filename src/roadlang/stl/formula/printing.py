@@ -1,46 +1,13 @@
-"""Canonical text of terms and formulas: the words of the language, bare numbers."""
+"""Canonical text of formulas: the words of the language, bare numbers."""
 
 from __future__ import annotations
 
+from ...syntax.operators import COMPARISON
 from . import formulas as f
-from . import terms as t
 from .interval import Interval
+from .terms import number_text
 
-_TERM_LEVEL = {"^": 4, "*": 2, "/": 2, "+": 1, "-": 1}
 _ATOM = 9
-_PREFIXED = (f.Not, f.Always, f.Eventually, f.Once, f.Historically)
-_COMPARISON, _PREFIX, _BINDING, _AND, _OR, _IMPLIES, _XOR, _IFF = 8, 7, 6, 5, 4, 3, 2, 1
-
-
-def number_text(value: float) -> str:
-    """The shortest text that reads back as `value`: `10`, `0.1`, `1e-07`, `inf`."""
-    value = float(value)
-    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
-
-
-def term_text(term: t.Term) -> str:
-    """Parentheses only where the precedence of the language needs them."""
-    return _term(term, 0)
-
-
-def _term(term: t.Term, outer: int) -> str:
-    match term:
-        case t.Constant(value):
-            text, level = number_text(value), 3 if value < 0 else _ATOM
-        case t.Variable(name):
-            text, level = name, _ATOM
-        case t.Negate(operand):
-            text, level = f"-{_term(operand, 4)}", 3
-        case t.Apply(function, arguments):
-            text = f"{function}({', '.join(_term(argument, 0) for argument in arguments)})"
-            level = _ATOM
-        case t.Arithmetic(op, left, right):
-            level = _TERM_LEVEL[op]
-            near, far = (level + 1, level + 1) if op == "^" else (level, level + 1)
-            text = f"{_term(left, near)} {op} {_term(right, far)}"
-        case _:
-            raise TypeError(f"not a term: {term!r}")
-    return text if level >= outer else f"({text})"
 
 
 def interval_text(interval: Interval | None) -> str:
@@ -65,43 +32,42 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
         case f.Truth(value):
             return ("true" if value else "false"), _ATOM
         case f.Comparison(op, left, right):
-            return f"{left} {op} {right}", _COMPARISON
-        case f.Not(operand):
-            return f"not {_governed(operand)}", _PREFIX
-        case f.Always() | f.Eventually() | f.Once() | f.Historically():
-            word = f"{type(formula).__name__.lower()}{interval_text(formula.interval)}"
-            return f"{word} {_governed(formula.operand)}", _PREFIX
-        case f.Until(interval, left, right) | f.Since(interval, left, right):
-            word = f"{type(formula).__name__.lower()}{interval_text(interval)}"
-            return f"{_side(left, _PREFIX)} {word} {_side(right, _PREFIX)}", _BINDING
-        case f.And(operands):
-            return _joined(operands, "and", "true", _AND)
-        case f.Or(operands):
-            return _joined(operands, "or", "false", _OR)
-        case f.Implies(left, right):
-            return f"{_side(left, _OR)} implies {_formula(right, _OR)}", _IMPLIES
-        case f.Xor(left, right):
-            return f"{_side(left, _PREFIX)} xor {_formula(right, _PREFIX)}", _XOR
-        case f.Iff(left, right):
-            return f"{_side(left, _OR)} iff {_formula(right, _OR)}", _IFF
+            return f"{left} {op} {right}", COMPARISON
+        case f.Junction(()):
+            return ("true" if formula.least else "false"), _ATOM
+        case f.Junction((single,)):
+            return _text_and_level(single)
+        case f.Junction(operands):
+            operator = formula.notation
+            sides = [_side(operand, operator.operand_level) for operand in operands]
+            return f" {operator.word} ".join(sides), operator.level
+        case f.Not() | f.UnaryTemporal():
+            word = f"{formula.word}{interval_text(formula.window)}"
+            return f"{word} {_governed(formula.operand)}", formula.notation.level
+        case f.BinaryTemporal(interval, left, right):
+            operator = formula.notation
+            word = f"{operator.word}{interval_text(interval)}"
+            sides = [_side(side, operator.operand_level) for side in (left, right)]
+            return f"{sides[0]} {word} {sides[1]}", operator.level
+        case f.Connective(left, right):
+            operator = formula.notation
+            before = _side(left, operator.operand_level)
+            behind = _formula(right, operator.operand_level)
+            return f"{before} {operator.word} {behind}", operator.level
     raise TypeError(f"not a formula: {formula!r}")
+
+
+def _is_prefixed(formula: f.Formula) -> bool:
+    return isinstance(formula, f.Not | f.UnaryTemporal)
 
 
 def _governed(operand: f.Formula) -> str:
     text = _formula(operand, 0)
-    return text if isinstance(operand, _PREFIXED) else f"({text})"
+    return text if _is_prefixed(operand) else f"({text})"
 
 
 def _side(operand: f.Formula, level: int) -> str:
     """An operand with an operator to its right: there `always eventually (p)` is parenthesized."""
-    if isinstance(operand, _PREFIXED) and isinstance(operand.operand, _PREFIXED):
+    if _is_prefixed(operand) and _is_prefixed(operand.parts[0]):
         return f"({_formula(operand, 0)})"
     return _formula(operand, level)
-
-
-def _joined(operands: tuple[f.Formula, ...], word: str, empty: str, level: int) -> tuple[str, int]:
-    if not operands:
-        return empty, _ATOM
-    if len(operands) == 1:
-        return _text_and_level(operands[0])
-    return f" {word} ".join(_side(operand, level + 1) for operand in operands), level

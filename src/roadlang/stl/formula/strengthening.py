@@ -12,53 +12,42 @@ from collections.abc import Iterable, Sequence
 from . import formulas as f
 from .interval import UNBOUNDED, Interval
 
-_Shared = tuple[type[f.Formula], Interval, f.Formula]
+_Shared = tuple[bool, Interval, f.Formula]
+"""Whether it is about the past, the samples it is about, and what holds at all of them."""
 
 
 def strengthened(formula: f.Formula) -> f.Formula:
     """A formula in normal form with what governs all samples said again where it also counts."""
     match formula:
-        case f.And(operands):
+        case f.Junction(operands):
             parts = [strengthened(part) for part in operands]
-            return f.And(_with_shared(parts, f.And, (f.Always, f.Historically)))
-        case f.Or(operands):
-            parts = [strengthened(part) for part in operands]
-            return f.Or(_with_shared(parts, f.Or, (f.Eventually, f.Once)))
-        case f.Not(operand):
-            return f.Not(strengthened(operand))
-        case f.Always() | f.Eventually() | f.Once() | f.Historically():
-            return type(formula)(formula.interval, strengthened(formula.operand))
-        case f.Until() | f.Since():
-            sides = strengthened(formula.left), strengthened(formula.right)
-            return type(formula)(formula.interval, *sides)
+            return type(formula)(_with_shared(parts, type(formula)))
+        case f.Compound():
+            return formula.of([strengthened(part) for part in formula.parts], formula.window)
     return formula
 
 
-def _with_shared(
-    parts: Sequence[f.Formula],
-    kind: type[f.And] | type[f.Or],
-    sharing: tuple[type[f.Formula], ...],
-) -> tuple[f.Formula, ...]:
+def _with_shared(parts: Sequence[f.Formula], kind: type[f.Junction]) -> tuple[f.Formula, ...]:
     """Add to each part the state formulas that `always` (in `or`: `eventually`) says beside it."""
     shared: list[_Shared] = [
-        (type(part), part.interval or UNBOUNDED, part.operand)
+        (part.past, part.interval or UNBOUNDED, part.operand)
         for part in parts
-        if isinstance(part, f.Always | f.Eventually | f.Once | f.Historically)
-        and isinstance(part, sharing)
+        if isinstance(part, f.UnaryTemporal)
+        and part.least == kind.least
         and not part.operand.temporal
     ]
     return tuple(_add(part, shared, kind) for part in parts) if shared else tuple(parts)
 
 
-def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.And] | type[f.Or]) -> f.Formula:
+def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.Junction]) -> f.Formula:
     match part:
-        case f.Always() | f.Eventually() | f.Once() | f.Historically():
+        case f.UnaryTemporal():
             interval = part.interval or UNBOUNDED
-            added = _covering(shared, isinstance(part, f.PAST), interval)
+            added = _covering(shared, part.past, interval)
             return type(part)(part.interval, _joined(kind, part.operand, added))
-        case f.Until() | f.Since() if kind is f.And:
+        case f.BinaryTemporal() if kind.least:
             reach = Interval(0.0, (part.interval or UNBOUNDED).hi)
-            added = _covering(shared, isinstance(part, f.PAST), reach)
+            added = _covering(shared, part.past, reach)
             left, right = (_joined(kind, side, added) for side in (part.left, part.right))
             return type(part)(part.interval, left, right)
         case _ if not part.temporal:
@@ -72,14 +61,12 @@ def _covering(shared: Sequence[_Shared], past: bool, interval: Interval) -> list
     """What is said of all samples of `interval`, on the same side of the present."""
     return [
         state
-        for word, known, state in shared
-        if issubclass(word, f.PAST) == past and known.lo <= interval.lo and interval.hi <= known.hi
+        for about_past, known, state in shared
+        if about_past == past and known.lo <= interval.lo and interval.hi <= known.hi
     ]
 
 
-def _joined(
-    kind: type[f.And] | type[f.Or], formula: f.Formula, added: Iterable[f.Formula]
-) -> f.Formula:
+def _joined(kind: type[f.Junction], formula: f.Formula, added: Iterable[f.Formula]) -> f.Formula:
     flat: dict[f.Formula, None] = {}
     for part in (formula, *added):
         flat.update(dict.fromkeys(part.parts if isinstance(part, kind) else (part,)))

@@ -9,6 +9,9 @@ from typing import Literal, TypeAlias
 ArithmeticOperator: TypeAlias = Literal["+", "-", "*", "/", "^"]
 FunctionName: TypeAlias = Literal["abs", "min", "max"]
 
+_LEVEL = {"^": 4, "*": 2, "/": 2, "+": 1, "-": 1}
+_ATOM = 9
+
 
 class Term:
     """A real number at every sample; `str(term)` is its canonical text."""
@@ -32,9 +35,7 @@ class Term:
             yield from part.walk()
 
     def __str__(self) -> str:
-        from .printing import term_text
-
-        return term_text(self)
+        return _text(self, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,3 +89,30 @@ class Apply(Term):
     def parts(self) -> tuple[Term, ...]:
         """The operands, left to right."""
         return self.arguments
+
+
+def number_text(value: float) -> str:
+    """The shortest text that reads back as `value`: `10`, `0.1`, `1e-07`, `inf`."""
+    value = float(value)
+    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
+
+
+def _text(term: Term, outer: int) -> str:
+    """Parentheses only where the precedence of the language needs them."""
+    match term:
+        case Constant(value):
+            text, level = number_text(value), 3 if value < 0 else _ATOM
+        case Variable(name):
+            text, level = name, _ATOM
+        case Negate(operand):
+            text, level = f"-{_text(operand, 4)}", 3
+        case Apply(function, arguments):
+            text = f"{function}({', '.join(_text(argument, 0) for argument in arguments)})"
+            level = _ATOM
+        case Arithmetic(op, left, right):
+            level = _LEVEL[op]
+            near, far = (level + 1, level + 1) if op == "^" else (level, level + 1)
+            text = f"{_text(left, near)} {op} {_text(right, far)}"
+        case _:
+            raise TypeError(f"not a term: {term!r}")
+    return text if level >= outer else f"({text})"

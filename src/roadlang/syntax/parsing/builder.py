@@ -6,30 +6,16 @@ import re
 from typing import Any
 
 from ...diagnostics import Source, Span
+from ..operators import OPERATORS, letters
 from ..tree import nodes as ast
 from ..tree.strings import dedented, unescaped
 from .tokens import Token
 
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?")
-CANONICAL = {
-    "ALWAYS": "always",
-    "EVENTUALLY": "eventually",
-    "ONCE": "once",
-    "HISTORICALLY": "historically",
-    "G": "always",
-    "F": "eventually",
-    "O": "once",
-    "H": "historically",
-    "UNTIL": "until",
-    "SINCE": "since",
-    "U": "until",
-    "S": "since",
-    "AND": "and",
-    "OR": "or",
-    "XOR": "xor",
-    "IMPLIES": "implies",
-    "IFF": "iff",
-}
+_WORD = {operator.word.upper(): operator.word for operator in OPERATORS} | letters(
+    "temporal", "binding"
+)
+"""The operator that a kind of token stands for."""
 
 
 class Builder:
@@ -231,7 +217,7 @@ class Builder:
         operand: ast.Expression,
     ) -> ast.Temporal:
         span = Span(self.source, start, end)
-        canonical = CANONICAL[word[0]]
+        canonical = _WORD[word[0]]
         return ast.Temporal(canonical, interval, operand, word_span=self._span(word), span=span)
 
     def interval(
@@ -249,15 +235,15 @@ class Builder:
         right: ast.Expression,
     ) -> ast.Binding:
         span = Span(self.source, start, end)
-        canonical = CANONICAL[word[0]]
+        canonical = _WORD[word[0]]
         return ast.Binding(canonical, interval, left, right, word_span=self._span(word), span=span)
 
     def logic(self, start: int, end: int, *parts: Any) -> ast.Logic:
-        word = CANONICAL[parts[1][0]]
+        word = _WORD[parts[1][0]]
         return ast.Logic(word, tuple(parts[::2]), span=Span(self.source, start, end))
 
     def pair(
         self, start: int, end: int, left: ast.Expression, word: Token, right: ast.Expression
     ) -> ast.Logic:
-        canonical = CANONICAL[word[0]]
+        canonical = _WORD[word[0]]
         return ast.Logic(canonical, (left, right), span=Span(self.source, start, end))

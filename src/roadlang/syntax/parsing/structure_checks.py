@@ -6,13 +6,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ...diagnostics import Code, Diagnostic, Fix, Source, Span, diagnose
+from ..operators import BY_WORD
 from ..tree import nodes as ast
 from ..tree.walk import walk
 from ..words import CONNECTIVES, DEEPEST, STATEMENTS
 from .line_positions import begins_line
 
 _NOT_NAMES = frozenset([*STATEMENTS, *CONNECTIVES])
-_PAIRED = {"implies": ("implies",), "iff": ("iff", "xor"), "xor": ("iff", "xor")}
+_CHAINS = ("and", "or")
 
 
 @dataclass(slots=True)
@@ -140,7 +141,9 @@ def _chained_binding(node: ast.Binding) -> Iterator[Diagnostic]:
 
 def _chained_logic(node: ast.Logic) -> Iterator[Diagnostic]:
     inner = node.operands[0]
-    if node.word in _PAIRED and isinstance(inner, ast.Logic) and inner.word in _PAIRED[node.word]:
+    if node.word in _CHAINS or not isinstance(inner, ast.Logic):
+        return
+    if BY_WORD[inner.word].level == BY_WORD[node.word].level:
         a, b, c = (_text(part) for part in (*inner.operands, node.operands[1]))
         first, second = f" {inner.word} ", f" {node.word} "
         readings = (f"({a}{first}{b}){second}{c}", f"{a}{first}({b}{second}{c})")

@@ -5,29 +5,16 @@ from __future__ import annotations
 
 import re
 
+from ..operators import OPERATORS, letters
+
 SYMBOLS = {
+    **{symbol: operator.word for operator in OPERATORS for symbol in operator.symbols},
     "≤": "<=",
     "⩽": "<=",
     "≥": ">=",
     "⩾": ">=",
     "≠": "!=",
     "≡": "==",
-    "¬": "not",
-    "∧": "and",
-    "∨": "or",
-    "⊕": "xor",
-    "→": "implies",
-    "⇒": "implies",
-    "⟹": "implies",
-    "⟶": "implies",
-    "↔": "iff",
-    "⇔": "iff",
-    "⟺": "iff",
-    "□": "always",
-    "◻": "always",
-    "◇": "eventually",
-    "◊": "eventually",
-    "⋄": "eventually",
     "∞": "inf",
     "−": "-",
     "–": "-",
@@ -47,23 +34,7 @@ SYMBOLS = {
 }
 
 _LATEX = {
-    "Box": "always",
-    "square": "always",
-    "Diamond": "eventually",
-    "lozenge": "eventually",
-    "land": "and",
-    "wedge": "and",
-    "lor": "or",
-    "vee": "or",
-    "neg": "not",
-    "lnot": "not",
-    "to": "implies",
-    "rightarrow": "implies",
-    "Rightarrow": "implies",
-    "implies": "implies",
-    "leftrightarrow": "iff",
-    "Leftrightarrow": "iff",
-    "iff": "iff",
+    **{command: operator.word for operator in OPERATORS for command in operator.latex},
     "leq": "<=",
     "le": "<=",
     "geq": ">=",
@@ -75,17 +46,10 @@ _LATEX = {
     "top": "true",
     "bot": "false",
 }
-_LETTERS = {
-    "G": "always",
-    "F": "eventually",
-    "H": "historically",
-    "O": "once",
-    "U": "until",
-    "S": "since",
-}
+_LETTERS = letters("temporal", "binding")
 _FONT = re.compile(r"\\(?:mathbf|mathcal|mathrm|mathsf|text|textbf|operatorname|bm)\s*\{(\w+)\}")
 _COMMAND = re.compile(r"\\([A-Za-z]+)")
-_SUBSCRIPT = re.compile(r"\b([A-Za-z]+)_\s*\{?\s*\[([^\]\n]*)\]\s*\}?")
+_SUBSCRIPT = re.compile(r"\b([A-Za-z]+)\s*_\s*\{?\s*\[([^\]\n]*)\]\s*\}?")
 _SIZE = re.compile(r"\\(?:left|right|big|Big|bigl|bigr|,|;|!|quad)\b ?|\\[,;! ]|\$")
 
 

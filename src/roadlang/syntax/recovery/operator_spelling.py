@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..operators import words
 from ..parsing.tokens import Token
 from ..words import slip
 
-_LONG = ("always", "eventually", "historically")
+_LONG = tuple(word for word in words("temporal") if len(word) > 4)
+"""A short one is a slip of many a name."""
 
 
 def misspelled_temporal(tokens: Sequence[Token], start: int = 0) -> int | None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
+from ..operators import letters, token_kinds
 from ..parsing.grammar import END
 from ..words import CONNECTIVES, RESERVED, RESERVED_KINDS, STATEMENT_KINDS, misspelled
 from .error_position import Edit, ErrorPosition, Mistake
 from .token_names import expectation
 
-_LETTERS = {"G": "always", "F": "eventually", "H": "historically", "O": "once"}
+_LETTERS = letters("temporal")
+_BETWEEN_FORMULAS = token_kinds("logic")
 
 
 def next_item(place: ErrorPosition) -> Mistake | None:
@@ -104,7 +106,7 @@ def missing_name(place: ErrorPosition) -> Mistake | None:
 
 def _word_then(place: ErrorPosition) -> bool:
     """`require phi1 always ...`: there is a name, the colon is missing."""
-    return place.kind() in RESERVED_KINDS and place.kind() not in ("AND", "OR", "IMPLIES", "IFF")
+    return place.kind() in RESERVED_KINDS and place.kind() not in _BETWEEN_FORMULAS
 
 
 def bare_letter(place: ErrorPosition) -> Mistake | None:
@@ -132,7 +134,7 @@ def bare_letter(place: ErrorPosition) -> Mistake | None:
 def subscript(place: ErrorPosition) -> Mistake | None:
     """`G_{[0, 10]}` or `G_[0, 10]`: LaTeX without a backslash."""
     letter = place.word(-1).rstrip("_")
-    meant = {**_LETTERS, "U": "until", "S": "since"}.get(letter)
+    meant = letters("temporal", "binding").get(letter)
     if meant is None or not place.word(-1).endswith("_") or place.kind() not in ("LBRACE", "LSQB"):
         return None
     return Mistake(diagnose(Code.LATEX_FORMULA, place.span(-1, 0), help=f"write `{meant}[a, b]`"))
