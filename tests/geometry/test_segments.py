@@ -57,7 +57,9 @@ def test_the_curve_has_the_chain_s_length_headings_and_curvatures(segments):
     np.testing.assert_allclose(curve.at(road.stations), road.points, atol=1e-3)
     np.testing.assert_allclose(curve.heading(road.stations), road.heading, atol=1e-3)
     between = np.sort(np.stack([road.curvature[1:], road.curvature[:-1]]), axis=0)
-    jump = np.diff(between, axis=0)[0] > 0.02
+    # At a joint the samples have the curvature of the piece ahead, not that of the one that ends.
+    joints = np.cumsum([piece.length for piece in segments])
+    jump = (np.abs(road.stations[1:, None] - joints) < 1e-6).any(axis=1)
     curvature = curve.curvature(inner)
     assert (curvature >= between[0] - 2e-3)[~jump].all()
     assert (curvature <= between[1] + 2e-3)[~jump].all()

@@ -129,3 +129,15 @@ def test_a_track_of_a_table_keeps_its_digest(sample: Sample, tmp_path: Path) -> 
     (scene,) = sample('road main from "track.csv"\n').scenes
     assert scene.roads[0].width[0] == pytest.approx(6)
     assert len(scene.provenance.inputs["track.csv"]) == 64
+
+
+def test_a_bump_into_the_center_of_a_bend_is_no_scene(sample: Sample) -> None:
+    text = """
+road main { draw with segments { pieces: [straight(30m), arc(5m, 170deg), straight(30m)] } }
+road bent from main { perturb with bump { at: 37m, height: HEIGHT, length: 60m } }
+"""
+    assert sample(text.replace("HEIGHT", "3m")).accepted == 1
+    assert sample(text.replace("HEIGHT", "4.99m")).accepted == 0
+    again = text.replace("perturb", "perturb with bump { at: 5m, height: 1m, length: 8m } perturb")
+    assert sample(again.replace("HEIGHT", "3m")).accepted == 1
+    assert sample(again.replace("HEIGHT", "4.99m")).accepted == 0

@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike
 
 from .arrays import Booleans, Floats, cross, finite, left_of, norm, wrapped
 from .curve import Curve
-from .differences import Stencil
-from .displacement import fold, turned_curvature
+from .differences import Stencil, station_gaps
+from .displacement import turned_curvature
 from .errors import GeometryError
+from .folding import fold_of_points
 from .frame import Frame
 
 
@@ -19,7 +20,8 @@ class CurveBatch:
     """V curves, each sampled at the S `stations` (arc length of the root curve, meters).
 
     `points`: (V, S, 2). A closed batch does not repeat its first point; `period` is the root's
-    length (by default one mean gap after the last station).
+    length (by default one mean gap after the last station). `base`: the batch that was displaced to
+    make this one, of V rows or one.
     """
 
     def __init__(
@@ -28,6 +30,7 @@ class CurveBatch:
         points: ArrayLike,
         closed: bool = False,
         period: float | None = None,
+        base: CurveBatch | None = None,
     ) -> None:
         self.stations = finite(stations, "stations")
         self._points = finite(points, "the points of a batch")
@@ -41,6 +44,7 @@ class CurveBatch:
             first, last = float(self.stations[0]), float(self.stations[-1])
             period = (last - first) * count / max(count - 1, 1)
         self.period = period if closed else None
+        self._base = base
 
     @cached_property
     def points(self) -> Floats:
@@ -91,9 +95,13 @@ class CurveBatch:
 
     @cached_property
     def folded(self) -> Booleans:
-        """(V,) True where a curve turns back on itself from one step to the next."""
-        chord = np.diff(self.points, axis=1)
-        return np.asarray(((chord[:, 1:] * chord[:, :-1]).sum(axis=-1) < 0.0).any(axis=1))
+        """(V,) True where a curve runs backwards, turns by a quarter turn from one step to the
+        next, or has a step of less than 5 % of its gap; see `roadlang.geometry.folding`."""
+        gaps = station_gaps(self.stations, self.period)
+        if self._base is None:
+            return fold_of_points(self.points, gaps, self.closed)
+        again = fold_of_points(self.points, gaps, self.closed, self._base.points)
+        return again | self._base.folded
 
     def curve(self, variant: int) -> Curve:
         """One variant as a spline through its points."""
@@ -102,7 +110,10 @@ class CurveBatch:
     def take(self, variants: ArrayLike) -> CurveBatch:
         """The variants chosen by index or by mask."""
         chosen = np.asarray(variants)
-        return CurveBatch(self.stations, self.points[chosen], self.closed, self.period)
+        base = self._base
+        if base is not None and base.variants > 1:
+            base = base.take(chosen)
+        return CurveBatch(self.stations, self.points[chosen], self.closed, self.period, base)
 
 
 class DisplacedBatch(CurveBatch):
@@ -173,8 +184,9 @@ class DisplacedBatch(CurveBatch):
 
     @cached_property
     def folded(self) -> Booleans:
-        """(V,) True where the displacement reaches the center of a bend."""
-        return fold(self.displacement, self.frame.curvature)
+        """(V,) True where the displacement comes near the center of a bend, or the road turns by a
+        quarter turn from one step to the next; see `roadlang.geometry.folding`."""
+        return self.frame.steps.folded(self.displacement)
 
     def take(self, variants: ArrayLike) -> DisplacedBatch:
         """The chosen variants; `variants` are indices or a Boolean mask."""
@@ -200,7 +212,7 @@ def displace(
     if isinstance(base, CurveBatch):
         moves = _rows(displacement, len(base.stations), "a displacement")
         points = base.points + moves[..., None] * left_of(_tangents(base.heading))
-        return CurveBatch(base.stations, points, base.closed, base.period)
+        return CurveBatch(base.stations, points, base.closed, base.period, base)
     frame = base if isinstance(base, Frame) else Frame.of(base, stations)
     count = len(frame.stations)
     moves = _rows(displacement, count, "a displacement")

@@ -31,9 +31,7 @@ class Stencil:
     @property
     def gaps(self) -> Floats:
         """From each station to the next; S of them if periodic, else S - 1."""
-        if self.period is None:
-            return np.diff(self.stations)
-        return np.diff(self.stations, append=self.stations[0] + self.period)
+        return station_gaps(self.stations, self.period)
 
     @property
     def even(self) -> bool:
@@ -74,6 +72,13 @@ class Stencil:
             index = reach if end == 0 else -1 - reach
             offsets = self.stations[index] - self.stations[end]
         return np.asarray(values[..., index] @ weights(offsets, order))
+
+
+def station_gaps(stations: Floats, period: float | None) -> Floats:
+    """From each station (S,) to the next; S of them with a `period`, else S - 1."""
+    if period is None:
+        return np.diff(stations)
+    return np.diff(stations, append=stations[0] + period)
 
 
 def weights(offsets: Floats, order: int) -> Floats:

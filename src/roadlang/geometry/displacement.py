@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .arrays import Booleans, Floats
+from .arrays import Floats
 
 _BLOCK = 1 << 14
 _SMALLEST = 1e-12
@@ -39,14 +39,6 @@ def turned_curvature(
         np.sqrt(square, out=forward)
         square *= forward
         out /= square
-    return result
-
-
-def fold(displacement: Floats, curvature: Floats) -> Booleans:
-    """(V,) True where `1 - k e <= 0` somewhere: the displaced curve runs backwards there."""
-    result = np.empty(len(displacement), dtype=bool)
-    for rows in blocks(displacement):
-        result[rows] = (displacement[rows] * curvature >= 1.0).any(axis=1)
     return result
 
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .arrays import Floats, finite
 from .curve import Curve
+from .differences import station_gaps
 from .errors import GeometryError
+from .folding import BaseSteps
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +52,12 @@ class Frame:
     def normal(self) -> Floats:
         """(S, 2) unit vectors to the left."""
         return np.stack([-np.sin(self.heading), np.cos(self.heading)], axis=-1)
+
+    @cached_property
+    def steps(self) -> BaseSteps:
+        """The steps from station to station: they tell whether a displacement folds the road."""
+        gaps = station_gaps(self.stations, self.period)
+        return BaseSteps.of(self.points, self.normal, self.curvature, gaps, self.closed)
 
     def same_as(self, other: Frame) -> bool:
         """Whether displacements along both can be compared number by number."""
