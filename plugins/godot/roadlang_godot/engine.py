@@ -19,7 +19,6 @@ from roadlang.api import Code
 
 from .faults import fault
 from .link_udp import UdpLink
-from .link_websocket import WebSocketLink
 from .session import PATIENCE, Link, Session
 
 OLDEST = (4, 3)
@@ -167,15 +166,23 @@ def connect(
     """A session with an engine that already runs.
 
     Raises `EngineError` RL502 where nobody answers, RL503 where it refuses, RL512 where the
-    address is no good.
+    address is no good, RL516 where the package for a WebSocket is missing.
     """
     try:
-        link: Link = WebSocketLink(host, port) if transport == "websocket" else UdpLink(host, port)
+        link: Link = _websocket(host, port) if transport == "websocket" else UdpLink(host, port)
     except OSError as error:
         raise fault(
             Code.UNREACHABLE_ADDRESS, host=host, port=port, reason=error.strerror or error
         ) from error
     return Session(link, patience=patience, name=name)
+
+
+def _websocket(host: str, port: int) -> Link:
+    try:
+        from .link_websocket import WebSocketLink
+    except ImportError as error:
+        raise fault(Code.WEBSOCKETS_MISSING, help='pip install "roadlang[websocket]"') from error
+    return WebSocketLink(host, port)
 
 
 def start(
