@@ -214,12 +214,13 @@ def test_a_contact_sheet_shows_every_scene_at_one_scale():
 def test_a_contact_sheet_shows_the_draws_that_differ():
     def scene(index: int) -> object:
         draws = {"bent/perturb 1/amplitude": 1.5 + index, "bent/perturb 1/phase": 0.25}
-        return replace(bend(index=index), draws=draws)
+        units = {"bent/perturb 1/amplitude": "m", "bent/perturb 1/phase": "rad"}
+        return replace(bend(index=index), draws=draws, units=units)
 
     sheet = Svg().collection([scene(i) for i in range(3)])["contact-sheet.svg"]
     shown = texts(ElementTree.fromstring(sheet))
     assert [word for word in shown if "amplitude" in word] == [
-        f"amplitude {1.5 + i:g}" for i in range(3)
+        f"amplitude {1.5 + i:g} m" for i in range(3)
     ]
     assert not any("phase" in word for word in shown)
 

@@ -175,6 +175,8 @@ class Scene:
     """params and lets that are values"""
     draws: Mapping[str, Any] = field(default_factory=dict)
     """every random value by its place"""
+    units: Mapping[str, str] = field(default_factory=dict)
+    """SI units of the values and draws that have one, by name and place"""
     networks: tuple[SceneNetwork, ...] = ()
     roads: tuple[SceneRoad, ...] = ()
     agents: tuple[SceneActor, ...] = ()

@@ -53,6 +53,7 @@ class Draw:
     place: str
     call: PassCall
     per: str = "scene"
+    dimension: Dimension = PURE
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from importlib.metadata import PackageNotFoundError, version
@@ -23,6 +24,8 @@ from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
 from .roads import scene_networks, scene_roads
+
+_NUMBERED = re.compile(r"\[\d+\]$")
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,8 @@ def instantiate(
         expectations=tuple(_judged(item, candidates) for item in source.expectations),
         simulate=None if source.simulate is None else call_of(source.simulate, candidates),
     )
-    scene = replace(scene, draws=_draws(candidates.record, candidates))
+    draws = _draws(candidates.record, candidates)
+    scene = replace(scene, draws=draws, units=_units(candidates.scenario, draws))
     return ConcreteScene(scene, tuple(remark for root in roots for remark in root.remarks))
 
 
@@ -115,6 +119,19 @@ def _inputs(candidates: CandidateBatch) -> list[Input]:
 def _draws(record: DrawRecord, candidates: CandidateBatch) -> dict[str, Any]:
     """Every random value by its place; where there are several, by number (`place[2]`)."""
     return {name: _plain(value, candidates) for name, value in sorted(record.values.items())}
+
+
+def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str]:
+    """The SI units of values and draws that are quantities; pure numbers and words have none."""
+    named = {
+        item.name: item.dimension.unit
+        for item in scenario.source.values
+        if item.dimension is not None
+    }
+    drawn = {draw.place: draw.dimension.unit for draw in scenario.draws()}
+    # Several draws of one place are numbered: `tree/at[2]`.
+    named |= {name: drawn.get(_NUMBERED.sub("", name), "") for name in draws}
+    return {name: unit for name, unit in sorted(named.items()) if unit}
 
 
 def _plain(value: Any, candidates: CandidateBatch) -> Any:

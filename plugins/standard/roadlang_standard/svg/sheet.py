@@ -79,15 +79,19 @@ def _varying(scenes: Sequence[Scene]) -> dict[str, str]:
 
 def _draws(scene: Scene, names: Mapping[str, str]) -> str:
     shown = (
-        f"{name}\N{NO-BREAK SPACE}{_value(scene.draws[place])}"
+        f"{name}\N{NO-BREAK SPACE}{_value(scene.draws[place], scene.units.get(place, ''))}"
         for place, name in names.items()
         if place in scene.draws
     )
     return ", ".join(shown)
 
 
-def _value(value: object) -> str:
-    return number_text(value) if isinstance(value, float) else str(value)
+def _value(value: object, unit: str) -> str:
+    if not isinstance(value, float):
+        return str(value)
+    if unit == "rad":
+        return f"{number_text(math.degrees(value))}°"
+    return f"{number_text(value)}\N{NO-BREAK SPACE}{unit}" if unit else number_text(value)
 
 
 def _around(scenes: Sequence[Scene]) -> Box:

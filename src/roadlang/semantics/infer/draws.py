@@ -34,7 +34,8 @@ def draw_of(
     place = checker.draw_place(context)
     options = bound.values
     drawn = PassCall("distribution", found.entry.qualified, options, place, call.span)
-    value = Draw(place, drawn, context.per)
+    dimension = kind.dimension if isinstance(kind, ty.Quantity) else PURE
+    value = Draw(place, drawn, context.per, dimension)
     return TypedExpression(
         call.span, kind, value, random=True, bounds=reach, items=_items(found, bound)
     )

@@ -135,7 +135,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
         bare=all(k.bare for k in kinds),
         whole=low.constant is not None and low.constant == high.constant and kinds[0].whole,
     )
-    value = Draw(place, call, context.per)
+    value = Draw(place, call, context.per, dimension)
     return TypedExpression(draw.span, kind, value, random=True, bounds=reach, range=True)
 
 

@@ -49,7 +49,7 @@ def text_of(value: Value | None) -> str:
             return "true" if flag else "false"
         case Text(text) | Reference(text) | Entity(text, _):
             return text
-        case Draw(place, _, _):
+        case Draw(place=place):
             return place
         case Measure(call):
             return call.place
