@@ -12,7 +12,7 @@ import roadlang_godot.plugin
 import roadlang_standard
 from roadlang import LoadedScenario, NoSceneError, testing
 from roadlang.ir.scenario import Scenario
-from roadlang.judging.acceptance import Judge
+from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import registry_of
 from roadlang.plugins.registry import Registry
 from roadlang.scenes.sampling import SamplingResult
@@ -50,6 +50,6 @@ def sample(registry: Registry, tmp_path: Path) -> Callable[..., SamplingResult]:
 
 
 @pytest.fixture
-def judge(registry: Registry) -> Callable[[str], Judge]:
-    """The judge of a text's requirements."""
-    return lambda text: Judge(index_scenario(scenario_of(text, registry), registry))
+def acceptance(registry: Registry) -> Callable[[str], Acceptance]:
+    """The requirements of a text."""
+    return lambda text: Acceptance(index_scenario(scenario_of(text, registry), registry))

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from roadlang.evaluate.candidates import CandidateBatch
-from roadlang.judging.acceptance import Judge
+from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 from roadlang.world.index import index_scenario
@@ -53,21 +53,23 @@ def main() -> None:
         text = ROAD.replace("REACH", reach).replace("BOUND", bound)
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
-        judge = Judge(index_scenario(scenario, registry))
-        rate, share = measure(judge)
+        acceptance = Acceptance(index_scenario(scenario, registry))
+        rate, share = measure(acceptance)
         print(f"{title:36} {rate:9,.0f} candidates/s   {share:6.1%} accepted")
 
 
-def measure(judge: Judge) -> tuple[float, float]:
+def measure(acceptance: Acceptance) -> tuple[float, float]:
     """Candidates per second and the share accepted."""
     scenes = np.zeros(BATCH, np.int64)
     accepted = 0
-    judge.judge(CandidateBatch(judge.scenario, 0, scenes, np.arange(BATCH)))
+    acceptance.judge(CandidateBatch(acceptance.scenario, 0, scenes, np.arange(BATCH)))
     start = time.process_time()
     for round_ in range(ROUNDS):
         attempts = np.arange(BATCH) + round_ * BATCH
         accepted += int(
-            judge.judge(CandidateBatch(judge.scenario, 1, scenes, attempts)).accepted.sum()
+            acceptance.judge(
+                CandidateBatch(acceptance.scenario, 1, scenes, attempts)
+            ).accepted.sum()
         )
     spent = time.process_time() - start
     return ROUNDS * BATCH / spent, accepted / (ROUNDS * BATCH)

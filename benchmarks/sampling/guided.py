@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from roadlang.evaluate.draw_record import DrawRecord
-from roadlang.judging.acceptance import Judge
+from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
 from roadlang.search.accepted import Accepted
 from roadlang.search.attempts import accepted_attempts
@@ -85,36 +85,36 @@ def main() -> None:
         text = ROAD + rules + "sample with guided\n"
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
-        judge = Judge(index_scenario(scenario, registry))
-        plain, plain_spread = rejection(judge, number)
-        steered, spread, learned = guided(judge, number)
+        acceptance = Acceptance(index_scenario(scenario, registry))
+        plain, plain_spread = rejection(acceptance, number)
+        steered, spread, learned = guided(acceptance, number)
         print(
             f"{title:36} acceptance {1 / plain:7.2%}  rejection {plain:7.1f}  guided {steered:5.1f}"
             f"  fewer {plain / steered:6.1f}x  spread {spread / plain_spread:4.0%}  pilot {learned}"
         )
 
 
-def rejection(judge: Judge, number: int) -> tuple[float, float]:
+def rejection(acceptance: Acceptance, number: int) -> tuple[float, float]:
     """Attempts per scene and diversity of rejection sampling."""
-    accepted, stats = accepted_attempts(judge, Random(attempts=1_000_000), SEED, range(number))
-    return stats.candidates / len(accepted), mean_nearest(coordinates(judge, accepted)) or 0.0
+    accepted, stats = accepted_attempts(acceptance, Random(attempts=1_000_000), SEED, range(number))
+    return stats.candidates / len(accepted), mean_nearest(coordinates(acceptance, accepted)) or 0.0
 
 
-def guided(judge: Judge, number: int) -> tuple[float, float, int]:
+def guided(acceptance: Acceptance, number: int) -> tuple[float, float, int]:
     """Attempts per scene, diversity and pilot size of guided sampling."""
-    accepted, stats = guided_attempts(judge, Guided(), SEED, range(number))
+    accepted, stats = guided_attempts(acceptance, Guided(), SEED, range(number))
     assert len(accepted) == number
-    pilot = run_pilot(judge, Guided(), SEED)
-    spread = mean_nearest(coordinates(judge, accepted)) or 0.0
+    pilot = run_pilot(acceptance, Guided(), SEED)
+    spread = mean_nearest(coordinates(acceptance, accepted)) or 0.0
     return stats.candidates / number, spread, pilot.stats.candidates
 
 
-def coordinates(judge: Judge, accepted: list[Accepted]) -> list[dict[str, float]]:
+def coordinates(acceptance: Acceptance, accepted: list[Accepted]) -> list[dict[str, float]]:
     """The draws of each scene in the unit cube, by name."""
     found = []
     for item in accepted:
         record = DrawRecord()
-        judge.measure(item.candidate(judge.scenario, SEED, record))
+        acceptance.measure(item.candidate(acceptance.scenario, SEED, record))
         found.append({name: float(values[0]) for name, values in record.coordinates.items()})
     return found
 

@@ -21,6 +21,8 @@ SCENE = """road main {{
 agent ego is car on main at 5m {{ drive with pure_pursuit {{ speed: 8m/s }} }}
 expect calm: always (ego.speed < {limit})
 expect arrives: eventually[0s, 60s] (ego.progress > 95%)
+expect no_crash: always (ego.contacts == 0)
+expect forward: always (ego.speed >= 0m/s)
 """
 
 
@@ -39,7 +41,7 @@ def test_kept_expectations_leave_with_0_and_the_trace_is_written(tmp_path: Path)
     assert float(rows[-1]["progress"]) == pytest.approx(trace.agents["ego"].progress[-1])
     assert trace.agents["ego"].progress[-1] > 0.99
     verdicts = json.loads((tmp_path / "out/scene-0000.verdicts.json").read_text())
-    assert [v["satisfied"] for v in verdicts["expectations"]] == [True, True]
+    assert [v["satisfied"] for v in verdicts["expectations"]] == [True] * 4
 
 
 def test_a_broken_expectation_leaves_with_4(

@@ -11,7 +11,8 @@ import pytest
 
 from roadlang.api import AgentTrace, DiagnosticError, Trace
 from roadlang.drive.trace_files import from_json, to_csv, to_json
-from roadlang.judging.drives import robustness
+from roadlang.ir.scene import Provenance, Scene, Verdict
+from roadlang.judging.drives import DriveCondition, judge
 from roadlang.plugins.discovery import load_registry
 
 TIME = np.linspace(0.0, 10.0, 101)
@@ -31,31 +32,73 @@ def trace(*agents: AgentTrace) -> Trace:
     return Trace(TIME, {one.name: one for one in agents}, "test")
 
 
-def condition(formula: Mapping[str, Any], **signals: tuple[str, dict[str, str]]) -> dict[str, Any]:
+def condition(formula: Any, **signals: tuple[str, dict[str, str]]) -> dict[str, Any]:
     calls = {name: {"kind": kind, "options": options} for name, (kind, options) in signals.items()}
     return {"formula": formula, "signals": calls}
 
 
+def rho_of(formula: Mapping[str, Any], drive: Trace) -> float:
+    return DriveCondition(formula, drive, REGISTRY).rho
+
+
 def test_always_takes_the_worst_moment() -> None:
     slow = condition({"always": {"<": ["v", 12.0]}}, v=("speed", {"agent": "ego"}))
-    assert robustness(slow, trace(agent("ego", 10 * TIME)), REGISTRY) == pytest.approx(2.0)
+    assert rho_of(slow, trace(agent("ego", 10 * TIME))) == pytest.approx(2.0)
+
+
+def verdict_of(formula: Mapping[str, Any], drive: Trace) -> Verdict:
+    """What a scene with this one expectation says of a drive."""
+    expectation = Verdict("ok", "", "drive", None, None, formula=formula)
+    scene = Scene("scene", "", 0, Provenance("", 0, 0, 0), expectations=(expectation,))
+    return judge(scene, drive, REGISTRY)[0]
+
+
+@pytest.mark.parametrize(("operator", "holds"), [("==", True), ("<=", True), ("<", False)])
+def test_no_contact_at_all_is_exactly_what_was_asked_for(operator: str, holds: bool) -> None:
+    clear = condition({"always": {operator: ["n", 0.0]}}, n=("contacts", {"agent": "ego"}))
+    verdict = verdict_of(clear, trace(agent("ego", 10 * TIME)))
+    assert verdict.satisfied is holds
+    assert f"{verdict.robustness:g}" == "0", "not -0, which reads like a violation"
+
+
+def test_a_contact_breaks_it() -> None:
+    touched = np.where(TIME == 5.0, 1.0, 0.0)
+    clear = condition({"always": {"==": ["n", 0.0]}}, n=("contacts", {"agent": "ego"}))
+    verdict = verdict_of(clear, trace(agent("ego", 10 * TIME, contacts=touched)))
+    assert (verdict.satisfied, verdict.robustness) == (False, -1.0)
+
+
+def test_every_member_of_a_group_must_hold_at_zero() -> None:
+    cars = [agent("cars[0]", 0 * TIME), agent("cars[1]", 0 * TIME, 5.0)]
+    rest = condition({"always": {"<=": ["v", 0.0]}}, v=("speed", {"agent": "cars"}))
+    assert verdict_of(rest, trace(*cars)).satisfied
+    strict = condition({"always": {"<": ["v", 0.0]}}, v=("speed", {"agent": "cars"}))
+    assert not verdict_of(strict, trace(*cars)).satisfied
+
+
+def test_a_robustness_without_bound_is_none() -> None:
+    anything = condition(True)
+    assert verdict_of(anything, trace(agent("ego", TIME))).robustness is None
+
+
+def test_the_time_of_the_drive_is_a_signal() -> None:
+    early = condition({"eventually": {">=": ["t", 10.0]}}, t=("time", {}))
+    assert verdict_of(early, trace(agent("ego", TIME))).satisfied
 
 
 def test_the_distance_between_middles_and_between_outlines() -> None:
     both = trace(agent("ego", 0 * TIME), agent("lead", 0 * TIME + 20.0))
     who = {"one": "ego", "other": "lead"}
     apart = condition({"always": {">": ["d", 0.0]}}, d=("distance", who))
-    assert robustness(apart, both, REGISTRY) == pytest.approx(20.0)
+    assert rho_of(apart, both) == pytest.approx(20.0)
     free = condition({"always": {">": ["d", 0.0]}}, d=("gap", who))
-    assert robustness(free, both, REGISTRY) == pytest.approx(15.5)
+    assert rho_of(free, both) == pytest.approx(15.5)
 
 
 def test_a_turned_outline_reaches_elsewhere() -> None:
     turned = agent("lead", 0 * TIME + 20.0, heading=np.zeros_like(TIME) + math.pi / 2)
     free = condition({"always": {">": ["d", 0.0]}}, d=("gap", {"one": "ego", "other": "lead"}))
-    assert robustness(free, trace(agent("ego", 0 * TIME), turned), REGISTRY) == pytest.approx(
-        20.0 - 2.25 - 0.9
-    )
+    assert rho_of(free, trace(agent("ego", 0 * TIME), turned)) == pytest.approx(20.0 - 2.25 - 0.9)
 
 
 def test_the_distance_to_a_group_is_that_to_the_nearest() -> None:
@@ -63,20 +106,20 @@ def test_the_distance_to_a_group_is_that_to_the_nearest() -> None:
     apart = condition(
         {"always": {">": ["d", 0.0]}}, d=("distance", {"one": "ego", "other": "walkers"})
     )
-    assert robustness(apart, trace(agent("ego", 0 * TIME), *group), REGISTRY) == pytest.approx(5.0)
+    assert rho_of(apart, trace(agent("ego", 0 * TIME), *group)) == pytest.approx(5.0)
 
 
 def test_a_formula_of_a_group_must_hold_for_each_member() -> None:
     group = [agent(f"cars[{i}]", (i + 1) * TIME) for i in range(3)]
     slow = condition({"always": {"<": ["v", 2.5]}}, v=("speed", {"agent": "cars"}))
-    assert robustness(slow, trace(*group), REGISTRY) == pytest.approx(-0.5)
+    assert rho_of(slow, trace(*group)) == pytest.approx(-0.5)
 
 
 def test_what_the_engine_does_not_record_is_refused() -> None:
     blind = agent("ego", TIME, steering=np.full_like(TIME, np.nan))
     straight = condition({"always": {"<": ["a", 0.1]}}, a=("steering", {"agent": "ego"}))
     with pytest.raises(DiagnosticError, match="RL701"):
-        robustness(straight, trace(blind), REGISTRY)
+        rho_of(straight, trace(blind))
 
 
 def test_a_trace_survives_its_file() -> None:

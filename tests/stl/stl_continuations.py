@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
+
 from stl_draws import NAMES
 
 Floats = NDArray[np.float64]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from stl_draws import FormulaDraw, draw_trace
 from stl_reference import Reference
 

@@ -7,9 +7,9 @@ import math
 
 import numpy as np
 import pytest
-from stl_draws import FormulaDraw, draw_trace
 
 from roadlang import stl
+from stl_draws import FormulaDraw, draw_trace
 
 
 def _explain(text, **signals):

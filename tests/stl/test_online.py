@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from stl_draws import FormulaDraw, draw_trace
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
+from stl_draws import FormulaDraw, draw_trace
 
 
 def _compare(formula, positions, row, every=1):

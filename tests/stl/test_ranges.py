@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 from stl_continuations import continuations
-from stl_draws import FormulaDraw, draw_trace
 
 from roadlang import stl
 from roadlang.stl.formula.normal_form import normal_form
 from roadlang.stl.formula.strengthening import strengthened
+from stl_draws import FormulaDraw, draw_trace
 
 
 def _seen(seed, samples):

@@ -7,10 +7,10 @@ import io
 
 import numpy as np
 import pytest
-from stl_draws import FormulaDraw, draw_trace
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
+from stl_draws import FormulaDraw, draw_trace
 
 SAMPLES = 24
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 import pytest
-from stl_draws import FormulaDraw
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.units import UNITS
 from roadlang.stl.formats.unit_factors import factor, known_units
+from stl_draws import FormulaDraw
 
 
 @pytest.mark.parametrize(

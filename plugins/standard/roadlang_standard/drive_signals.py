@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from roadlang.api import Trace
+
     Floats = NDArray[np.float64]
 
 
@@ -191,3 +193,6 @@ class Time(DriveSignal):
     name: ClassVar[str] = "time"
     unit: ClassVar[str] = "s"
     member: ClassVar[bool] = False
+
+    def values_in(self, trace: Trace) -> Floats:
+        return trace.time

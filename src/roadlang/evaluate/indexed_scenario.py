@@ -107,6 +107,11 @@ class IndexedScenario:
                 found[origin.distribution] = origin.version
         return dict(sorted(found.items()))
 
+    def thing(self, name: str) -> Image | Network | Road:
+        """The road, network or image of that name. Raises `KeyError`."""
+        things: dict[str, Image | Network | Road] = {**self.images, **self.networks, **self.roads}
+        return things[name]
+
     def source_of(self, thing: Image | Network | Road) -> Image | Network | Road | None:
         """The thing that another is made from, where it has a name."""
         if not isinstance(thing.source, NameSource):
@@ -135,11 +140,9 @@ class IndexedScenario:
 
         Such roads differ in their stations, so that candidates are evaluated one by one.
         """
-        return self.once(("varying", name), lambda: any(map(self._is_drawn, self._links(name))))
-
-    def _links(self, name: str) -> Iterator[Image | Network | Road]:
-        thing: Image | Network | Road | None = self.roads.get(name) or self.networks.get(name)
-        return self.chain(thing if thing is not None else self.images[name])
+        return self.once(
+            ("varying", name), lambda: any(map(self._is_drawn, self.chain(self.thing(name))))
+        )
 
     def _is_drawn(self, thing: Image | Network | Road) -> bool:
         shaping = [call for call in thing.passes if call.verb != "perturb"]

@@ -1,4 +1,4 @@
-"""Judges batches of candidates: which satisfy every requirement, and what rejected the others."""
+"""Which candidates satisfy every requirement, and what rejected the others."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..ir.values import Condition
 from .bounds import settled_rows
-from .requirements import Requirement, requirements_of
-from .verdicts import holds_at_zero
+from .requirement import Requirement
+from .requirements import requirements_of
 
 Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 ACCEPTED = -1
 
 
 @dataclass(frozen=True)
-class Judged:
+class AcceptanceResult:
     """`rejected_by` (V,): the index of the requirement, or `ACCEPTED`. `rho` (R, V): the robustness
     of each requirement, NaN where it was not needed."""
 
@@ -29,12 +29,20 @@ class Judged:
     rho: Floats
 
     @property
-    def accepted(self) -> NDArray[np.bool_]:
+    def accepted(self) -> Mask:
         """Which candidates satisfy every requirement, (V,)."""
         return np.asarray(self.rejected_by == ACCEPTED)
 
 
-class Judge:
+@dataclass(frozen=True)
+class Measurements:
+    """`rho` (R, V): the robustness of every requirement; `satisfied` (R, V)."""
+
+    rho: Floats
+    satisfied: Mask
+
+
+class Acceptance:
     """All requirements of a scenario, in the order in which they are tried."""
 
     def __init__(
@@ -43,81 +51,70 @@ class Judge:
         self.scenario = scenario
         self.requirements = requirements_of(scenario) if requirements is None else requirements
 
-    def only(self, indices: Sequence[int]) -> Judge:
-        """A judge of some of the requirements."""
-        return Judge(self.scenario, [self.requirements[index] for index in indices])
+    def only(self, indices: Sequence[int]) -> Acceptance:
+        """Some of the requirements."""
+        return Acceptance(self.scenario, [self.requirements[index] for index in indices])
 
     @cached_property
-    def one_by_one(self) -> bool:
-        """Whether some requirement looks at roads that differ in their stations."""
+    def has_varying_stations(self) -> bool:
+        """Whether some requirement looks at roads that differ in their stations between candidates,
+        which are then evaluated singly."""
         return any(self._is_varying(requirement) for requirement in self.requirements)
 
-    def judge(self, candidates: CandidateBatch) -> Judged:
+    def judge(self, candidates: CandidateBatch) -> AcceptanceResult:
         """Each requirement is tried on the survivors of those before it."""
         count = candidates.count
-        judged = Judged(np.full(count, ACCEPTED), np.full((len(self.requirements), count), np.nan))
+        rho = np.full((len(self.requirements), count), np.nan)
+        result = AcceptanceResult(np.full(count, ACCEPTED), rho)
         together = [i for i, r in enumerate(self.requirements) if not self._is_varying(r)]
-        alone = [i for i, r in enumerate(self.requirements) if self._is_varying(r)]
-        rows = self._sift(candidates, np.arange(count), together, judged)
-        if alone:
+        singly = [i for i, r in enumerate(self.requirements) if self._is_varying(r)]
+        rows = self._sift(candidates, np.arange(count), together, result)
+        if singly:
             for row in rows:
-                one = np.array([row])
-                self._sift(candidates.take(one), one, alone, judged)
-        return judged
+                single = np.array([row])
+                self._sift(candidates.take(single), single, singly, result)
+        return result
 
-    def measure(self, candidates: CandidateBatch) -> Floats:
-        """(R, V) the robustness of every requirement, of rejected candidates too."""
-        everything = range(len(self.requirements))
-        rho = np.empty((len(self.requirements), candidates.count))
-        parts = (
-            [candidates.take(np.array([row])) for row in range(candidates.count)]
-            if self.one_by_one
-            else [candidates]
-        )
-        start = 0
-        for part in parts:
-            for index in everything:
-                rho[index, start : start + part.count] = self.requirements[index].rho(part)
-            start += part.count
-        return rho
+    def measure(self, candidates: CandidateBatch) -> Measurements:
+        """Every requirement, of rejected candidates too."""
+        shape = (len(self.requirements), candidates.count)
+        rho, satisfied = np.empty(shape), np.empty(shape, dtype=bool)
+        parts = [(slice(None), candidates)]
+        if self.has_varying_stations:
+            singles = range(candidates.count)
+            parts = [(slice(i, i + 1), candidates.take(np.array([i]))) for i in singles]
+        for rows, part in parts:
+            for index, requirement in enumerate(self.requirements):
+                rho[index, rows] = found = requirement.rho(part)
+                satisfied[index, rows] = requirement.is_satisfied(part, found)
+        return Measurements(rho, satisfied)
 
     def _sift(
         self,
         candidates: CandidateBatch,
         rows: NDArray[np.intp],
         chosen: Sequence[int],
-        judged: Judged,
+        result: AcceptanceResult,
     ) -> NDArray[np.intp]:
         """The rows that survive; `candidates` are the candidates at `rows`."""
         for index in chosen:
             if not len(rows):
                 break
             requirement = self.requirements[index]
-            certain = settled_rows(requirement, candidates)
-            if certain.all():
+            passes = settled_rows(requirement, candidates)
+            if passes.all():
                 continue
-            doubtful = (
-                candidates if not certain.any() else candidates.take(np.flatnonzero(~certain))
-            )
-            rho = np.full(len(rows), np.nan)
-            rho[~certain] = requirement.rho(doubtful)
-            judged.rho[index, rows] = rho
-            passes = certain | (rho > 0.0) | self._holds_at_zero(requirement, candidates, rho)
-            judged.rejected_by[rows[~passes]] = index
+            open_rows = np.flatnonzero(~passes)
+            unsettled = candidates if not passes.any() else candidates.take(open_rows)
+            rho = requirement.rho(unsettled)
+            result.rho[index, rows[open_rows]] = rho
+            passes = passes.copy()
+            passes[open_rows] = requirement.is_satisfied(unsettled, rho)
+            result.rejected_by[rows[~passes]] = index
             if not passes.all():
                 rows = rows[passes]
                 candidates = candidates.take(np.flatnonzero(passes))
         return rows
-
-    def _holds_at_zero(
-        self, requirement: Requirement, candidates: CandidateBatch, rho: Floats
-    ) -> NDArray[np.bool_]:
-        zero = np.asarray(rho == 0.0)
-        if not zero.any() or not isinstance(requirement.test, Condition):
-            return zero
-        for row in np.flatnonzero(zero):
-            zero[row] = holds_at_zero(requirement.test, candidates.take(np.array([row])))
-        return zero
 
     def _is_varying(self, requirement: Requirement) -> bool:
         scenario = self.scenario

@@ -34,7 +34,7 @@ from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry
 from ..stl.formula import formulas as f
 from ..stl.formula import terms as t
-from .requirements import Requirement
+from .requirement import Requirement
 
 Floats = NDArray[np.float64]
 Range = tuple[Any, Any]

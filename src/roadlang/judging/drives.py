@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scene import Scene, Verdict
@@ -16,7 +17,11 @@ from ..ir.trace import AgentTrace, Trace
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import DriveSignal
 from ..plugins.registry import Registry
-from ..stl import from_json
+from ..stl import Formula, from_json
+from ..stl.evaluate.satisfaction import zero_satisfies
+from .verdicts import decided
+
+Floats = NDArray[np.float64]
 
 
 def judge(scene: Scene, trace: Trace, registry: Registry) -> tuple[Verdict, ...]:
@@ -35,24 +40,86 @@ def _judged(verdict: Verdict, trace: Trace, registry: Registry) -> Verdict:
     if verdict.formula is None:
         return verdict
     if "monitor" in verdict.formula:
-        rho = _monitored(verdict.formula, trace, registry)
-    else:
-        rho = robustness(verdict.formula, trace, registry)
-    return dataclasses.replace(verdict, robustness=rho, satisfied=rho > 0)
+        return decided(verdict, _monitored(verdict.formula, trace, registry), zero_satisfies)
+    condition = DriveCondition(verdict.formula, trace, registry)
+    return decided(verdict, condition.rho, lambda rows: condition.truth)
 
 
-def robustness(condition: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
-    """Robustness of a condition `{formula, signals, numbers}` on a trace, for its worst member."""
-    formula = from_json(condition["formula"])
-    numbers = {name: float(value) for name, value in condition.get("numbers", {}).items()}
-    signals: Mapping[str, Any] = condition.get("signals", {})
-    worst = math.inf
-    for chosen in _members(signals, trace, registry):
-        values = {
-            name: _values(call, chosen, trace, registry, name) for name, call in signals.items()
-        }
-        worst = min(worst, float(np.min(formula.rho(trace.time, {**numbers, **values}))))
-    return worst
+@dataclass(frozen=True)
+class DriveCondition:
+    """A condition `{formula, signals, numbers}` on a trace, for every member of a group."""
+
+    condition: Mapping[str, Any]
+    trace: Trace
+    registry: Registry
+
+    @property
+    def rho(self) -> float:
+        """Robustness, of the worst member."""
+        formula, time = self._formula, self.trace.time
+        return min((float(formula.rho(time, v)) for v in self._values()), default=math.inf)
+
+    @property
+    def truth(self) -> bool:
+        """Boolean satisfaction, by every member."""
+        formula, time = self._formula, self.trace.time
+        return all(bool(formula.satisfied(time, values)) for values in self._values())
+
+    @property
+    def _formula(self) -> Formula:
+        return from_json(self.condition["formula"])
+
+    def _values(self) -> Iterator[dict[str, Any]]:
+        """The variables of the formula, for every choice of a member of each group."""
+        numbers = self.condition.get("numbers", {})
+        signals: Mapping[str, Any] = self.condition.get("signals", {})
+        calls = {name: _SignalCall(name, call, self) for name, call in signals.items()}
+        members = sorted({name for call in calls.values() for name in call.members})
+        for choice in product(*(group(name, self.trace) for name in members)):
+            chosen = dict(zip(members, choice, strict=True))
+            values = {name: call.values(chosen) for name, call in calls.items()}
+            yield {name: float(number) for name, number in numbers.items()} | values
+
+
+@dataclass(frozen=True)
+class _SignalCall:
+    """A signal that the formula calls `variable`."""
+
+    variable: str
+    call: Mapping[str, Any]
+    condition: DriveCondition
+
+    @property
+    def kind(self) -> type[DriveSignal]:
+        registry = self.condition.registry
+        kind = registry.find_recorded("drive_signal", str(self.call["kind"])).load()
+        assert issubclass(kind, DriveSignal)
+        return kind
+
+    @property
+    def members(self) -> Iterator[str]:
+        """The agents and groups of a member signal (`walkers.speed`)."""
+        names = self.call.get("options", {}).values() if self.kind.member else ()
+        return (name for name in map(str, names) if group(name, self.condition.trace))
+
+    def values(self, chosen: Mapping[str, AgentTrace]) -> Floats:
+        """(T,) the signal of the members `chosen`. Raises RL470, RL474, RL701."""
+        trace, registry, kind = self.condition.trace, self.condition.registry, self.kind
+        options = {}
+        for key, value in self.call.get("options", {}).items():
+            agents = group(value, trace) if isinstance(value, str) else ()
+            member = chosen[value] if kind.member and agents else None
+            options[key] = member if member is not None else agents or value
+        entry = registry.find_recorded("drive_signal", str(self.call["kind"]))
+        with plugin_guard(entry, None):
+            values = np.asarray(kind(**options).values_in(trace), dtype=float)
+        if values.shape != trace.time.shape:
+            fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
+            raise wrong_result(entry, None, fault)
+        if not np.isfinite(values).all():
+            signal, engine = self.variable, trace.engine
+            raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=signal, engine=engine))
+        return values
 
 
 def group(name: str, trace: Trace) -> tuple[AgentTrace, ...]:
@@ -60,59 +127,6 @@ def group(name: str, trace: Trace) -> tuple[AgentTrace, ...]:
     if name in trace.agents:
         return (trace.agents[name],)
     return tuple(agent for key, agent in trace.agents.items() if key.startswith(f"{name}["))
-
-
-def _members(
-    signals: Mapping[str, Any], trace: Trace, registry: Registry
-) -> Iterator[Mapping[str, AgentTrace]]:
-    """Every way to choose one member of each group that a member signal speaks of."""
-    names = sorted(
-        {
-            str(value)
-            for call in signals.values()
-            if _kind(call, registry).member
-            for value in call["options"].values()
-            if group(str(value), trace)
-        }
-    )
-    for choice in product(*(group(name, trace) for name in names)):
-        yield dict(zip(names, choice, strict=True))
-
-
-def _values(
-    call: Mapping[str, Any],
-    chosen: Mapping[str, AgentTrace],
-    trace: Trace,
-    registry: Registry,
-    shown: str,
-) -> Any:
-    kind = _kind(call, registry)
-    options = {}
-    for key, value in call.get("options", {}).items():
-        members = group(value, trace) if isinstance(value, str) else ()
-        if not members:
-            options[key] = value
-        elif kind.member:
-            options[key] = chosen[value]
-        else:
-            options[key] = members
-    if kind.name == "time":
-        return trace.time
-    entry = registry.find_recorded("drive_signal", str(call["kind"]))
-    with plugin_guard(entry, None):
-        values = np.asarray(kind(**options).values(), dtype=float)
-    if values.shape != trace.time.shape and entry.origin.plugin != "standard":
-        fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
-        raise wrong_result(entry, None, fault)
-    if values.shape != trace.time.shape or not np.isfinite(values).all():
-        raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=shown, engine=trace.engine))
-    return values
-
-
-def _kind(call: Mapping[str, Any], registry: Registry) -> type[DriveSignal]:
-    kind = registry.find_recorded("drive_signal", str(call["kind"])).load()
-    assert issubclass(kind, DriveSignal)
-    return kind
 
 
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:

@@ -11,10 +11,7 @@ from ..ir.scenario import NamedSignal
 from ..ir.scene import Profile, RoadPlace, SceneSignal
 from ..ir.values import Condition
 from ..stl import Always, Eventually, Formula
-from ..world.placement import is_absent
-from ..world.signals import axes_of
-from .requirements import axis_signals
-from .verdicts import road_name
+from .road_conditions import traces_of_copy
 
 
 def scene_signals(candidates: CandidateBatch) -> tuple[SceneSignal, ...]:
@@ -60,18 +57,14 @@ def _signal(signal: NamedSignal, candidates: CandidateBatch) -> SceneSignal:
 def _profiles(
     condition: Condition, formula: Formula, candidates: CandidateBatch
 ) -> tuple[Profile, ...]:
-    absent = is_absent(condition, 1, candidates)
-    if absent is not None and absent[0]:  # a group without any copy
-        return ()
     found = []
-    for axis in axes_of(condition, candidates):
-        positions, values, wrap = axis_signals(condition, axis, 1, candidates)
-        along = np.atleast_2d(formula.robustness(positions, values, wrap=wrap))[0]
-        along = np.broadcast_to(along, positions.shape)
+    for trace in traces_of_copy(condition, 1, candidates):
+        if trace.absent is not None and trace.absent[0]:  # a group without any copy
+            continue
+        along = formula.robustness(trace.positions, trace.values, wrap=trace.wrap)
+        along = np.broadcast_to(np.atleast_2d(along)[0], trace.positions.shape)
         # Windows beyond the end of a road hold no sample: their robustness is infinite.
         inside = np.isfinite(along)
-        name = road_name(condition, axis, candidates)
-        found.append(
-            Profile(name, tuple(positions[inside].tolist()), tuple(along[inside].tolist()))
-        )
+        stations, values = trace.positions[inside].tolist(), along[inside].tolist()
+        found.append(Profile(trace.road, tuple(stations), tuple(values)))
     return tuple(found)

@@ -191,6 +191,15 @@ class DriveSignal(Signal):
     verb: ClassVar[str] = "drive_signal"
     member: ClassVar[bool] = True
 
+    def values(self) -> Floats:
+        """(steps,) SI units, of the agents in the fields."""
+        raise NotImplementedError
+
+    def values_in(self, trace: Trace) -> Floats:
+        """(steps,) of a signal that needs more of the drive than the agents in its fields, such as
+        its time axis; `values` is then not called."""
+        return self.values()
+
 
 class Monitor(Kind):
     """`require/expect N with`: a judge instead of STL."""

@@ -10,7 +10,7 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
-from ..judging.acceptance import Judge
+from ..judging.acceptance import Acceptance
 from ..judging.bounds import is_impossible
 from ..plugins.registry import Registry
 from ..search.rejection_report import RejectionStats, Row, as_text, rows_of
@@ -65,9 +65,9 @@ def sample_scenes(
     """
     scenario = index_scenario(source, registry)
     task = SceneSearch(scenario, seed, partial(instantiate, overrides=overrides or {}))
-    impossible = _impossible(task.judge, seed)
+    impossible = _impossible(task.acceptance, seed)
     if impossible:
-        return _nothing(task.judge, impossible, n or 1)
+        return _nothing(task.acceptance, impossible, n or 1)
     found = search(task, n, jobs, progress)
     concrete = [sample.result for sample in found.samples]
     remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))
@@ -75,39 +75,40 @@ def sample_scenes(
         scenes=tuple(item.scene for item in concrete),
         wanted=found.wanted,
         candidates=found.stats.candidates,
-        table=rows_of(found.stats, task.judge.requirements, frozenset()),
+        table=rows_of(found.stats, task.acceptance.requirements, frozenset()),
         missing=tuple(found.missing),
         remarks=tuple(dict.fromkeys(remarks)),
         diversity=found.diversity,
     )
 
 
-def _impossible(judge: Judge, seed: int) -> frozenset[int]:
+def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
     """Requirements that bounds refute, or that nothing random has a say in and that fail."""
     refuted = {
         index
-        for index, requirement in enumerate(judge.requirements)
-        if is_impossible(requirement, judge.scenario)
+        for index, requirement in enumerate(acceptance.requirements)
+        if is_impossible(requirement, acceptance.scenario)
     }
     if refuted:
         return frozenset(refuted)
-    first = CandidateBatch(judge.scenario, seed, np.zeros(1, np.int64), np.zeros(1, np.int64))
-    fixed = [index for index, r in enumerate(judge.requirements) if not r.draws]
+    first = CandidateBatch(acceptance.scenario, seed, np.zeros(1, np.int64), np.zeros(1, np.int64))
+    fixed = [index for index, r in enumerate(acceptance.requirements) if not r.draws]
     if not fixed:
         return frozenset()
-    judged = judge.only(fixed).judge(first)
+    judged = acceptance.only(fixed).judge(first)
     return frozenset(fixed[index] for index in set(judged.rejected_by.tolist()) if index >= 0)
 
 
-def _nothing(judge: Judge, impossible: frozenset[int], wanted: int) -> SamplingResult:
-    rows = rows_of(RejectionStats.empty(len(judge.requirements)), judge.requirements, impossible)
+def _nothing(acceptance: Acceptance, impossible: frozenset[int], wanted: int) -> SamplingResult:
+    nothing_tried = RejectionStats.empty(len(acceptance.requirements))
+    rows = rows_of(nothing_tried, acceptance.requirements, impossible)
     known = {row.name for row in rows}
     for index in sorted(impossible):
-        requirement = judge.requirements[index]
+        requirement = acceptance.requirements[index]
         if requirement.name not in known:
             rows += (
                 Row(requirement.name, requirement.text, requirement.line, 1, 1, 1.0, None,
                     requirement.implied, True),
             )  # fmt: skip
-    texts = tuple(judge.requirements[index].text for index in sorted(impossible))
+    texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))
     return SamplingResult((), wanted, 0, rows, (0,), texts)

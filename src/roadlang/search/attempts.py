@@ -8,28 +8,28 @@ from typing import Any
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
-from ..judging.acceptance import Judge
+from ..judging.acceptance import Acceptance
 from .accepted import Accepted
 from .effort import BATCH, attempts_of
 from .rejection_report import RejectionStats
 
 
 def accepted_attempts(
-    judge: Judge, sampler: Any, seed: int, scenes: Sequence[int]
+    acceptance: Acceptance, sampler: Any, seed: int, scenes: Sequence[int]
 ) -> tuple[list[Accepted], RejectionStats]:
     """The first accepted attempt of each scene, and the counts up to it."""
-    attempts = attempts_of(sampler, judge)
-    stats = RejectionStats.empty(len(judge.requirements))
+    attempts = attempts_of(sampler, acceptance)
+    stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: dict[int, int] = {}
     pending, start = list(scenes), 0
     while pending and start < attempts:
-        width = 1 if judge.one_by_one else max(1, BATCH // len(pending))
+        width = 1 if acceptance.has_varying_stations else max(1, BATCH // len(pending))
         width = min(width, attempts - start, 4 * start + 4)
         tries = np.arange(start, start + width)
         candidates = CandidateBatch(
-            judge.scenario, seed, np.repeat(pending, width), np.tile(tries, len(pending))
+            acceptance.scenario, seed, np.repeat(pending, width), np.tile(tries, len(pending))
         )
-        judged = judge.judge(candidates)
+        judged = acceptance.judge(candidates)
         counted = np.ones(candidates.count, dtype=bool)
         fine = judged.accepted.reshape(len(pending), width)
         for row, scene in enumerate(pending):

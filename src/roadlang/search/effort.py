@@ -13,7 +13,7 @@ import numpy as np
 from ..evaluate.candidates import fixed_candidate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Image
-from ..judging.acceptance import Judge
+from ..judging.acceptance import Acceptance
 from ..world.networks import network_root
 from ..world.roads import road_root
 
@@ -28,34 +28,31 @@ WITH_PICTURES = 20
 """Attempts where every candidate is extracted from a picture of its own: seconds each."""
 
 
-def attempts_of(sampler: Any, judge: Judge) -> int:
+def attempts_of(sampler: Any, acceptance: Acceptance) -> int:
     """The sampler's `attempts`, or as many as are done in about five seconds."""
     given = getattr(sampler, "attempts", None)
-    return int(given) if given is not None else default_attempts(judge)
+    return int(given) if given is not None else default_attempts(acceptance)
 
 
-def default_attempts(judge: Judge) -> int:
+def default_attempts(acceptance: Acceptance) -> int:
     """A guess from what the requirements look at."""
-    scenario = judge.scenario
-    names = {name for requirement in judge.requirements for name in requirement.names}
+    scenario = acceptance.scenario
+    names = {name for requirement in acceptance.requirements for name in requirement.names}
     if any(_has_drawn_picture(name, scenario) for name in names):
         return WITH_PICTURES
-    if judge.one_by_one:
+    if acceptance.has_varying_stations:
         return ONE_BY_ONE
     work = sum(
         requirement.cost * _stations(requirement.names, scenario)
-        for requirement in judge.requirements
+        for requirement in acceptance.requirements
     )
     return int(np.clip(BUDGET / max(work, 1.0), FEWEST, MOST))
 
 
 def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
-    thing: Any = (
-        scenario.roads.get(name) or scenario.networks.get(name) or scenario.images.get(name)
-    )
-    if thing is None:
+    if name in scenario.actors:
         return False
-    links = (link for link in scenario.chain(thing) if isinstance(link, Image))
+    links = (link for link in scenario.chain(scenario.thing(name)) if isinstance(link, Image))
     return any(scenario.is_varying(link.name) for link in links)
 
 

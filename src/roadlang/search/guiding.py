@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..ir.batch import BatchRandom
-from ..judging.acceptance import Judge
+from ..judging.acceptance import Acceptance, Measurements
 from .accepted import Accepted
 from .effort import attempts_of
 from .rejection_report import RejectionStats
@@ -93,70 +93,69 @@ class Pilot:
 
 
 def guided_attempts(
-    judge: Judge, sampler: Any, seed: int, scenes: Sequence[int]
+    acceptance: Acceptance, sampler: Any, seed: int, scenes: Sequence[int]
 ) -> tuple[list[Accepted], RejectionStats]:
     """The first accepted attempt of each scene, each searched for by itself."""
-    pilot = judge.scenario.once(("pilot", seed), lambda: run_pilot(judge, sampler, seed))
-    stats = RejectionStats.empty(len(judge.requirements))
+    pilot = acceptance.scenario.once(("pilot", seed), lambda: run_pilot(acceptance, sampler, seed))
+    stats = RejectionStats.empty(len(acceptance.requirements))
     if 0 in scenes:
         stats.add(pilot.stats)
-    found = (first_accepted(judge, sampler, pilot, seed, scene, stats) for scene in scenes)
+    found = (first_accepted(acceptance, sampler, pilot, seed, scene, stats) for scene in scenes)
     return [accepted for accepted in found if accepted is not None], stats
 
 
-def run_pilot(judge: Judge, sampler: Any, seed: int) -> Pilot:
+def run_pilot(acceptance: Acceptance, sampler: Any, seed: int) -> Pilot:
     """Learn where the requirements hold: candidates drawn evenly first, then rounds of those that a
     surrogate of the robustness takes for the likeliest, until enough of them hold."""
-    stats = RejectionStats.empty(len(judge.requirements))
+    stats = RejectionStats.empty(len(acceptance.requirements))
     record = DrawRecord()
-    rho = judge.measure(_candidates(judge, seed, _PILOT, 0, FIRST, record=record))
-    _count(stats, rho)
+    measured = acceptance.measure(_candidates(acceptance, seed, _PILOT, 0, FIRST, record=record))
+    _count(stats, measured)
     names = tuple(record.coordinates)
     points = np.stack([*record.coordinates.values(), np.empty(FIRST)], axis=1)[:, :-1]
-    scale = _scale(rho)
-    values = _scaled(rho, scale)
+    scale = _scale(measured.rho)
+    values = _scaled(measured.rho, scale)
+    holds = np.asarray(measured.satisfied.all(axis=0))
     pilot = Pilot(names, np.empty((0, len(names))), None, stats)
-    if not names or _held(values).sum() >= FIRST // 3:
+    if not names or holds.sum() >= FIRST // 3:
         return pilot
     while True:
         surrogate = Surrogate.fit(
             points, values, None if pilot.surrogate is None else pilot.surrogate.lengths
         )
-        pilot = Pilot(names, _leaders(points, values), surrogate, stats)
-        if _held(values).sum() >= ENOUGH or len(points) >= sampler.pilot:
+        pilot = Pilot(names, _leaders(points, values, holds), surrogate, stats)
+        if holds.sum() >= ENOUGH or len(points) >= sampler.pilot:
             return pilot
-        random = _candidates(judge, seed, _PILOT, len(points), 1).random(_PLACE)
+        random = _candidates(acceptance, seed, _PILOT, len(points), 1).random(_PLACE)
         proposed = pilot.round(sampler, random)
         given = dict(zip(names, proposed.T, strict=True))
-        rho = judge.measure(_candidates(judge, seed, _PILOT, len(points), ROUND, given))
-        _count(stats, rho)
+        candidates = _candidates(acceptance, seed, _PILOT, len(points), ROUND, given)
+        measured = acceptance.measure(candidates)
+        _count(stats, measured)
         points = np.concatenate([points, proposed])
-        values = np.concatenate([values, _scaled(rho, scale)])
+        values = np.concatenate([values, _scaled(measured.rho, scale)])
+        holds = np.concatenate([holds, measured.satisfied.all(axis=0)])
 
 
-def _leaders(points: Floats, values: Floats) -> Floats:
+def _leaders(points: Floats, values: Floats, holds: NDArray[np.bool_]) -> Floats:
     """All points that hold, or the best where those are too few."""
+    if holds.sum() >= LEADERS:
+        return np.asarray(points[holds])
     score = np.minimum(values, 0.0).sum(axis=1)
-    if (score >= 0.0).sum() >= LEADERS:
-        return np.asarray(points[score >= 0.0])
     return np.asarray(points[np.argsort(-score, kind="stable")[:LEADERS]])
 
 
-def _held(values: Floats) -> NDArray[np.bool_]:
-    return np.asarray((values > 0.0).all(axis=1))
-
-
 def first_accepted(
-    judge: Judge, sampler: Any, pilot: Pilot, seed: int, scene: int, stats: RejectionStats
+    acceptance: Acceptance, sampler: Any, pilot: Pilot, seed: int, scene: int, stats: RejectionStats
 ) -> Accepted | None:
     """The first accepted attempt of a scene."""
-    for attempt in range(attempts_of(sampler, judge)):
-        candidates = _candidates(judge, seed, scene, attempt, 1)
+    for attempt in range(attempts_of(sampler, acceptance)):
+        candidates = _candidates(acceptance, seed, scene, attempt, 1)
         if len(pilot.known):
             proposed = pilot.choose(sampler, candidates.random(_PLACE))
             given = dict(zip(pilot.names, proposed.T, strict=True))
-            candidates = _candidates(judge, seed, scene, attempt, 1, given)
-        judged = judge.judge(candidates)
+            candidates = _candidates(acceptance, seed, scene, attempt, 1, given)
+        judged = acceptance.judge(candidates)
         stats.count(judged, np.ones(1, dtype=bool))
         if judged.accepted[0]:
             return Accepted(scene, scene, attempt, candidates.given)
@@ -164,7 +163,7 @@ def first_accepted(
 
 
 def _candidates(
-    judge: Judge,
+    acceptance: Acceptance,
     seed: int,
     scene: int,
     start: int,
@@ -173,7 +172,7 @@ def _candidates(
     record: DrawRecord | None = None,
 ) -> CandidateBatch:
     attempts = np.arange(start, start + count)
-    return CandidateBatch(judge.scenario, seed, np.full(count, scene), attempts, given, record)
+    return CandidateBatch(acceptance.scenario, seed, np.full(count, scene), attempts, given, record)
 
 
 def _scale(rho: Floats) -> Floats:
@@ -189,9 +188,9 @@ def _scaled(rho: Floats, scale: Floats) -> Floats:
     return np.asarray(np.clip(np.nan_to_num(rho, posinf=1.0, neginf=-9.0) / scale, -3.0, 1.0)).T
 
 
-def _count(stats: RejectionStats, rho: Floats) -> None:
+def _count(stats: RejectionStats, measured: Measurements) -> None:
     """The pilot measures every requirement; the first that fails counts as what rejected."""
-    fails = rho < 0.0
+    rho, fails = measured.rho, ~measured.satisfied
     stats.candidates += rho.shape[1]
     for index in range(rho.shape[0]):
         before = fails[:index].any(axis=0)

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..judging.acceptance import Judged
-from ..judging.requirements import Requirement
+from ..judging.acceptance import AcceptanceResult
+from ..judging.requirement import Requirement
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,15 +46,15 @@ class RejectionStats:
         """Statistics of no candidates."""
         return cls(0, [0] * requirements, [0] * requirements, [-np.inf] * requirements)
 
-    def count(self, judged: Judged, rows: NDArray[np.bool_]) -> None:
+    def count(self, result: AcceptanceResult, rows: NDArray[np.bool_]) -> None:
         """Count the candidates at `rows` (V,)."""
-        by = judged.rejected_by[rows]
+        by = result.rejected_by[rows]
         self.candidates += int(rows.sum())
         for index in range(len(self.tried)):
-            reached = ~np.isnan(judged.rho[index, rows]) | (by == index)
+            reached = ~np.isnan(result.rho[index, rows]) | (by == index)
             self.tried[index] += int(reached.sum())
             self.rejected[index] += int((by == index).sum())
-            seen = judged.rho[index, rows][~np.isnan(judged.rho[index, rows])]
+            seen = result.rho[index, rows][~np.isnan(result.rho[index, rows])]
             self.best[index] = max(self.best[index], float(seen.max(initial=-np.inf)))
 
     def add(self, other: RejectionStats) -> None:

@@ -31,7 +31,7 @@ def _search_scenes(
     task: SceneSearch[T], n: int, pool: WorkerPool[SceneSearch[T]], progress: Progress | None
 ) -> SearchResult[T]:
     """Scene 0 first and by itself: where it is given up, so is everything."""
-    found = SearchResult[T](n, RejectionStats.empty(len(task.judge.requirements)))
+    found = SearchResult[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
     blocks += [range(start, min(start + BLOCK, n)) for start in range(1, n, BLOCK)]
     for part in (blocks[:1], blocks[1:]):
@@ -53,7 +53,7 @@ def _search_stream(
     pool: WorkerPool[SceneSearch[T]],
     progress: Progress | None,
 ) -> SearchResult[T]:
-    stream = accepted_of_stream(task.judge, task.sampler, task.seed, n)
+    stream = accepted_of_stream(task.acceptance, task.sampler, task.seed, n)
     found = SearchResult[T](stream.wanted, stream.stats, missing=list(stream.missing))
     for sample in pool.map(SceneSearch.sample, stream.accepted, _FEWEST_FOR_PROCESSES):
         found.samples.append(sample)

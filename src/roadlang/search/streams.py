@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
-from ..judging.acceptance import Judge
+from ..judging.acceptance import Acceptance
 from ..plugins.guard import wrong_result
 from .accepted import Accepted
 from .effort import BATCH, attempts_of
@@ -30,19 +30,19 @@ class StreamResult:
 
 
 def accepted_of_stream(
-    judge: Judge, sampler: KindInstance, seed: int, n: int | None
+    acceptance: Acceptance, sampler: KindInstance, seed: int, n: int | None
 ) -> StreamResult:
     """Scene i is the i-th accepted candidate of the stream. `n` None: all of a finite stream, one
     of an endless one."""
-    draws = drawn_values(judge.scenario)
+    draws = drawn_values(acceptance.scenario)
     with sampler.guarded:
         size = _size(sampler.kind.size(draws))
     wanted = n if n is not None else (size or 1)
-    limit = size if size is not None else attempts_of(sampler.kind, judge)
-    stats = RejectionStats.empty(len(judge.requirements))
+    limit = size if size is not None else attempts_of(sampler.kind, acceptance)
+    stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: list[Accepted] = []
-    for candidates in _stream(judge, sampler, draws, seed, limit):
-        judged = judge.judge(candidates)
+    for candidates in _stream(acceptance, sampler, draws, seed, limit):
+        judged = acceptance.judge(candidates)
         rows = np.flatnonzero(judged.accepted)[: wanted - len(accepted)]
         for row in rows:
             chosen = {name: values[row : row + 1] for name, values in candidates.given.items()}
@@ -65,16 +65,20 @@ def _size(given: object) -> int | None:
 
 
 def _stream(
-    judge: Judge, sampler: KindInstance, draws: Sequence[DrawnPlace], seed: int, limit: int
+    acceptance: Acceptance,
+    sampler: KindInstance,
+    draws: Sequence[DrawnPlace],
+    seed: int,
+    limit: int,
 ) -> Iterator[CandidateBatch]:
-    width = 1 if judge.one_by_one else BATCH
+    width = 1 if acceptance.has_varying_stations else BATCH
     for start in range(0, limit, width):
         indices = np.arange(start, min(start + width, limit))
         with sampler.guarded:
             points = np.asarray(sampler.kind.points(indices, draws, seed), dtype=float)
         _check_points(points, sampler, len(indices), len(draws))
         given = {draw.place: points[:, column] for column, draw in enumerate(draws)}
-        yield CandidateBatch(judge.scenario, seed, np.zeros_like(indices), indices, given)
+        yield CandidateBatch(acceptance.scenario, seed, np.zeros_like(indices), indices, given)
 
 
 def _check_points(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from ..formula import formulas as f
 from .operations import BOOLEAN
 from .ranges import range_at_start
+from .satisfaction import is_satisfied
 from .trace import FloatArray, Positions, Signals, Trace
 
 Verdict: TypeAlias = Literal["satisfied", "violated", "unknown"]
@@ -49,11 +51,12 @@ def verdicts_of(formula: f.Formula, trace: Trace) -> NDArray[np.str_]:
 
 
 def decided(formula: f.Formula, trace: Trace, lo: FloatArray, hi: FloatArray) -> NDArray[np.str_]:
-    """Verdicts (V,) by the range (lo, hi), by Boolean evaluation where it ends at zero."""
-    verdicts = np.where(lo > 0, "satisfied", np.where(hi < 0, "violated", "unknown"))
-    undecided = (lo == 0) | (hi == 0)
-    if undecided.any():
-        lowest, highest = range_at_start(formula, trace, BOOLEAN)
-        told = np.where(lowest > 0, "satisfied", np.where(highest < 0, "violated", "unknown"))
-        verdicts = np.where(undecided, told, verdicts)
-    return verdicts
+    """Verdicts (V,) by the range (lo, hi): both ends of it satisfy the formula, none, or one."""
+
+    @cache
+    def boolean() -> tuple[FloatArray, FloatArray]:
+        return range_at_start(formula, trace, BOOLEAN)
+
+    always = is_satisfied(lo, lambda rows: boolean()[0][rows] > 0)
+    ever = is_satisfied(hi, lambda rows: boolean()[1][rows] > 0)
+    return np.where(always, "satisfied", np.where(ever, "unknown", "violated"))

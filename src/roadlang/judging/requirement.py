@@ -1,0 +1,55 @@
+"""One requirement: its robustness for a batch of candidates, and which of them satisfy it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import Span
+from ..evaluate.candidates import CandidateBatch
+from ..ir.values import Condition, PassCall
+from ..stl.evaluate.satisfaction import Rows, is_satisfied, zero_satisfies
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """Something that every scene satisfies: a `require`, or what is implied without one.
+
+    `rho` gives robustness (V,); `truth` Boolean satisfaction (V,), None where a robustness of 0
+    satisfies. `names`: the roads and networks that it looks at, `draws`: the places of the draws
+    that it depends on, `cost`: an estimate of its work for one station.
+    """
+
+    name: str
+    text: str
+    rho: Callable[[CandidateBatch], Floats]
+    cost: float
+    names: frozenset[str]
+    draws: frozenset[str]
+    truth: Callable[[CandidateBatch], Mask] | None = None
+    implied: bool = False
+    test: Condition | PassCall | None = None
+    span: Span | None = None
+
+    @cached_property
+    def line(self) -> int | None:
+        """Line of the statement, from 1; None for one that no line states."""
+        return self.span.line if self.span is not None else None
+
+    def is_satisfied(self, candidates: CandidateBatch, rho: Floats) -> Mask:
+        """(V,) whether candidates of robustness `rho` (V,) satisfy the requirement."""
+        truth = self.truth
+        if truth is None:
+            return is_satisfied(rho, zero_satisfies)
+
+        def of_rows(rows: Rows) -> Mask:
+            return truth(candidates.take(rows))
+
+        return is_satisfied(rho, of_rows)

@@ -1,0 +1,32 @@
+"""The robustness that a monitor plugin gives to roads."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import build
+from ..ir.values import PassCall
+from ..plugins.guard import wrong_result
+from ..world.signals import axes_of
+
+Floats = NDArray[np.float64]
+
+
+def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
+    """(V,) robustness that a monitor plugin gives; of networks, on their worst road."""
+    worst = np.full(candidates.count, np.inf)
+    for axis in axes_of(call, candidates):
+        built = build(call, candidates, resolve=partial(axis.resolve, candidates=candidates))
+        with built.guarded:
+            rho = np.asarray(built.kind.robustness(), dtype=np.float64).reshape(-1)
+        if rho.shape[0] not in (1, candidates.count):
+            fault = f"gave a robustness of shape {rho.shape}, not ({candidates.count},)"
+            raise wrong_result(built.entry, call.span, fault)
+        if np.isnan(rho).any():
+            raise wrong_result(built.entry, call.span, "gave a robustness that is no number")
+        worst = np.minimum(worst, rho)
+    return worst

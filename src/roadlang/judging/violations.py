@@ -1,0 +1,53 @@
+"""Where along its roads a formula is violated."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..ir.scene import Stretch
+from ..ir.values import Condition
+from ..stl import Always
+from ..stl.evaluate.axis import Axis
+from .road_conditions import ConditionTrace, condition_traces
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+def violated_stretches(condition: Condition, candidates: CandidateBatch) -> tuple[Stretch, ...]:
+    """Where the formula under the outermost `always` is violated, on each road, of the only
+    candidate."""
+    formula = condition.formula
+    inner = formula.operand if isinstance(formula, Always) else formula
+    found: dict[Stretch, None] = {}
+    for trace in condition_traces(condition, candidates):
+        if trace.absent is not None and trace.absent[0]:
+            continue
+        truth = np.atleast_2d(inner.truth(trace.positions, trace.values, wrap=trace.wrap))[0]
+        counted = np.ones(len(trace.positions), dtype=bool)
+        if isinstance(formula, Always) and formula.interval is not None:
+            counted = _in_window(formula, trace)
+        found |= dict.fromkeys(_runs(trace.road, trace.positions, ~truth & counted))
+    return tuple(found)
+
+
+def _in_window(formula: Always, trace: ConditionTrace) -> Mask:
+    """(S,) the samples that `always[a, b]` looks at from the first one."""
+    counted = np.zeros(len(trace.positions), dtype=bool)
+    axis = Axis(trace.positions, trace.wrap)
+    windows = axis.windows(formula.interval, (0, 0), past=False)
+    if windows is not None:
+        counted[windows.samples(0)] = True
+    return counted
+
+
+def _runs(road: str, positions: Floats, wrong: Mask) -> list[Stretch]:
+    padded = np.concatenate([[False], wrong, [False]])
+    starts = np.flatnonzero(padded[1:] & ~padded[:-1])
+    ends = np.flatnonzero(~padded[1:] & padded[:-1]) - 1
+    return [
+        Stretch(road, float(positions[first]), float(positions[last]))
+        for first, last in zip(starts, ends, strict=True)
+    ]
