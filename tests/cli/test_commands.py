@@ -280,7 +280,7 @@ def test_init_never_writes_over_a_file(folder):
 
 
 def test_explain_prints_a_page_and_knows_a_near_code(tmp_path):
-    assert "roadlang has a bug" in roadlang("explain", "RL900", cwd=tmp_path).stdout
+    assert "internal-error: internal error" in roadlang("explain", "RL900", cwd=tmp_path).stdout
     done = roadlang("explain", "RL999", cwd=tmp_path)
     assert (done.returncode, "RL925" in done.stderr) == (2, True)
 

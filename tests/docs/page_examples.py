@@ -2,8 +2,8 @@
 
 What a fenced block is follows from the words after its language, in the order of the page:
 
-- `roadlang wrong`, `roadlang right`: a scene file. It is checked, and compiled if its check gives
-  no error. `wrong` gives the page's code and no other error, `right` gives no error.
+- `roadlang wrong`, `roadlang right`: a scene file. It is checked, and compiled if its check does
+  not report the page's code. `wrong` gives this code once and no other error, `right` no error.
 - `console wrong`, `console right`: each line that starts with `$ ` runs; `$ roadlang` runs in this
   process. The other lines are the start of lines that the commands print.
 - `python wrong`, `python right`: each line that starts with `>>> ` is evaluated.
@@ -83,19 +83,19 @@ class Follower:
         if plugin:
             self._install(plugin[1])
 
-    def output(self, block: Block) -> str:
+    def output(self, block: Block, code: str) -> str:
         """What following an example prints, diagnostics included."""
         if block.language == "roadlang":
-            return self._scene(block.text)
+            return self._scene(block.text, code)
         if block.language == "python":
             return self._evaluated(block.text)
         assert block.language == "console", block
         return self._commands(block.text)
 
-    def _scene(self, text: str) -> str:
+    def _scene(self, text: str, code: str) -> str:
         (self._folder / "scene.rl").write_text(text, encoding="utf-8")
         _, found = check_text(text, self._folder / "scene.rl")
-        if any(diagnostic.is_error for diagnostic in found):
+        if any(diagnostic.is_error or diagnostic.code == code for diagnostic in found):
             return render_all(found)
         return render_all(found) + "\n" + self._roadlang("compile scene.rl -o out")
 
@@ -105,7 +105,7 @@ class Follower:
         for line in text.splitlines():
             if line.startswith(">>> "):
                 try:
-                    eval(line[4:], {"roadlang": roadlang})
+                    eval(line[4:], {"roadlang": roadlang})  # noqa: S307 - our own pages
                 except DiagnosticError as error:
                     return render_all(error.diagnostics)
         return ""
@@ -133,7 +133,10 @@ class Follower:
     def _shell(self, command: str) -> str:
         path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
         done = subprocess.run(
-            ["bash", "-c", command], env={**os.environ, "PATH": path}, capture_output=True, text=True
+            ["bash", "-c", command],
+            env={**os.environ, "PATH": path},
+            capture_output=True,
+            text=True,
         )
         return done.stdout + done.stderr
 
@@ -159,14 +162,16 @@ def plugins_forgotten() -> Iterator[None]:
                 del sys.modules[name]
 
 
-def reported(printed: str, severity: str = "") -> set[str]:
+def reported(printed: str, severity: str = "") -> list[str]:
     """The codes of the diagnostics in a text."""
     found = re.findall(r"^(\w+)\[(RL\d+)\]", printed, re.MULTILINE)
-    return {code for word, code in found if not severity or word == severity}
+    return [code for word, code in found if not severity or word == severity]
 
 
 def expected_lines(block: Block) -> list[str]:
     """The lines of an example that its commands are to print."""
     if block.language == "roadlang":
         return []
-    return [line for line in block.text.splitlines() if line and not line.startswith(("$ ", ">>> "))]
+    return [
+        line for line in block.text.splitlines() if line and not line.startswith(("$ ", ">>> "))
+    ]

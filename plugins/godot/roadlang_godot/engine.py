@@ -62,11 +62,11 @@ def find() -> Path:
             raise fault(
                 Code.GODOT_NOT_FOUND, _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run"
             )
-        return Path(found)
+        return Path(found).absolute()
     for candidate in _candidates():
         found = shutil.which(candidate)
         if found is not None:
-            return Path(found)
+            return Path(found).absolute()
     raise fault(Code.GODOT_NOT_FOUND, _HELP, reason="none on PATH or in the usual places")
 
 
@@ -102,7 +102,7 @@ def version_of(engine: Path) -> str:
     text = asked.stdout.strip().splitlines()[-1] if asked.stdout.strip() else ""
     numbers = re.match(r"(\d+)\.(\d+)", text)
     if numbers is None:
-        raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason="it does not tell its version")
+        raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason="it does not print its version")
     if (int(numbers[1]), int(numbers[2])) < OLDEST:
         raise fault(Code.GODOT_TOO_OLD, version=text, oldest=".".join(map(str, OLDEST)))
     return text

@@ -35,13 +35,10 @@ def command(file: str, template: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8") as target:
             target.write(text.replace("THIS_FILE", file))
-    except FileExistsError:
-        raise DiagnosticError(
-            diagnose(
-                Code.FILE_EXISTS, path=file, help="give another name: `roadlang init other.rl`"
-            )
-        ) from None
     except (OSError, ValueError) as error:
+        if path.exists():
+            help = "choose another name: `roadlang init other.rl`"
+            raise DiagnosticError(diagnose(Code.FILE_EXISTS, path=file, help=help)) from None
         reason = getattr(error, "strerror", None) or str(error)
         raise DiagnosticError(
             diagnose(Code.UNWRITABLE_OUTPUT, path=file, reason=reason.lower())

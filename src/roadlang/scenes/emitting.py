@@ -56,7 +56,9 @@ def _picture(entity: Entity, scenario: IndexedScenario) -> Picture:
     image = scenario.images[entity.name]
     if scenario.is_varying(image.name):
         what, due = f"`{image.name}`", "the same in every scene"
-        raise DiagnosticError(diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, due=due))
+        raise DiagnosticError(
+            diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, expected=due)
+        )
     return load_picture(entity.name, fixed_candidate(scenario)).picture
 
 

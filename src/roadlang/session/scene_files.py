@@ -25,7 +25,7 @@ def read_scene_file(name: str) -> str:
                 Code.NOT_UTF8,
                 path=name,
                 help=_encoding_hint(data),
-                reason="it holds zero bytes",
+                reason="it contains zero bytes",
             )
         )
     try:
@@ -98,5 +98,5 @@ def _encoding_hint(data: bytes) -> str:
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "it looks like UTF-16: save it as UTF-8"
     if data.startswith((b"\x89PNG", b"\xff\xd8\xff", b"II*\0", b"MM\0*", b"BM", b"RIFF")):
-        return 'it is a picture: name it in a scene file, `image photo from "..."`'
+        return 'it is an image: name it in a scene file, `image photo from "..."`'
     return "save it as UTF-8"

@@ -42,7 +42,9 @@ def start_of(actor: Actor, candidates: CandidateBatch, copy: int = 1) -> Floats:
     def make() -> Floats:
         at = np.asarray(evaluate(actor.at, candidates, _element(actor, copy)), dtype=np.float64)
         if actor.on is None:
-            raise DiagnosticError(diagnose(Code.NO_START_WITHOUT_ROAD, actor.span, name=actor.name))
+            raise DiagnosticError(
+                diagnose(Code.START_WITHOUT_ROAD, actor.span, name=actor.name, member="start")
+            )
         road = road_batch(actor.on, candidates)
         start = at * road.length if actor.at_fraction else at
         start = np.atleast_2d(start)

@@ -40,7 +40,7 @@ def read_file(
     """What a file holds: by the `read with` among `passes`, else by the ending of its name.
 
     `reads` is what the statement declares: "image", "network" or "road". Raises RL400 and RL401
-    for a file that cannot be read, RL410 where no reader takes it, RL474 for a wrong result.
+    for a file that cannot be read, RL214 where no reader takes it, RL474 for a wrong result.
     """
     reading = [call for call in passes if call.verb == "read"]
     if reading:
@@ -82,10 +82,11 @@ def _read_by_name(
         raise failures[0]
     raise DiagnosticError(
         diagnose(
-            Code.UNSUPPORTED_FILE_TYPE,
+            Code.NO_READER,
             span,
             file=source.path,
-            what=reads,
+            role=reads,
+            suffix=f"`{ending}`",
             help=f"known endings: {', '.join(sorted(known))}; or name the reader: "
             "`{ read with ... }`",
         )

@@ -189,7 +189,7 @@ def _way(root: NetworkRoot, path: Path, network: Network, candidates: CandidateB
 def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
     calls = [call for call in road.passes if call.verb == "draw"]
     if not calls:
-        raise DiagnosticError(diagnose(Code.ROAD_WITHOUT_SOURCE, road.span, name=road.name))
+        raise DiagnosticError(diagnose(Code.MISSING_SOURCE, road.span, name=road.name))
     closed = _is_closed(road, candidates)
     built = build(calls[0], candidates, single=True)
     with built.guarded:

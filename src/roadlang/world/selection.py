@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import scalar
-from ..geometry import GeometryError, Path, Step
+from ..geometry import Path, Step
 from ..ir.scenario import Road
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
@@ -16,20 +15,14 @@ from .networks import NetworkRoot
 
 
 def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
-    """The way through the network. Raises RL411, RL418."""
+    """The way through the network. Raises RL472 where there is none."""
     given = dict(road.options).get("select")
     choice: Any = "longest" if given is None else evaluate(given, candidates)
-    try:
-        if isinstance(choice, PassCall):
-            return _called(choice, root, candidates)
-        if scalar(choice) == "any":
-            return _any(road, root, candidates)
-        return root.network.longest()
-    except GeometryError as error:
-        span = choice.span if isinstance(choice, PassCall) else road.span
-        raise DiagnosticError(
-            diagnose(Code.ROAD_SELECTION_FAILED, span, network=root.name, reason=str(error))
-        ) from None
+    if isinstance(choice, PassCall):
+        return _called(choice, root, candidates)
+    if scalar(choice) == "any":
+        return _any(road, root, candidates)
+    return root.network.longest()
 
 
 def _called(call: PassCall, root: NetworkRoot, candidates: CandidateBatch) -> Path:

@@ -70,9 +70,7 @@ def checked_net(path: str) -> Net:
             raise ValueError("gives values outside 0 to 1: end it with a sigmoid")
     except (OSError, ValueError, IndexError, cv2.error) as error:
         reason = getattr(error, "err", None) or str(error).splitlines()[0]
-        raise DiagnosticError(
-            diagnose(Code.UNUSABLE_MODEL, path=path, file=path, reason=reason)
-        ) from None
+        raise DiagnosticError(diagnose(Code.UNUSABLE_MODEL, path=path, reason=reason)) from None
     return net
 
 

@@ -256,7 +256,6 @@ def _wrong_unit(
         found=wrong[0].type.dimension,
         signal=evidence.text,
         domain="arc length along the road" if road else "time",
-        unit="meters" if road else "seconds",
         help="write meters, as in `[0m, 50m]`" if road else "write seconds, as in `[0s, 5s]`",
     )  # fmt: skip
 

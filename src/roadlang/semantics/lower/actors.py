@@ -111,9 +111,6 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
 
 def _place(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
     """`at`: along the road, a share of it, or a point in the world."""
-    if statement.at is None:
-        checker.report(Code.MISSING_POSITION, statement.name.span, name=statement.name.text)
-        return None
     typed = checker.infer(statement.at, replace(context, place=f"{context.place}/at"))
     if typed.is_unknown:
         return None

@@ -47,7 +47,7 @@ def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diag
     if not head:
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is empty")
     if picture and not _looks_like_a_picture(head):
-        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is not a picture")
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is not an image")
     return None
 
 

@@ -92,7 +92,7 @@ class _Search:
                 raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
             if not _word(name).search(self.text):
                 raise stl_error(
-                    Code.INVALID_PARAMETER, name=name, problem="the formula does not name it"
+                    Code.INVALID_PARAMETER, name=name, problem="the formula does not contain it"
                 )
 
     def formula(self, values: Mapping[str, float]) -> f.Formula:

@@ -63,6 +63,8 @@ def from_json(value: Json) -> f.Formula:
     if not isinstance(value, dict):
         raise _refusal(value)
     word, operands = _head(value)
+    if word not in _OPERATORS:
+        raise _refusal(value)
     try:
         if word in get_args(f.ComparisonOperator):
             left, right = (_term_from_json(operand) for operand in operands)
@@ -70,6 +72,11 @@ def from_json(value: Json) -> f.Formula:
         return _formula(word, operands, _interval(value.get("interval")))
     except (TypeError, ValueError, KeyError) as problem:
         raise _refusal(value) from problem
+
+
+_OPERATORS = frozenset(
+    {"not", "and", "or", *_UNARY, *_BINARY, *_LOGIC, *get_args(f.ComparisonOperator)}
+)
 
 
 def _head(value: dict[str, Json]) -> tuple[str, Json]:

@@ -141,8 +141,9 @@ def part(node: ast.Node) -> Part:
             return Part(_words(node.word, node.name, *source), node.block)
         case ast.Actor():
             on = () if node.on is None else ("on", node.on)
-            at = () if node.at is None else ("at", node.at)
-            return Part(_words(node.word, node.name, "is", node.kind, *on, *at), node.block)
+            return Part(
+                _words(node.word, node.name, "is", node.kind, *on, "at", node.at), node.block
+            )
         case ast.Constraint():
             return _constraint(node)
         case ast.World():

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from ...diagnostics import Code, diagnose
 from ..words import CLOSERS, OPENERS
 from .error_position import Edit, ErrorPosition, Mistake
-from .form_mistakes import actor_order, interval_form, list_operand
+from .form_mistakes import actor_order, interval_form, list_operand, missing_position
 from .number_mistakes import decimal_comma, decimal_point, loose_unit
 from .sign_mistakes import (
     one_too_many,
@@ -46,6 +46,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     wrong_sign,
     power_of_python,
     actor_order,
+    missing_position,
     bare_letter,
     misspelled_word,
     reserved_name,

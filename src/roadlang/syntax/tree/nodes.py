@@ -353,7 +353,7 @@ class Actor(Node):
     name: Word
     kind: Expression
     on: Expression | None
-    at: Expression | None
+    at: Expression
     block: Block | None
 
 
