@@ -22,6 +22,7 @@ Json = Any
 _WORDS = {operator.json: operator.word for operator in OPERATORS}
 _UNARY = {operator.json for operator in OPERATORS if operator.form in ("not", "temporal")}
 """Their operand stands by itself, not in a list."""
+_OPERATORS = {*_WORDS, *get_args(f.ComparisonOperator)}
 
 
 def to_json(formula: f.Formula) -> Json:
@@ -70,13 +71,8 @@ def from_json(value: Json) -> f.Formula:
             left, right = (_term_from_json(operand) for operand in operands)
             return f.Comparison(cast(f.ComparisonOperator, word), left, right)
         return _formula(word, operands, _interval(value.get("interval")))
-    except (TypeError, ValueError, KeyError) as problem:
+    except (TypeError, ValueError) as problem:
         raise _refusal(value) from problem
-
-
-_OPERATORS = frozenset(
-    {"not", "and", "or", *_UNARY, *_BINARY, *_LOGIC, *get_args(f.ComparisonOperator)}
-)
 
 
 def _head(value: dict[str, Json]) -> tuple[str, Json]:
