@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from ..ir.read_only import Frozen
+
 
 @dataclass(frozen=True, slots=True)
-class Observation:
+class Observation(Frozen):
     """The state of one agent, SI units and radians; the line is the one that it should follow.
 
     `line_ahead(d)` gives x, y, heading and curvature of that line `d` meters on.

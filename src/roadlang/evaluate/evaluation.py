@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..ir.read_only import frozen
 from ..ir.values import (
     Condition,
     Constant,
@@ -93,7 +94,7 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
     def quantile() -> Any:
         built = build(draw.call, candidates, element)
         with built.guarded:
-            found = built.kind.quantile(candidates.uniform(draw.place, element))
+            found = built.kind.quantile(frozen(candidates.uniform(draw.place, element)))
             return np.asarray(found).reshape(candidates.count, 1)
 
     values = candidates.once(("draw", draw.place, element), quantile)
@@ -135,7 +136,8 @@ def build(
             value = evaluate(written[option.name], candidates, element)
             value = scalar(value) if single else value
             check_bounds(option, value, call)
-            fields[option.name] = _converted(option, value, candidates, element, single, resolve)
+            converted = _converted(option, value, candidates, element, single, resolve)
+            fields[option.name] = frozen(converted)
         elif not option.required:
             fields[option.name] = option.default
     with plugin_guard(entry, call.span):

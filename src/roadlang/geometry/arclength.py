@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Floats
+from .arrays import Floats, SharedArrays
 from .errors import GeometryError
 from .spline import PiecewiseCubic
 
@@ -17,7 +17,7 @@ _TOLERANCE = 1e-11
 
 
 @dataclass(frozen=True, eq=False)
-class ArcLength:
+class ArcLength(SharedArrays):
     """A table of parameters (k,) and the arc length (k,) at each, fine enough to invert."""
 
     spline: PiecewiseCubic

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +14,8 @@ from .errors import GeometryError
 Floats: TypeAlias = NDArray[np.float64]
 Integers: TypeAlias = NDArray[np.int64]
 Booleans: TypeAlias = NDArray[np.bool_]
+
+Array = TypeVar("Array", bound=NDArray[Any])
 
 FARTHEST = 1e12
 """Meters. Beyond it a double no longer resolves a tenth of a millimeter."""
@@ -58,3 +62,38 @@ def left_of(vectors: Floats) -> Floats:
 def wrapped(angles: Floats) -> Floats:
     """Angles in [-pi, pi)."""
     return np.asarray((angles + np.pi) % (2.0 * np.pi) - np.pi)
+
+
+def read_only(array: Array) -> Array:
+    """The same numbers in an array that cannot be written to."""
+    if array.flags.writeable:
+        array = array.view()
+        array.flags.writeable = False
+    return array
+
+
+class cached_array(cached_property[Array]):
+    """A property that is computed once and cannot be written to."""
+
+    def __init__(self, compute: Callable[[Any], Array]) -> None:
+        super().__init__(lambda owner: read_only(compute(owner)))
+        self.__doc__ = compute.__doc__
+
+
+class SharedArrays:
+    """A value with several readers: none of them can write to its arrays.
+
+    What one plugin does to an array in place would change what all others see.
+    """
+
+    def __post_init__(self) -> None:
+        self._share()
+
+    def _share(self) -> None:
+        for name, value in vars(self).items():
+            if isinstance(value, np.ndarray):
+                object.__setattr__(self, name, read_only(value))
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)  # pickled arrays come back writable
+        self._share()

@@ -7,7 +7,17 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import Booleans, Floats, cross, finite, left_of, norm, wrapped
+from .arrays import (
+    Booleans,
+    Floats,
+    SharedArrays,
+    cached_array,
+    cross,
+    finite,
+    left_of,
+    norm,
+    wrapped,
+)
 from .curve import Curve
 from .differences import Stencil, station_gaps
 from .displacement import turned_curvature
@@ -16,7 +26,7 @@ from .folding import fold_of_points
 from .frame import Frame
 
 
-class CurveBatch:
+class CurveBatch(SharedArrays):
     """V curves, each sampled at the S `stations` (arc length of the root curve, meters).
 
     `points`: (V, S, 2). A closed batch does not repeat its first point; `period` is the root's
@@ -45,8 +55,9 @@ class CurveBatch:
             period = (last - first) * count / max(count - 1, 1)
         self.period = period if closed else None
         self._base = base
+        self._share()
 
-    @cached_property
+    @cached_array
     def points(self) -> Floats:
         """(V, S, 2) meters."""
         return self._points
@@ -62,13 +73,13 @@ class CurveBatch:
         along = np.moveaxis(self.points, -1, 0)
         return np.moveaxis(stencil.first(along), 0, -1), np.moveaxis(stencil.second(along), 0, -1)
 
-    @cached_property
+    @cached_array
     def heading(self) -> Floats:
         """(V, S) radians, continuous along each curve."""
         first = self._derivatives[0]
         return np.unwrap(np.arctan2(first[..., 1], first[..., 0]), axis=-1)
 
-    @cached_property
+    @cached_array
     def curvature(self) -> Floats:
         """(V, S) 1/m, left positive; second order in the gap of the stations."""
         first, second = self._derivatives
@@ -80,7 +91,7 @@ class CurveBatch:
         """(V, S, 2) unit vectors to the left."""
         return np.stack([-np.sin(self.heading), np.cos(self.heading)], axis=-1)
 
-    @cached_property
+    @cached_array
     def steps(self) -> Floats:
         """(V, S - 1) meters from each point to the next; (V, S) if closed."""
         points = self.points
@@ -93,7 +104,7 @@ class CurveBatch:
         """(V,) meters along each curve."""
         return np.asarray(self.steps.sum(axis=1))
 
-    @cached_property
+    @cached_array
     def folded(self) -> Booleans:
         """(V,) True where a curve runs backwards, turns by a quarter turn from one step to the
         next, or has a step of less than 5 % of its gap; see `roadlang.geometry.folding`."""
@@ -133,13 +144,14 @@ class DisplacedBatch(CurveBatch):
         self.displacement = displacement
         self._slope = slope
         self._bend = bend
+        self._share()
 
     @property
     def variants(self) -> int:
         """Number of curves, V."""
         return int(self.displacement.shape[0])
 
-    @cached_property
+    @cached_array
     def points(self) -> Floats:
         """Displaced points in meters, (V, S, 2)."""
         points = np.empty((*self.displacement.shape, 2))
@@ -149,14 +161,14 @@ class DisplacedBatch(CurveBatch):
             points[..., axis] += self.frame.points[:, axis]
         return points
 
-    @cached_property
+    @cached_array
     def slope(self) -> Floats:
         """(V, S) d(displacement)/ds."""
         if self._slope is not None:
             return self._slope
         return Stencil(self.stations, self.period).first(self.displacement)
 
-    @cached_property
+    @cached_array
     def bend(self) -> Floats:
         """(V, S) d^2(displacement)/ds^2, 1/m."""
         if self._bend is not None:
@@ -165,13 +177,13 @@ class DisplacedBatch(CurveBatch):
             return Stencil(self.stations, self.period).first(self._slope)
         return Stencil(self.stations, self.period).second(self.displacement)
 
-    @cached_property
+    @cached_array
     def heading(self) -> Floats:
         """Heading in radians, (V, S)."""
         progress = 1.0 - self.frame.curvature * self.displacement
         return np.asarray(self.frame.heading + np.arctan2(self.slope, progress))
 
-    @cached_property
+    @cached_array
     def curvature(self) -> Floats:
         """Signed curvature in 1/m, (V, S)."""
         return turned_curvature(
@@ -182,7 +194,7 @@ class DisplacedBatch(CurveBatch):
             self.frame.curvature_slope,
         )
 
-    @cached_property
+    @cached_array
     def folded(self) -> Booleans:
         """(V,) True where the displacement comes near the center of a bend, or the road turns by a
         quarter turn from one step to the next; see `roadlang.geometry.folding`."""

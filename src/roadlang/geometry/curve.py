@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arclength import ArcLength, path_lengths, subdivided
-from .arrays import Floats, cross, finite, finite_points, norm, wrapped
+from .arrays import Floats, SharedArrays, cross, finite, finite_points, norm, wrapped
 from .errors import GeometryError
 from .spline import PiecewiseCubic, frame_of, hermite, interpolate
 
@@ -18,7 +18,7 @@ _LONGEST_STEP = 1.2
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class Curve(SharedArrays):
     """A piecewise cubic, with every quantity a function of arc length `s` in meters.
 
     Make one with `Curve.through` or `Curve.hermite`. Arc lengths beyond the ends of an open

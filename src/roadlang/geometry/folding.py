@@ -14,7 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .arrays import Booleans, Floats, cross, left_of, norm
+from .arrays import Booleans, Floats, SharedArrays, cross, left_of, norm
 from .displacement import blocks
 
 LEAST_ADVANCE = 0.05
@@ -41,7 +41,7 @@ def fold_of_points(
 
 
 @dataclass(frozen=True, eq=False)
-class BaseSteps:
+class BaseSteps(SharedArrays):
     """The n steps of one line from station to station, and what displacements do to them.
 
     A displacement by e along the normals makes of a step, seen along itself and to its left,

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import Floats, finite
+from .arrays import Floats, SharedArrays, finite
 from .curve import Curve
 from .differences import station_gaps
 from .errors import GeometryError
@@ -16,7 +16,7 @@ from .folding import BaseSteps
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class Frame(SharedArrays):
     """`stations` (S,) of a curve and what it is there; make one with `Frame.of`."""
 
     curve: Curve

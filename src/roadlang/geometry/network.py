@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import Floats, finite, norm
+from .arrays import Floats, SharedArrays, finite, norm
 from .curve import Curve
 from .errors import GeometryError
 from .road import Road
@@ -30,7 +30,7 @@ class Node:
 
 
 @dataclass(frozen=True, eq=False)
-class Edge:
+class Edge(SharedArrays):
     """A road between two nodes (one and the same for a loop); `curve` runs from start to end.
 
     `widths` (n,) are at even stations of the curve. `confidence` in [0, 1] is the extractor's.

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Floats, Integers, left_of, norm, wrapped
+from .arrays import Floats, Integers, SharedArrays, left_of, norm, wrapped
 
 
 @dataclass(frozen=True, eq=False)
-class PiecewiseCubic:
+class PiecewiseCubic(SharedArrays):
     """Piece i is `c[i,0] + t c[i,1] + t^2 c[i,2] + t^3 c[i,3]` with `t = u - knots[i]`.
 
     `knots`: (m+1,) increasing parameters; `coefficients`: (m, 4, 2).

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import Floats, finite
+from .arrays import Floats, SharedArrays, finite
 from .errors import GeometryError
 
 
 @dataclass(frozen=True, eq=False)
-class WidthProfile:
+class WidthProfile(SharedArrays):
     """Widths (n,) at increasing `stations` (n,), meters; linear between, constant beyond.
 
     With a `period` (closed roads) the last width runs linearly on to the first.
@@ -33,6 +33,7 @@ class WidthProfile:
             raise GeometryError("a width must be positive")
         object.__setattr__(self, "stations", stations)
         object.__setattr__(self, "widths", widths)
+        super().__post_init__()
 
     @classmethod
     def constant(cls, width: float) -> WidthProfile:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import Floats
+from .arrays import Floats, SharedArrays
 from .errors import GeometryError
 
 
 @dataclass(frozen=True, eq=False)
-class Window:
+class Window(SharedArrays):
     """A factor in [0, 1] at stations (S,), twice continuously differentiable, and derivatives."""
 
     value: Floats

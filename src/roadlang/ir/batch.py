@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from .read_only import Frozen, frozen
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -15,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class RoadBatch:
+class RoadBatch(Frozen):
     """A road in V variants, sampled at S stations of its root road (arc length, meters).
 
     All roads that derive from one root share its stations, so that they can be compared point
@@ -60,7 +62,8 @@ class RoadBatch:
     @property
     def normal(self) -> Floats:
         """(V, S, 2) unit vectors to the left."""
-        return self.curves.normal
+        normal: Floats = frozen(self.curves.normal)
+        return normal
 
     @property
     def closed(self) -> bool:
@@ -85,7 +88,8 @@ class RoadBatch:
     @property
     def length(self) -> Floats:
         """(V, 1) meters along the road itself."""
-        return self.curves.length[:, None]
+        length: Floats = frozen(self.curves.length[:, None])
+        return length
 
     def take(self, rows: NDArray[np.intp]) -> RoadBatch:
         """The variants at `rows`; a road that is alike in all stays as it is."""
@@ -108,7 +112,7 @@ class BatchRandom:
     """
 
     def __init__(self, keys: NDArray[np.uint64]) -> None:
-        self.keys = keys
+        self.keys = frozen(keys)
 
     def uniform(self, count: int, stream: int = 0) -> Floats:
         """(V, count) numbers in [0, 1); another `stream`, other numbers."""

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from .read_only import Frozen
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Picture:
+class Picture(Frozen):
     """`pixels`: (height, width, 3) uint8 BGR, row 0 at the top.
 
     `characters` is the grid of a picture typed as text (its `pixels` are then None).
@@ -90,7 +92,7 @@ class FoundObject:
 
 
 @dataclass(frozen=True)
-class Extraction:
+class Extraction(Frozen):
     """Roads in meters, objects of the legend, how sure the extractor is (0 to 1), remarks.
 
     `mask`: (height, width) bool, the pixels taken for road, where the extractor has one: tiles

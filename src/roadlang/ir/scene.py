@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from .read_only import Frozen
+
 SCENE_SCHEMA = "roadlang.scene/2"
 
 
@@ -61,7 +63,7 @@ class SceneNetwork:
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class Call(Frozen):
     """A kind with every option concrete, defaults included."""
 
     kind: str
@@ -71,7 +73,7 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
-class SceneActor:
+class SceneActor(Frozen):
     """An agent or object, placed. A group has one for each copy, `name` with `[i]`."""
 
     name: str
@@ -132,7 +134,7 @@ class SceneSignal:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Verdict(Frozen):
     """A `require` or `expect` of this scene. `robustness` is None for what is judged later."""
 
     name: str
@@ -149,7 +151,7 @@ class Verdict:
 
 
 @dataclass(frozen=True, slots=True)
-class Provenance:
+class Provenance(Frozen):
     """What this scene was made from and by. `plugins` maps distribution to version."""
 
     roadlang: str
@@ -164,7 +166,7 @@ class Provenance:
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
+class Scene(Frozen):
     """All that a backend gets."""
 
     name: str

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from .read_only import Frozen
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class AgentTrace:
+class AgentTrace(Frozen):
     """One agent (or object) over the T steps of a drive; arrays are (T,), SI units, radians.
 
     `station` is arc length along the agent's own road, `cross_track` the signed distance from
@@ -40,7 +42,7 @@ class AgentTrace:
 
 
 @dataclass(frozen=True)
-class Trace:
+class Trace(Frozen):
     """A whole drive. `time` is (T,) seconds from 0; a group's copies are `name[i]`."""
 
     time: Floats

@@ -111,7 +111,7 @@ def _outputs_of(backend: KindInstance, scenes: Sequence[Scene]) -> Iterator[Outp
         for ending, content in _checked(files, backend).items():
             yield Output(f"scene-{scene.index:04d}.{ending}", content, name, scene.index)
     with backend.guarded:
-        files = backend.kind.collection(scenes)
+        files = backend.kind.collection(tuple(scenes))
     for path, content in _checked(files, backend).items():
         yield Output(path, content, name, None)
 

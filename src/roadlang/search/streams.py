@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
+from ..geometry.arrays import read_only
 from ..judging.acceptance import Acceptance
 from ..plugins.guard import wrong_result
 from .accepted import Accepted
@@ -73,7 +74,7 @@ def _stream(
 ) -> Iterator[CandidateBatch]:
     width = 1 if acceptance.has_varying_stations else BATCH
     for start in range(0, limit, width):
-        indices = np.arange(start, min(start + width, limit))
+        indices = read_only(np.arange(start, min(start + width, limit)))
         with sampler.guarded:
             points = np.asarray(sampler.kind.points(indices, draws, seed), dtype=float)
         _check_points(points, sampler, len(indices), len(draws))

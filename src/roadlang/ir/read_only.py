@@ -1,0 +1,74 @@
+"""Values with several readers, none of whom can change what the others see."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NoReturn, TypeVar
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+
+def _refuse(self: object, *arguments: object, **named: object) -> NoReturn:
+    kind = "map" if isinstance(self, dict) else "list"
+    raise TypeError(f"this {kind} is read-only: change a copy of it")
+
+
+class FrozenDict(dict[K, V]):
+    """A `dict` that cannot be changed; `dict(it)` is a copy that can. It pickles and encodes."""
+
+    __slots__ = ()
+
+    __setitem__ = __delitem__ = _refuse
+    __ior__ = _refuse
+    update = setdefault = pop = popitem = clear = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FrozenDict, (dict(self),)
+
+
+class FrozenList(list[V]):
+    """A `list` that cannot be changed; `list(it)` is a copy that can. It pickles and encodes."""
+
+    __slots__ = ()
+
+    __setitem__ = __delitem__ = _refuse
+    __iadd__ = __imul__ = _refuse
+    append = extend = insert = pop = remove = clear = sort = reverse = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FrozenList, (list(self),)
+
+
+def frozen(value: Any) -> Any:
+    """Maps, lists and arrays, also inside one another, as values that cannot be changed.
+
+    Other values are returned as they are.
+    """
+    if isinstance(value, FrozenDict | FrozenList):
+        return value
+    if isinstance(value, Mapping):
+        return FrozenDict({key: frozen(item) for key, item in value.items()})
+    if type(value) is list:
+        return FrozenList(frozen(item) for item in value)
+    if type(value) is tuple:
+        return tuple(frozen(item) for item in value)
+    if hasattr(value, "flags"):
+        from ..geometry.arrays import read_only  # numpy: only where there are arrays
+
+        return read_only(value)
+    return value
+
+
+class Frozen:
+    """Of a frozen dataclass: its maps, lists and arrays cannot be changed either."""
+
+    __slots__ = ()
+
+    def __post_init__(self) -> None:
+        for name in self.__dataclass_fields__:  # type: ignore[attr-defined]
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        Frozen.__post_init__(self)  # pickled arrays come back writable
