@@ -93,6 +93,9 @@ class SharedArrays:
         for name, value in vars(self).items():
             if isinstance(value, np.ndarray):
                 object.__setattr__(self, name, read_only(value))
+            elif isinstance(value, tuple) and any(isinstance(v, np.ndarray) for v in value):
+                parts = (read_only(v) if isinstance(v, np.ndarray) else v for v in value)
+                object.__setattr__(self, name, tuple(parts))
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)  # pickled arrays come back writable
