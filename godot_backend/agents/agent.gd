@@ -8,6 +8,7 @@ const Walker := preload("res://agents/walker.gd")
 const Driver := preload("res://agents/driver.gd")
 
 const NO_PATH := -1
+const ARRIVED := 0.5
 const PAINTS: Array[Color] = [
 	Color(0.62, 0.07, 0.06),
 	Color(0.1, 0.22, 0.42),
@@ -141,22 +142,25 @@ func size() -> Vector3:
 	return body.size
 
 
-## Share of the path that lies behind, of a closed one the share driven.
+## Share of the path that has been driven; 1 where the agent has arrived at its end.
 func progress() -> float:
 	if path == null or path.length <= 0.0:
 		return 0.0
+	if at_end():
+		return 1.0
 	if path.closed:
 		return traveled / path.length
 	var s := station if direction > 0.0 else path.length - station
 	return s / path.length
 
 
+## Within `ARRIVED` meters of the end of the path, where a drive is over.
 func at_end() -> bool:
 	if path == null:
 		return false
 	if path.closed:
 		return traveled >= path.length
-	return path.length - (station if direction > 0.0 else path.length - station) < 0.5
+	return path.length - (station if direction > 0.0 else path.length - station) < ARRIVED
 
 
 ## The point of the line to follow that is `ahead` meters on, and its direction of travel there.

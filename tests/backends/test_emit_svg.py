@@ -161,6 +161,15 @@ def test_agents_stay_visible_in_a_scene_of_five_kilometers():
     assert float(body.get("width")) >= 15.0
 
 
+def test_a_group_of_many_has_one_label():
+    cars = tuple(actor(f"parked[{i}]", "car", 20.0 * i, 0, group="parked") for i in range(9))
+    labels = texts(group(drawn(replace(bend(), agents=cars)), "labels"))
+    assert "parked (9)" in labels
+    assert not any("[" in label for label in labels)
+    few = texts(group(drawn(replace(bend(), agents=cars[:2])), "labels"))
+    assert {"parked[0]", "parked[1]"} <= set(few)
+
+
 def test_names_that_look_like_markup_are_text():
     scene = replace(bend(), title='<script>alert("1")</script> & more\x07')
     assert '<script>alert("1")</script> & more' in texts(drawn(scene))

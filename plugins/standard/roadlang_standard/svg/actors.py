@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,7 @@ _UNLABELED = ("tree", "bush", "building")
 _SHORTEST_AGENT = 15.0
 _SMALLEST_OBJECT = 3.0
 _MOST_LABELED_OBJECTS = 12
+_MOST_COPIES_LABELED = 4
 _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 
@@ -50,7 +52,7 @@ def labels(scene: Scene, viewport: Viewport, size: float) -> str:
     if len(worthy) <= _MOST_LABELED_OBJECTS:
         things += worthy
     return group(
-        _labels(things, viewport, size),
+        _labels(_named(things), viewport, size),
         class_="labels",
         font_size=size,
         font_weight="600",
@@ -105,24 +107,40 @@ def _hint(thing: SceneActor) -> str:
     return f"{thing.name}: {_plain(thing.kind)}{place}"
 
 
-def _labels(things: Sequence[SceneActor], viewport: Viewport, size: float) -> Iterator[str]:
-    taken: list[tuple[float, float, float]] = []
+def _named(things: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
+    """Each thing with its label; a group with many copies gets one, with their number."""
+    sizes = Counter(thing.group for thing in things)
+    labeled: list[tuple[SceneActor, str]] = []
+    seen: set[str] = set()
     for thing in things:
+        if sizes[thing.group] <= _MOST_COPIES_LABELED:
+            labeled.append((thing, thing.name))
+        elif thing.group not in seen:
+            seen.add(thing.group)
+            labeled.append((thing, f"{thing.group} ({sizes[thing.group]})"))
+    return labeled
+
+
+def _labels(
+    things: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float
+) -> Iterator[str]:
+    placed: list[tuple[float, float, float]] = []
+    for thing, label in things:
         x, y = viewport.place([thing.x, thing.y]).tolist()
-        reach = max(thing.length, thing.width) * viewport.pixels_per_meter
-        drop = max(reach, _SHORTEST_AGENT) / 2 + 0.6 * size
-        wide = 0.56 * size * len(thing.name)
+        extent = max(thing.length, thing.width) * viewport.pixels_per_meter
+        drop = max(extent, _SHORTEST_AGENT) / 2 + 0.6 * size
+        wide = 0.56 * size * len(label)
         candidates = [(x, y - drop), (x, y + drop + 0.7 * size)]
         candidates += [(x, y - drop - step * 1.15 * size) for step in (1, 2, 3)]
-        spot = next((c for c in candidates if _free(*c, wide, size, taken)), candidates[0])
-        taken.append((*spot, wide))
-        yield text(thing.name, *spot, text_anchor="middle")
+        spot = next((c for c in candidates if _free(*c, wide, size, placed)), candidates[0])
+        placed.append((*spot, wide))
+        yield text(label, *spot, text_anchor="middle")
 
 
 def _free(
-    x: float, y: float, wide: float, size: float, taken: Sequence[tuple[float, float, float]]
+    x: float, y: float, wide: float, size: float, placed: Sequence[tuple[float, float, float]]
 ) -> bool:
     return all(
         abs(x - other_x) > (wide + other_wide) / 2 or abs(y - other_y) > 1.1 * size
-        for other_x, other_y, other_wide in taken
+        for other_x, other_y, other_wide in placed
     )
