@@ -117,8 +117,10 @@ func step(dt: float) -> void:
 			_flush()
 	if mode == Mode.IDLE:
 		return
-	if (_last_tick > 0 and tick >= _last_tick) or (_stop_at_end and _all_at_end()):
-		stop("time" if not (_stop_at_end and _all_at_end()) else "end")
+	# Only where a record was made, so that the trace holds the arrival.
+	var arrived := _stop_at_end and tick % _every == 0 and _all_at_end()
+	if arrived or (_last_tick > 0 and tick >= _last_tick):
+		stop("end" if arrived else "time")
 		return
 	_act(dt)
 	tick += 1
