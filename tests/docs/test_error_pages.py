@@ -22,6 +22,7 @@ WITHOUT_EXAMPLE = {
     "RL503": "takes two clients of one Godot; see tests/godot",
     "RL504": "takes a network that loses messages; see tests/godot/test_faulty_network.py",
     "RL505": "takes a Godot that is killed; see tests/godot",
+    "RL516": "takes an installation without the package `websockets`",
     "RL612": "takes a count without known bounds, which `check` cannot compute",
     "RL900": "is a bug of roadlang",
 }

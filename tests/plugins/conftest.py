@@ -9,6 +9,9 @@ from pathlib import Path
 import pytest
 
 
+SHIPPED = ("roadlang_standard", "roadlang_godot")
+
+
 @pytest.fixture
 def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """A folder of installed plugins; none that an earlier test imported is still there."""
@@ -20,5 +23,5 @@ def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 def _forget_plugins() -> None:
     for name in list(sys.modules):
-        if name.startswith("roadlang_") and not name.startswith("roadlang_standard"):
+        if name.startswith("roadlang_") and name.split(".")[0] not in SHIPPED:
             del sys.modules[name]
