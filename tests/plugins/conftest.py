@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-
 SHIPPED = ("roadlang_standard", "roadlang_godot")
 
 
