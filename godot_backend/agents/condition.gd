@@ -1,13 +1,14 @@
 extends RefCounted
-## A `when:` of the language, evaluated step by step: drive signals and past-time operators.
+## A `when:` of the language, evaluated step by step: drive signals and operators on the past.
 ##
-## Written as nested lists: ["and", f, g], ["once", low, high, f], ["<", t, u], ["speed", "ego"].
+## Written as nested lists: ["and", f, g], ["any", low, high, f], ["<", t, u], ["speed", "ego"].
+## ["all", low, high, f]: f at all samples of the window [now - high, now - low]; "any": at one.
 
 const Condition := preload("res://agents/condition.gd")
 
 const MAX_DEPTH := 40
-const LOGIC: Array[String] = ["and", "or", "not", "implies", "iff", "xor"]
-const PAST: Array[String] = ["once", "historically", "since"]
+const LOGIC: Array[String] = ["and", "or", "not"]
+const WINDOWS: Array[String] = ["all", "any", "since"]
 const COMPARISONS: Array[String] = ["<", "<=", ">", ">=", "==", "!="]
 const ARITHMETIC: Array[String] = ["+", "-", "*", "/", "abs", "min", "max", "negate"]
 
@@ -20,6 +21,7 @@ var _parts: Array[Condition] = []
 var _low := 0.0
 var _high := INF
 var _latched := false
+var _undefined := false
 var _history: Array[Array] = []
 
 
@@ -38,6 +40,7 @@ func _init(tree: Variant, depth: int = 0) -> void:
 
 func reset() -> void:
 	_latched = false
+	_undefined = false
 	_history.clear()
 	for part in _parts:
 		part.reset()
@@ -49,14 +52,25 @@ func step(signals: Callable, time: float) -> bool:
 	return _latched
 
 
+## The operator that has given no finite number, "" if none has.
+func undefined() -> String:
+	if _undefined:
+		return _head
+	for part in _parts:
+		var operator := part.undefined()
+		if not operator.is_empty():
+			return operator
+	return ""
+
+
 ## The value now: a number, or 1 and 0 for true and false.
 func value(signals: Callable, time: float) -> float:
 	if _head == "number":
 		return _value
 	if LOGIC.has(_head):
 		return _logic(signals, time)
-	if PAST.has(_head):
-		return _past(signals, time)
+	if WINDOWS.has(_head):
+		return _window(signals, time)
 	if _head == "time":
 		return time
 	if _parts.is_empty():
@@ -68,7 +82,7 @@ func _read(tree: Array, depth: int) -> void:
 	_head = tree[0]
 	wrong = depth > MAX_DEPTH
 	var rest := tree.slice(1)
-	if PAST.has(_head):
+	if WINDOWS.has(_head):
 		if rest.size() < 3 or not rest[0] is float:
 			wrong = true
 			return
@@ -76,7 +90,7 @@ func _read(tree: Array, depth: int) -> void:
 		_high = rest[1] if rest[1] is float else INF
 		rest = rest.slice(2)
 	var is_operator := (
-		LOGIC.has(_head) or PAST.has(_head) or COMPARISONS.has(_head) or ARITHMETIC.has(_head)
+		LOGIC.has(_head) or WINDOWS.has(_head) or COMPARISONS.has(_head) or ARITHMETIC.has(_head)
 	)
 	for part: Variant in rest:
 		if wrong:
@@ -91,9 +105,7 @@ func _read(tree: Array, depth: int) -> void:
 
 
 func _least_parts() -> int:
-	if _head in ["not", "abs", "negate", "once", "historically", "and", "or"]:
-		return 1
-	return 2
+	return 1 if _head in ["and", "or", "not", "abs", "negate", "all", "any"] else 2
 
 
 func _logic(signals: Callable, time: float) -> float:
@@ -106,17 +118,11 @@ func _logic(signals: Callable, time: float) -> float:
 			return float(not truths.has(false))
 		"or":
 			return float(truths.has(true))
-		"not":
-			return float(not truths[0])
-		"implies":
-			return float(not truths[0] or truths[1])
-		"iff":
-			return float(truths[0] == truths[1])
 		_:
-			return float(truths[0] != truths[1])
+			return float(not truths[0])
 
 
-func _past(signals: Callable, time: float) -> float:
+func _window(signals: Callable, time: float) -> float:
 	var last := _parts[_parts.size() - 1].value(signals, time) > 0.5
 	var first := _parts[0].value(signals, time) > 0.5 if _parts.size() > 1 else true
 	_history.append([time, first, last])
@@ -125,9 +131,9 @@ func _past(signals: Callable, time: float) -> float:
 	if _head == "since":
 		return float(_since(time))
 	for moment in _history:
-		if float(moment[0]) <= time - _low + 1e-9 and bool(moment[2]) == (_head == "once"):
-			return float(_head == "once")
-	return float(_head == "historically")
+		if float(moment[0]) <= time - _low + 1e-9 and bool(moment[2]) == (_head == "any"):
+			return float(_head == "any")
+	return float(_head == "all")
 
 
 func _since(time: float) -> bool:
@@ -163,12 +169,24 @@ func _compute(signals: Callable, time: float) -> float:
 		"*":
 			return a * b
 		"/":
-			return a / b if b != 0.0 else 0.0
+			return _quotient(a, b)
 		"abs":
 			return absf(a)
-		"min":
-			return minf(a, b)
-		"max":
-			return maxf(a, b)
+		"min", "max":
+			return _extreme(signals, time, a)
 		_:
 			return -a
+
+
+func _quotient(a: float, b: float) -> float:
+	if b == 0.0 or not is_finite(a / b):
+		_undefined = true
+		return 0.0
+	return a / b
+
+
+func _extreme(signals: Callable, time: float, first: float) -> float:
+	for i in range(1, _parts.size()):
+		var next := _parts[i].value(signals, time)
+		first = minf(first, next) if _head == "min" else maxf(first, next)
+	return first

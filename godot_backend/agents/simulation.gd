@@ -88,7 +88,7 @@ func refresh() -> void:
 			agent.body.set_friction(part[4])
 
 
-func stop(reason: String) -> void:
+func stop(reason: String, more: Dictionary = {}) -> void:
 	if mode == Mode.IDLE:
 		return
 	mode = Mode.IDLE
@@ -97,7 +97,9 @@ func stop(reason: String) -> void:
 		var agent: Agent = part[1]
 		if is_instance_valid(agent) and agent.body is Vehicle:
 			(agent.body as Vehicle).freeze = true
-	_server.send_json(Protocol.DONE, {"tick": tick, "reason": reason, "records": _recorded})
+	var done := {"tick": tick, "reason": reason, "records": _recorded}
+	done.merge(more)
+	_server.send_json(Protocol.DONE, done)
 
 
 ## One physics step: look, tell, decide, act.
@@ -123,7 +125,8 @@ func step(dt: float) -> void:
 		stop("end" if arrived else "time")
 		return
 	_act(dt)
-	tick += 1
+	if mode != Mode.IDLE:
+		tick += 1
 
 
 ## Takes a STEP: for how many ticks to hold which controls. Old ones are answered again.
@@ -193,6 +196,9 @@ func _act(dt: float) -> void:
 		var one: Agent = part[1]
 		var signals: Signals = part[2]
 		var wanted := one.driver.controls(one, signals.value, time, dt)
+		if not one.driver.undefined.is_empty():
+			stop("condition", {"agent": one.agent_name, "operator": one.driver.undefined})
+			return
 		# There is no road any more.
 		if one.at_end() and not one.path.closed:
 			wanted.y = minf(wanted.y, -END_BRAKING)

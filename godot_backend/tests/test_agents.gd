@@ -41,32 +41,34 @@ func test_a_point_before_the_start_is_straight_on() -> String:
 	return "" if line.point(-3.0, 1.0).distance_to(Vector2(-3.0, 1.0)) < 1e-6 else "elsewhere"
 
 
-func test_once_remembers_and_forgets() -> String:
-	var condition := Condition.new(["once", 0.0, 1.0, ["<", ["x", "a"], 5.0]])
-	var seen: Array[float] = [9.0, 4.0, 9.0, 9.0, 9.0]
-	var out := PackedInt32Array()
-	for i in seen.size():
-		var signals := func(_name: String, _names: Array[String]) -> float: return seen[i]
-		out.append(int(condition.value(signals, i * 0.6)))
-	return "" if out == PackedInt32Array([0, 1, 1, 0, 0]) else str(out)
+func test_conditions_come_true_as_the_shared_table_says() -> String:
+	var file := FileAccess.get_file_as_string("res://tests/when_cases.json")
+	var table: Array = JSON.parse_string(file)
+	for case: Dictionary in table:
+		var condition := Condition.new(case["tree"])
+		if condition.wrong:
+			return "cannot read %s" % case["formula"]
+		var found := _truth_of(condition, case)
+		var wanted: Array = case["truth"] if case["truth"] != null else []
+		if found != wanted:
+			return "%s: %s" % [case["formula"], found]
+	return "" if table.size() > 20 else "only %d cases" % table.size()
 
 
-func test_since_needs_all_that_lies_between() -> String:
-	var condition := Condition.new(
-		["since", 0.0, 9.0, [">", ["a", "e"], 0.0], [">", ["b", "e"], 0.0]]
-	)
-	var a: Array[float] = [1.0, 1.0, -1.0, 1.0]
-	var b: Array[float] = [1.0, -1.0, -1.0, -1.0]
-	var out := PackedInt32Array()
-	for i in a.size():
+## Whether a condition holds at each moment of a case; nothing if it has no value at one.
+func _truth_of(condition: Condition, case: Dictionary) -> Array:
+	var out := []
+	for i in (case["time"] as Array).size():
 		var signals := func(name: String, _names: Array[String]) -> float:
-			return a[i] if name == "a" else b[i]
-		out.append(int(condition.value(signals, float(i))))
-	return "" if out == PackedInt32Array([1, 1, 0, 0]) else str(out)
+			return case["signals"][name][i]
+		out.append(condition.value(signals, case["time"][i]) > 0.5)
+		if not condition.undefined().is_empty():
+			return []
+	return out
 
 
 func test_a_condition_of_nonsense_is_wrong() -> String:
-	for tree: Variant in [null, [], [1], ["and"], ["<", 1.0], ["once", 0.0], {"a": 1}]:
+	for tree: Variant in [null, [], [1], ["and"], ["<", 1.0], ["any", 0.0], {"a": 1}]:
 		if not Condition.new(tree).wrong:
 			return str(tree)
 	return ""

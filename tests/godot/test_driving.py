@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
 
-from roadlang.api import Control, Observation, Scene, SceneActor, SceneRoad, Trace
+from roadlang.api import Control, DiagnosticError, Observation, Scene, SceneActor, SceneRoad, Trace
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_batch, drive_in
 
@@ -73,6 +73,20 @@ def test_a_car_brakes_when_its_condition_comes_true(session: Session) -> None:
     assert agent.speed[-1] == pytest.approx(0.0, abs=0.1)
     assert stopped == pytest.approx(170.0 + 15.0**2 / (2 * 6.0), abs=1.5)
     assert agent.contacts.max() == 0
+
+
+def test_a_condition_that_divides_by_zero_ends_the_drive_with_the_error_of_formulas(
+    session: Session,
+) -> None:
+    when = {
+        "formula": {"<": [{"/": [1.0, "v"]}, 0.1]},
+        "signals": {"v": {"kind": "speed", "options": {"agent": "ego"}}},
+    }
+    ego = car("ego", bends(), 5.0, call("lane_follow", speed=9.0), call("brake", when=when))
+    with pytest.raises(DiagnosticError, match="RL307") as refused:
+        driven(session, scene(bends(), agents=[ego]), 5)
+    (help_,) = refused.value.diagnostics[0].help
+    assert help_.startswith("in a `when:` of `ego`")
 
 
 def test_a_follower_keeps_its_distance(session: Session) -> None:

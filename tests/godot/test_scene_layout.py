@@ -73,7 +73,7 @@ def test_a_condition_becomes_the_nested_lists_of_the_engine() -> None:
     made = scene(main, agents=[ego, car("lead", main, 40.0)])
     drives = agent_spec(made, "ego")["drives"]
     assert drives[0] == {"kind": "lane_follow", "speed": 9.0}
-    assert drives[1]["when"] == ["once", 0.0, 2.0, ["<", ["distance", "ego", "lead"], 15.0]]
+    assert drives[1]["when"] == ["any", 0.0, 2.0, ["<", ["distance", "ego", "lead"], 15.0]]
 
 
 def test_an_object_in_a_condition_is_told_by_its_outline() -> None:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from roadlang import stl
 from roadlang.api import Code
 
 from .drives import plain_name
@@ -22,11 +23,6 @@ SIGNALS = frozenset(
         "lateral_acceleration", "jerk", "yaw_rate", "contacts", "distance", "gap", "time",
     }
 )  # fmt: skip
-_OPERATORS = frozenset(
-    {"and", "or", "not", "implies", "iff", "xor", "<", "<=", ">", ">=", "==", "!=", "+", "-", "*",
-     "/", "abs", "min", "max"}
-)  # fmt: skip
-_PAST = frozenset({"once", "historically", "since"})
 
 
 def engine_condition(when: Mapping[str, Any], scene: Scene, frame: Frame) -> Any:
@@ -35,29 +31,62 @@ def engine_condition(when: Mapping[str, Any], scene: Scene, frame: Frame) -> Any
         name: _signal(name, call, scene, frame) for name, call in when.get("signals", {}).items()
     }
     signals |= {name: float(value) for name, value in when.get("numbers", {}).items()}
-    return _tree(when["formula"], signals)
+    return engine_formula(stl.from_json(when["formula"]), signals)
 
 
-def _tree(value: Any, signals: Mapping[str, Any]) -> Any:
-    if isinstance(value, bool) or value is None:
-        return bool(value)
-    if isinstance(value, (int, float)):
-        return float(value)
-    if isinstance(value, str):
-        if value not in signals:
-            raise fault(Code.UNSUPPORTED_CONDITION, what=value)
-        return signals[value]
-    head = next(word for word in value if word != "interval")
-    operands = value[head] if isinstance(value[head], list) else [value[head]]
-    parts = [_tree(operand, signals) for operand in operands]
-    if head in _PAST:
-        low, high = value.get("interval") or (0.0, None)
-        return [head, float(low), FOREVER if high is None else float(high), *parts]
-    if head == "-" and len(parts) == 1:
-        return ["negate", *parts]
-    if head not in _OPERATORS:
-        raise fault(Code.UNSUPPORTED_CONDITION, what=head)
-    return [head, *parts]
+def engine_formula(formula: stl.Formula, signals: Mapping[str, Any]) -> Any:
+    """A formula as nested lists, where `signals` has what its variables become.
+
+    The engine knows the few operators of the normal form: `and`, `or`, `not`, windows on the past
+    (`all` and `any` of their samples) and `since`. Raises `EngineError` RL513 for others.
+    """
+    return _formula(stl.normal_form(formula), signals)
+
+
+def _formula(formula: stl.Formula, signals: Mapping[str, Any]) -> Any:
+    match formula:
+        case stl.Truth(value):
+            return value
+        case stl.Comparison(op, left, right):
+            return [op, _term(left, signals), _term(right, signals)]
+        case stl.TemporalOperator() if not formula.past:
+            raise fault(Code.UNSUPPORTED_CONDITION, what=formula.word)
+        case stl.Junction(()):
+            return formula.least
+    parts = [_formula(part, signals) for part in formula.parts]
+    match formula:
+        case stl.Not():
+            return ["not", *parts]
+        case stl.Junction():
+            return ["and" if formula.least else "or", *parts]
+        case stl.UnaryTemporal(interval):
+            return ["all" if formula.least else "any", *_bounds(interval), *parts]
+        case stl.BinaryTemporal(interval):
+            return ["since", *_bounds(interval), *parts]
+    raise fault(Code.UNSUPPORTED_CONDITION, what=str(formula))
+
+
+def _bounds(interval: stl.Interval | None) -> tuple[float, float]:
+    if interval is None:
+        return 0.0, FOREVER
+    return interval.lo, min(interval.hi, FOREVER)
+
+
+def _term(term: stl.Term, signals: Mapping[str, Any]) -> Any:
+    match term:
+        case stl.Constant(value):
+            return value
+        case stl.Variable(name) if name in signals:
+            return signals[name]
+    parts = [_term(part, signals) for part in term.parts]
+    match term:
+        case stl.Negate():
+            return ["negate", *parts]
+        case stl.Arithmetic("+" | "-" | "*" | "/" as op):
+            return [op, *parts]
+        case stl.Apply(function):
+            return [function, *parts]
+    raise fault(Code.UNSUPPORTED_CONDITION, what=str(term))
 
 
 def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> Any:

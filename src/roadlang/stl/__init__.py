@@ -22,32 +22,39 @@ if TYPE_CHECKING:
     from .formula.formulas import (
         Always,
         And,
+        BinaryTemporal,
         Comparison,
+        Connective,
         Eventually,
         Formula,
         Historically,
         Iff,
         Implies,
+        Junction,
         Not,
         Once,
         Or,
         Since,
+        TemporalOperator,
         Truth,
+        UnaryTemporal,
         Until,
         Xor,
     )
     from .formula.interval import UNBOUNDED, Interval
+    from .formula.normal_form import normal_form
     from .formula.terms import Apply, Arithmetic, Constant, Negate, Term, Variable
 
 _HOMES = {
     "formula.formulas": (
-        "Always And Comparison Eventually Formula Historically Iff Implies Not Once Or "
-        "Since Truth Until Xor"
+        "Always And BinaryTemporal Comparison Connective Eventually Formula Historically Iff "
+        "Implies Junction Not Once Or Since TemporalOperator Truth UnaryTemporal Until Xor"
     ),
     "explain.causes": "Stretch",
     "explain.explanation": "Explanation Link",
     "formats.breach_and_latex": "read_breach read_latex",
     "formula.interval": "Interval UNBOUNDED",
+    "formula.normal_form": "normal_form",
     "formats.json_form": "from_json to_json",
     "explain.mining": "Mined Parameter mine",
     "evaluate.online": "Monitor",
@@ -65,7 +72,9 @@ __all__ = [
     "And",
     "Apply",
     "Arithmetic",
+    "BinaryTemporal",
     "Comparison",
+    "Connective",
     "Constant",
     "Eventually",
     "Explanation",
@@ -74,6 +83,7 @@ __all__ = [
     "Iff",
     "Implies",
     "Interval",
+    "Junction",
     "Link",
     "Mined",
     "Monitor",
@@ -85,14 +95,17 @@ __all__ = [
     "Range",
     "Since",
     "Stretch",
+    "TemporalOperator",
     "Term",
     "Truth",
+    "UnaryTemporal",
     "Until",
     "Variable",
     "Verdict",
     "Xor",
     "from_json",
     "mine",
+    "normal_form",
     "parse",
     "read_breach",
     "read_latex",

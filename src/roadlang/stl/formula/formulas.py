@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import ClassVar, Literal, Self, TypeAlias
+from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias
 
 from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
 from .interval import Interval
 from .terms import Term
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 ComparisonOperator: TypeAlias = Literal["<", "<=", ">", ">=", "==", "!="]
 
