@@ -17,8 +17,7 @@ def cost_of(test: Condition | PassCall, scenario: IndexedScenario) -> float:
     inside = (value for value in walk(test, scenario.values) if isinstance(value, PassCall))
     calls = [call for call in inside if call.verb in ("signal", "number", "monitor")]
     work = sum(
-        getattr(scenario.kind(call)[1], "cost", 0.0)
-        * (_PROJECTION if _compares_roots(call, scenario) else 1.0)
+        scenario.kind(call)[1].cost * (_PROJECTION if _compares_roots(call, scenario) else 1.0)
         for call in calls
     )
     if isinstance(test, Condition):

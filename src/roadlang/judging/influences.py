@@ -61,4 +61,4 @@ def draws_of_thing(name: str, scenario: IndexedScenario) -> set[str]:
 
 
 def _draws_itself(call: PassCall, scenario: IndexedScenario) -> bool:
-    return bool(getattr(scenario.kind(call)[1], "is_random", False))
+    return scenario.kind(call)[1].is_random

@@ -68,10 +68,13 @@ def condition_traces(condition: Condition, candidates: CandidateBatch) -> Iterat
 def traces_of_copy(
     condition: Condition, copy: int, candidates: CandidateBatch
 ) -> Iterator[ConditionTrace]:
-    """Each road of the networks that a formula names, for one copy (from 1) of its groups."""
+    """Each road of the networks that a formula names, for one copy (from 1) of its groups; nothing
+    where no candidate has that copy, for which nothing is drawn then."""
+    absent = is_absent(condition, copy, candidates)
+    if absent is not None and absent.all():
+        return
     for axis in axes_of(condition, candidates) if condition.domain == "road" else (Axis(),):
         positions, values, wrap = _values(condition, axis, copy, candidates)
-        absent = is_absent(condition, copy, candidates)
         yield ConditionTrace(_road_name(condition, axis), positions, values, wrap, absent)
 
 

@@ -27,9 +27,8 @@ def verdict(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
     if isinstance(test, Condition):
         return _of_condition(constraint.name, test, candidates)
     entry, kind = candidates.scenario.kind(test)
-    domain: str = getattr(kind, "domain", "road")
-    pending = Verdict(constraint.name, f"with {entry.name}", domain, None, None)
-    if domain == "drive":
+    pending = Verdict(constraint.name, f"with {entry.name}", kind.domain, None, None)
+    if kind.domain == "drive":
         formula = {"monitor": entry.qualified, "options": _options(test, candidates)}
         return replace(pending, formula=formula)
     return decided(pending, float(monitor_rho(test, candidates)[0]), zero_satisfies)

@@ -1,0 +1,67 @@
+"""What a scene records about how it came to be: its draws, its input files, the extractor's remarks."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roadlang.scenes.sampling import SamplingResult
+from straight_road import STRAIGHT
+
+Sample = Callable[..., SamplingResult]
+PERTURBED = (
+    STRAIGHT + "road wavy from main { perturb with sine { amplitude: 0m..2m, wavelength: 80m } }\n"
+)
+DRAWN_SCALE = '''
+image plan from """
+  ##########
+""" { scale: 9m/px..11m/px }
+network lane from plan
+road main from lane
+'''
+
+
+def test_a_draw_inside_a_requirement_is_recorded(sample: Sample) -> None:
+    text = PERTURBED + "require near: always (deviation(wavy, main) < 3m..5m)\n"
+    (scene,) = sample(text).scenes
+    limits = [value for name, value in scene.draws.items() if name.startswith("near")]
+    (limit,) = limits
+    assert 3.0 <= limit <= 5.0
+    largest = max(map(abs, scene.roads[1].y))
+    assert scene.requirements[0].robustness == pytest.approx(limit - largest, abs=1e-6)
+
+
+def test_nothing_is_drawn_for_the_copies_that_a_group_does_not_have(sample: Sample) -> None:
+    text = (
+        STRAIGHT
+        + "agent ego is car on main at 10m\n"
+        + "agent queue is car on main at 50%..100% { count: integer(0, 2) }\n"
+        + "require apart: queue.start - ego.start > 20m\n"
+    )
+    for scene in sample(text, 8).scenes:
+        copies = [name for name in scene.draws if name.startswith("queue/at")]
+        assert len(copies) == scene.draws["queue/count"]
+
+
+def test_the_files_behind_roads_are_recorded_with_their_digests(
+    sample: Sample, tmp_path: Path
+) -> None:
+    content = "x,y\n0,0\n50,1\n100,0\n150,3\n"
+    (tmp_path / "line.csv").write_text(content)
+    (scene,) = sample('road main from "line.csv"\n').scenes
+    digest = hashlib.sha256(content.encode()).hexdigest()
+    assert dict(scene.provenance.inputs) == {"line.csv": digest}
+
+
+def test_remarks_of_networks_that_differ_between_scenes_are_reported(sample: Sample) -> None:
+    assert "read as a typed grid" in sample(DRAWN_SCALE, 2).remarks
+
+
+@pytest.mark.slow
+def test_workers_change_neither_provenance_nor_remarks(sample: Sample) -> None:
+    alone, together = sample(DRAWN_SCALE, 40, jobs=1), sample(DRAWN_SCALE, 40, jobs=2)
+    assert [s.provenance for s in together.scenes] == [s.provenance for s in alone.scenes]
+    assert together.remarks == alone.remarks
