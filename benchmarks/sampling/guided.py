@@ -13,7 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
+from roadlang.evaluate.candidates import fixed_candidate
 from roadlang.evaluate.draw_record import DrawRecord
+from roadlang.evaluate.evaluation import build
+from roadlang.evaluate.kind_instance import KindInstance
+from roadlang.ir.values import Constant, PassCall
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
 from roadlang.search.accepted import Accepted
@@ -22,8 +26,6 @@ from roadlang.search.diversity import mean_nearest
 from roadlang.search.guiding import guided_attempts, run_pilot
 from roadlang.semantics import check_text
 from roadlang.world.index import index_scenario
-from roadlang_standard.sample_guided import Guided
-from roadlang_standard.sample_random import Random
 
 SEED = 1
 ROAD = """
@@ -96,17 +98,26 @@ def main() -> None:
 
 def rejection(acceptance: Acceptance, number: int) -> tuple[float, float]:
     """Attempts per scene and diversity of rejection sampling."""
-    accepted, stats = accepted_attempts(acceptance, Random(attempts=1_000_000), SEED, range(number))
+    accepted, stats = accepted_attempts(
+        acceptance, _sampler(acceptance, "random"), SEED, range(number)
+    )
     return stats.candidates / len(accepted), mean_nearest(coordinates(acceptance, accepted)) or 0.0
 
 
 def guided(acceptance: Acceptance, number: int) -> tuple[float, float, int]:
     """Attempts per scene, diversity and pilot size of guided sampling."""
-    accepted, stats = guided_attempts(acceptance, Guided(), SEED, range(number))
+    sampler = _sampler(acceptance, "guided")
+    accepted, stats = guided_attempts(acceptance, sampler, SEED, range(number))
     assert len(accepted) == number
-    pilot = run_pilot(acceptance, Guided(), SEED)
+    pilot = run_pilot(acceptance, sampler, SEED)
     spread = mean_nearest(coordinates(acceptance, accepted)) or 0.0
     return stats.candidates / number, spread, pilot.stats.candidates
+
+
+def _sampler(acceptance: Acceptance, kind: str) -> KindInstance:
+    attempts = (("attempts", Constant(1e6)),)
+    call = PassCall("sample", f"standard.{kind}", attempts, "sample")
+    return build(call, fixed_candidate(acceptance.scenario), single=True)
 
 
 def coordinates(acceptance: Acceptance, accepted: list[Accepted]) -> list[dict[str, float]]:

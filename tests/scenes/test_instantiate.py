@@ -1,4 +1,4 @@
-"""What a scene records about how it came to be: its draws, its input files, the extractor's remarks."""
+"""What a scene records of how it came to be: its draws, its input files, remarks of extractors."""
 
 from __future__ import annotations
 

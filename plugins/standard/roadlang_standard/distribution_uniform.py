@@ -19,6 +19,7 @@ class Uniform(Distribution):
     """Any number between two, each as likely."""
 
     name: ClassVar[str] = "uniform"
+    is_default: ClassVar[bool] = True
     low: Like = option(help="the least")
     high: Like = option(help="the greatest")
 

@@ -17,6 +17,7 @@ class Json(Backend):
     """Everything in a scene, in SI units and radians (`roadlang schema scene`)."""
 
     name: ClassVar[str] = "json"
+    is_default: ClassVar[bool] = True
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         """The scene's members as they are."""

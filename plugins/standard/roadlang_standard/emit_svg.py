@@ -17,6 +17,7 @@ class Svg(Backend):
     """A figure of each scene, and a contact sheet where there are several."""
 
     name: ClassVar[str] = "svg"
+    is_default: ClassVar[bool] = True
     size: Pixels = option(1024.0, minimum=120, maximum=8192, help="width of the figure")
     ghost: Flag = option(True, help="show the original road under the perturbed one")
     labels: Flag = option(True, help="name agents and objects")

@@ -18,6 +18,7 @@ class Auto(Extractor):
     """Tell photo, drawing, mask and legend apart, say so, and delegate."""
 
     name: ClassVar[str] = "auto"
+    is_default: ClassVar[bool] = True
     threshold: Number = option(
         "auto", words=("auto",), above=0, below=1, help="see `aerial` and `contour`"
     )

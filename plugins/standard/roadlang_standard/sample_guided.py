@@ -32,6 +32,18 @@ class Guided(Sampler):
         20_000, minimum=100, maximum=10_000_000, help="candidates to learn from, at most"
     )
 
+    def limit(self) -> int | None:
+        """The option `attempts`."""
+        return self.attempts
+
+    def pilot_size(self) -> int:
+        """The option `pilot`."""
+        return self.pilot
+
+    def numbers(self, dimensions: int) -> int:
+        """Five choose and scale a move, the others spread it."""
+        return dimensions + 5
+
     def steer(self, known: Floats, uniform: Floats) -> Floats:
         """Proposals (V, d) in the unit cube from `known` (n, d) and `uniform` (V, d + 5).
 

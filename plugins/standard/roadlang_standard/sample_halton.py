@@ -30,6 +30,10 @@ class Halton(Sampler):
         help="candidates in all before the search is given up; about five seconds' worth",
     )
 
+    def limit(self) -> int | None:
+        """The option `attempts`."""
+        return self.attempts
+
     def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:
         """Radical inverses in prime bases, digits permuted at random, one base for each draw."""
         import numpy as np

@@ -13,6 +13,7 @@ class Random(Sampler):
     """Draw at random; each scene tries until its draw satisfies every requirement."""
 
     name: ClassVar[str] = "random"
+    is_default: ClassVar[bool] = True
     sequential: ClassVar[bool] = False
     attempts: Whole = option(
         None,
@@ -20,3 +21,7 @@ class Random(Sampler):
         maximum=100_000_000,
         help="tries before a scene is given up; about five seconds' worth",
     )
+
+    def limit(self) -> int | None:
+        """The option `attempts`."""
+        return self.attempts

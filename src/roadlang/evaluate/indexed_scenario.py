@@ -146,7 +146,7 @@ class IndexedScenario:
 
     def _is_drawn(self, thing: Image | Network | Road) -> bool:
         shaping = [call for call in thing.passes if call.verb != "perturb"]
-        if any(getattr(self.kind(call)[1], "is_random", False) for call in shaping):
+        if any(self.kind(call)[1].is_random for call in shaping):
             return True
         options = [value for name, value in thing.options if name not in ("width", "lanes")]
         if dict(thing.options).get("select") == Text("any"):

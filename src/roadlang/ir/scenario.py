@@ -78,7 +78,8 @@ class Image:
 
 @dataclass(frozen=True, slots=True)
 class Network:
-    """`passes` in the order written: one `extract` or `read` at most, then `perturb`s."""
+    """`passes` in the order written: the `extract` of an image or the `read` of a file, which are
+    filled in where the source has none, then `perturb`s."""
 
     name: str
     source: Source

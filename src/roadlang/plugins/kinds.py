@@ -39,6 +39,17 @@ class Kind:
     name: ClassVar[str] = ""
     rest: ClassVar[str] = ""
     """The list that takes all arguments without a name, of a kind that is written as a call."""
+    is_default: ClassVar[bool] = False
+    """of kinds in the wheel: what a file means that names no kind of the verb, such as the
+    distribution of `1m..2m` (its options are `low` and `high`) or what draws without `sample`"""
+    is_random: ClassVar[bool] = False
+    """it draws random numbers other than its options, so that each candidate differs"""
+    cost: ClassVar[float] = 0.0
+    """work for a station, where that of a displacement is 1: cheap requirements are tried first"""
+    member: ClassVar[bool] = False
+    """a number or signal of an agent or object, written `ego.speed` instead of `speed(ego)`"""
+    domain: ClassVar[str] = "road"
+    """whether it is about roads ("road") or about drives ("drive")"""
     geometry_is_user_input: ClassVar[bool] = False
     """a `GeometryError` that it raises is about what the scene file asks for (RL472), not a fault
     of the plugin (RL470)"""
@@ -49,7 +60,6 @@ class Adjuster(Kind):
     an image of its own."""
 
     verb: ClassVar[str] = "adjust"
-    is_random: ClassVar[bool] = False
 
     def adjust(self, pixels: NDArray[np.uint8], random: np.random.Generator) -> NDArray[np.uint8]:
         """(height, width, 3) BGR to the same shape."""
@@ -157,7 +167,6 @@ class Signal(Kind):
     verb: ClassVar[str] = "signal"
     unit: ClassVar[str] = ""
     cost: ClassVar[float] = 20.0
-    """work for a station beside that of a displacement: cheap requirements are tried first"""
 
     def values(self) -> Floats:
         """(variants, stations), SI units. Fields that name roads hold `RoadBatch`es."""
@@ -178,7 +187,6 @@ class RoadNumber(Signal):
     """
 
     verb: ClassVar[str] = "number"
-    member: ClassVar[bool] = False
 
 
 class DriveSignal(Signal):
@@ -189,6 +197,7 @@ class DriveSignal(Signal):
     """
 
     verb: ClassVar[str] = "drive_signal"
+    domain: ClassVar[str] = "drive"
     member: ClassVar[bool] = True
 
     def values(self) -> Floats:
@@ -205,7 +214,6 @@ class Monitor(Kind):
     """`require/expect N with`: a judge instead of STL."""
 
     verb: ClassVar[str] = "monitor"
-    domain: ClassVar[str] = "road"
 
     def robustness(self) -> Floats:
         """(variants,) positive where satisfied, of a judge of roads (`domain` "road")."""
@@ -263,10 +271,23 @@ class Sampler(Kind):
         """How many candidates there are; None: without end."""
         return None
 
+    def limit(self) -> int | None:
+        """How many candidates are tried before a scene is given up; None: as many as take about
+        five seconds."""
+        return None
+
     def steer(self, known: Floats, uniform: Floats) -> Floats:
         """(V, d) proposals in [0, 1) from points (n, d) that are good, and from random numbers
-        (V, d + 5): a sampler that has this one learns where the requirements hold."""
+        (V, `numbers(d)`) in [0, 1): a sampler that has this learns where the requirements hold."""
         raise NotImplementedError
+
+    def pilot_size(self) -> int:
+        """How many candidates are measured at most before scenes are steered."""
+        return 20_000
+
+    def numbers(self, dimensions: int) -> int:
+        """How many random numbers `steer` needs for a proposal, at least `dimensions`."""
+        return dimensions
 
 
 class Simulator(Kind):

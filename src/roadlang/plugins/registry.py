@@ -163,6 +163,22 @@ class Registry:
                 return rest[0]
         return None
 
+    def defaults(self, verb: str) -> Iterator[KindEntry]:
+        """The kinds that a file means where it names none of the verb.
+
+        Only kinds in the wheel count: a plugin that is installed besides must not change what a
+        file means.
+        """
+        shipped = (entry for entry in self.of(verb) if entry.origin.is_shipped)
+        return (entry for entry in shipped if entry.load().is_default)
+
+    def default(self, verb: str) -> KindEntry:
+        """The first of `defaults`. Raises `UnknownKind` without the plugins of the wheel."""
+        found = next(self.defaults(verb), None)
+        if found is None:
+            raise UnknownKind(verb)
+        return found
+
     def of(self, verb: str) -> Iterator[KindEntry]:
         """All kinds of a verb."""
         return (entry for entry in self.entries if entry.verb == verb)

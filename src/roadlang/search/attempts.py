@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.kind_instance import KindInstance
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted
 from .effort import BATCH, attempts_of
@@ -15,7 +15,7 @@ from .rejection_report import RejectionStats
 
 
 def accepted_attempts(
-    acceptance: Acceptance, sampler: Any, seed: int, scenes: Sequence[int]
+    acceptance: Acceptance, sampler: KindInstance, seed: int, scenes: Sequence[int]
 ) -> tuple[list[Accepted], RejectionStats]:
     """The first accepted attempt of each scene, and the counts up to it."""
     attempts = attempts_of(sampler, acceptance)

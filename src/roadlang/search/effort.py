@@ -6,12 +6,11 @@ machine.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ..evaluate.candidates import fixed_candidate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.kind_instance import KindInstance
 from ..ir.scenario import Image
 from ..judging.acceptance import Acceptance
 from ..world.networks import network_root
@@ -28,10 +27,11 @@ WITH_PICTURES = 20
 """Attempts where every candidate is extracted from a picture of its own: seconds each."""
 
 
-def attempts_of(sampler: Any, acceptance: Acceptance) -> int:
-    """The sampler's `attempts`, or as many as are done in about five seconds."""
-    given = getattr(sampler, "attempts", None)
-    return int(given) if given is not None else default_attempts(acceptance)
+def attempts_of(sampler: KindInstance, acceptance: Acceptance) -> int:
+    """The sampler's own limit, or as many as are done in about five seconds."""
+    with sampler.guarded:
+        limit: int | None = sampler.kind.limit()
+    return limit if limit is not None else default_attempts(acceptance)
 
 
 def default_attempts(acceptance: Acceptance) -> int:

@@ -6,18 +6,20 @@ neither the number of scenes nor that of workers changes any of them.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
+from ..evaluate.kind_instance import KindInstance
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
+from ..plugins.guard import wrong_result
 from .accepted import Accepted
 from .effort import attempts_of
 from .rejection_report import RejectionStats
@@ -60,18 +62,20 @@ class Pilot:
         even = np.random.Generator(np.random.Philox(key=0)).random((2048, len(self.names)))
         return float(self.surrogate.chance(even).mean()) < RARE
 
-    def choose(self, sampler: Any, random: BatchRandom) -> Floats:
+    def choose(self, sampler: KindInstance, random: BatchRandom) -> Floats:
         """(1, d) the first proposal that is likely to hold, even draws before steered ones; the
         likeliest of all where none is."""
         assert self.surrogate is not None
-        width = len(self.names) + 5
+        dimensions = len(self.names)
+        width = _numbers(sampler, dimensions)
         turns = TURNS_WHERE_RARE if self.is_rare else TURNS
         bar = LIKELY_WHERE_RARE if self.is_rare else LIKELY
-        best, greatest = np.empty((1, len(self.names))), -1.0
+        best, greatest = np.empty((1, dimensions)), -1.0
         for turn in range(turns):
             uniform = random.uniform(PROPOSALS * width, turn).reshape(PROPOSALS, width)
             steered = turn == turns - 1
-            proposed = np.asarray(sampler.steer(self.known, uniform)) if steered else uniform[:, 5:]
+            even = uniform[:, -dimensions:]
+            proposed = _steered(sampler, self.known, uniform) if steered else even
             chance = self.surrogate.chance(proposed)
             if (chance >= bar).any():
                 first = int((chance >= bar).argmax())
@@ -81,19 +85,39 @@ class Pilot:
                 best = proposed[chance.argmax()][None]
         return best
 
-    def round(self, sampler: Any, random: BatchRandom) -> Floats:
+    def round(self, sampler: KindInstance, random: BatchRandom) -> Floats:
         """(ROUND, d) the likeliest of many proposals, for the pilot to measure."""
         assert self.surrogate is not None
-        width = len(self.names) + 5
-        uniform = random.uniform(PROPOSALS * width).reshape(ROUND, -1, width)
-        proposed = np.asarray(sampler.steer(self.known, uniform.reshape(-1, width)))
+        width = _numbers(sampler, len(self.names))
+        uniform = random.uniform(PROPOSALS * width).reshape(-1, width)
+        proposed = _steered(sampler, self.known, uniform)
         chance = self.surrogate.chance(proposed).reshape(ROUND, -1)
         groups = proposed.reshape(ROUND, -1, len(self.names))
         return np.asarray(groups[np.arange(ROUND), chance.argmax(axis=1)])
 
 
+def _numbers(sampler: KindInstance, dimensions: int) -> int:
+    with sampler.guarded:
+        count = operator.index(sampler.kind.numbers(dimensions))
+    if count < dimensions:
+        fault = f"takes {count} random numbers for {dimensions} coordinates"
+        raise wrong_result(sampler.entry, sampler.call.span, fault)
+    return count
+
+
+def _steered(sampler: KindInstance, known: Floats, uniform: Floats) -> Floats:
+    """(V, d) proposals of the sampler. Raises RL474 where they are no points of the unit cube."""
+    with sampler.guarded:
+        proposed = np.asarray(sampler.kind.steer(known, uniform), dtype=np.float64)
+    expected = (len(uniform), known.shape[1])
+    if proposed.shape != expected or not ((proposed >= 0.0) & (proposed < 1.0)).all():
+        fault = f"gave proposals of shape {proposed.shape}, not {expected}, or beyond [0, 1)"
+        raise wrong_result(sampler.entry, sampler.call.span, fault)
+    return proposed
+
+
 def guided_attempts(
-    acceptance: Acceptance, sampler: Any, seed: int, scenes: Sequence[int]
+    acceptance: Acceptance, sampler: KindInstance, seed: int, scenes: Sequence[int]
 ) -> tuple[list[Accepted], RejectionStats]:
     """The first accepted attempt of each scene, each searched for by itself."""
     pilot = acceptance.scenario.once(("pilot", seed), lambda: run_pilot(acceptance, sampler, seed))
@@ -104,7 +128,7 @@ def guided_attempts(
     return [accepted for accepted in found if accepted is not None], stats
 
 
-def run_pilot(acceptance: Acceptance, sampler: Any, seed: int) -> Pilot:
+def run_pilot(acceptance: Acceptance, sampler: KindInstance, seed: int) -> Pilot:
     """Learn where the requirements hold: candidates drawn evenly first, then rounds of those that a
     surrogate of the robustness takes for the likeliest, until enough of them hold."""
     stats = RejectionStats.empty(len(acceptance.requirements))
@@ -124,7 +148,7 @@ def run_pilot(acceptance: Acceptance, sampler: Any, seed: int) -> Pilot:
             points, values, None if pilot.surrogate is None else pilot.surrogate.lengths
         )
         pilot = Pilot(names, _leaders(points, values, holds), surrogate, stats)
-        if holds.sum() >= ENOUGH or len(points) >= sampler.pilot:
+        if holds.sum() >= ENOUGH or len(points) >= sampler.kind.pilot_size():
             return pilot
         random = _candidates(acceptance, seed, _PILOT, len(points), 1).random(_PLACE)
         proposed = pilot.round(sampler, random)
@@ -146,7 +170,12 @@ def _leaders(points: Floats, values: Floats, holds: NDArray[np.bool_]) -> Floats
 
 
 def first_accepted(
-    acceptance: Acceptance, sampler: Any, pilot: Pilot, seed: int, scene: int, stats: RejectionStats
+    acceptance: Acceptance,
+    sampler: KindInstance,
+    pilot: Pilot,
+    seed: int,
+    scene: int,
+    stats: RejectionStats,
 ) -> Accepted | None:
     """The first accepted attempt of a scene."""
     for attempt in range(attempts_of(sampler, acceptance)):

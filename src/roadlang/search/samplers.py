@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from ..evaluate.candidates import fixed_candidate
 from ..evaluate.dependencies import draws_in
@@ -20,14 +19,18 @@ Progress = Callable[[int, int], None]
 
 
 def sampler_of(scenario: IndexedScenario) -> KindInstance:
-    """The `sample with` of the file, or `random`."""
-    call = scenario.source.sample or PassCall("sample", "standard.random", (), "sample")
+    """The `sample with` of the file, or the default."""
+    call = scenario.source.sample or _default_call(scenario)
     return build(call, fixed_candidate(scenario), single=True)
 
 
-def is_steering(sampler: Any) -> bool:
+def _default_call(scenario: IndexedScenario) -> PassCall:
+    return PassCall("sample", scenario.registry.default("sample").qualified, (), "sample")
+
+
+def is_steering(sampler: KindInstance) -> bool:
     """Whether a sampler proposes candidates from what is known of others."""
-    return type(sampler).steer is not Sampler.steer
+    return type(sampler.kind).steer is not Sampler.steer
 
 
 @dataclass(frozen=True)

@@ -37,8 +37,8 @@ class SceneSearch(Generic[T]):
 
     def search_block(self, scenes: Sequence[int]) -> SearchedBlock[T]:
         """The scenes of a block, each with a stream of attempts."""
-        attempts = guided_attempts if is_steering(self.sampler.kind) else accepted_attempts
-        accepted, stats = attempts(self.acceptance, self.sampler.kind, self.seed, scenes)
+        attempts = guided_attempts if is_steering(self.sampler) else accepted_attempts
+        accepted, stats = attempts(self.acceptance, self.sampler, self.seed, scenes)
         samples = tuple(self.sample(item) for item in accepted)
         found = {item.index for item in accepted}
         missing = tuple(scene for scene in scenes if scene not in found)

@@ -39,7 +39,7 @@ def accepted_of_stream(
     with sampler.guarded:
         size = _size(sampler.kind.size(draws))
     wanted = n if n is not None else (size or 1)
-    limit = size if size is not None else attempts_of(sampler.kind, acceptance)
+    limit = size if size is not None else attempts_of(sampler, acceptance)
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: list[Accepted] = []
     for candidates in _stream(acceptance, sampler, draws, seed, limit):

@@ -168,10 +168,7 @@ def _root_of(
 
 
 def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> NetworkRoot:
-    calls = [call for call in network.passes if call.verb == "extract"]
-    call = (
-        calls[0] if calls else PassCall("extract", "standard.auto", (), f"{network.name}/extract")
-    )
+    call = next(call for call in network.passes if call.verb == "extract")
     loaded = load_picture(image.name, candidates)
     built = build(call, candidates, single=True)
     with built.guarded:

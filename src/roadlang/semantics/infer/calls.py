@@ -48,7 +48,7 @@ def infer_call(checker: Checker, call: ast.Call, context: Context) -> TypedExpre
 
 def is_member(found: ResolvedKind) -> bool:
     """Whether a signal or number is written `ego.speed` rather than `speed(ego)`."""
-    return bool(getattr(found.kind, "member", False))
+    return found.kind.member
 
 
 def dotted(expression: ast.Expression) -> str | None:

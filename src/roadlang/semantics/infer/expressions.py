@@ -38,7 +38,7 @@ from ..types.expression_types import (
     TypedExpression,
     unknown,
 )
-from .kinds import find_kind
+from .kinds import find_default, find_kind
 
 _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
 
@@ -122,7 +122,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
     if low.constant is not None and high.constant is not None and low.constant > high.constant:
         text = f"{draw.high.span.text}..{draw.low.span.text}"
         return checker.report(Code.REVERSED_RANGE, draw.span, what="range", help=f"write `{text}`")
-    found = find_kind(checker, "distribution", "standard.uniform", draw.span)
+    found = find_default(checker, "distribution", draw.span)
     if found is None or low.value is None or high.value is None:
         return unknown(draw.span)
     place = checker.draw_place(context)

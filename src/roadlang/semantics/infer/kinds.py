@@ -44,6 +44,15 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> ResolvedKin
     return found
 
 
+def find_default(checker: Checker, verb: str, span: Span) -> ResolvedKind | None:
+    """The kind that a file means where it names none, or None, with the reason reported."""
+    try:
+        name = checker.registry.default(verb).qualified
+    except UnknownKind:
+        name = "default"
+    return find_kind(checker, verb, name, span)
+
+
 def _load(checker: Checker, entry: KindEntry, span: Span) -> ResolvedKind | None:
     found = loaded(entry)
     if isinstance(found, ResolvedKind):

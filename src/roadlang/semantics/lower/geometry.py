@@ -15,7 +15,7 @@ from ..checker import Checker
 from ..context import Context
 from ..infer.blocks import lower_options, lower_passes
 from ..infer.file_readers import reader_of
-from ..infer.kinds import find_kind
+from ..infer.kinds import find_default
 from ..infer.statements import STATEMENTS
 from ..names.file_checks import file_fault
 from ..names.program import Declaration
@@ -173,7 +173,7 @@ def _with_default(
     name = statement.name.text
     if isinstance(source, ir.NameSource) and source.role == "image" and statement.word != "image":
         assert statement.source is not None
-        found = find_kind(checker, "extract", "standard.auto", statement.source.span)
+        found = find_default(checker, "extract", statement.source.span)
         if found is None:
             return None
         return (PassCall("extract", found.entry.qualified, (), f"{name}/extract 1"), *passes)
