@@ -49,6 +49,7 @@ class Code:
     DUPLICATE_STATEMENT: Final = "RL109"
     UNUSED_LET: Final = "RL190"
     UNIT_SHADOWS_NAME: Final = "RL191"
+    ACTOR_ON_REPLACED_ROAD: Final = "RL192"
     WRONG_DIMENSION: Final = "RL201"
     MISSING_UNIT: Final = "RL202"
     UNKNOWN_UNIT: Final = "RL203"
