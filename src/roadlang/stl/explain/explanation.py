@@ -140,6 +140,8 @@ class _Finder:
         match formula:
             case f.Pointwise():
                 return self._deciding_part(formula, sample)
+            case f.Derived():
+                return formula.expanded(), sample
             case f.BinaryTemporal():
                 return self._decider(formula, sample)
             case f.UnaryTemporal():

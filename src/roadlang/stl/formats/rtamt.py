@@ -29,7 +29,7 @@ def to_rtamt(formula: f.Formula) -> str:
         case f.Comparison(op, left, right):
             sign = "!==" if op == "!=" else op
             return f"({_term(left)} {sign} {_term(right)})"
-        case f.Connective() if not formula.notation.rtamt:
+        case f.Derived() if not formula.notation.rtamt:
             return to_rtamt(formula.expanded())
         case f.Not(operand):
             return f"({formula.notation.rtamt} {to_rtamt(operand)})"

@@ -121,6 +121,20 @@ class TemporalOperator(Compound):
     past: ClassVar[bool]
 
 
+class Derived(Compound):
+    """An operator that others can express: it needs no kernel of its own."""
+
+    __slots__ = ()
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """The same by other operators.
+
+        `greatest`: of two forms with the same robustness the one that is a greatest of leasts. It
+        gives the better upper bound from bounds of the parts, the other the better lower one.
+        """
+        raise NotImplementedError
+
+
 @dataclass(frozen=True, slots=True)
 class Not(Pointwise):
     """Robustness with its sign turned."""
@@ -168,7 +182,7 @@ class Junction(Pointwise):
 
 
 @dataclass(frozen=True, slots=True)
-class Connective(Pointwise):
+class Connective(Pointwise, Derived):
     """Two operands joined in a way that `not`, `and` and `or` can express."""
 
     left: Formula
@@ -189,14 +203,6 @@ class Connective(Pointwise):
     def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
         """The formula of these parts."""
         return cls(*parts)
-
-    def expanded(self, *, greatest: bool = False) -> Formula:
-        """The same by `not`, `and` and `or`: a least of greatests, or a `greatest` of leasts.
-
-        Where there are two forms they have the same robustness, but the one gives the better
-        lower, the other the better upper bound from bounds of the parts.
-        """
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,7 +36,7 @@ def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = F
             return f.Comparison(_OPPOSITE[op], left, right) if negated else formula
         case f.Not(operand):
             return of(operand, not negated)
-        case f.Connective():
+        case f.Derived():
             return of(formula.expanded(greatest=greatest != negated))
         case f.Junction(operands):
             kind = _DUAL[type(formula)] if negated else type(formula)
