@@ -17,10 +17,10 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from benchmarks.extraction.baselines import Lines, best_threshold, classical, paper_chain
-from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
 from training.rendering.aerial import render_aerial
 
+from benchmarks.extraction.baselines import Lines, best_threshold, classical, paper_chain
+from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
 from roadlang_standard.extraction.aerial import Request
 from roadlang_standard.extraction.contour import Chain, roads_by_contour
 from roadlang_standard.extraction.crosscheck import checked_roads

@@ -1,6 +1,6 @@
 """Candidates judged per second on one core: a bend by `sine`, phi1, phi2, phi3, a curvature bound.
 
-    python benchmarks/sampling/candidates.py
+    python -m benchmarks.sampling.candidates [--save]
 
 The road is 500 m long and has 501 stations. `judged` counts candidates that went through every
 requirement until one rejected them or all held; nothing of a candidate is kept between rounds.
@@ -12,10 +12,12 @@ import os
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
+import sys
 import time
 from pathlib import Path
 
 import numpy as np
+from benchmarks.baseline import numpy_unit, report
 
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
@@ -46,16 +48,19 @@ CASES = (
 )
 
 
-def main() -> None:
-    """Print the time and memory of 200 candidates for each case."""
+def main() -> int:
+    """Print the rate of each case, and its cost beside the baseline."""
     registry = load_registry()
+    costs = {}
     for title, reach, bound in CASES:
         text = ROAD.replace("REACH", reach).replace("BOUND", bound)
         scenario, found = check_text(text, Path("bench.rl"), {}, registry)
         assert scenario is not None, found
         acceptance = Acceptance(index_scenario(scenario, registry))
         rate, share = measure(acceptance)
+        costs[title] = 10_000 / rate / numpy_unit()
         print(f"{title:36} {rate:9,.0f} candidates/s   {share:6.1%} accepted")
+    return report("10,000 candidates", costs)
 
 
 def measure(acceptance: Acceptance) -> tuple[float, float]:
@@ -76,4 +81,4 @@ def measure(acceptance: Acceptance) -> tuple[float, float]:
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -57,9 +57,7 @@ def imported_by(*arguments: str, cwd: Path) -> set[str]:
         f"run({list(arguments)!r})\n"
         "print('\\nMODULES', *{name.partition('.')[0] for name in sys.modules})\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=cwd, capture_output=True, text=True, timeout=60
-    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=cwd, capture_output=True, text=True)
     return set(done.stdout.rpartition("MODULES")[2].split())
 
 

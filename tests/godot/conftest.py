@@ -8,7 +8,16 @@ import pytest
 from godot_engines import started
 
 from roadlang_godot import engine as engines
+from roadlang_godot import session as sessions
 from roadlang_godot.session import Session
+
+
+@pytest.fixture(autouse=True)
+def patience(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A busy machine is no fault: engines are waited for much longer than by users."""
+    monkeypatch.setattr(sessions, "PATIENCE", 300.0)
+    monkeypatch.setattr(engines, "OWN_PATIENCE", 300.0)
+    monkeypatch.setattr(engines, "START_SECONDS", 300.0)
 
 
 @pytest.fixture(scope="session")

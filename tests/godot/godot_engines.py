@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import time
+from collections.abc import Callable
 
 import pytest
 
@@ -18,3 +20,10 @@ def started(**options: object) -> engines.Engine:
         if not absent or os.environ.get("ROADLANG_REQUIRE_GODOT") == "1":
             raise
         pytest.skip(f"no Godot engine: {error}")
+
+
+def until(holds: Callable[[], object]) -> None:
+    """Wait for something that happens in an engine's own time. Only a hang fails."""
+    limit = time.monotonic() + 300.0
+    while not holds():
+        assert time.monotonic() < limit, "it did not happen within five minutes"

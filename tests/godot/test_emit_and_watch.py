@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import threading
-import time
+import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from godot_engines import started
+from godot_engines import started, until
 
 from roadlang.cli import main as cli
 from roadlang_godot.engine import Engine
@@ -52,25 +53,47 @@ def test_compiling_without_an_engine_leaves_with_5_and_says_where_it_looked(
     assert "RL512" in capsys.readouterr().err
 
 
-def test_a_saved_change_is_sent_and_a_fault_is_told_without_harm(
-    listening: Engine, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+class Watching:
+    """`roadlang watch` in a process of its own, with what it has printed so far."""
+
+    def __init__(self, file: Path, port: int) -> None:
+        self._log = (file.parent / "watch.log").open("w+", encoding="utf-8")
+        command = [sys.executable, "-u", "-m", "roadlang", "watch", str(file)]
+        command += ["--host", "127.0.0.1", "--port", str(port)]
+        self.process = subprocess.Popen(command, stdout=self._log, stderr=subprocess.STDOUT)
+
+    def printed(self) -> str:
+        return Path(self._log.name).read_text(encoding="utf-8")
+
+    def waits_for(self, text: str) -> None:
+        until(lambda: text in self.printed() or self.process.poll() is not None)
+        assert text in self.printed(), self.printed()
+
+    def stop(self) -> int:
+        self.process.send_signal(signal.SIGINT)
+        return self.process.wait()
+
+
+@pytest.fixture
+def watching(listening: Engine, tmp_path: Path) -> Iterator[Watching]:
     file = tmp_path / "scene.rl"
     file.write_text(ROAD % 0 + CAR)
+    process = Watching(file, listening.port)
+    yield process
+    process.process.kill()
+    process.process.wait()
 
-    def save_twice() -> None:
-        time.sleep(1.2)
-        file.write_text(ROAD % 6 + CAR)
-        time.sleep(0.8)
-        file.write_text("raod main\n")
 
-    saver = threading.Thread(target=save_twice)
-    saver.start()
-    port = str(listening.port)
-    code = cli.run(["watch", str(file), "--host", "127.0.0.1", "--port", port, "--for", "3.5"])
-    saver.join()
-    seen = capsys.readouterr()
-    assert code == 0
-    assert "changes in" in seen.out
-    assert "raod" in seen.err
+def test_a_saved_change_is_sent_and_a_fault_is_reported_without_harm(
+    watching: Watching, listening: Engine, tmp_path: Path
+) -> None:
+    file = tmp_path / "scene.rl"
+    watching.waits_for("is driven")
+    file.write_text(ROAD % 6 + CAR)
+    watching.waits_for("changes in")
+    file.write_text("raod main\n")
+    watching.waits_for("raod")
+    file.write_text(ROAD % 3 + CAR)
+    until(lambda: watching.printed().count("changes in") == 2)
+    assert watching.stop() == 130
     assert "SCRIPT ERROR" not in listening.output()

@@ -23,7 +23,7 @@ def test_a_stormy_network_delivers_the_scene_whole_and_once(fast_engine: Engine,
     things = road_things(line, 1, Frame())
     with (
         Proxy(fast_engine.host, fast_engine.port, STORM, seed) as proxy,
-        connect(fast_engine.host, proxy.port, patience=20.0) as session,
+        connect(fast_engine.host, proxy.port) as session,
     ):
         session.begin({"name": "storm", "extent": 5000.0}, clear=True)
         session.update(things)
@@ -40,7 +40,7 @@ def test_a_drive_over_a_stormy_network_has_every_record(fast_engine: Engine) -> 
     made = scene(main, agents=[car("ego", main, 5.0, call("lane_follow", speed=12.0))])
     with (
         Proxy(fast_engine.host, fast_engine.port, STORM, 4) as proxy,
-        connect(fast_engine.host, proxy.port, patience=20.0) as session,
+        connect(fast_engine.host, proxy.port) as session,
     ):
         trace = drive_in(session, made, Settings(duration=5.0), {})
     assert np.diff(trace.time) == pytest.approx(0.02)

@@ -43,7 +43,7 @@ def hostile(chance: random.Random, session: int) -> bytes:
 def bombard(engine: Engine, count: int, seed: int) -> None:
     """Send hostile datagrams from an address that holds the session."""
     chance = random.Random(seed)
-    with engine.connect("fuzz", patience=30.0) as session:
+    with engine.connect("fuzz") as session:
         begin(session, everything()[:10])
         number = session.welcome["session"]
         own: socket.socket = session._link._socket  # type: ignore[attr-defined]
@@ -65,6 +65,6 @@ def test_hostile_datagrams_harm_nothing(fresh_engine: Engine, count: int) -> Non
     assert fresh_engine.process.poll() is None
     assert len(fresh_engine.output().splitlines()) < MOST_LOG_LINES, fresh_engine.output()[-3000:]
     things = everything()
-    with fresh_engine.connect("after", patience=30.0) as session:
+    with fresh_engine.connect("after") as session:
         begin(session, things)
         assert session.prove().things == len(things)

@@ -1,15 +1,15 @@
-"""A scene that is changed while it is driven: soon felt by physics, and the car drives on."""
+"""A scene that is changed while it is driven: physics feels it, and the car drives on."""
 
 from __future__ import annotations
 
-import statistics
-import time
 from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from godot_engines import until
 from godot_scenes import call, car, pieces, road, scene, straight, thing
 
+from roadlang.ir.scene import Scene
 from roadlang_godot.engine import Engine
 from roadlang_godot.frame import Frame
 from roadlang_godot.line import polyline
@@ -36,41 +36,38 @@ def raised(height: float) -> Thing:
     return strip_thing("main", strip, s, 2, 1, SURFACE_MARKED)
 
 
-def test_physics_feels_a_change_within_milliseconds(live_session: Session) -> None:
+def test_physics_feels_every_change(live_session: Session) -> None:
     live_session.begin({"name": "live", "extent": 200.0}, clear=True)
     live_session.update([raised(0.0)])
-    took = []
-    for turn in range(1, 31):
-        height = 0.1 * turn
-        began = time.monotonic()
+    for height in (0.3, 0.1, 2.0):
         live_session.update([raised(height)])
-        while abs((live_session.probe(50.0, 0.0) or 0.0) - height) > 1e-3:
-            assert time.monotonic() - began < 2.0
-        took.append(time.monotonic() - began)
-    assert statistics.median(took) <= 0.030
+        felt = pytest.approx(height, abs=1e-3)
+        until(lambda felt=felt: live_session.probe(50.0, 0.0) == felt)
 
 
 def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
-    def shifted(by: float) -> object:
+    def shifted(by: float) -> Scene:
         points = pieces(straight(120))
         points[:, 1] += by * np.clip((points[:, 0] - 40) / 40, 0, 1)
         main = road("main", points)
         ego = car("ego", main, 5.0, call("pure_pursuit", speed=7.0, lookahead=5.0))
         return scene(main, agents=[ego], objects=[thing("tree", 30.0, 20.0, name="oak")])
 
-    live = LiveScene(live_session, shifted(0.0))  # type: ignore[arg-type]
-    began = time.monotonic()
-    for step in range(1, 6):
-        while time.monotonic() - began < 0.4 * step:
-            live.listen(0.02)
-        assert live.change(shifted(0.4 * step)) < 12  # type: ignore[arg-type]
-    while time.monotonic() - began < 4.0:
+    def driven() -> float:
+        """How far the car has come."""
         live.listen(0.02)
+        trace = live.trace()
+        return 0.0 if trace is None else float(trace.agents["ego"].x[-1])
+
+    live = LiveScene(live_session, shifted(0.0))
+    for step in range(1, 6):
+        until(lambda step=step: driven() > 5.0 + step)
+        assert live.change(shifted(0.4 * step)) < 12
+    until(lambda: driven() > 15.0)
     trace = live.trace()
     assert trace is not None
     ego = trace.agents["ego"]
-    assert ego.x[-1] > 12.0
-    assert np.diff(ego.x).max() < 1.0
+    assert (np.diff(ego.x) / np.diff(trace.time)).max() < 12.0, "the car jumped"
     assert np.abs(ego.cross_track).max() < 1.0
     assert live_session.prove().things == len(live.layout.things)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import time
 from pathlib import Path
 
 import pytest
@@ -56,7 +55,6 @@ def _damage(count: int, seed: int) -> None:
     rng = random.Random(seed)
     for _ in range(count):
         text = mutated(rng.choice(SAMPLES), rng)
-        start = time.process_time()
         tree, found = parse(Source("mutant.rl", text))
         render_all(found)
         assert all(d.span and 0 <= d.span.start <= d.span.end <= len(text) for d in found)
@@ -64,7 +62,6 @@ def _damage(count: int, seed: int) -> None:
             again, more = parse(Source("again.rl", format_file(tree)))
             assert again == tree
             assert not more
-        assert time.process_time() - start < 5, text
 
 
 def test_damaged_samples_are_survived() -> None:

@@ -15,7 +15,7 @@ from roadlang.api import Code, DiagnosticError, diagnose
 
 from .faults import fault
 from .protocol import Message
-from .session import PATIENCE, Session
+from .session import Session
 from .telemetry import STATE_HEADER, Records, records
 
 _RESEND = 0.02
@@ -105,7 +105,7 @@ class LockStep:
         self._state = payload
 
     def _await(self, tick: int, request: bytes | None) -> tuple[int, bool, Records]:
-        deadline = time.monotonic() + 2 * PATIENCE
+        deadline = time.monotonic() + 2 * self._session.patience
         while time.monotonic() < deadline:
             if request is not None:
                 self._session.send_once(Message.STEP, request)

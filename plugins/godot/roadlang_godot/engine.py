@@ -10,7 +10,7 @@ import signal
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -19,11 +19,13 @@ from roadlang.api import Code
 
 from .faults import fault
 from .link_udp import UdpLink
-from .session import PATIENCE, Link, Session
+from .session import Link, Session
 
 OLDEST = (4, 3)
-START_SECONDS = 60.0
-DRAWING_PATIENCE = 60.0
+START_SECONDS = 180.0
+OWN_PATIENCE = 120.0
+"""Seconds without an answer after which an engine of ours is given up though its process runs: on a
+busy machine it may get little time. Where the process ends, nobody waits that long."""
 """Drawing in software takes seconds, in which an engine answers nobody."""
 
 _KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
@@ -134,8 +136,11 @@ class Engine:
 
     def connect(self, name: str = "", patience: float | None = None) -> Session:
         """A session with this engine."""
-        usual = DRAWING_PATIENCE if self.draws else PATIENCE
-        return connect(self.host, self.port, self.transport, name, patience or usual)
+        seconds = OWN_PATIENCE if patience is None else patience
+        return connect(self.host, self.port, self.transport, name, seconds, self._is_running)
+
+    def _is_running(self) -> bool:
+        return self.process.poll() is None
 
     def output(self) -> str:
         """What the engine has printed."""
@@ -161,7 +166,12 @@ class Engine:
 
 
 def connect(
-    host: str, port: int, transport: str = "udp", name: str = "", patience: float = PATIENCE
+    host: str,
+    port: int,
+    transport: str = "udp",
+    name: str = "",
+    patience: float | None = None,
+    is_running: Callable[[], bool] = lambda: True,
 ) -> Session:
     """A session with an engine that already runs.
 
@@ -174,7 +184,7 @@ def connect(
         raise fault(
             Code.UNREACHABLE_ADDRESS, host=host, port=port, reason=error.strerror or error
         ) from error
-    return Session(link, patience=patience, name=name)
+    return Session(link, patience=patience, name=name, is_running=is_running)
 
 
 def _websocket(host: str, port: int) -> Link:

@@ -10,7 +10,7 @@ import contextlib
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.sync.client import connect
 
-_CONNECT_SECONDS = 5.0
+_CONNECT_SECONDS = 20.0
 
 
 class WebSocketLink:

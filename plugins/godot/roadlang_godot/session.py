@@ -20,7 +20,7 @@ from .protocol import Message
 from .thing import Key, Thing
 
 PATIENCE = 5.0
-"""Seconds without an answer after which an engine counts as gone."""
+"""Seconds without an answer after which an engine that someone else started counts as gone."""
 _HELLO_EVERY = 0.1
 _PING_EVERY = 1.0
 _NAMED = 8
@@ -56,12 +56,24 @@ class Proof:
 
 
 class Session:
-    """A connection to one engine. Use as a context manager; every wait ends or raises."""
+    """A connection to one engine. Use as a context manager; every wait ends or raises.
 
-    def __init__(self, link: Link, *, patience: float = PATIENCE, name: str = "") -> None:
+    `patience` is in seconds, by default `PATIENCE`. Where `is_running` says that the engine's
+    process has ended, no wait goes on.
+    """
+
+    def __init__(
+        self,
+        link: Link,
+        *,
+        patience: float | None = None,
+        name: str = "",
+        is_running: Callable[[], bool] = lambda: True,
+    ) -> None:
+        self.patience = PATIENCE if patience is None else patience
+        self._is_running = is_running
         self._link = link
         self._channel = Channel(getattr(link, "window", protocol.WINDOW))
-        self._patience = patience
         self._inbox: deque[tuple[int, bytes]] = deque()
         self._built: dict[int, dict[Key, tuple[int, Thing]]] = {}
         self._revision = 0
@@ -243,12 +255,14 @@ class Session:
             self._inbox.append((frame.type, frame.payload))
 
     def _check_alive(self) -> None:
+        if not self._is_running():
+            raise fault(Code.GODOT_DISCONNECTED, reason="its process has ended")
         now = time.monotonic()
-        late = self._channel.overdue(now, self._patience)
+        late = self._channel.overdue(now, self.patience)
         if late:
             named = ", ".join(late[:_NAMED]) + (", ..." if len(late) > _NAMED else "")
             raise fault(Code.SCENE_NOT_BUILT, count=len(late), names=named)
-        if now - self._last_heard > self._patience + 2 * _PING_EVERY:
+        if now - self._last_heard > self.patience + 2 * _PING_EVERY:
             raise fault(
                 Code.GODOT_DISCONNECTED, reason=f"nothing heard for {now - self._last_heard:.0f} s"
             )
@@ -257,8 +271,8 @@ class Session:
         nonce = int.from_bytes(os.urandom(4), "little")
         version = protocol.VERSION
         hello = _json({"protocol": [version, version], "nonce": nonce, "scene": name})
-        deadline = time.monotonic() + self._patience
-        while time.monotonic() < deadline:
+        deadline = time.monotonic() + self.patience
+        while time.monotonic() < deadline and self._is_running():
             self._link.send(protocol.pack(Message.HELLO, 0, 0, hello))
             for datagram in self._receive(_HELLO_EVERY):
                 frame = protocol.unpack(datagram)
@@ -271,7 +285,9 @@ class Session:
                     self._last_heard = time.monotonic()
                     welcome: dict[str, Any] = json.loads(frame.payload)
                     return welcome
-        raise fault(Code.GODOT_NOT_ANSWERING, seconds=f"{self._patience:.0f}")
+        if not self._is_running():
+            raise fault(Code.GODOT_DISCONNECTED, reason="its process has ended")
+        raise fault(Code.GODOT_NOT_ANSWERING, seconds=f"{self.patience:.0f}")
 
     def _name_missing(self, world: int, wanted: Mapping[Key, bytes]) -> None:
         found = self.records(world)
