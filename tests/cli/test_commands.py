@@ -170,6 +170,35 @@ def test_a_failing_run_leaves_an_earlier_output_as_it_was(folder):
     assert files_of(folder / "out") == before
 
 
+def test_scenes_of_an_earlier_run_go_and_files_of_others_stay(folder):
+    roadlang("compile", "scene.rl", "-n", "3", "-o", "out", cwd=folder)
+    (folder / "out/notes.txt").write_text("mine")
+    roadlang("compile", "scene.rl", "-n", "1", "--emit", "json", "-o", "out", cwd=folder)
+    assert set(files_of(folder / "out")) == {"manifest.json", "notes.txt", "scene-0000.json"}
+
+
+def test_a_manifest_of_something_else_is_left_alone(folder):
+    (folder / "manifest.json").write_text('{"name": "a web page"}')
+    done = roadlang("compile", "scene.rl", "-o", ".", cwd=folder)
+    assert (done.returncode, "RL460" in done.stderr) == (2, True)
+    assert set(files_of(folder)) == {"manifest.json", "scene.rl"}
+
+
+def test_a_plugin_that_changes_the_current_folder_changes_no_output(folder, monkeypatch):
+    from roadlang_standard.emit_json import Json
+
+    files = Json.files
+    (folder / "elsewhere").mkdir()
+
+    def wandering(self, scene):
+        monkeypatch.chdir(folder / "elsewhere")
+        return files(self, scene)
+
+    monkeypatch.setattr(Json, "files", wandering)
+    assert roadlang("compile", "scene.rl", "-o", "out", cwd=folder).returncode == 0
+    assert "scene-0000.json" in files_of(folder / "out")
+
+
 def test_an_output_folder_that_cannot_be_made_is_said(folder):
     (folder / "file").write_text("")
     done = roadlang("compile", "scene.rl", "-o", "file/out", cwd=folder)

@@ -58,9 +58,10 @@ def command(
     the same bytes.
     """
     run = _Compilation(as_json)
+    target = Path(folder).absolute()  # a plugin may change the current folder
     try:
         kinds = None if emit is None else [name.strip() for name in emit.split(",") if name.strip()]
-        run.compile(file, parse_overrides(settings), Path(folder), count, seed, jobs, kinds)
+        run.compile(file, parse_overrides(settings), target, count, seed, jobs, kinds)
     except DiagnosticError as error:
         run.found += error.diagnostics
     run.report(folder)

@@ -67,7 +67,7 @@ def command(
     Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
     down. Without `-o` the JSON goes to standard output.
     """
-    from ..scenes.writing import write_all
+    from ..files.writing import write_file
     from .extraction_files import as_json, as_mask, as_overlay
 
     picture, scale = _opened(Path(image), given["scale"])
@@ -80,7 +80,7 @@ def command(
         files[mask] = as_mask(picture, found)
     for name, content in files.items():
         if name is not None and content is not None:
-            write_all(Path(name).parent, {Path(name).name: content})
+            write_file(Path(name), content)
     if output is None:
         click.echo(document)
     _tell(found, output is not None)

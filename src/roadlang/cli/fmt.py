@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import difflib
-import os
 import sys
-import tempfile
 from pathlib import Path
 
 import click
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, diagnose
+from ..diagnostics import Diagnostic, DiagnosticError, Source
+from ..files.writing import replace_file
 from ..session.scene_files import STANDARD_INPUT, read_scene_file
 from . import exit_codes
 from .console import echo, report
@@ -42,7 +41,7 @@ def command(files: tuple[str, ...], only_check: bool, diff: bool) -> None:
         elif formatted != text and only_check:
             echo(f"{name} would change")
         elif formatted != text:
-            _replace(Path(name), formatted)
+            replace_file(Path(name), formatted)
     report(found)
     would_change = bool(changed and (only_check or diff))
     code = exit_codes.exit_code_of(found) or int(would_change)
@@ -63,24 +62,3 @@ def _print_diff(name: str, before: str, after: str) -> None:
         before.splitlines(keepends=True), after.splitlines(keepends=True), name, name
     )
     sys.stdout.writelines(lines)
-
-
-def _replace(path: Path, text: str) -> None:
-    """Write whole or not at all; links keep pointing at the file, permissions stay."""
-    target = Path(os.path.realpath(path))
-    try:
-        mode = target.stat().st_mode
-        handle, temporary = tempfile.mkstemp(prefix=".roadlang-", dir=target.parent)
-        try:
-            with open(handle, "w", encoding="utf-8", newline="") as file:
-                file.write(text)
-            os.chmod(temporary, mode)
-            os.replace(temporary, target)
-        except OSError:
-            os.unlink(temporary)
-            raise
-    except OSError as error:
-        reason = (error.strerror or type(error).__name__).lower()
-        raise DiagnosticError(
-            diagnose(Code.UNWRITABLE_OUTPUT, path=str(path), reason=reason)
-        ) from None

@@ -53,11 +53,11 @@ def _finding(formula: Formula, path: str, wrap: float | None, plot: str | None) 
     why = formula.explain(positions, signals, wrap=wrap)
     explanation = why.to_json()
     if plot:
-        from ..scenes.writing import write_all
+        from ..files.writing import write_file
         from ..stl.explain.plot import plot_svg
 
         drawn = plot_svg(formula, positions, signals, axis=axis, wrap=wrap)
-        write_all(Path(plot).parent, {Path(plot).name: drawn})
+        write_file(Path(plot), drawn)
     trace = formula.robustness(positions, signals, wrap=wrap)
     return {
         "file": path,

@@ -64,7 +64,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 
 
 def _write(folder: Path, drives: DriveSet) -> None:
-    from ..scenes.writing import write_all
+    from ..files.writing import write_all
 
     files: dict[str, str] = {}
     for drive in drives:

@@ -7,15 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..files.writing import write_set
 from ..scenes.emitting import backends_of, outputs, send
-from ..scenes.writing import write_all
-from .manifest import manifest_of
+from .manifest import files_named_in, manifest_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
     from .loading import LoadedScenario
     from .scene_set import SceneSet
 
+MANIFEST = "manifest.json"
 DEFAULT_EMITS = ("json", "svg")
 """What a file without an `emit` is taken to mean."""
 
@@ -50,7 +51,7 @@ def emit(
     """Write everything, then deliver to the backends that speak to an engine."""
     from ..ir.encoding import to_json
 
-    folder = folder.absolute()  # a plugin may change the current folder
+    folder = folder.absolute()  # before a plugin can change the current folder
     loaded = scenes.loaded
     backends = backends_of(loaded.scenario, loaded.registry, kinds_to_emit(loaded, kinds))
     records = [scene.record for scene in scenes]
@@ -65,6 +66,7 @@ def emit(
         backends,
     )
     contents = {output.path: output.content for output in written}
-    write_all(folder, {**contents, "manifest.json": to_json(manifest).encode()})
+    contents[MANIFEST] = to_json(manifest).encode()
+    write_set(folder, contents, MANIFEST, files_named_in)
     send(backends, records)
     return manifest

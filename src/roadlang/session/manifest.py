@@ -1,14 +1,16 @@
-"""The manifest of a compilation."""
+"""The manifest of a compilation: made, and read again for the files that it names."""
 
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .. import __version__
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.kind_instance import KindInstance
-from ..ir.manifest import Manifest, OutputFile, RequirementRecord
+from ..ir.manifest import MANIFEST_SCHEMA, Manifest, OutputFile, RequirementRecord
 from ..ir.scenario import Scenario
 from ..scenes.emitting import Output
 from ..scenes.sampling import SamplingResult
@@ -65,3 +67,25 @@ def _scene_file_digests(scenario: Scenario) -> dict[str, str]:
         elif path.is_file():
             digests[source.path] = hashlib.sha256(path.read_bytes()).hexdigest()
     return digests
+
+
+def files_named_in(path: Path) -> list[str]:
+    """The files that an earlier manifest names. Raises `DiagnosticError` RL460 for another file
+    of this name: what roadlang has not written, it does not replace."""
+    try:
+        record = json.loads(path.read_bytes())
+        schema = str(record["schema"])
+        if not schema.startswith(MANIFEST_SCHEMA.rpartition("/")[0]):
+            raise ValueError(schema)
+        return [str(file["path"]) for file in record["files"]]
+    except (ValueError, KeyError, TypeError, RecursionError):
+        reason = "it is there already, and roadlang has not written it"
+        raise DiagnosticError(
+            diagnose(
+                Code.OUTPUT_NOT_WRITTEN,
+                path=str(path),
+                file=str(path),
+                reason=reason,
+                help="move it away, or write into another folder with `-o`",
+            )
+        ) from None

@@ -249,11 +249,9 @@ class Scene:
 
     def save(self, path: str | Path) -> Path:
         """Write the scene as JSON, whole or not at all. Raises `DiagnosticError` RL460."""
-        from ..scenes.writing import write_all
+        from ..files.writing import write_file
 
-        target = Path(path)
-        (written,) = write_all(target.parent, {target.name: self.to_json()})
-        return written
+        return write_file(Path(path), self.to_json())
 
     @property
     def registry(self) -> Registry:

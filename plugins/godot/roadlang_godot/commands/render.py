@@ -55,10 +55,10 @@ def command(  # noqa: PLR0913 - one parameter per option
     the free view looks from anywhere. Without a screen a virtual one is used.
     """
     from roadlang import load
-    from roadlang.scenes.writing import write_all
+    from roadlang.files.writing import write_file
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
-    path = Path(output)
+    path = Path(output).absolute()
     suffix = path.suffix.lower()
     if suffix not in PICTURES and suffix not in CLIPS:
         help = "end its name in .png, .jpg or .avi"
@@ -75,10 +75,10 @@ def command(  # noqa: PLR0913 - one parameter per option
     moment = time if time is not None else (0.0 if view == "top" else 4.0)
     if suffix in CLIPS:
         frames = render_clip(scene, shot, path, duration, fps, time or 0.0)
-        echo(f"{path}: {frames} frames")
+        echo(f"{output}: {frames} frames")
         return
-    write_all(path.parent, {path.name: render_picture(scene, shot, moment)})
-    echo(f"{path}: {width} x {height}")
+    write_file(path, render_picture(scene, shot, moment))
+    echo(f"{output}: {width} x {height}")
 
 
 def _size(text: str) -> tuple[int, int]:

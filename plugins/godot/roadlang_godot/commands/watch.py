@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -112,6 +111,8 @@ class Watcher:
         echo(f"{count} changes in {sent:.0f} ms, after {compiling:.0f} ms of compiling")
 
     def _take(self, move: Move, live: LiveScene) -> None:
+        from roadlang.files.writing import replace_file
+
         from .scene_edits import object_moved, waypoint_moved
 
         if not move.done:
@@ -125,7 +126,7 @@ class Watcher:
             return
         self._text = text
         if self._save:
-            Path(self._file).write_text(text, encoding="utf-8")
+            replace_file(self._loaded.path, text)
         self._change(live)
 
 

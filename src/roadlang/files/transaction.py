@@ -1,0 +1,217 @@
+"""Several files of a folder replaced together, so that a kill at any moment can be made good.
+
+New contents and the files that they replace are gathered in a folder of their own,
+`.roadlang-*`, beside the files. Its journal is what decides: before there is one, nothing has
+happened; `journal.json` says that the new files are to be put in place, `undo.json` that the old
+ones are. Either is carried out from the beginning as often as it takes.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+PREFIX = ".roadlang-"
+_JOURNAL, _UNDO = "journal.json", "undo.json"
+
+
+@dataclass(frozen=True)
+class _Step:
+    """A file of the folder, and what stands for it in the transaction's own folder."""
+
+    name: str
+    new: str | None
+    """None: the file is removed"""
+    old: str | None
+    """None: the file was not there"""
+
+
+def replace_files(
+    folder: Path, contents: Mapping[str, bytes], removed: Iterable[str], marker: str | None
+) -> None:
+    """Write `contents` by name and remove `removed`, all or nothing.
+
+    While it happens `marker` is not there: where it is, all files are those that belong to it.
+    Raises `OSError` with the folder as it was before. The caller holds the lock of the folder.
+    """
+    _refuse_other_things(folder, contents)
+    room = Path(tempfile.mkdtemp(prefix=PREFIX, dir=folder))
+    try:
+        steps = _gathered(folder, room, contents, removed, marker)
+        _write(room / "journal.new", _as_json(steps, marker))
+        _sync_folder(room)
+        os.replace(room / "journal.new", room / _JOURNAL)
+    except BaseException:
+        _dissolve(room)
+        raise
+    try:
+        _put_in_place(folder, room, steps, marker)
+    except BaseException:
+        os.replace(room / _JOURNAL, room / _UNDO)
+        _undo(folder, room, steps, marker)
+        _dissolve(room)
+        raise
+    _dissolve(room)
+
+
+def recover(folder: Path) -> None:
+    """Finish, or undo, what killed processes have begun, and remove what they left.
+
+    The caller holds the lock of the folder. Raises `OSError`.
+    """
+    for room in sorted(folder.glob(f"{PREFIX}*")):
+        if not _is_folder(room):
+            with contextlib.suppress(OSError):
+                room.unlink()
+            continue
+        for journal, carry_out in ((_UNDO, _undo), (_JOURNAL, _put_in_place)):
+            if (room / journal).exists():
+                carry_out(folder, room, *_from_json((room / journal).read_bytes()))
+                break
+        _dissolve(room)
+
+
+def _dissolve(room: Path) -> None:
+    """Remove a transaction's folder, its journal first: without one it means nothing."""
+    for name in (_JOURNAL, _UNDO):
+        with contextlib.suppress(OSError):
+            (room / name).unlink()
+    shutil.rmtree(room, ignore_errors=True)
+
+
+def is_plain(name: str) -> bool:
+    """Whether a name means a file of the folder itself."""
+    return name not in ("", ".", "..") and not set(name) & {"/", "\\", "\0"}
+
+
+def _is_folder(path: Path) -> bool:
+    return path.is_dir() and not path.is_symlink()
+
+
+def _refuse_other_things(folder: Path, names: Iterable[str]) -> None:
+    """A folder or a device is not replaced, nor what a link to one stands for."""
+    for name in names:
+        target = folder / name
+        if target.exists() and not target.is_file():
+            what = "it is a folder" if target.is_dir() else "it is not a file"
+            raise OSError(errno.EEXIST, what, str(target))
+
+
+def _gathered(
+    folder: Path,
+    room: Path,
+    contents: Mapping[str, bytes],
+    removed: Iterable[str],
+    marker: str | None,
+) -> list[_Step]:
+    """Write the new contents, keep the old files, and list the steps, the marker's last."""
+    names = sorted(contents, key=lambda name: name == marker)
+    gone = [
+        name
+        for name in dict.fromkeys(removed)
+        if is_plain(name) and name not in contents and (folder / name).is_file()
+    ]
+    steps = []
+    for number, name in enumerate([*gone, *names]):
+        new = f"new-{number}" if name in contents else None
+        if new is not None:
+            _write(room / new, contents[name])
+        steps.append(_Step(name, new, _kept(folder / name, room, number)))
+    for step in steps:
+        if step.new is not None:
+            _sync(room / step.new)
+    return steps
+
+
+def _kept(target: Path, room: Path, number: int) -> str | None:
+    """A second name for what is there now, or a copy where the file system has no such names."""
+    kept = room / f"old-{number}"
+    if not os.path.lexists(target):
+        return None
+    try:
+        if target.is_symlink():
+            os.symlink(os.readlink(target), kept)
+        else:
+            os.link(target, kept)
+    except OSError:
+        shutil.copy2(target, kept, follow_symlinks=False)
+    return kept.name
+
+
+def _put_in_place(folder: Path, room: Path, steps: list[_Step], marker: str | None) -> None:
+    last = steps[-1] if steps else None
+    if last is not None and last.name == marker and last.new and (room / last.new).exists():
+        _remove(folder / marker)
+        _sync_folder(folder)
+    for step in steps:
+        if step is last:
+            _sync_folder(folder)
+        if step.new is None:
+            _remove(folder / step.name)
+        elif (room / step.new).exists():
+            os.replace(room / step.new, folder / step.name)
+    _sync_folder(folder)
+
+
+def _undo(folder: Path, room: Path, steps: list[_Step], marker: str | None) -> None:
+    if steps and steps[-1].name == marker and steps[-1].new and not (room / steps[-1].new).exists():
+        _remove(folder / steps[-1].name)
+    for step in steps:
+        if step.old is not None and os.path.lexists(room / step.old):
+            os.replace(room / step.old, folder / step.name)
+        elif step.old is None and step.new is not None and not (room / step.new).exists():
+            _remove(folder / step.name)
+    _sync_folder(folder)
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(FileNotFoundError):
+        path.unlink()
+
+
+def _write(path: Path, content: bytes) -> None:
+    handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+    with os.fdopen(handle, "wb") as file:
+        file.write(content)
+
+
+def _sync(path: Path) -> None:
+    handle = os.open(path, os.O_RDWR if os.name == "nt" else os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make renames in a folder outlast a loss of power, where the system can do that."""
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def _as_json(steps: list[_Step], marker: str | None) -> bytes:
+    return json.dumps({"marker": marker, "steps": [asdict(step) for step in steps]}).encode()
+
+
+def _from_json(content: bytes) -> tuple[list[_Step], str | None]:
+    """The steps of a journal. Raises `OSError` for one that names files outside its folder."""
+    try:
+        record = json.loads(content)
+        steps, marker = [_Step(**step) for step in record["steps"]], record["marker"]
+        names = [name for step in steps for name in (step.name, step.new, step.old) if name]
+        if all(map(is_plain, names)):
+            return steps, marker
+    except (ValueError, KeyError, TypeError):
+        pass
+    raise OSError(errno.EINVAL, f"a folder `{PREFIX}*` in it has no journal that can be read")
