@@ -16,11 +16,9 @@ from benchmarks.baseline import numpy_unit, report
 from roadlang.diagnostics import Source
 from roadlang.diagnostics.render import render_all
 from roadlang.syntax import parse
+from tests.syntax.mutations import mutated
 
 TESTS = Path(__file__).parents[1] / "tests" / "syntax"
-sys.path.insert(0, str(TESTS))
-
-from mutations import mutated  # noqa: E402 - the damage that tests do
 
 
 def main() -> int:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+
 from training.rendering.aerial import render_aerial
 from training.rendering.frame import Rendering
 

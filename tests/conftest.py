@@ -11,4 +11,4 @@ settings.register_profile(
 )
 settings.load_profile("roadlang")
 
-pytest_plugins = ["roadlang.testing", "scene_texts"]
+pytest_plugins = ["roadlang.testing", "tests.scene_texts"]

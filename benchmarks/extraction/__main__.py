@@ -17,7 +17,6 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from training.rendering.aerial import render_aerial
 
 from benchmarks.extraction.baselines import Lines, best_threshold, classical, paper_chain
 from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
@@ -26,6 +25,7 @@ from roadlang_standard.extraction.contour import Chain, roads_by_contour
 from roadlang_standard.extraction.crosscheck import checked_roads
 from roadlang_standard.extraction.evidence import road_net
 from roadlang_standard.extraction.picture_kind import picture_kind
+from training.rendering.aerial import render_aerial
 
 _PLANS = ("curve", "suburb", "grid", "rural", "village", "motorway", "bend", "roundabout")
 

@@ -17,8 +17,8 @@ import time
 from pathlib import Path
 
 import numpy as np
-from benchmarks.baseline import numpy_unit, report
 
+from benchmarks.baseline import numpy_unit, report
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry

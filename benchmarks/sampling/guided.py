@@ -1,6 +1,6 @@
 """Candidates for each accepted scene, and how different the scenes are: guided against rejection.
 
-    python benchmarks/sampling/guided.py [scenes]
+    python -m benchmarks.sampling.guided [scenes]
 
 `spread` is the mean distance of a scene's draws to those of the nearest other scene, in the unit
 cube of the draws. The pilot's candidates count.

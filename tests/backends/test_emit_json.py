@@ -8,12 +8,12 @@ from dataclasses import replace
 import jsonschema
 import numpy as np
 import pytest
-from handmade_scenes import bend, town
 
 from roadlang.ir.encoding import NotFinite, json_schema, scene_from_json, to_json
 from roadlang.ir.scene import Scene
 from roadlang.ir.scene_versions import UnknownSceneSchema
 from roadlang_standard.emit_json import Json
+from tests.backends.handmade_scenes import bend, town
 
 
 @pytest.mark.parametrize("scene", [bend(), town()], ids=["bend", "town"])

@@ -8,11 +8,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from handmade_scenes import actor, bend, road, town
 
 from roadlang.api import Picture
 from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.emit_svg import Svg
+from tests.backends.handmade_scenes import actor, bend, road, town
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -197,7 +197,7 @@ def test_a_closed_road_is_closed():
         (50 * math.cos(2 * math.pi * i / 90), 50 * math.sin(2 * math.pi * i / 90))
         for i in range(90)
     ]
-    from handmade_scenes import through
+    from tests.backends.handmade_scenes import through
 
     ring = through("ring", points, closed=True, length=2 * math.pi * 50, derived=True)
     scene = replace(bend(), roads=(ring,), agents=(), expectations=())

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from page_examples import (
+
+from roadlang.cli.exit_codes import exit_code_of
+from roadlang.diagnostics import Diagnostic, codes, page
+from tests.docs.page_examples import (
     Follower,
     blocks,
     expected_lines,
@@ -11,9 +14,6 @@ from page_examples import (
     plugins_forgotten,
     reported,
 )
-
-from roadlang.cli.exit_codes import exit_code_of
-from roadlang.diagnostics import Diagnostic, codes, page
 
 WITHOUT_EXAMPLE = {
     "RL471": "takes a plugin that is removed between check and compile",

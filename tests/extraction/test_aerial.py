@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from training.rendering.aerial import render_aerial
 
 from roadlang_standard.extraction.aerial import Request, roads_of_photo
 from roadlang_standard.extraction.evidence import evidence, road_net
 from roadlang_standard.extraction.exposure import even_exposure
+from training.rendering.aerial import render_aerial
 
 
 def main_road(found):

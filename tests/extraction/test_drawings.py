@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
 
 from roadlang_standard.extraction.contour import Chain, roads_by_contour
 from roadlang_standard.extraction.picture_kind import picture_kind
+from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from training.rendering.drawings import draw_circuit
 
 from roadlang.cli.extract import command
 from roadlang.diagnostics import DiagnosticError
+from training.rendering.drawings import draw_circuit
 
 
 @pytest.fixture

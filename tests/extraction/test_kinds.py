@@ -8,8 +8,6 @@ from importlib.resources import files
 import cv2
 import numpy as np
 import pytest
-from training.rendering.aerial import render_aerial
-from training.rendering.drawings import draw_circuit, draw_filled
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.picture import Picture
@@ -18,6 +16,8 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extract_onnx import Onnx
 from roadlang_standard.extract_pixels import Pixel
+from training.rendering.aerial import render_aerial
+from training.rendering.drawings import draw_circuit, draw_filled
 
 WEIGHTS = files("roadlang_standard.extraction") / "weights" / "roads.onnx"
 

@@ -3,13 +3,13 @@
 import cv2
 import numpy as np
 import pytest
-from training.rendering.aerial import render_aerial
-from training.rendering.drawings import draw_circuit
 
 from roadlang_standard.extraction.aerial import roads_of_photo
 from roadlang_standard.extraction.exposure import even_exposure
 from roadlang_standard.extraction.nodata import nodata
 from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
+from training.rendering.aerial import render_aerial
+from training.rendering.drawings import draw_circuit
 
 
 def turned(image, margin, degrees=37):

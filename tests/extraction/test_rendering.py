@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from training.rendering.aerial import render_aerial
 from training.rendering.frame import ribbon
 from training.rendering.layouts.plans import PLANS

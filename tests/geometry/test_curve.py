@@ -2,11 +2,20 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import angles, circle, curves, line, rotation, shifts, walks, wave
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from roadlang.geometry import Curve, GeometryError
+from tests.geometry.geometry_shapes import (
+    angles,
+    circle,
+    curves,
+    line,
+    rotation,
+    shifts,
+    walks,
+    wave,
+)
 
 
 def test_two_points_make_a_straight_line():

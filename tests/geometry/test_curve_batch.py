@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import circle, curves, line, walks, wave
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,6 +15,7 @@ from roadlang.geometry import (
     heading_error,
     sample,
 )
+from tests.geometry.geometry_shapes import circle, curves, line, walks, wave
 
 
 def sine(stations, amplitude, wavelength):

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import circle, curves, hairpin, line, wave
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -21,6 +20,7 @@ from roadlang.geometry import (
     self_intersects,
     sup_distance,
 )
+from tests.geometry.geometry_shapes import circle, curves, hairpin, line, wave
 
 METRICS = {
     "d1": lambda a, b: lp_distance(a, b, 1.0),

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import circle, curves, line
 from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.geometry import Arc, CurveBatch, Frame, Straight, chain, displace, sample
 from roadlang.geometry.folding import LEAST_ADVANCE
+from tests.geometry.geometry_shapes import circle, curves, line
 
 rates = st.sampled_from([0.0, 0.02, 0.1, 0.5, 1.5]) | st.floats(0.0, 1.5)
 heights = st.sampled_from([0.0, -30.0, 30.0]) | st.floats(-30.0, 30.0)

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import circle, curves, hairpin, line, wave
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,6 +16,7 @@ from roadlang.geometry import (
     offset,
     self_intersects,
 )
+from tests.geometry.geometry_shapes import circle, curves, hairpin, line, wave
 
 
 def corner(radius: float, angle: float = np.pi / 2):

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import circle, curves, line, wave
 from hypothesis import given
 from hypothesis import strategies as st
+
+from tests.geometry.geometry_shapes import circle, curves, line, wave
 
 
 def test_left_is_positive():

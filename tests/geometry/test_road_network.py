@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from geometry_shapes import circle
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,6 +18,7 @@ from roadlang.geometry import (
     junction_window,
     perturb_network,
 )
+from tests.geometry.geometry_shapes import circle
 
 
 def network(places, roads):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from godot_engines import started
 
 from roadlang_godot import engine as engines
 from roadlang_godot import session as sessions
 from roadlang_godot.session import Session
+from tests.godot.godot_engines import started
 
 
 @pytest.fixture(autouse=True)

@@ -8,8 +8,6 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
-from godot_engines import started
-from godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
 from roadlang_godot.engine import Engine
 from roadlang_godot.faults import EngineError
@@ -20,6 +18,8 @@ from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import road_things, strip_thing
 from roadlang_godot.session import Session
 from roadlang_godot.thing import Thing
+from tests.godot.godot_engines import started
+from tests.godot.godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
 pytestmark = pytest.mark.godot
 

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 import pytest
-from godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
 
 from roadlang.api import Control, DiagnosticError, Observation, Scene, SceneActor, SceneRoad, Trace
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_batch, drive_in
+from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot
 

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from godot_engines import started, until
 
 from roadlang.cli import main as cli
 from roadlang_godot.engine import Engine
+from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from godot_proxy import Proxy, Weather
-from godot_scenes import bend, pieces, straight
 
 from roadlang_godot.engine import Engine, connect
 from roadlang_godot.frame import Frame
 from roadlang_godot.line import polyline
 from roadlang_godot.road_mesh import road_things
+from tests.godot.godot_proxy import Proxy, Weather
+from tests.godot.godot_scenes import bend, pieces, straight
 
 pytestmark = pytest.mark.godot
 
@@ -32,9 +32,8 @@ def test_a_stormy_network_delivers_the_scene_whole_and_once(fast_engine: Engine,
 
 
 def test_a_drive_over_a_stormy_network_has_every_record(fast_engine: Engine) -> None:
-    from godot_scenes import call, car, road, scene
-
     from roadlang_godot.simulate import Settings, drive_in
+    from tests.godot.godot_scenes import call, car, road, scene
 
     main = road("main", pieces(straight(150)))
     made = scene(main, agents=[car("ego", main, 5.0, call("lane_follow", speed=12.0))])

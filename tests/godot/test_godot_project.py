@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from godot_engines import started
 
 from roadlang_godot import engine as engines
+from tests.godot.godot_engines import started
 
 PROJECT = engines.project()
 

@@ -8,11 +8,11 @@ import socket
 import struct
 
 import pytest
-from test_building import begin, everything
 
 from roadlang_godot import protocol
 from roadlang_godot.engine import Engine
 from roadlang_godot.protocol import Message
+from tests.godot.test_building import begin, everything
 
 pytestmark = pytest.mark.godot
 

@@ -6,10 +6,8 @@ import math
 
 import cv2
 import numpy as np
-from godot_scenes import pieces, road, scene, straight, town
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from test_road_mesh import strip
 
 from roadlang_godot.frame import Frame
 from roadlang_godot.junctions import Arm, cuts, order, patch
@@ -17,6 +15,8 @@ from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
 from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import road_things
+from tests.godot.godot_scenes import pieces, road, scene, straight, town
+from tests.godot.test_road_mesh import strip
 
 PIXEL = 0.08
 bearings = st.lists(st.integers(0, 35), min_size=2, max_size=5, unique=True)

@@ -6,8 +6,6 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from godot_engines import until
-from godot_scenes import call, car, pieces, road, scene, straight, thing
 
 from roadlang.ir.scene import Scene
 from roadlang_godot.engine import Engine
@@ -18,6 +16,8 @@ from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import SURFACE_MARKED, strip_thing
 from roadlang_godot.session import Session
 from roadlang_godot.thing import Thing
+from tests.godot.godot_engines import until
+from tests.godot.godot_scenes import call, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot
 

@@ -7,13 +7,13 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from godot_scenes import bend, car, pieces, road, scene, straight
 
 from roadlang.api import Scene
 from roadlang.cli import main as cli
 from roadlang_godot.engine import Engine
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import Shot, build, meters_a_pixel, take
+from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight
 
 pytestmark = pytest.mark.godot
 
@@ -62,7 +62,7 @@ def test_the_chase_view_shows_sky_above_and_a_car_in_the_middle(drawing_engine: 
 
 
 def test_the_commands_picture_and_clip(tmp_path: Path) -> None:
-    from godot_engines import started
+    from tests.godot.godot_engines import started
 
     started(draw=True).stop()
     file = tmp_path / "scene.rl"

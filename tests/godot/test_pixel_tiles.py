@@ -8,7 +8,6 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
-from godot_scenes import pieces, road, scene, straight, town
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
@@ -26,6 +25,7 @@ from roadlang_godot.road_tiles import (
     neighbor_masks,
     tile_things,
 )
+from tests.godot.godot_scenes import pieces, road, scene, straight, town
 
 maps = arrays(bool, (12, 17))
 

@@ -6,7 +6,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from godot_scenes import bend, bends, pieces, road, straight
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -15,6 +14,7 @@ from roadlang_godot.frame import Frame
 from roadlang_godot.line import Line, line_of
 from roadlang_godot.road_mesh import SAG, road_things, stations
 from roadlang_godot.thing import Thing
+from tests.godot.godot_scenes import bend, bends, pieces, road, straight
 
 radii = st.floats(8, 400) | st.floats(-400, -8)
 

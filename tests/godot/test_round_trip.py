@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from godot_scenes import bend, pieces, road, scene, straight
 from scipy.spatial import cKDTree
 
 from roadlang import load
 from roadlang_godot.engine import Engine
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import Shot, build, take
+from tests.godot.godot_scenes import bend, pieces, road, scene, straight
 
 pytestmark = pytest.mark.godot
 

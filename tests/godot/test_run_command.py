@@ -7,10 +7,10 @@ import json
 from pathlib import Path
 
 import pytest
-from godot_engines import started
 
 from roadlang.cli import main as cli
 from roadlang.drive.trace_files import from_json
+from tests.godot.godot_engines import started
 
 pytestmark = pytest.mark.godot
 

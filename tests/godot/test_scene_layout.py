@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
 
 from roadlang.api import Scene
 from roadlang_godot.faults import EngineError
 from roadlang_godot.layout import layout_of
 from roadlang_godot.protocol import Message
 from roadlang_godot.sky import sun_at, world_settings
+from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
 
 
 def agent_spec(made: Scene, name: str) -> dict[str, Any]:

@@ -23,9 +23,9 @@ from roadlang.ir.values import Condition, Entity, PassCall, SignalBinding
 from roadlang.judging.drives import judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.scenes.sampling import sample_scenes
-from scene_texts import SHIPPED, scenario_of
-from stl_draws import NAMES, FormulaDraw
-from stl_reference import Reference
+from tests.scene_texts import SHIPPED, scenario_of
+from tests.stl_draws import NAMES, FormulaDraw
+from tests.stl_reference import Reference
 
 SAMPLES = 51
 """Stations of the shortest road that is sampled every meter"""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from installed import install
 
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.registry import AmbiguousKind, Registry, UnknownKind
+from tests.plugins.installed import install
 
 ACME = Path(__file__).parent / "acme_plugin" / "roadlang_acme.py"
 

@@ -6,10 +6,10 @@ import pickle
 from pathlib import Path
 
 import pytest
-from installed import install
 
 from roadlang.cli.main import run
 from roadlang.plugins.discovery import load_registry
+from tests.plugins.installed import install
 
 PLUGIN = """
 from dataclasses import dataclass

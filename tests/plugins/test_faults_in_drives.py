@@ -6,9 +6,9 @@ import json
 from pathlib import Path
 
 import pytest
-from installed import install
 
 from roadlang.cli.main import run
+from tests.plugins.installed import install
 
 PLUGIN = """
 from dataclasses import dataclass

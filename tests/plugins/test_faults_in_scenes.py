@@ -6,14 +6,14 @@ import json
 from pathlib import Path
 
 import pytest
-from installed import install
-from test_discovery import ACME, GOOD
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import Diagnostic
 from roadlang.plugins.discovery import load_registry
 from roadlang.scenes.sampling import sample_scenes
 from roadlang.semantics import check_text
+from tests.plugins.installed import install
+from tests.plugins.test_discovery import ACME, GOOD
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
 

@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 
 import pytest
-from installed import install
-from test_discovery import GOOD
 
 from roadlang.cli.main import run
+from tests.plugins.installed import install
+from tests.plugins.test_discovery import GOOD
 
 
 def test_a_plugin_left_out_on_the_command_line(

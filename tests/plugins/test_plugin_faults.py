@@ -24,7 +24,7 @@ from roadlang.api import (
 )
 from roadlang.diagnostics import DiagnosticError
 from roadlang.scenes.sampling import SamplingResult
-from straight_road import STRAIGHT
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 BENT = STRAIGHT + "road bent from main { perturb with KIND }\n"

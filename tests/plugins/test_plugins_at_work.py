@@ -12,7 +12,7 @@ import pytest
 from roadlang.api import Adjuster, Length, Monitor, Perturber, RoadName, Signal, option
 from roadlang.diagnostics import DiagnosticError
 from roadlang.scenes.sampling import SamplingResult
-from straight_road import STRAIGHT
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 

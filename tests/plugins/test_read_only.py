@@ -14,7 +14,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 import pytest
-from installed import install, start
 
 from roadlang.api import (
     AgentTrace,
@@ -38,7 +37,8 @@ from roadlang.api import (
 from roadlang.diagnostics import Diagnostic, DiagnosticError
 from roadlang.ir.read_only import FrozenDict, FrozenList, frozen
 from roadlang.scenes.sampling import SamplingResult
-from straight_road import STRAIGHT
+from tests.plugins.installed import install, start
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 ARRAYS = (

@@ -9,7 +9,8 @@ import time
 from pathlib import Path
 
 import pytest
-from installed import install, start
+
+from tests.plugins.installed import install, start
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 

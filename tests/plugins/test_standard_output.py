@@ -7,7 +7,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from installed import install, start
+
+from tests.plugins.installed import install, start
 
 PLUGIN = """
 import ctypes

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.scenes.sampling import SamplingResult
-from straight_road import STRAIGHT
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 PERTURBED = (

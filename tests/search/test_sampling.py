@@ -8,7 +8,7 @@ import pytest
 
 from roadlang.ir.encoding import to_json
 from roadlang.scenes.sampling import SamplingResult
-from straight_road import STRAIGHT
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 BENT = (

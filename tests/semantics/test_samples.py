@@ -6,11 +6,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from sample_files import SAMPLES, copy_samples
 
 from roadlang.plugins.discovery import _Candidate, collect, load_registry
 from roadlang.plugins.registry import Registry
 from roadlang.semantics import check_file
+from tests.semantics.sample_files import SAMPLES, copy_samples
 
 NAMES = [path.name for path in sorted(SAMPLES.glob("*.rl"))]
 ACME = Path(__file__).parents[1] / "plugins" / "acme_plugin"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from roads_of_points import road_of
 
 from roadlang.api import BatchRandom, RoadBatch
+from tests.standard.roads_of_points import road_of
 
 
 @pytest.fixture(scope="session")

@@ -87,9 +87,8 @@ def test_a_bump_ends_where_it_says(straight: RoadBatch, random: BatchRandom) -> 
 
 
 def test_scale_zero_makes_a_bend_straight(random: BatchRandom) -> None:
-    from roads_of_points import road_of
-
     from roadlang.world.perturbation import displaced
+    from tests.standard.roads_of_points import road_of
 
     bend = road_of([(0, 0), (40, 4), (80, 5), (120, 4), (160, 0)])
     flat = displaced(bend, Scale(0.0).displacements(bend, random))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from stl_draws import NAMES
+from tests.stl_draws import NAMES
 
 Floats = NDArray[np.float64]
 _VALUES = np.array([-1e6, -50, -3, -2, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 2, 3, 50, 1e6])

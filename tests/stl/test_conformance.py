@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from stl_draws import FormulaDraw, draw_trace
-from stl_reference import Reference
+from tests.stl_draws import FormulaDraw, draw_trace
+from tests.stl_reference import Reference
 
 
 @pytest.mark.parametrize("seed", range(400))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang import stl
-from stl_draws import FormulaDraw, draw_trace
+from tests.stl_draws import FormulaDraw, draw_trace
 
 
 def _explain(text, **signals):

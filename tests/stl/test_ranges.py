@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 import pytest
-from stl_continuations import continuations
 
 from roadlang import stl
 from roadlang.stl.formula.normal_form import normal_form
 from roadlang.stl.formula.strengthening import strengthened
-from stl_draws import FormulaDraw, draw_trace
+from tests.stl.stl_continuations import continuations
+from tests.stl_draws import FormulaDraw, draw_trace
 
 
 def _seen(seed, samples):

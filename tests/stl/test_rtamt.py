@@ -10,7 +10,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from stl_draws import FormulaDraw, draw_trace
+from tests.stl_draws import FormulaDraw, draw_trace
 
 SAMPLES = 24
 

@@ -7,7 +7,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from stl_draws import FormulaDraw, draw_trace
+from tests.stl_draws import FormulaDraw, draw_trace
 
 
 def _case(seed):

@@ -10,7 +10,7 @@ from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.units import UNITS
 from roadlang.stl.formats.unit_factors import factor, known_units
-from stl_draws import FormulaDraw
+from tests.stl_draws import FormulaDraw
 
 
 @pytest.mark.parametrize(

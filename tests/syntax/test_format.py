@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
-from strategies import files
 
 from roadlang.diagnostics import Source
 from roadlang.syntax import format_file, format_source, parse
 from roadlang.syntax.parsing.lexer import lex
 from roadlang.syntax.parsing.tables import tables
 from roadlang.syntax.tree import nodes as ast
+from tests.syntax.strategies import files
 
 SAMPLES = sorted((Path(__file__).parent / "samples").glob("*.rl"))
 slow_to_draw = settings(

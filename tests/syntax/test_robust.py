@@ -6,11 +6,11 @@ import random
 from pathlib import Path
 
 import pytest
-from mutations import mutated
 
 from roadlang.diagnostics import Source
 from roadlang.diagnostics.render import render_all
 from roadlang.syntax import format_file, parse, parse_formula
+from tests.syntax.mutations import mutated
 
 SAMPLES = [path.read_text() for path in sorted((Path(__file__).parent / "samples").glob("*.rl"))]
 HOPELESS = {

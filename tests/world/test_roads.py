@@ -10,7 +10,7 @@ import pytest
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.scenes.sampling import SamplingResult
-from straight_road import STRAIGHT
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 

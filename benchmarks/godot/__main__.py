@@ -1,4 +1,4 @@
-"""Measures the engine against its bars: `python benchmarks/godot/measure.py [NAME ...]`.
+"""Measures the engine against its bars: `python -m benchmarks.godot [NAME ...]`.
 
 Needs a Godot engine; prints one line a bar. Numbers depend on what else the machine does.
 """
@@ -11,15 +11,8 @@ import statistics
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "godot"))
-
-from godot_proxy import Proxy, Weather
-from godot_scenes import bend, bends, call, car, pieces, road, scene, straight
-from test_live_editing import raised
 
 from roadlang.api import Scene
 from roadlang_godot import driving, engine
@@ -30,6 +23,9 @@ from roadlang_godot.road_mesh import road_things
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_in
 from roadlang_godot.telemetry import of_agent
+from tests.godot.godot_proxy import Proxy, Weather
+from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight
+from tests.godot.test_live_editing import raised
 
 
 def long_road() -> None:

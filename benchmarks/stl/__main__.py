@@ -1,6 +1,6 @@
 """Speed and memory of STL monitoring, measured against a numpy copy and against RTAMT.
 
-    OMP_NUM_THREADS=1 python benchmarks/stl/bench_stl.py [--rtamt]
+    OMP_NUM_THREADS=1 python -m benchmarks.stl [--rtamt]
 
 CPU times, the best of several runs; a factor is relative to copying one signal of the batch into
 an array that is already there, in the same run. Exit code 1 if a bar is missed.
