@@ -8,8 +8,6 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang.ir.units import UNITS
-from roadlang.stl.formats.unit_factors import factor, known_units
 from tests.stl_draws import FormulaDraw
 
 
@@ -77,14 +75,6 @@ def test_all_faults_are_told_at_once():
     assert [found.code for found in refusal.value.diagnostics] == [
         "RL305", "RL320", "RL322", "RL324",
     ]  # fmt: skip
-
-
-def test_units_agree_with_the_compiler():
-    assert {name: factor(name) for name in known_units()} == {
-        name: unit.factor for name, unit in UNITS.items()
-    }
-    assert factor("km/h") == pytest.approx(1 / 3.6)
-    assert factor("/m^2") == 1.0
 
 
 @pytest.mark.parametrize("bounds", [(2, 1), (-1, 1), (math.inf, math.inf), (math.nan, 1)])

@@ -11,13 +11,14 @@ from typing import Any
 from hypothesis import strategies as st
 
 from roadlang.diagnostics import Source, Span
+from roadlang.syntax.operators import letters
 from roadlang.syntax.recovery.operator_spelling import meant_temporal
 from roadlang.syntax.tree import nodes as ast
 from roadlang.syntax.tree.strings import dedented
 from roadlang.syntax.words import CONNECTIVES, RESERVED, STATEMENTS
 
 NOWHERE = Span(Source("generated", ""), 0, 0)
-_LETTERS_OF_THE_LITERATURE = set("GFHOUS")
+_LETTERS_OF_THE_LITERATURE = letters("temporal", "binding")
 _ANY_WORD = [*STATEMENTS, *CONNECTIVES]
 _DEEPEST = 3
 
@@ -239,7 +240,7 @@ class _Grower:
                 return ast.Actor(word, name, self.source(1), on, place, block, span=at)
             case 8:
                 kind = self.maybe(self.kind, 0)
-                return ast.Plan(self.pick("sample simulate falsify"), kind, block, span=at)
+                return ast.RunStep(self.pick("sample simulate falsify"), kind, block, span=at)
             case _:
                 return self.one_of(
                     lambda _: ast.World(block, span=at),

@@ -4,36 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from ..ir.contained_values import values_in
 from ..ir.scenario import Named
-from ..ir.values import (
-    Condition,
-    Draw,
-    Entity,
-    Entries,
-    Items,
-    Measure,
-    Operation,
-    PassCall,
-    Reference,
-    Value,
-)
-
-
-def children(value: Value) -> Iterator[Value]:
-    """The values directly inside a value."""
-    if isinstance(value, Draw | Measure):
-        yield value.call
-    elif isinstance(value, Operation):
-        yield from value.operands
-    elif isinstance(value, Items):
-        yield from value.items
-    elif isinstance(value, Entries):
-        yield from (item for _, item in value.entries)
-    elif isinstance(value, PassCall):
-        yield from (item for _, item in (*value.options, *value.common))
-    elif isinstance(value, Condition):
-        yield from (binding.call for binding in value.signals)
-        yield from (binding.value for binding in value.numbers)
+from ..ir.values import Draw, Entity, Reference, Value
 
 
 def walk(value: Value | None, named: Mapping[str, Named]) -> Iterator[Value]:
@@ -43,7 +16,7 @@ def walk(value: Value | None, named: Mapping[str, Named]) -> Iterator[Value]:
     yield value
     if isinstance(value, Reference):
         yield from walk(named[value.name].value, named)
-    for child in children(value):
+    for child in values_in(value):
         yield from walk(child, named)
 
 

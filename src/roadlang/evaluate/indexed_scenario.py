@@ -7,6 +7,7 @@ from contextlib import suppress
 from typing import Any, TypeVar
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..ir.contained_values import values_in
 from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
 from ..ir.values import Draw, PassCall, Text, Value
 from ..plugins.guard import plugin_guard
@@ -64,39 +65,16 @@ class IndexedScenario:
         with plugin_guard(entry, call.span):
             return entry, entry.load()
 
-    def values_everywhere(self) -> Iterator[Value]:
-        """Every value that the scenario holds, in its order."""
-        source = self.source
-        for named in source.values:
-            yield named.value
-        things: tuple[Image | Network | Road, ...] = (
-            *source.images,
-            *source.networks,
-            *source.roads,
-        )
-        for thing in things:
-            yield from (value for _, value in thing.options)
-            yield from thing.passes
-        for constraint in (*source.requirements, *source.expectations):
-            yield constraint.test
-        for actor in (*source.agents, *source.objects):
-            yield actor.kind
-            yield actor.at
-            yield from (value for _, value in actor.options)
-            yield from actor.drive
-        yield from (value for _, value in source.world)
-        yield from (call for call in (source.sample, source.simulate) if call is not None)
-
     def draws(self) -> Iterator[Draw]:
         """Every draw of the scenario; one that is used twice comes twice."""
-        for value in self.values_everywhere():
+        for value in values_in(self.source):
             yield from draws_in(value, self.values)
 
     def origins(self) -> dict[str, str]:
         """The distributions that bring the kinds of the scenario, and their versions."""
         calls = (
             item
-            for value in self.values_everywhere()
+            for value in values_in(self.source)
             for item in walk(value, self.values)
             if isinstance(item, PassCall)
         )

@@ -11,13 +11,12 @@ import math
 import types
 import typing
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 from ..diagnostics import Source, Span
 from ..stl.formula.formulas import Formula
-from . import scenario as scenario_nodes
 from . import values as value_nodes
+from .contained_values import nodes
 from .dimension import Dimension
 from .scenario import SCENARIO_SCHEMA, Scenario
 
@@ -45,7 +44,7 @@ def scenario_from_json(record: Mapping[str, Any]) -> Scenario:
 
 def scenario_schema() -> dict[str, Any]:
     """The JSON Schema of a scenario, derived from the dataclasses."""
-    definitions = {name: _schema_of_node(node) for name, node in sorted(_nodes().items())}
+    definitions = {name: _schema_of_node(node) for name, node in sorted(nodes().items())}
     definitions["Scenario"]["properties"]["schema"] = {"const": SCENARIO_SCHEMA}
     definitions["Dimension"] = {
         "description": "exponents of length, pixel, time, angle and mass",
@@ -75,17 +74,6 @@ def scenario_schema() -> dict[str, Any]:
         "$ref": "#/$defs/Scenario",
         "$defs": definitions,
     }
-
-
-@cache
-def _nodes() -> dict[str, type]:
-    """Every dataclass of the scenario and its values, by name."""
-    found = {}
-    for module in (value_nodes, scenario_nodes):
-        for name, member in vars(module).items():
-            if dataclasses.is_dataclass(member) and member.__module__ == module.__name__:
-                found[name] = typing.cast(type, member)
-    return found
 
 
 def _plain(value: Any) -> Any:
@@ -119,7 +107,7 @@ def _revived(value: Any) -> Any:
         return Span(Source(value["file"], ""), value["start"], value["end"])
     if value["is"] == "Dimension":
         return Dimension(*value["exponents"])
-    kind: Any = _nodes().get(value["is"])
+    kind: Any = nodes().get(value["is"])
     if kind is None:
         raise ValueError(f"there is no node `{value['is']}`")
     members = {name: member for name, member in value.items() if name != "is"}

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 
+from ..stl.formats.unit_factors import UNITS as BASE_UNITS
 from .dimension import ANGLE, FORCE, FREQUENCY, LENGTH, MASS, PIXELS, PURE, SPEED, TIME, Dimension
 
 
@@ -17,26 +17,12 @@ class Unit:
     dimension: Dimension
 
 
+_DIMENSIONS = {
+    "length": LENGTH, "pixels": PIXELS, "time": TIME, "angle": ANGLE, "mass": MASS, "force": FORCE,
+    "frequency": FREQUENCY, "speed": SPEED, "share": PURE,
+}  # fmt: skip
 UNITS: dict[str, Unit] = {
-    "m": Unit(1.0, LENGTH),
-    "mm": Unit(1e-3, LENGTH),
-    "cm": Unit(1e-2, LENGTH),
-    "km": Unit(1e3, LENGTH),
-    "ft": Unit(0.3048, LENGTH),
-    "mi": Unit(1609.344, LENGTH),
-    "px": Unit(1.0, PIXELS),
-    "s": Unit(1.0, TIME),
-    "ms": Unit(1e-3, TIME),
-    "min": Unit(60.0, TIME),
-    "h": Unit(3600.0, TIME),
-    "rad": Unit(1.0, ANGLE),
-    "deg": Unit(math.pi / 180, ANGLE),
-    "kg": Unit(1.0, MASS),
-    "t": Unit(1e3, MASS),
-    "N": Unit(1.0, FORCE),
-    "Hz": Unit(1.0, FREQUENCY),
-    "mph": Unit(1609.344 / 3600, SPEED),
-    "%": Unit(1e-2, PURE),
+    name: Unit(unit.factor, _DIMENSIONS[unit.quantity]) for name, unit in BASE_UNITS.items()
 }
 
 _PART = re.compile(r"([A-Za-z%]+)(?:\^(-?[0-9]+(?:\.[0-9]+)?))?\Z")

@@ -6,17 +6,11 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from .operators import BY_WORD, token_kinds
+from .tree import statements
 
-STATEMENTS = (
-    "scenario", "include", "param", "let", "image", "network", "road", "require", "expect",
-    "agent", "object", "world", "sample", "simulate", "falsify", "emit",
-)  # fmt: skip
+STATEMENTS = tuple(word for node in statements.STATEMENTS for word in node.words)
 CONNECTIVES = ("from", "is", "on", "at")
 RESERVED = ("true", "false", "with", *BY_WORD)
-UNITS = (
-    "m", "mm", "cm", "km", "ft", "mi", "px", "s", "ms", "min", "h", "deg", "rad", "kg", "t", "N",
-    "Hz", "mph",
-)  # fmt: skip
 
 DEEPEST = 150
 """Levels of a statement. Later passes go through trees by recursion, within Python's limit."""

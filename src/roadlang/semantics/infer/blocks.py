@@ -13,14 +13,14 @@ from ..checker import Checker, ResolvedKind
 from ..context import Context
 from .kinds import display_name, find_kind
 from .option_binding import BoundOptions, bind_options
-from .statements import STATEMENTS, common_options
+from .statement_spec import StatementSpec
 
 _ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "drive")
 _SOURCES = ("extract", "read", "draw")
 
 
 def lower_passes(
-    checker: Checker, statement: str, block: ast.Block | None, context: Context
+    checker: Checker, spec: StatementSpec, block: ast.Block | None, context: Context
 ) -> tuple[PassCall, ...] | None:
     """The passes of a block in the order written; None where one of them is wrong."""
     calls: list[PassCall] = []
@@ -29,7 +29,7 @@ def lower_passes(
     complete = True
     for item in block.passes if block else ():
         verb = item.verb.text
-        if not _verb_fits(checker, statement, item):
+        if not _verb_fits(checker, spec, item):
             complete = False
             continue
         if verb in _SOURCES:
@@ -47,16 +47,16 @@ def lower_passes(
                 complete = False
         counts[verb] = counts.get(verb, 0) + 1
         place = f"{context.place}/{verb} {counts[verb]}"
-        call = lower_pass(checker, item, statement, replace(context, place=place))
+        call = lower_pass(checker, item, spec, replace(context, place=place))
         complete = call is not None and complete
         if call is not None:
             calls.append(call)
     return tuple(calls) if complete else None
 
 
-def _verb_fits(checker: Checker, statement: str, item: ast.Pass) -> bool:
+def _verb_fits(checker: Checker, spec: StatementSpec, item: ast.Pass) -> bool:
     verb = item.verb.text
-    verbs = STATEMENTS[statement].verbs if statement in STATEMENTS else ()
+    statement, verbs = spec.word, spec.verbs
     if verb in verbs:
         return True
     meant = nearest(verb, verbs)
@@ -69,14 +69,14 @@ def _verb_fits(checker: Checker, statement: str, item: ast.Pass) -> bool:
 
 
 def lower_pass(
-    checker: Checker, item: ast.Pass, statement: str, context: Context
+    checker: Checker, item: ast.Pass, spec: StatementSpec, context: Context
 ) -> PassCall | None:
     """`verb with kind { ... }`: the call, or None, reported."""
     verb = item.verb.text
     found = find_kind(checker, verb, item.kind.text, item.kind.span)
     if found is None:
         return None
-    common = common_options(verb, statement)
+    common = spec.common_options(verb)
     owner = f"`{display_name(verb, item.kind.text)}`"
     return lower_call(checker, found, item.block, common, context, owner, item.kind.span, item.span)
 

@@ -7,14 +7,14 @@ from dataclasses import replace
 from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...ir.dimension import LENGTH
-from ...ir.values import Entity, PassCall, Reference, Value
-from ...plugins.options import OptionSchema, schema_of
+from ...ir.values import Entity, Reference, Value
+from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..infer.actor_kinds import calls_in, shared_options, with_options
-from ..infer.blocks import lower_options, lower_passes, refuse_passes
-from ..infer.statements import PlacementOptions
+from ..infer.blocks import lower_options, lower_passes
+from ..infer.statement_spec import StatementSpec
 from ..names.program import Declaration
 from ..types.dimensions import unit_missing
 from ..types.expression_types import (
@@ -26,7 +26,7 @@ from ..types.expression_types import (
 )
 
 
-def lower_actor(checker: Checker, declaration: Declaration) -> ir.Actor | None:
+def lower_actor(checker: Checker, spec: StatementSpec, declaration: Declaration) -> ir.Actor | None:
     """The statement, or None, reported."""
     statement = declaration.statement
     assert isinstance(statement, ast.Actor)
@@ -36,22 +36,20 @@ def lower_actor(checker: Checker, declaration: Declaration) -> ir.Actor | None:
     kind = _kind(checker, statement, context)
     on = _road(checker, statement, context)
     at = _place(checker, statement, context)
-    own, kind_options = _options(checker, statement, kind, context)
-    drive = _drive(checker, statement, context)
+    placement, kind_options = _options(checker, statement, spec, kind, context)
+    drive = lower_passes(checker, spec, statement.block, context)
     if statement.block is not None and not statement.block.complete:
         return None
     if kind is None or kind.value is None or on is False or at is None or at.value is None:
         return None
-    if own is None or drive is None:
+    if placement is None or drive is None:
         return None
-    placed = dict(own)
-    if statement.on is None and not _fits_without_road(checker, statement, placed):
+    if statement.on is None and not _fits_without_road(checker, statement):
         return None
     value = with_options(checker, kind.value, kind_options)
     fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
     road = on if isinstance(on, str) else None
-    options = tuple(placed.items())
-    return ir.Actor(name, value, road, at.value, fraction, options, drive, statement.span)
+    return ir.Actor(name, value, road, at.value, fraction, placement, drive, statement.span)
 
 
 def _has_count(statement: ast.Actor) -> bool:
@@ -154,13 +152,16 @@ def _point(
 
 
 def _options(
-    checker: Checker, statement: ast.Actor, kind: TypedExpression | None, context: Context
+    checker: Checker,
+    statement: ast.Actor,
+    spec: StatementSpec,
+    kind: TypedExpression | None,
+    context: Context,
 ) -> tuple[tuple[tuple[str, Value], ...] | None, tuple[tuple[str, Value], ...]]:
     """The options of the placement (None, reported, where wrong), and those of the kind."""
     calls = calls_in(kind.value) if kind is not None and kind.value is not None else []
     shared = shared_options(checker, calls)
-    placement = schema_of(PlacementOptions)
-    names = {option.name for option in placement}
+    names = {option.name for option in spec.schema}
     block = statement.block
     if block is not None and kind is None:
         # Without the kind nobody knows its options: look at those of the placement only.
@@ -168,14 +169,14 @@ def _options(
         block = ast.Block(known, span=block.span)
     extra = [replace_required(option) for option in shared if option.name not in names]
     bound = lower_options(
-        checker, statement.word, block, [*placement, *extra], context, statement.name.span
+        checker, statement.word, block, [*spec.schema, *extra], context, statement.name.span
     )
     if "lane" in bound.given and "side" in bound.given:
         checker.report(Code.LANE_AND_SIDE, bound.given["side"].span)
         return None, ()
-    own = tuple((name, value) for name, value in bound.values if name in names)
+    placement = tuple((name, value) for name, value in bound.values if name in names)
     rest = tuple((name, value) for name, value in bound.values if name not in names)
-    return (own if bound.complete else None), rest
+    return (placement if bound.complete else None), rest
 
 
 def replace_required(option: OptionSchema) -> OptionSchema:
@@ -183,7 +184,7 @@ def replace_required(option: OptionSchema) -> OptionSchema:
     return replace(option, default=None) if option.required else option
 
 
-def _fits_without_road(checker: Checker, statement: ast.Actor, placed: dict[str, Value]) -> bool:
+def _fits_without_road(checker: Checker, statement: ast.Actor) -> bool:
     assert statement.on is None
     for option in statement.block.options if statement.block else ():
         if option.key.text in ("lane", "side", "offset", "facing"):
@@ -191,10 +192,3 @@ def _fits_without_road(checker: Checker, statement: ast.Actor, placed: dict[str,
             checker.report(Code.OPTION_NEEDS_ROAD, key.span, name=name, option=key.text)
             return False
     return True
-
-
-def _drive(checker: Checker, statement: ast.Actor, context: Context) -> tuple[PassCall, ...] | None:
-    if statement.word == "object":
-        passes = statement.block.passes if statement.block else ()
-        return () if refuse_passes(checker, "object", passes) else None
-    return lower_passes(checker, "agent", statement.block, context)

@@ -11,11 +11,14 @@ from ..context import Context
 from ..infer.blocks import lower_call
 from ..infer.formulas import as_formula, condition_of
 from ..infer.kinds import find_kind
+from ..infer.statement_spec import StatementSpec
 from ..infer.triviality import warn_if_trivial
 from ..names.program import Declaration
 
 
-def lower_constraint(checker: Checker, declaration: Declaration) -> ir.Constraint | None:
+def lower_constraint(
+    checker: Checker, spec: StatementSpec, declaration: Declaration
+) -> ir.Constraint | None:
     """`require` or `expect`: a formula or the call of a monitor."""
     statement = declaration.statement
     assert isinstance(statement, ast.Constraint)

@@ -16,7 +16,7 @@ from ..context import Context
 from ..infer.blocks import lower_options, lower_passes
 from ..infer.file_readers import reader_of
 from ..infer.kinds import find_default
-from ..infer.statements import STATEMENTS
+from ..infer.statement_spec import StatementSpec
 from ..names.file_checks import file_fault
 from ..names.program import Declaration
 from ..types.expression_types import DeclaredType
@@ -34,7 +34,7 @@ class _Source:
 
 
 def lower_geometry(
-    checker: Checker, declaration: Declaration
+    checker: Checker, spec: StatementSpec, declaration: Declaration
 ) -> ir.Image | ir.Network | ir.Road | None:
     """The statement, or None, reported."""
     statement = declaration.statement
@@ -42,11 +42,10 @@ def lower_geometry(
     word, name = statement.word, statement.name.text
     context = Context(user=name, place=name, per="road" if word == "network" else "scene")
     source = _source(checker, statement, declaration.folder, context)
-    schema = STATEMENTS[word].schema
     bound = lower_options(
-        checker, word, statement.block, schema, Context(name, name), statement.name.span
+        checker, word, statement.block, spec.schema, Context(name, name), statement.name.span
     )
-    passes = lower_passes(checker, word, statement.block, context)
+    passes = lower_passes(checker, spec, statement.block, context)
     if not (source.fine and bound.complete) or passes is None:
         return None
     if statement.block is not None and not statement.block.complete:

@@ -3,35 +3,37 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Span
-from ...ir import values as v
-from ...ir.values import PassCall, Value
+from ...ir.contained_values import values_in
+from ...ir.values import Draw, Measure, PassCall, Reference, Value
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..infer.blocks import lower_call
 from ..infer.kinds import display_name, find_kind
-from ..names.program import Placed
+from ..infer.statement_spec import StatementSpec
+from ..names.program import PlacedStatement
 
-_DEFAULTS = {"sample": "random", "simulate": "builtin", "falsify": "random"}
 
-
-def lower_plan(checker: Checker, placed: Placed) -> PassCall | None:
+def lower_run_step(
+    checker: Checker, spec: StatementSpec, placed: PlacedStatement
+) -> PassCall | None:
     """`sample`, `simulate`, `falsify`."""
     statement = placed.statement
-    assert isinstance(statement, ast.Plan)
+    assert isinstance(statement, ast.RunStep)
     word = statement.word
     keyword = statement.span.source.span(statement.span.start, statement.span.start + len(word))
-    name = statement.kind.text if statement.kind else _DEFAULTS[word]
+    name = statement.kind.text if statement.kind else spec.default_kind
     span = statement.kind.span if statement.kind else keyword
     return _run_call(checker, word, name, span, statement, place=word)
 
 
-def lower_emit(checker: Checker, placed: Placed, number: int) -> PassCall | None:
+def lower_emit(checker: Checker, spec: StatementSpec, placed: PlacedStatement) -> PassCall | None:
     """An `emit` statement as a call of its kind; None where it has errors."""
     statement = placed.statement
     assert isinstance(statement, ast.Emit)
     kind = statement.kind
-    return _run_call(checker, "emit", kind.text, kind.span, statement, place=f"emit {number}")
+    place = f"emit {placed.number}"
+    return _run_call(checker, spec.word, kind.text, kind.span, statement, place)
 
 
 def _run_call(
@@ -39,7 +41,7 @@ def _run_call(
     verb: str,
     name: str,
     span: Span,
-    statement: ast.Plan | ast.Emit,
+    statement: ast.RunStep | ast.Emit,
     place: str,
 ) -> PassCall | None:
     """A call whose options belong to the run: they cannot differ between scenes."""
@@ -71,15 +73,8 @@ def _is_random(checker: Checker, call: PassCall | None, option: str) -> bool:
 
 
 def _differs(checker: Checker, value: Value) -> bool:
-    match value:
-        case v.Draw() | v.Measure():
-            return True
-        case v.Reference(name):
-            return checker.definition(name).random
-        case v.Operation(_, parts) | v.Items(parts):
-            return any(_differs(checker, part) for part in parts)
-        case v.Entries(entries):
-            return any(_differs(checker, part) for _, part in entries)
-        case v.PassCall():
-            return any(_differs(checker, part) for _, part in value.options)
-    return False
+    if isinstance(value, Draw | Measure):
+        return True
+    if isinstance(value, Reference):
+        return checker.definition(value.name).random
+    return any(_differs(checker, part) for part in values_in(value))

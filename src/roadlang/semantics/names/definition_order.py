@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...syntax.tree import nodes as ast
+from ...syntax.tree.walk import walk
 from .program import Program, expression_of
 
 
@@ -36,33 +37,4 @@ def definition_order(program: Program) -> list[str]:
 
 def names_in(expression: ast.Expression) -> Iterator[str]:
     """The names that an expression mentions, left to right."""
-    stack: list[ast.Expression] = [expression]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, ast.Name):
-            yield node.text
-        else:
-            stack.extend(reversed(_parts(node)))
-
-
-def _parts(node: ast.Expression) -> tuple[ast.Expression, ...]:
-    match node:
-        case ast.Member():
-            return (node.of,)
-        case ast.Call():
-            return tuple(argument.value for argument in node.arguments)
-        case ast.Negate() | ast.Not() | ast.Temporal():
-            return (node.operand,)
-        case ast.Group():
-            return (node.inner,)
-        case ast.Arithmetic() | ast.Binding():
-            return (node.left, node.right)
-        case ast.Draw():
-            return (node.low, node.high)
-        case ast.Comparison() | ast.Logic():
-            return node.operands
-        case ast.Point() | ast.ListValue():
-            return node.items
-        case ast.MapValue():
-            return tuple(entry.value for entry in node.entries)
-    return ()
+    return (node.text for node, _ in walk(expression) if isinstance(node, ast.Name))

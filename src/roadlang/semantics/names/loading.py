@@ -10,7 +10,7 @@ from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_
 from ...syntax import parse, parse_formula
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
-from .program import Declaration, Placed, Program, Setting
+from .program import Declaration, Program, Setting
 
 BUILT_IN = frozenset({"abs", "min", "max", "fresh", "time", "inf"})
 
@@ -49,7 +49,7 @@ class _Loader:
                 if isinstance(statement, ast.Param):
                     params.add(name.text)
             else:
-                self._program.unnamed.append(Placed(statement, path.parent))
+                self._program.add_unnamed(statement, path.parent)
         return params
 
     def override(self, name: str, text: str) -> None:
@@ -100,8 +100,7 @@ class _Loader:
             self._report(Code.DUPLICATE_NAME, name.span, labels=labels, name=name.text)
             self._program.spoiled.add(name.text)
         else:
-            role = getattr(statement, "word", type(statement).__name__.lower())
-            found = Declaration(name, role, statement, folder)
+            found = Declaration(statement, folder, name=name)
             self._program.declarations[name.text] = found
 
     def _include(self, statement: ast.Include, folder: Path, chain: tuple[str, ...]) -> set[str]:

@@ -10,14 +10,26 @@ from ...syntax.tree import nodes as ast
 
 
 @dataclass(frozen=True, slots=True)
-class Declaration:
-    """A name and the statement that declares it. `role` is its statement word."""
+class PlacedStatement:
+    """A statement and where it stands."""
 
-    name: ast.Word
-    role: str
     statement: ast.Statement
     folder: Path
     """of the file that it stands in: paths are relative to it"""
+    number: int = 1
+    """counted among the statements without a name that have the same word"""
+
+    @property
+    def role(self) -> str:
+        """The statement word."""
+        return self.statement.keyword
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration(PlacedStatement):
+    """A statement that declares a name."""
+
+    name: ast.Word = field(kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,14 +42,6 @@ class Setting:
     from_command_line: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Placed:
-    """A statement without a name (`emit`, `world`, ...) and the folder of its file."""
-
-    statement: ast.Statement
-    folder: Path
-
-
 @dataclass
 class Program:
     """Everything that was read. `spoiled`: names of which it is not known what they are, since
@@ -47,13 +51,18 @@ class Program:
     source: Source
     headers: list[ast.Header] = field(default_factory=list)
     declarations: dict[str, Declaration] = field(default_factory=dict)
-    unnamed: list[Placed] = field(default_factory=list)
+    unnamed: list[PlacedStatement] = field(default_factory=list)
     settings: dict[str, Setting] = field(default_factory=dict)
     spoiled: set[str] = field(default_factory=set)
     inputs: list[str] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     incomplete: bool = False
     """An included file could not be read: nobody knows what it declares."""
+
+    def add_unnamed(self, statement: ast.Statement, folder: Path) -> None:
+        """Add a statement that declares no name (`emit`, `world`, ...)."""
+        same = [found for found in self.unnamed if found.role == statement.keyword]
+        self.unnamed.append(PlacedStatement(statement, folder, len(same) + 1))
 
     def in_role(self, *roles: str) -> list[Declaration]:
         """The declarations with one of these statement words, in order."""

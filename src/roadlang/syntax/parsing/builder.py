@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from dataclasses import fields
+from functools import partial
 from typing import Any
 
 from ...diagnostics import Source, Span
 from ..operators import OPERATORS, letters
 from ..tree import nodes as ast
+from ..tree.statements import BY_RULE
 from ..tree.strings import dedented, unescaped
 from .tokens import Token
 
@@ -25,6 +29,23 @@ class Builder:
         self.source = source
         self.spoiled: list[ast.Word] = []
 
+    def method(self, rule: str) -> Callable[..., Any]:
+        """What makes the value of a rule; a rule without a method makes a tuple of its children."""
+        statement = BY_RULE.get(rule)
+        return partial(self._statement, statement) if statement else getattr(self, rule, tuple)
+
+    def _statement(
+        self, node: type[ast.Statement], start: int, end: int, *children: Any
+    ) -> ast.Statement:
+        """A statement whose children are its fields, in order."""
+        names = [field.name for field in fields(node) if not field.kw_only]
+        values = {
+            name: child if not isinstance(child, tuple) else child[1] if name == "word"
+            else self._word(child)
+            for name, child in zip(names, children, strict=False)
+        }  # fmt: skip
+        return node(**values, span=Span(self.source, start, end))
+
     def _word(self, token: Token) -> ast.Word:
         return ast.Word(token[1], span=Span(self.source, token[2], token[3]))
 
@@ -37,38 +58,6 @@ class Builder:
         read = tuple(statement for statement in statements if statement is not None)
         return ast.File(read, span=Span(self.source, 0, len(self.source.text)))
 
-    def header(self, start: int, end: int, name: Token, title: ast.String | None) -> ast.Header:
-        return ast.Header(self._word(name), title, span=Span(self.source, start, end))
-
-    def include(
-        self, start: int, end: int, path: ast.String, block: ast.Block | None
-    ) -> ast.Include:
-        return ast.Include(path, block, span=Span(self.source, start, end))
-
-    def param(self, start: int, end: int, name: Token, value: ast.Expression) -> ast.Param:
-        return ast.Param(self._word(name), value, span=Span(self.source, start, end))
-
-    def let(self, start: int, end: int, name: Token, value: ast.Expression) -> ast.Let:
-        return ast.Let(self._word(name), value, span=Span(self.source, start, end))
-
-    def geometry(
-        self,
-        start: int,
-        end: int,
-        word: Token,
-        name: Token,
-        source: ast.Expression | None,
-        block: ast.Block | None,
-    ) -> ast.Geometry:
-        span = Span(self.source, start, end)
-        return ast.Geometry(word[1], self._word(name), source, block, span=span)
-
-    def constraint(
-        self, start: int, end: int, word: Token, name: Token, formula: ast.Expression
-    ) -> ast.Constraint:
-        span = Span(self.source, start, end)
-        return ast.Constraint(word[1], self._word(name), formula, span=span)
-
     def judged_constraint(
         self,
         start: int,
@@ -80,31 +69,6 @@ class Builder:
     ) -> ast.Constraint:
         span = Span(self.source, start, end)
         return ast.Constraint(word[1], self._word(name), None, kind, block, span=span)
-
-    def actor(
-        self,
-        start: int,
-        end: int,
-        word: Token,
-        name: Token,
-        kind: ast.Expression,
-        on: ast.Expression | None,
-        at: ast.Expression,
-        block: ast.Block | None,
-    ) -> ast.Actor:
-        span = Span(self.source, start, end)
-        return ast.Actor(word[1], self._word(name), kind, on, at, block, span=span)
-
-    def world(self, start: int, end: int, block: ast.Block | None) -> ast.World:
-        return ast.World(block, span=Span(self.source, start, end))
-
-    def plan(
-        self, start: int, end: int, word: Token, kind: ast.Kind | None, block: ast.Block | None
-    ) -> ast.Plan:
-        return ast.Plan(word[1], kind, block, span=Span(self.source, start, end))
-
-    def emit(self, start: int, end: int, kind: ast.Kind, block: ast.Block | None) -> ast.Emit:
-        return ast.Emit(kind, block, span=Span(self.source, start, end))
 
     def unreadable(self, start: int, end: int, token: Token) -> None:
         return None

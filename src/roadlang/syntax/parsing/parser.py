@@ -67,7 +67,7 @@ def parse_formula(source: Source) -> tuple[ast.Expression | None, list[Diagnosti
 
 
 def _builds(grammar: Tables, builder: Builder) -> list[Build]:
-    return [getattr(builder, rule.build, tuple) for rule in grammar.rules]
+    return [builder.method(rule.build) for rule in grammar.rules]
 
 
 def _parse_all(grammar: Tables, start: str, lexed: Lexed, builds: list[Build]) -> Any:

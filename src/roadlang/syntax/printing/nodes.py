@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TypeAlias
 
 from ..tree import nodes as ast
 from ..tree.strings import quoted
 from .layout import HARD, LINE, SOFT, Doc, Group, Nest, enclosed, joined
+
+_PIECE = re.compile(r"\{\w+\}|[^\s{}]+")
 
 Braced: TypeAlias = ast.Block | ast.MapValue
 
@@ -126,49 +129,34 @@ def part(node: ast.Node) -> Part:
     match node:
         case ast.Option(key=key, value=value) | ast.MapEntry(key=key, value=value):
             return _valued((expression(key), ":"), value)
-        case ast.Param():
-            return _valued(("param ", node.name.text, " ="), node.value)
-        case ast.Let():
-            return _valued(("let ", node.name.text, " ="), node.value)
         case ast.Pass():
             return Part((node.verb.text, " with ", node.kind.text), node.block)
-        case ast.Header():
-            return Part(_words("scenario", node.name, node.title))
-        case ast.Include():
-            return Part(_words("include", node.path), node.block)
-        case ast.Geometry():
-            source = () if node.source is None else ("from", node.source)
-            return Part(_words(node.word, node.name, *source), node.block)
-        case ast.Actor():
-            on = () if node.on is None else ("on", node.on)
-            return Part(
-                _words(node.word, node.name, "is", node.kind, *on, "at", node.at), node.block
-            )
-        case ast.Constraint():
-            return _constraint(node)
-        case ast.World():
-            return Part("world", node.block)
-        case ast.Plan():
-            kind = () if node.kind is None else ("with", node.kind)
-            return Part(_words(node.word, *kind), node.block)
-        case ast.Emit():
-            return Part(_words("emit", node.kind), node.block)
+        case ast.Statement():
+            return _statement(node)
     raise TypeError(f"no statement or item: {type(node).__name__}")
 
 
-def _constraint(node: ast.Constraint) -> Part:
-    if node.formula is not None:
-        return _valued((node.word, " ", node.name.text, ":"), node.formula)
-    assert node.kind is not None, "a constraint has a formula or a kind"
-    return Part(_words(node.word, node.name, "with", node.kind), node.block)
+def _statement(node: ast.Statement) -> Part:
+    """A statement by its layout."""
+    docs: list[Doc] = []
+    words: list[str] = []
+    for piece in _PIECE.findall(node.layout):
+        if not piece.startswith("{"):
+            words.append(piece)
+            continue
+        value = getattr(node, piece[1:-1])
+        if piece == "{block}":
+            return Part(joined(" ", [*docs, *words]), value)
+        if value is not None and words in ([":"], ["="]):
+            sign = ":" if words == [":"] else " ="
+            return _valued((joined(" ", docs), sign), value)
+        if value is not None:
+            docs.extend([*words, value if isinstance(value, str) else expression(value)])
+        words.clear()
+    return Part(joined(" ", docs))
 
 
 def _valued(head: Doc, value: ast.Expression) -> Part:
     if isinstance(value, ast.MapValue):
         return Part(head, value)
     return Part((head, " ", expression(value)))
-
-
-def _words(*parts: str | ast.Node | None) -> Doc:
-    docs = [part if isinstance(part, str) else expression(part) for part in parts if part]
-    return joined(" ", docs)

@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 
 from ...diagnostics import Code, Fix, diagnose
-from ..words import UNITS
+from ..units import UNITS
 from .error_position import Edit, ErrorPosition, Mistake
 
-_UNIT = re.compile(rf"[ \t]+((?:{'|'.join(UNITS)})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b")
+_UNIT = re.compile(
+    rf"[ \t]+((?:{'|'.join(filter(str.isalpha, UNITS))})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b"
+)
 
 
 def loose_unit(place: ErrorPosition) -> Mistake | None:

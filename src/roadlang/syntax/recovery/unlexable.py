@@ -11,6 +11,7 @@ from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
 from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
 from ..tree.strings import ESCAPES
+from ..words import STATEMENTS
 from .foreign_notation import SYMBOLS, from_latex
 
 _WORD = re.compile(r"\w+")
@@ -21,11 +22,7 @@ _ESCAPE = re.compile(r"\\(.)")
 _BARE_STRING = re.compile(r"\"[\w./\\-]*(?=\s*[{,)\]}:])")
 _COLOR = re.compile(r"#(?:[0-9a-fA-F]{8}|[0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![^\s,:)\]}])")
 _KEY = re.compile(r"\s*:")
-_MARGIN_STATEMENT = re.compile(
-    r"^(?:scenario|include|param|let|image|network|road|require|expect|agent|object|world|sample"
-    r"|simulate|falsify|emit)\b",
-    re.MULTILINE,
-)
+_MARGIN_STATEMENT = re.compile(rf"^(?:{'|'.join(STATEMENTS)})\b", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)

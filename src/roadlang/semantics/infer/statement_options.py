@@ -1,4 +1,4 @@
-"""What each statement takes: its own options, its verbs, the options of every kind of a verb.
+"""The options of statements, and those that every kind of a verb has in one.
 
 Declared as kinds declare theirs, so that one reader checks them and one generator documents them.
 """
@@ -28,7 +28,7 @@ from ...plugins.option_types import (
     Whole,
     Word,
 )
-from ...plugins.options import OptionSchema, option, schema_of
+from ...plugins.options import option
 
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
@@ -141,33 +141,3 @@ class DriveOptions:
     when: Condition = option(
         None, help="takes over once this has come true; the last such is in charge"
     )
-
-
-@dataclass(frozen=True, slots=True)
-class StatementSpec:
-    """The options of a statement and the verbs that its block takes."""
-
-    options: type
-    verbs: tuple[str, ...] = ()
-
-    @property
-    def schema(self) -> tuple[OptionSchema, ...]:
-        """The options that a block of this statement takes."""
-        return schema_of(self.options)
-
-
-STATEMENTS: dict[str, StatementSpec] = {
-    "image": StatementSpec(ImageOptions, ("read", "adjust")),
-    "network": StatementSpec(NetworkOptions, ("extract", "read", "perturb")),
-    "road": StatementSpec(RoadOptions, ("draw", "read", "perturb")),
-    "agent": StatementSpec(PlacementOptions, ("drive",)),
-    "object": StatementSpec(PlacementOptions),
-    "world": StatementSpec(WorldOptions),
-}
-
-
-def common_options(verb: str, statement: str) -> tuple[OptionSchema, ...]:
-    """The options that every kind of a verb has in a statement."""
-    if verb == "perturb":
-        return schema_of(NetworkPerturbOptions if statement == "network" else PerturbOptions)
-    return schema_of(DriveOptions) if verb == "drive" else ()

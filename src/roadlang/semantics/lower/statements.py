@@ -1,0 +1,45 @@
+"""The statements: what the block of each takes, and what it becomes in the scenario."""
+
+from __future__ import annotations
+
+from ..infer.statement_options import (
+    DriveOptions,
+    ImageOptions,
+    NetworkOptions,
+    NetworkPerturbOptions,
+    PerturbOptions,
+    PlacementOptions,
+    RoadOptions,
+    WorldOptions,
+)
+from ..infer.statement_spec import StatementSpec
+from .actors import lower_actor
+from .constraints import lower_constraint
+from .geometry import lower_geometry
+from .named_values import lower_value
+from .run import lower_emit, lower_run_step
+from .world import lower_world
+
+_SPECS = (
+    StatementSpec("param", "values", lower_value),
+    StatementSpec("let", "values", lower_value),
+    StatementSpec("image", "images", lower_geometry, ImageOptions, {"read": None, "adjust": None}),
+    StatementSpec(
+        "network", "networks", lower_geometry, NetworkOptions,
+        {"extract": None, "read": None, "perturb": NetworkPerturbOptions},
+    ),
+    StatementSpec(
+        "road", "roads", lower_geometry, RoadOptions,
+        {"draw": None, "read": None, "perturb": PerturbOptions},
+    ),
+    StatementSpec("require", "requirements", lower_constraint, as_written=True),
+    StatementSpec("expect", "expectations", lower_constraint, as_written=True),
+    StatementSpec("agent", "agents", lower_actor, PlacementOptions, {"drive": DriveOptions}),
+    StatementSpec("object", "objects", lower_actor, PlacementOptions),
+    StatementSpec("world", "world", lower_world, WorldOptions, once=True),
+    StatementSpec("sample", "sample", lower_run_step, once=True, default_kind="random"),
+    StatementSpec("simulate", "simulate", lower_run_step, once=True, default_kind="builtin"),
+    StatementSpec("falsify", "falsify", lower_run_step, once=True, default_kind="random"),
+    StatementSpec("emit", "emits", lower_emit, as_written=True),
+)  # fmt: skip
+STATEMENTS: dict[str, StatementSpec] = {spec.word: spec for spec in _SPECS}

@@ -1,0 +1,290 @@
+"""Words, expressions and blocks of the syntax tree: what was written, where.
+
+Nothing in it is resolved or checked. Equality ignores spans, so that `parse(format(tree)) == tree`
+can be asserted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from ...diagnostics import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """Anything written at one place."""
+
+    span: Span = field(compare=False, repr=False, kw_only=True)
+
+
+# --- words -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Word(Node):
+    """A name where it is declared, an option key, a verb, a member."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Comment(Node):
+    """`# text`, with the mark. `own_line`: nothing else stands on its line."""
+
+    text: str
+    own_line: bool
+
+
+# --- expressions -------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Node):
+    """`8`, `0.35m/px`, `95%`: the digits as written and the unit text glued to them."""
+
+    digits: str
+    unit: str = ""
+
+    @property
+    def value(self) -> float:
+        """The number that the digits mean."""
+        return float(self.digits)
+
+
+@dataclass(frozen=True, slots=True)
+class String(Node):
+    """`"text"`, escapes resolved."""
+
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Text(Node):
+    """A triple-quoted text, dedented."""
+
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Boolean(Node):
+    """`true` or `false`."""
+
+    value: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Name(Node):
+    """A reference; the checker knows to what. `acme.mpc` is a `Member`."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Member(Node):
+    """`ego.speed`."""
+
+    of: Expression
+    name: Word
+
+
+@dataclass(frozen=True, slots=True)
+class Argument(Node):
+    """An argument of a call, `x` or `key: x`."""
+
+    value: Expression
+    key: Word | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Node):
+    """`f(x, key: y)`; `function` is a name or a dotted name."""
+
+    function: Name | Member
+    arguments: tuple[Argument, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Negate(Node):
+    """`-operand`."""
+
+    operand: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Arithmetic(Node):
+    """`operator` is one of `+ - * / ^`."""
+
+    operator: str
+    left: Expression
+    right: Expression
+    operator_span: Span = field(compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Draw(Node):
+    """`low..high`: a uniform draw."""
+
+    low: Expression
+    high: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison(Node):
+    """`a < b` or a chain `a < b < c`: one more operand than operators (`< <= > >= == !=`)."""
+
+    operands: tuple[Expression, ...]
+    operators: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Not(Node):
+    """`not operand`."""
+
+    operand: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Interval(Node):
+    """`[low, high]` behind a temporal word."""
+
+    low: Expression
+    high: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Temporal(Node):
+    """`always`, `eventually`, `once`, `historically`; `word` is canonical, as habits are read."""
+
+    word: str
+    interval: Interval | None
+    operand: Expression
+    word_span: Span = field(compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Binding(Node):
+    """`left until[a, b] right`, `left since[a, b] right`; `word` is canonical."""
+
+    word: str
+    interval: Interval | None
+    left: Expression
+    right: Expression
+    word_span: Span = field(compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Logic(Node):
+    """`and`, `or` (flattened, two or more operands), `implies`, `iff`, `xor` (two operands)."""
+
+    word: str
+    operands: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Group(Node):
+    """`(x)`: kept, since the parentheses rule and `fmt` need it."""
+
+    inner: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Point(Node):
+    """`(x, y)`."""
+
+    items: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ListValue(Node):
+    """`[a, b, c]`: a list, an interval or a stretch; never a draw."""
+
+    items: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class MapEntry(Node):
+    """`key: value` in a map."""
+
+    key: Word | String
+    value: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class MapValue(Node):
+    """`{ key: value, ... }` as a value."""
+
+    entries: tuple[MapEntry, ...]
+
+
+Expression: TypeAlias = (
+    Number
+    | String
+    | Text
+    | Boolean
+    | Name
+    | Member
+    | Call
+    | Negate
+    | Arithmetic
+    | Draw
+    | Comparison
+    | Not
+    | Temporal
+    | Binding
+    | Logic
+    | Group
+    | Point
+    | ListValue
+    | MapValue
+)
+
+
+# --- blocks ------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Kind(Node):
+    """The name of a kind, `sine` or `acme.sine`: `text` is the dotted whole."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Option(Node):
+    """`key: value` in a block."""
+
+    key: Word
+    value: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Pass(Node):
+    """`verb with kind { ... }`."""
+
+    verb: Word
+    kind: Kind
+    block: Block | None
+
+
+@dataclass(frozen=True, slots=True)
+class Block(Node):
+    """Options and passes in the order written.
+
+    `complete` is False when an item could not be read (and has been reported): an option that
+    seems to be missing may be that one.
+    """
+
+    items: tuple[Option | Pass, ...]
+    complete: bool = field(default=True, compare=False, repr=False, kw_only=True)
+
+    @property
+    def options(self) -> tuple[Option, ...]:
+        """The options of the block, in order."""
+        return tuple(item for item in self.items if isinstance(item, Option))
+
+    @property
+    def passes(self) -> tuple[Pass, ...]:
+        """The passes of the block, in order."""
+        return tuple(item for item in self.items if isinstance(item, Pass))
