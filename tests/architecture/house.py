@@ -1,0 +1,187 @@
+"""The source tree as data: its files, the table of rooms, and what each file imports."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+CORE = "src/roadlang"
+SHIPPED_PLUGINS = ("plugins/standard/roadlang_standard", "plugins/godot/roadlang_godot")
+PAGE = "docs/architecture.md"
+
+
+@dataclass(frozen=True)
+class Import:
+    """`module`: absolute; `name`: what is taken of it, or "". `line` of the file; `late`: inside a
+    function; `literal`: False for a module whose name is computed."""
+
+    module: str
+    name: str
+    line: int
+    late: bool
+    literal: bool = True
+
+
+@dataclass(frozen=True)
+class SourceFile:
+    """`path` from the root of the repository, with slashes."""
+
+    path: str
+    text: str
+
+    @property
+    def tree(self) -> ast.Module:
+        return _parsed(self.text)
+
+    @property
+    def module(self) -> str:
+        """`roadlang.world.roads`; of a package the package itself."""
+        parts = self.path.removesuffix(".py").split("/")
+        start = next(i for i, part in enumerate(parts) if part.startswith("roadlang"))
+        parts = parts[start:]
+        return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+    @property
+    def package(self) -> str:
+        is_package = self.path.endswith("__init__.py")
+        return self.module if is_package else self.module.rpartition(".")[0]
+
+    @property
+    def room(self) -> str | None:
+        """The folder below `src/roadlang`, or None for the files beside the rooms and for plugins."""
+        parts = self.path.split("/")
+        return parts[2] if self.path.startswith(f"{CORE}/") and len(parts) > 3 else None
+
+    @property
+    def imports(self) -> tuple[Import, ...]:
+        return _imports(self.text, self.package)
+
+
+@dataclass(frozen=True)
+class House:
+    """All Python files of the core and of the plugins in the wheel, and the page of rooms."""
+
+    files: Mapping[str, SourceFile]
+    page: str
+
+    @classmethod
+    def read(cls, root: Path = ROOT) -> House:
+        """The house as it stands on disk."""
+        paths = [p for folder in (CORE, *SHIPPED_PLUGINS) for p in (root / folder).rglob("*.py")]
+        files = {}
+        for path in sorted(paths):
+            name = path.relative_to(root).as_posix()
+            files[name] = SourceFile(name, path.read_text(encoding="utf-8"))
+        return cls(files, (root / PAGE).read_text(encoding="utf-8"))
+
+    def with_lines(self, path: str, lines: str) -> House:
+        """A copy in which `lines` are added to a file, or are a new one."""
+        before = self.files[path].text if path in self.files else '"""New."""\n'
+        return replace(self, files={**self.files, path: SourceFile(path, f"{before}\n{lines}\n")})
+
+    @cached_property
+    def core(self) -> tuple[SourceFile, ...]:
+        return tuple(file for file in self.files.values() if file.path.startswith(f"{CORE}/"))
+
+    @cached_property
+    def plugins(self) -> tuple[SourceFile, ...]:
+        """The files of the plugins that ship in the wheel."""
+        return tuple(file for file in self.files.values() if file.path.startswith("plugins/"))
+
+    @cached_property
+    def rooms(self) -> dict[str, Room]:
+        """The table of the page, from the bottom to the top."""
+        table = {}
+        for line in self.page.splitlines():
+            cells = [cell.strip() for cell in line.strip("|").split("|")]
+            if len(cells) == 4 and re.fullmatch(r"`\w+/`", cells[0]):
+                name = cells[0].strip("`/")
+                rooms = frozenset(table) if cells[2] == "all" else _words(cells[2])
+                table[name] = Room(rooms, _words(cells[3]))
+        return table
+
+    @cached_property
+    def modules(self) -> frozenset[str]:
+        return frozenset(file.module for file in self.files.values())
+
+    def target(self, found: Import) -> str | None:
+        """The module of ours that an import loads."""
+        for name in (f"{found.module}.{found.name}", found.module):
+            if name in self.modules:
+                return name
+        return None
+
+
+@dataclass(frozen=True)
+class Room:
+    """What a room may import: other rooms, and distributions of third parties."""
+
+    rooms: frozenset[str]
+    third_parties: frozenset[str]
+
+
+def _words(cell: str) -> frozenset[str]:
+    return frozenset(re.findall(r"`(\w+)`", cell))
+
+
+@lru_cache(maxsize=None)
+def _parsed(text: str) -> ast.Module:
+    return ast.parse(text)
+
+
+@lru_cache(maxsize=None)
+def _imports(text: str, package: str) -> tuple[Import, ...]:
+    return tuple(_imports_below(_parsed(text), package, late=False))
+
+
+def _imports_below(node: ast.AST, package: str, *, late: bool) -> Iterator[Import]:
+    for child in ast.iter_child_nodes(node):
+        inside = late or isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        if isinstance(child, ast.Import):
+            for alias in child.names:
+                yield Import(alias.name, "", child.lineno, late)
+        elif isinstance(child, ast.ImportFrom):
+            stem = _absolute("." * child.level + (child.module or ""), package)
+            for alias in child.names:
+                yield Import(stem, alias.name, child.lineno, late)
+        elif isinstance(child, ast.Call) and _name_of(child.func) in (
+            "import_module",
+            "__import__",
+        ):
+            yield _dynamic(child, package, late)
+        yield from _imports_below(child, package, late=inside)
+
+
+def _dynamic(call: ast.Call, package: str, late: bool) -> Import:
+    """`import_module("..world", __package__)`, or one whose module is not written out."""
+    argument = call.args[0] if call.args else None
+    if isinstance(argument, ast.Constant) and isinstance(argument.value, str):
+        return Import(_absolute(argument.value, package), "", call.lineno, late)
+    return Import("", "", call.lineno, late, literal=False)
+
+
+def _absolute(name: str, package: str) -> str:
+    dots = len(name) - len(name.lstrip("."))
+    if not dots:
+        return name
+    base = package.split(".")
+    return ".".join([*base[: len(base) - dots + 1], *filter(None, [name[dots:]])])
+
+
+def _name_of(node: ast.expr) -> str:
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    return node.id if isinstance(node, ast.Name) else ""
+
+
+def dotted(node: ast.expr) -> str:
+    """`np.random.rand` of such an expression, "" of any other."""
+    if isinstance(node, ast.Attribute):
+        stem = dotted(node.value)
+        return f"{stem}.{node.attr}" if stem else ""
+    return node.id if isinstance(node, ast.Name) else ""

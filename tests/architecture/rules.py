@@ -1,0 +1,267 @@
+"""The rules of docs/architecture.md: each gives the places of a `House` that break it."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+
+from house import CORE, House, Import, SourceFile, dotted
+
+Rule = Callable[[House], Iterator[str]]
+MOST_LINES, MOST_FUNCTION_LINES = 300, 45
+PUBLIC = ("roadlang.api", "roadlang.geometry")
+"""What kinds may import: `api`, and `geometry`, which it exports."""
+COMPUTED_IMPORTS = (
+    "src/roadlang/__init__.py",
+    "src/roadlang/api.py",
+    "src/roadlang/cli/commands.py",
+    "src/roadlang/geometry/__init__.py",
+    "src/roadlang/plugins/registry.py",
+    "src/roadlang/stl/__init__.py",
+)
+"""Files that import by a computed name: lazy exports of a package, and kinds by their target."""
+FACADES = ("src/roadlang/stl/formula/evaluable.py",)
+"""Files with methods that import their implementation, which stands on the file, when called. Each
+says so in its docstring; at most three."""
+WITHOUT_FILES = (
+    "src/roadlang/geometry/",
+    "src/roadlang/stl/formula/",
+    "src/roadlang/stl/evaluate/",
+    "src/roadlang/evaluate/",
+)
+_FILE_MODULES = frozenset({"io", "os", "pathlib", "shutil", "socket", "subprocess", "tempfile"})
+_FILE_CALLS = re.compile(
+    r"(.*\.)?(open|fromfile|tofile|read_text|read_bytes|write_text|write_bytes)"
+    r"|(np|numpy)\.(load|loadtxt|genfromtxt|save|savez|savetxt|memmap)"
+)
+_CLOCKS = re.compile(
+    r"time(\.\w+)?|(datetime\.)?(datetime|date)\.(now|utcnow|today)|os\.urandom|secrets(\.\w+)?"
+    r"|uuid(\.\w+)?|random(\.\w+)?|(np|numpy)\.random\.\w+"
+)
+_KEYED = re.compile(r"(np|numpy)\.random\.(Generator|BitGenerator|Philox|PCG64|SeedSequence)")
+_CLOCK_MODULES = frozenset({"datetime", "random", "secrets", "time", "uuid"})
+
+
+def rooms_import_downward(house: House) -> Iterator[str]:
+    """A room imports what the table allows, also inside functions and by `import_module`."""
+    for file in house.core:
+        if file.room is None:
+            continue
+        allowed = house.rooms[file.room].rooms | {file.room}
+        for found in file.imports:
+            parts = found.module.split(".") if found.module else []
+            parts += [found.name] if parts == ["roadlang"] else []
+            if parts[:1] == ["roadlang"] and len(parts) > 1 and parts[1] in house.rooms:
+                if parts[1] not in allowed:
+                    yield _at(file, found.line, f"`{file.room}` imports {found.module}")
+            if not found.literal and file.path not in COMPUTED_IMPORTS:
+                yield _at(file, found.line, "imports a module whose name is computed")
+
+
+def the_core_imports_no_kind_and_no_api(house: House) -> Iterator[str]:
+    """`api` and `testing` stand above all rooms, plugins outside."""
+    plugins = {file.package.split(".")[0] for file in house.plugins}
+    outside = {"roadlang.api", "roadlang.testing"}
+    for file in house.core:
+        if file.module in outside:
+            continue
+        for found in file.imports:
+            names = {found.module, f"{found.module}.{found.name}"}
+            if names & outside or found.module.split(".")[0] in plugins:
+                yield _at(file, found.line, f"imports {found.module} {found.name}".strip())
+
+
+def third_parties_are_those_of_the_table(house: House) -> Iterator[str]:
+    """Each room imports the distributions that its row names, and the standard library."""
+    for file in house.core:
+        allowed = house.rooms[file.room].third_parties if file.room else frozenset({"numpy"})
+        for found in file.imports:
+            top = found.module.split(".")[0]
+            if top and top != "roadlang" and top not in sys.stdlib_module_names | allowed:
+                yield _at(file, found.line, f"imports {top}")
+
+
+def private_names_stay_in_their_file(house: House) -> Iterator[str]:
+    """A name with a leading underscore is used by the module that defines it alone."""
+    for file in house.files.values():
+        modules = set()
+        for found in file.imports:
+            if house.target(found) is None:
+                continue
+            last = found.name or found.module
+            if re.search(r"(^|\.)_[a-z]", last):
+                yield _at(file, found.line, f"imports the private {last}")
+            modules.add(last.split(".")[-1])
+        for node in ast.walk(file.tree):
+            if isinstance(node, ast.Attribute) and re.match(r"_[a-z]", node.attr):
+                if dotted(node.value) in modules:
+                    yield _at(file, node.lineno, f"uses the private {dotted(node)}")
+
+
+def no_circles(house: House) -> Iterator[str]:
+    """No file imports another that imports it, over any number of steps, at any time."""
+    graph: dict[str, set[str]] = {}
+    for file in house.files.values():
+        edges = graph.setdefault(file.module, set())
+        for found in file.imports:
+            target = house.target(found)
+            is_facade = file.path in FACADES and found.late
+            if target is not None and target != file.module and not is_facade:
+                edges.add(target)
+    for circle in _circles(graph):
+        yield f"{len(circle)} files in a circle: {', '.join(sorted(circle))}"
+
+
+def facades_are_few_and_explained(house: House) -> Iterator[str]:
+    """A facade says in its docstring what it is."""
+    if len(FACADES) > 3:
+        yield f"{len(FACADES)} facades"
+    for path in FACADES:
+        if "facade" not in (ast.get_docstring(house.files[path].tree) or ""):
+            yield f"{path} does not say that it is a facade"
+
+
+def no_clock_and_no_global_random_numbers(house: House) -> Iterator[str]:
+    """A pass is a pure function: not in the rooms (but `cli`), and not in the standard kinds."""
+    standard = [f for f in house.plugins if "roadlang_standard" in f.path]
+    for file in (*(f for f in house.core if f.room != "cli"), *standard):
+        for found in file.imports:
+            if found.module.split(".")[0] in _CLOCK_MODULES:
+                yield _at(file, found.line, f"imports {found.module}")
+        for node in ast.walk(file.tree):
+            if not isinstance(node, ast.Call | ast.Attribute):
+                continue
+            name = dotted(node.func if isinstance(node, ast.Call) else node)
+            is_call = isinstance(node, ast.Call)
+            if name.endswith("random.default_rng") and is_call and node.args:
+                continue
+            if is_call and _CLOCKS.fullmatch(name) and not _KEYED.fullmatch(name):
+                yield _at(file, node.lineno, f"calls {name}")
+
+
+def shipped_kinds_use_the_public_api(house: House) -> Iterator[str]:
+    """The plugins in the wheel are written as a stranger's are."""
+    for file in house.plugins:
+        for found in file.imports:
+            name = found.module
+            public = name.startswith(PUBLIC) or (name == "roadlang" and found.name != "_")
+            if name.split(".")[0] == "roadlang" and not public:
+                yield _at(file, found.line, f"imports {name}")
+
+
+def rooms_that_compute_read_no_files(house: House) -> Iterator[str]:
+    """Geometry, formulas and values are functions of their arguments."""
+    for file in house.core:
+        if not file.path.startswith(WITHOUT_FILES):
+            continue
+        for found in file.imports:
+            if found.module.split(".")[0] in _FILE_MODULES:
+                yield _at(file, found.line, f"imports {found.module}")
+        for node in ast.walk(file.tree):
+            if isinstance(node, ast.Call) and _FILE_CALLS.fullmatch(_called(node)):
+                yield _at(file, node.lineno, f"calls {_called(node)}")
+
+
+def the_core_names_no_shipped_kind(house: House) -> Iterator[str]:
+    """What the core has to know of a kind, the kind says itself."""
+    kinds = _shipped_kinds(house)
+    for file in house.core:
+        prose = _docstrings(file.tree)
+        for node in ast.walk(file.tree):
+            if not isinstance(node, ast.Constant) or not isinstance(node.value, str):
+                continue
+            if node not in prose and (node.value in kinds or _QUALIFIED.match(node.value)):
+                yield _at(file, node.lineno, f'names the kind "{node.value}"')
+
+
+def files_and_functions_are_small(house: House) -> Iterator[str]:
+    """Tables, which are read by looking up, may be longer."""
+    for file in house.files.values():
+        count = file.text.count("\n")
+        if count > MOST_LINES and file.path not in TABLES:
+            yield f"{file.path} has {count} lines"
+        for node in ast.walk(file.tree):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                lines = (node.end_lineno or 0) - node.lineno + 1
+                if lines > MOST_FUNCTION_LINES:
+                    yield _at(file, node.lineno, f"{node.name} has {lines} lines")
+
+
+def every_file_says_what_it_is_for(house: House) -> Iterator[str]:
+    """The first line of its docstring."""
+    for file in house.files.values():
+        if not ast.get_docstring(file.tree):
+            yield f"{file.path} has no docstring"
+
+
+TABLES = ("src/roadlang/syntax/tree/nodes.py",)
+RULES: tuple[Rule, ...] = (
+    rooms_import_downward,
+    the_core_imports_no_kind_and_no_api,
+    third_parties_are_those_of_the_table,
+    private_names_stay_in_their_file,
+    no_circles,
+    facades_are_few_and_explained,
+    no_clock_and_no_global_random_numbers,
+    shipped_kinds_use_the_public_api,
+    rooms_that_compute_read_no_files,
+    the_core_names_no_shipped_kind,
+    files_and_functions_are_small,
+    every_file_says_what_it_is_for,
+)
+_QUALIFIED = re.compile(r"(standard|godot)\.")
+_ORDINARY = frozenset()
+
+
+def _at(file: SourceFile, line: int, fault: str) -> str:
+    return f"{file.path}:{line}: {fault}"
+
+
+def _called(node: ast.Call) -> str:
+    func = node.func
+    if isinstance(func, ast.Attribute):
+        return dotted(func) or f"_.{func.attr}"
+    return dotted(func)
+
+
+def _docstrings(tree: ast.Module) -> set[ast.AST]:
+    """Strings that are statements of their own."""
+    found = (node.value for node in ast.walk(tree) if isinstance(node, ast.Expr))
+    return {value for value in found if isinstance(value, ast.Constant)}
+
+
+def _shipped_kinds(house: House) -> frozenset[str]:
+    """The names of the kinds in the wheel that are not ordinary words of the language too."""
+    names = set()
+    for file in house.plugins:
+        for node in ast.walk(file.tree):
+            if isinstance(node, ast.AnnAssign) and dotted(node.target) == "name":
+                if isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+                    names.add(node.value.value)
+    return frozenset(names) - _ORDINARY
+
+
+def _circles(graph: Mapping[str, set[str]]) -> list[set[str]]:
+    """Strongly connected components of more than one module (by reachability)."""
+
+    @cache
+    def reachable(start: str) -> frozenset[str]:
+        seen, pending = set(), [start]
+        while pending:
+            for target in graph.get(pending.pop(), ()):
+                if target not in seen:
+                    seen.add(target)
+                    pending.append(target)
+        return frozenset(seen)
+
+    circles: list[set[str]] = []
+    done: set[str] = set()
+    for module in graph:
+        if module not in done and module in reachable(module):
+            circle = {other for other in reachable(module) if module in reachable(other)}
+            done |= circle
+            circles.append(circle)
+    return circles
