@@ -6,7 +6,7 @@ import ast
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cache, cached_property
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -17,8 +17,10 @@ PAGE = "docs/architecture.md"
 
 @dataclass(frozen=True)
 class Import:
-    """`module`: absolute; `name`: what is taken of it, or "". `line` of the file; `late`: inside a
-    function; `literal`: False for a module whose name is computed."""
+    """`module`: absolute; `name`: what is taken of it, or "".
+
+    `late`: inside a function or for type checking. `literal`: False where the name is computed.
+    """
 
     module: str
     name: str
@@ -53,7 +55,7 @@ class SourceFile:
 
     @property
     def room(self) -> str | None:
-        """The folder below `src/roadlang`, or None for the files beside the rooms and for plugins."""
+        """The folder below `src/roadlang`; None of the files beside the rooms and of plugins."""
         parts = self.path.split("/")
         return parts[2] if self.path.startswith(f"{CORE}/") and len(parts) > 3 else None
 
@@ -82,7 +84,11 @@ class House:
     def with_lines(self, path: str, lines: str) -> House:
         """A copy in which `lines` are added to a file, or are a new one."""
         before = self.files[path].text if path in self.files else '"""New."""\n'
-        return replace(self, files={**self.files, path: SourceFile(path, f"{before}\n{lines}\n")})
+        return self.with_text(path, f"{before}\n{lines}\n")
+
+    def with_text(self, path: str, text: str) -> House:
+        """A copy in which a file has another text."""
+        return replace(self, files={**self.files, path: SourceFile(path, text)})
 
     @cached_property
     def core(self) -> tuple[SourceFile, ...]:
@@ -129,19 +135,19 @@ def _words(cell: str) -> frozenset[str]:
     return frozenset(re.findall(r"`(\w+)`", cell))
 
 
-@lru_cache(maxsize=None)
+@cache
 def _parsed(text: str) -> ast.Module:
     return ast.parse(text)
 
 
-@lru_cache(maxsize=None)
+@cache
 def _imports(text: str, package: str) -> tuple[Import, ...]:
     return tuple(_imports_below(_parsed(text), package, late=False))
 
 
 def _imports_below(node: ast.AST, package: str, *, late: bool) -> Iterator[Import]:
     for child in ast.iter_child_nodes(node):
-        inside = late or isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        inside = late or _is_late(child)
         if isinstance(child, ast.Import):
             for alias in child.names:
                 yield Import(alias.name, "", child.lineno, late)
@@ -155,6 +161,12 @@ def _imports_below(node: ast.AST, package: str, *, late: bool) -> Iterator[Impor
         ):
             yield _dynamic(child, package, late)
         yield from _imports_below(child, package, late=inside)
+
+
+def _is_late(node: ast.AST) -> bool:
+    if isinstance(node, ast.If):
+        return dotted(node.test) == "TYPE_CHECKING"
+    return isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
 
 
 def _dynamic(call: ast.Call, package: str, late: bool) -> Import:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import platform
 import traceback
 
-from .. import __version__
 from ..diagnostics import Code, Diagnostic, diagnose
+from ..version import __version__
 
 
 def describe_bug(error: BaseException) -> Diagnostic:

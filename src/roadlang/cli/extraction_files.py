@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import __version__
 from ..ir.picture import Extraction, Picture
+from ..version import __version__
 
 SCHEMA = "roadlang.extraction/1"
 _STEP = 2.0

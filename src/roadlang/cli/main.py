@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 
 import click
 
-from .. import __version__
 from ..plugins.termination import (
     Terminated,
     end_on_sigterm,
     raise_if_terminated,
     stop_noticing_sigterm,
 )
+from ..version import __version__
 from . import exit_codes
 from .commands import LazyGroup
 from .standard_output import claim_standard_output

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from .arclength import ArcLength, path_lengths, subdivided
 from .arrays import Floats, SharedArrays, cross, finite, finite_points, norm, wrapped
 from .errors import GeometryError
+from .projection import project
 from .spline import PiecewiseCubic, frame_of, hermite, interpolate
 
 _REFITS = 12
@@ -131,9 +132,7 @@ class Curve(SharedArrays):
         Both (...,) for points (..., 2). Beside an end of an open curve the offset is measured
         across the tangent there, so it leaves out how far beyond the end the point lies.
         """
-        from .projection import project
-
-        return project(self, points)
+        return project(self.arc, self.closed, points)
 
     def between(self, start: float, stop: float) -> Curve:
         """The part from arc length `start` to `stop`, exactly; round the seam if closed."""

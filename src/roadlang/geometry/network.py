@@ -1,4 +1,8 @@
-"""Road networks: nodes where roads end or meet, joined by curves."""
+"""Road networks: nodes where roads end or meet, joined by curves.
+
+A facade: `longest` and `route` import the paths through a network, which stand on it, when they
+are called.
+"""
 
 from __future__ import annotations
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .arclength import ArcLength
 from .arrays import Floats, Integers, cross, finite
-from .curve import Curve
 from .errors import GeometryError
 from .spline import frame_of
 
@@ -14,45 +14,46 @@ _CANDIDATES = 4
 _STEPS = 12
 
 
-def project(curve: Curve, points: ArrayLike) -> tuple[Floats, Floats]:
+def project(arc: ArcLength, closed: bool, points: ArrayLike) -> tuple[Floats, Floats]:
     """See `Curve.project`. Candidates from a k-d tree of the curve, refined by Newton's method."""
+    spline = arc.spline
     given = finite(points, "the points to project")
     if given.ndim == 0 or given.shape[-1] != 2:
         raise GeometryError("points to project must be pairs (x, y)")
     flat = given.reshape(-1, 2)
     if len(flat) == 0:
         return np.empty(given.shape[:-1]), np.empty(given.shape[:-1])
-    nearest = _nearest_samples(curve, flat)
-    u = _refined(curve, flat[:, None, :], nearest)
-    distance = np.linalg.norm(curve.spline.position(u) - flat[:, None, :], axis=-1)
+    nearest = _nearest_samples(arc, flat)
+    u = _refined(arc, flat[:, None, :], nearest)
+    distance = np.linalg.norm(spline.position(u) - flat[:, None, :], axis=-1)
     best = np.take_along_axis(u, distance.argmin(axis=1)[:, None], axis=1)[:, 0]
-    tangent, _ = frame_of(curve.spline.derivatives(best)[0])
-    offset = cross(tangent, flat - curve.spline.position(best))
-    s = curve.arc.length_at(best)
-    if curve.closed:
-        s = np.where(s >= curve.length, 0.0, s)
+    tangent, _ = frame_of(spline.derivatives(best)[0])
+    offset = cross(tangent, flat - spline.position(best))
+    s = arc.length_at(best)
+    if closed:
+        s = np.where(s >= arc.total, 0.0, s)
     return s.reshape(given.shape[:-1]), offset.reshape(given.shape[:-1])
 
 
-def _nearest_samples(curve: Curve, flat: Floats) -> Integers:
+def _nearest_samples(arc: ArcLength, flat: Floats) -> Integers:
     """(n, candidates) indices into the arc table."""
     from scipy.spatial import cKDTree
 
-    samples = curve.spline.position(curve.arc.parameters)
+    samples = arc.spline.position(arc.parameters)
     count = min(_CANDIDATES, len(samples))
     _, nearest = cKDTree(samples).query(flat, k=count)
     return np.asarray(nearest, dtype=np.int64).reshape(len(flat), count)
 
 
-def _refined(curve: Curve, flat: Floats, nearest: Integers) -> Floats:
+def _refined(arc: ArcLength, flat: Floats, nearest: Integers) -> Floats:
     """Parameters of the local minima of distance beside each candidate, and the candidates."""
-    table = curve.arc.parameters
+    spline, table = arc.spline, arc.parameters
     low, high = table[np.maximum(nearest - 1, 0)], table[np.minimum(nearest + 1, len(table) - 1)]
     start = table[nearest]
     u = start
     for _ in range(_STEPS):
-        first, second, _ = curve.spline.derivatives(u)
-        away = curve.spline.position(u) - flat
+        first, second, _ = spline.derivatives(u)
+        away = spline.position(u) - flat
         slope = (away * first).sum(axis=-1)
         speed = np.maximum((first**2).sum(axis=-1), np.finfo(float).tiny)
         bend = speed + (away * second).sum(axis=-1)

@@ -1,4 +1,7 @@
-"""A set of scenes to files in a folder, with their manifest."""
+"""A set of scenes to files in a folder, with their manifest.
+
+A facade: a set of scenes writes itself, and what writes it takes the set.
+"""
 
 from __future__ import annotations
 
@@ -17,8 +20,6 @@ if TYPE_CHECKING:
     from .scene_set import SceneSet
 
 MANIFEST = "manifest.json"
-DEFAULT_EMITS = ("json", "svg")
-"""What a file without an `emit` is taken to mean."""
 
 
 def kinds_to_emit(loaded: LoadedScenario, kinds: Sequence[str] | None) -> Sequence[str] | None:
@@ -28,7 +29,7 @@ def kinds_to_emit(loaded: LoadedScenario, kinds: Sequence[str] | None) -> Sequen
     """
     scenario, registry = loaded.scenario, loaded.registry
     if kinds is None and not scenario.emits:
-        return DEFAULT_EMITS
+        return [entry.qualified for entry in registry.defaults("emit")]
     faults = []
     for name in kinds or ():
         if not registry.has("emit", name):

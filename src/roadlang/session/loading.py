@@ -1,4 +1,7 @@
-"""Scene files, loaded and checked, ready to be sampled: `roadlang.load`."""
+"""Scene files, loaded and checked, ready to be sampled: `roadlang.load`.
+
+A facade: a scenario samples a set of scenes, which knows the scenario.
+"""
 
 from __future__ import annotations
 

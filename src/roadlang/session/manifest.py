@@ -7,13 +7,13 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from .. import __version__
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.kind_instance import KindInstance
 from ..ir.manifest import MANIFEST_SCHEMA, Manifest, OutputFile, RequirementRecord
 from ..ir.scenario import Scenario
 from ..scenes.emitting import Output
 from ..scenes.sampling import SamplingResult
+from ..version import __version__
 
 
 def manifest_of(

@@ -1,4 +1,7 @@
-"""A scene for Python users: its roads as arrays, its figure, its drive."""
+"""A scene for Python users: its roads as arrays, its figure, its drive.
+
+A facade: a scene is driven by the module of drives, which know their scene.
+"""
 
 from __future__ import annotations
 

@@ -1,0 +1,101 @@
+"""Each rule of the house, broken on purpose in a copy of it, is noticed."""
+
+from __future__ import annotations
+
+import pytest
+import rules
+from house import House
+from rules import Rule
+
+HOUSE = House.read()
+KIND = "plugins/standard/roadlang_standard/perturb_sine.py"
+BREAKS: tuple[tuple[Rule, str, str], ...] = (
+    (rules.rooms_import_downward, "geometry/curve.py", "from ..diagnostics import Code"),
+    (
+        rules.rooms_import_downward,
+        "stl/formula/terms.py",
+        "def f():\n    from ...world import roads",
+    ),
+    (rules.rooms_import_downward, "geometry/width.py", "from roadlang import world"),
+    (
+        rules.rooms_import_downward,
+        "geometry/road.py",
+        "import importlib\nimportlib.import_module('roadlang.world.roads')",
+    ),
+    (rules.rooms_import_downward, "ir/units.py", "__import__('roadlang.scenes.sampling')"),
+    (
+        rules.rooms_import_downward,
+        "world/roads.py",
+        "from importlib import import_module\nimport_module('..scenes.sampling', __package__)",
+    ),
+    (
+        rules.rooms_import_downward,
+        "world/roads.py",
+        "import importlib\nimportlib.import_module('roadlang.' + 'scenes')",
+    ),
+    (rules.the_core_imports_no_kind_and_no_api, "semantics/check.py", "from ..api import option"),
+    (rules.the_core_imports_no_kind_and_no_api, "cli/main.py", "from .. import api"),
+    (rules.the_core_imports_no_kind_and_no_api, "cli/main.py", "import roadlang_standard.agents"),
+    (
+        rules.the_core_imports_no_kind_and_no_api,
+        "session/loading.py",
+        "def f():\n    from roadlang_godot import engine",
+    ),
+    (rules.third_parties_are_those_of_the_table, "geometry/curve.py", "import click"),
+    (rules.third_parties_are_those_of_the_table, "semantics/check.py", "import numpy as np"),
+    (rules.third_parties_are_those_of_the_table, "world/roads.py", "import yaml"),
+    (rules.private_names_stay_in_their_file, "world/roads.py", "from .networks import _root"),
+    (
+        rules.private_names_stay_in_their_file,
+        "scenes/roads.py",
+        "from ..world import networks\nnetworks._root(None, None)",
+    ),
+    (rules.no_circles, "world/stations.py", "def f():\n    from .roads import road_batch"),
+    (
+        rules.no_circles,
+        "evaluate/randomness.py",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from .candidates import T",
+    ),
+    (
+        rules.no_clock_and_no_global_random_numbers,
+        KIND,
+        "import time\ndef now():\n    return time.time()",
+    ),
+    (
+        rules.no_clock_and_no_global_random_numbers,
+        "world/roads.py",
+        "from datetime import datetime\ndatetime.now()",
+    ),
+    (rules.no_clock_and_no_global_random_numbers, "search/guiding.py", "import random"),
+    (rules.no_clock_and_no_global_random_numbers, "world/roads.py", "np.random.normal(3)"),
+    (rules.no_clock_and_no_global_random_numbers, "world/roads.py", "np.random.default_rng()"),
+    (rules.shipped_kinds_use_the_public_api, KIND, "from roadlang.ir.batch import RoadBatch"),
+    (
+        rules.shipped_kinds_use_the_public_api,
+        "plugins/godot/roadlang_godot/engine.py",
+        "def f():\n    import roadlang.world.roads",
+    ),
+    (rules.rooms_that_compute_read_no_files, "geometry/road.py", "open('road.csv').read()"),
+    (rules.rooms_that_compute_read_no_files, "evaluate/evaluation.py", "from pathlib import Path"),
+    (rules.rooms_that_compute_read_no_files, "stl/evaluate/kernels.py", "np.load('kernels.npy')"),
+    (rules.the_core_names_no_shipped_kind, "world/networks.py", "DEFAULT = 'standard.auto'"),
+    (rules.the_core_names_no_shipped_kind, "search/effort.py", "CHEAP = ('sine', 'bump')"),
+    (rules.files_and_functions_are_small, "world/new.py", "\n" * rules.MOST_LINES),
+    (
+        rules.files_and_functions_are_small,
+        "world/roads.py",
+        "def f():\n" + "    pass\n" * rules.MOST_FUNCTION_LINES,
+    ),
+    (rules.every_file_says_what_it_is_for, "world/__init__.py", ""),
+)
+
+
+@pytest.mark.parametrize(("rule", "path", "lines"), BREAKS)
+def test_a_break_is_noticed(rule: Rule, path: str, lines: str) -> None:
+    full = path if path.startswith("plugins/") else f"src/roadlang/{path}"
+    broken = HOUSE.with_lines(full, lines) if lines else HOUSE.with_text(full, "")
+    assert any(full in fault or _module(full) in fault for fault in rule(broken))
+
+
+def _module(path: str) -> str:
+    return path.removeprefix("src/").removesuffix(".py").replace("/", ".")
