@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
-from house import House, SourceFile, dotted
+from tests.architecture.house import House, SourceFile, dotted
 
 Rule = Callable[[House], Iterator[str]]
 MOST_LINES, MOST_FUNCTION_LINES = 300, 50

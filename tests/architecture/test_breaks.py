@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pytest
-import rules
-from house import House
-from rules import Rule
+
+from tests.architecture import rules
+from tests.architecture.house import House
+from tests.architecture.rules import Rule
 
 HOUSE = House.read()
 KIND = "plugins/standard/roadlang_standard/perturb_sine.py"

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from house import ROOT, House
-from rules import RULES, Rule
+
+from tests.architecture.house import ROOT, House
+from tests.architecture.rules import RULES, Rule
 
 HOUSE = House.read()
 
