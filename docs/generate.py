@@ -14,7 +14,7 @@ from functools import cached_property
 from pathlib import Path
 
 from roadlang import api
-from roadlang.diagnostics import codes, page
+from roadlang.diagnostics import Page, codes, page
 from roadlang.plugins import hookspecs
 from roadlang.plugins.describing import bounds_text, default_text, type_text
 from roadlang.plugins.discovery import load_registry
@@ -124,8 +124,12 @@ def errors_page() -> str:
             lines += [f"## {family}xx: {title}", ""]
         for entry in pages:
             lines += [f"### {entry.code} {entry.name}: {entry.title}", ""]
-            lines += [f"{entry.severity}: `{_template(entry.message)}`", "", entry.body, ""]
+            lines += [f"{_severity(entry)}: `{_template(entry.message)}`", "", entry.body, ""]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def _severity(entry: Page) -> str:
+    return entry.severity if entry.exit == 1 else f"{entry.severity}, exit code {entry.exit}"
 
 
 def codes_module() -> str:

@@ -6,6 +6,7 @@ import io
 import json
 import subprocess
 import sys
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
@@ -151,6 +152,40 @@ def test_compile_json_prints_manifest_and_diagnostics(folder):
     record = json.loads(done.stdout)
     assert record["manifest"]["scenes"] == 1
     assert record["diagnostics"] == []
+
+
+VIOLATED = (
+    SCENE
+    + """\
+expect tight: always (abs(deviation(bent, main)) < 0.1m)
+expect loose: always (abs(deviation(bent, main)) < 9m)
+"""
+)
+
+
+def test_a_road_that_violates_an_expectation_is_written_and_exits_4(folder):
+    (folder / "scene.rl").write_text(VIOLATED)
+    done = roadlang("compile", "scene.rl", "-n", "3", "-o", "out", cwd=folder)
+    assert done.returncode == 4
+    lines = done.stdout.splitlines()
+    assert lines[0].startswith("  violated  tight: always (abs(deviation(bent, main)) < 0.1m), in ")
+    assert lines[1].endswith("all expectations hold in 0 of 3 scenes")
+    assert "loose" not in done.stdout
+    assert len(files_of(folder / "out")) == 8
+    found = json.loads(roadlang("compile", "scene.rl", "--json", cwd=folder).stdout)
+    assert [(e["name"], e["judged"], e["violated"]) for e in found["expectations"]] == [
+        ("tight", [0], [0]),
+        ("loose", [0], []),
+    ]
+
+
+def test_expectations_over_the_drive_are_not_judged_by_compile(folder):
+    drive = "agent ego is car on bent at 5m {}\nexpect slow: always (ego.speed < 1m/s)\n"
+    (folder / "scene.rl").write_text(SCENE + drive)
+    done = roadlang("compile", "scene.rl", "--json", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    (found,) = json.loads(done.stdout)["expectations"]
+    assert (found["judged"], found["violated"], found["worst"]) == ([], [], None)
 
 
 def test_impossible_requirements_exit_3_with_the_table_and_write_nothing(folder):
@@ -392,3 +427,52 @@ def test_a_bug_is_a_short_report_and_exit_70(monkeypatch, capsys):
     monkeypatch.setenv("ROADLANG_TRACEBACK", "1")
     with pytest.raises(RuntimeError):
         run(["explain"])
+
+
+@pytest.mark.parametrize("words", ["schema scene", "explain", "compile scene.rl --json", "--help"])
+def test_a_full_device_behind_standard_output_is_said(words, folder):
+    with open("/dev/full", "w") as full:
+        command = [sys.executable, "-m", "roadlang", *words.split()]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, cwd=folder)
+    assert done.returncode == 2
+    assert "RL927" in done.stderr
+    assert "standard output" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert "Exception ignored" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "status"),
+    [
+        (MemoryError(), "RL933", 5),
+        (ImportError("libx.so: failed to map segment from shared object"), "RL933", 5),
+        (OSError(28, "No space left on device", "a.json"), "RL927", 2),
+        (BrokenProcessPool("ended abruptly"), "RL934", 5),
+        (OSError(2, "No such file"), "RL900", 70),
+        (ValueError("no number"), "RL900", 70),
+    ],
+)
+def test_what_the_machine_refuses_is_no_bug(error, code, status, monkeypatch, capsys):
+    from roadlang.cli import explain
+    from roadlang.cli.main import run
+
+    def refused() -> None:
+        raise error
+
+    monkeypatch.setattr(explain, "codes", refused)
+    assert run(["explain"]) == status
+    assert f"[{code}]" in capsys.readouterr().err
+
+
+def test_little_memory_is_said(folder):
+    code = (
+        "import resource, sys\n"
+        "from roadlang.cli.main import run\n"
+        "run(['compile', 'scene.rl', '-o', 'before'])\n"
+        "limit = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
+        "resource.setrlimit(resource.RLIMIT_AS, (limit + 20_000_000, limit + 20_000_000))\n"
+        "sys.exit(run(['compile', 'scene.rl', '-n', '2000']))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder)
+    assert (done.returncode, "RL933" in done.stderr) == (5, True), done.stderr
+    assert not (folder / "out").exists()

@@ -25,6 +25,8 @@ WITHOUT_EXAMPLE = {
     "RL516": "takes an installation without the package `websockets`",
     "RL612": "takes a count without known bounds, which `check` cannot compute",
     "RL900": "is a bug of roadlang",
+    "RL933": "takes a machine with little memory; see tests/cli/test_commands.py",
+    "RL934": "takes a process that is killed; see tests/cli/test_commands.py",
 }
 """Pages that cannot have a `wrong` example, and why."""
 

@@ -44,10 +44,10 @@ def test_kept_expectations_leave_with_0_and_the_trace_is_written(tmp_path: Path)
     assert [v["satisfied"] for v in verdicts["expectations"]] == [True] * 4
 
 
-def test_a_broken_expectation_leaves_with_4(
+def test_a_violated_expectation_leaves_with_4(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(tmp_path, "6m/s") == 4
     output = capsys.readouterr().out
-    assert "broken" in output
+    assert "violated" in output
     assert "robustness -2" in output

@@ -12,7 +12,7 @@ import click
 from ..diagnostics import Diagnostic, DiagnosticError
 from ..session.scene_files import parse_overrides
 from . import exit_codes
-from .console import echo, report
+from .console import echo, holding, report, violations
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
@@ -55,7 +55,8 @@ def command(
 
     DIR gets scene-0000.json, scene-0000.svg, ... as the file's `emit`s say (JSON and SVG if it has
     none), and manifest.json with the digests of all of them. The same file, inputs and seed give
-    the same bytes.
+    the same bytes. The exit code is 4 where a road violates an `expect`; what is expected of the
+    drive is judged by `roadlang run`.
     """
     run = _Compilation(as_json)
     target = Path(folder).absolute()  # a plugin may change the current folder
@@ -65,7 +66,7 @@ def command(
     except DiagnosticError as error:
         run.found += error.diagnostics
     run.report(folder)
-    click.get_current_context().exit(exit_codes.exit_code_of(run.found))
+    click.get_current_context().exit(run.exit_code)
 
 
 class _Compilation:
@@ -108,6 +109,14 @@ class _Compilation:
         with ProgressBar("files") as progress:
             self.manifest = self.scenes.emit(folder, kinds, progress=progress)
 
+    @property
+    def exit_code(self) -> int:
+        """That of the errors, or 4 where a road violates an `expect`."""
+        code = exit_codes.exit_code_of(self.found)
+        if code == exit_codes.DONE and self.scenes is not None and not self.scenes.satisfied:
+            return exit_codes.EXPECTATION_VIOLATED
+        return code
+
     def report(self, folder: str) -> None:
         """The manifest or a summary to stdout; diagnostics and the table to stderr."""
         self.found = list(dict.fromkeys(self.found))
@@ -122,10 +131,19 @@ class _Compilation:
         for remark in self.scenes.remarks:
             click.echo(f"note: {remark}", err=True)
         if self.manifest is not None:
+            for line in violations(self.scenes.expectations):
+                echo(line)
             scenes = _count(len(self.scenes), "scene")
             tried = _count(self.scenes.candidates, "candidate")
             files = _count(len(self.manifest.files), "file")
-            echo(f"{scenes} of {tried}, {files} in {folder}")
+            echo(f"{scenes} of {tried}, {files} in {folder}{self._held()}")
+
+    def _held(self) -> str:
+        """In how many scenes the expectations hold, where they do not in all."""
+        assert self.scenes is not None
+        violating = {i for found in self.scenes.expectations for i in found.violated}
+        total = len(self.scenes)
+        return f"; {holding(total - len(violating), total)}" if violating else ""
 
     def _as_json(self) -> str:
         import dataclasses
@@ -138,6 +156,9 @@ class _Compilation:
             "manifest": None if self.manifest is None else dataclasses.asdict(self.manifest),
             "diagnostics": [to_record(diagnostic) for diagnostic in self.found],
             "requirements": table,
+            "expectations": (
+                [] if scenes is None else [dataclasses.asdict(e) for e in scenes.expectations]
+            ),
             "remarks": [] if scenes is None else list(scenes.remarks),
         }
         return json.dumps(record, indent=2, ensure_ascii=False)

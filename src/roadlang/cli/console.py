@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable
-from typing import TextIO
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, TextIO
 
 import click
 
 from ..diagnostics import Diagnostic
 from ..diagnostics.render import in_order, render_all
+
+if TYPE_CHECKING:
+    from ..session.expectations import Expectation
 
 
 def wants_color(stream: TextIO) -> bool:
@@ -59,3 +62,20 @@ def echo(text: str) -> None:
 def style(text: str, *, fg: str | None = None, bold: bool | None = None) -> str:
     """`text` in a color or bold, as `click.style` has them, where stdout shows colors."""
     return click.style(text, fg=fg, bold=bold) if wants_color(sys.stdout) else text
+
+
+def violations(expectations: Iterable[Expectation]) -> Iterator[str]:
+    """A line for each expectation that a scene violates."""
+    for found in expectations:
+        if found.violated:
+            shown = ", ".join(map(str, found.violated[:8]))
+            more = ", ..." if len(found.violated) > 8 else ""
+            worst = "" if found.worst is None else f"; least robustness {found.worst:.3g}"
+            scenes = f"{len(found.violated)} of {len(found.judged)} scenes ({shown}{more})"
+            word = style("violated", fg="red")
+            yield f"  {word}  {found.name}: {found.text}, in {scenes}{worst}"
+
+
+def holding(satisfied: int, scenes: int) -> str:
+    """In how many scenes all expectations hold."""
+    return f"all expectations hold in {satisfied} of {scenes} scene{'' if scenes == 1 else 's'}"

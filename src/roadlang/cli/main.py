@@ -91,7 +91,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         click.echo("interrupted", err=True)
         return exit_codes.INTERRUPTED
     except BrokenPipeError:
-        _close_broken_pipe()
+        _forget_standard_output()
         return exit_codes.PIPE_CLOSED
     except SystemExit as request:
         return request.code if isinstance(request.code, int) else int(request.code is not None)
@@ -105,16 +105,24 @@ def _explain(error: Exception) -> int:
 
     if not isinstance(error, DiagnosticError):
         from .bug import describe_bug
+        from .machine_faults import machine_fault
 
         if os.environ.get("ROADLANG_TRACEBACK"):
             raise error
-        error = DiagnosticError(describe_bug(error))
+        if isinstance(error, OSError):
+            _forget_standard_output()
+        error = DiagnosticError(machine_fault(error) or describe_bug(error))
     elif os.environ.get("ROADLANG_TRACEBACK") and error.__cause__ is not None:
         traceback.print_exception(error.__cause__)
     report(error.diagnostics)
     return exit_codes.exit_code_of(error.diagnostics) or exit_codes.SCENARIO_HAS_ERRORS
 
 
-def _close_broken_pipe() -> None:
-    # Python flushes stdout once more at exit, which would complain about the closed pipe again.
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def _forget_standard_output() -> None:
+    """Have what is still to be written to it go nowhere, where it cannot be written to."""
+    try:
+        sys.stdout.flush()
+    except (OSError, ValueError):
+        # Python flushes once more at exit, which would complain again.
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

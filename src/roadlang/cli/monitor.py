@@ -43,7 +43,7 @@ def command(
         echo(str(parsed))
         echo(_table(findings))
     broken = any(finding["verdict"] == "violated" for finding in findings)
-    click.get_current_context().exit(exit_codes.EXPECTATION_BROKEN if broken else exit_codes.DONE)
+    click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
 
 
 def _finding(formula: Formula, path: str, wrap: float | None, plot: str | None) -> dict[str, Any]:

@@ -10,7 +10,7 @@ import click
 
 from ..session.scene_files import parse_overrides
 from . import exit_codes
-from .console import echo, report, style
+from .console import echo, holding, report, style
 
 if TYPE_CHECKING:
     from ..session.drives import Drive, DriveSet
@@ -39,7 +39,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 ) -> None:
     """Make scenes of FILE, drive each, judge its expectations, and write the traces to DIR.
 
-    The exit code is 4 where an expectation is broken, and 5 where the engine failed.
+    The exit code is 4 where an expectation is violated, and 5 where the engine failed.
     """
     from ..session.loading import load
 
@@ -59,7 +59,7 @@ def command(  # noqa: PLR0913 - one parameter per option
         for drive in drives:
             _print(drive)
         echo(f"{_summary(drives)}traces and verdicts in {folder}")
-    code = exit_codes.DONE if drives.satisfied else exit_codes.EXPECTATION_BROKEN
+    code = exit_codes.DONE if drives.satisfied else exit_codes.EXPECTATION_VIOLATED
     click.get_current_context().exit(code)
 
 
@@ -90,7 +90,7 @@ def _print(drive: Drive) -> None:
     took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
     echo(f"scene {drive.scene.index}: {took} driven in {drive.engine}")
     for verdict in drive.verdicts.values():
-        word = style("holds ", fg="green") if verdict.satisfied else style("broken", fg="red")
+        word = style("holds   ", fg="green") if verdict.satisfied else style("violated", fg="red")
         if verdict.satisfied is None:
             word = "not judged"
         rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
@@ -98,9 +98,7 @@ def _print(drive: Drive) -> None:
 
 
 def _summary(drives: DriveSet) -> str:
-    """`5 of 9 scenes satisfy all expectations; `, or nothing where nothing is expected."""
+    """In how many scenes all expectations hold; nothing where nothing is expected."""
     if not any(drive.verdicts for drive in drives):
         return ""
-    satisfied = sum(drive.satisfied for drive in drives)
-    noun = "scene satisfies" if len(drives) == 1 else "scenes satisfy"
-    return f"{satisfied} of {len(drives)} {noun} all expectations; "
+    return f"{holding(sum(drive.satisfied for drive in drives), len(drives))}; "

@@ -198,3 +198,5 @@ class Code:
     UNKNOWN_CHOICE: Final = "RL930"
     DUPLICATE_OUTPUT: Final = "RL931"
     BROKEN_PLUGIN_COMMAND: Final = "RL932"
+    OUT_OF_MEMORY: Final = "RL933"
+    WORKER_ENDED: Final = "RL934"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.trace_files import COLUMNS, to_csv, to_json
+from .expectations import Expectation, expectations_of
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -107,6 +108,13 @@ class DriveSet(Sequence[Drive]):
     def __getitem__(self, index: slice) -> Sequence[Drive]: ...
     def __getitem__(self, index: int | slice) -> Drive | Sequence[Drive]:
         return self._drives[index]
+
+    @property
+    def expectations(self) -> tuple[Expectation, ...]:
+        """How each `expect` came out over the drives."""
+        return expectations_of(
+            (drive.scene.index, verdict) for drive in self for verdict in drive.verdicts.values()
+        )
 
     @property
     def satisfied(self) -> bool:

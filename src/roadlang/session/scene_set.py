@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..scenes.sampling import SamplingResult, sample_scenes
+from .expectations import Expectation, expectations_of
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -93,6 +94,18 @@ class SceneSet(Sequence[Scene]):
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Warnings of the check, and why there are fewer scenes than asked for (RL600 to RL602)."""
         return (*self.loaded.check(), *_shortfall(self.result, str(self.loaded.path)))
+
+    @property
+    def expectations(self) -> tuple[Expectation, ...]:
+        """How each `expect` came out over the scenes; those over the drive are not judged yet."""
+        return expectations_of(
+            (scene.index, verdict) for scene in self for verdict in scene.expectations.values()
+        )
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether no scene violates an expectation that is judged."""
+        return not any(found.violated for found in self.expectations)
 
     def to_dict(self) -> dict[str, list[Any]]:
         """Columns for `pandas.DataFrame`, one row a scene: `scene`, params and `let`s, draws by

@@ -12,7 +12,10 @@ _FOLDER = Path(__file__).parent
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """What one code means; `name` is what the code is called, `body` Markdown with examples."""
+    """What one code means; `name` is what the code is called, `body` Markdown with examples.
+
+    `exit` is the exit code of a command that ends with this error.
+    """
 
     code: str
     name: str
@@ -20,6 +23,7 @@ class Page:
     severity: Literal["error", "warning", "note"]
     message: str
     body: str
+    exit: int = 1
 
 
 class UnknownCode(KeyError):
@@ -32,17 +36,18 @@ def page(code: str) -> Page:
     path = _FOLDER / f"{code}.md"
     if not path.is_file():
         raise UnknownCode(code)
-    heading, severity, message, body = path.read_text(encoding="utf-8").split("\n", 3)
+    head, _, body = path.read_text(encoding="utf-8").partition("\n\n")
+    heading, *lines = head.split("\n")
     name, _, title = heading.removeprefix(f"# {code} ").partition(":")
+    said = dict(line.split(": ", 1) for line in lines)
     return Page(
         code=code,
         name=name,
         title=title.strip(),
-        severity=cast(
-            Literal["error", "warning", "note"], severity.removeprefix("severity:").strip()
-        ),
-        message=message.removeprefix("message:").strip(),
+        severity=cast(Literal["error", "warning", "note"], said["severity"]),
+        message=said["message"],
         body=body.strip(),
+        exit=int(said.get("exit", "1")),
     )
 
 
