@@ -156,12 +156,12 @@ def test_the_guide_explains_the_chicane_plugin_as_it_is():
             assert paragraph.strip("\n") in guide, f"{name}: {paragraph}"
 
 
-def test_every_command_is_in_the_command_reference():
+def test_the_command_reference_has_every_command_and_no_other():
     import click
 
-    from roadlang.cli.commands import COMMANDS, LazyGroup
+    from roadlang.cli.commands import LazyGroup
 
     page = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
-    for name in LazyGroup("roadlang").list_commands(click.Context(click.Command("roadlang"))):
-        assert f"`roadlang {name}" in page, name
-    assert COMMANDS
+    documented = re.findall(r"^\| `roadlang (\w+)", page, re.MULTILINE)
+    commands = LazyGroup("roadlang").list_commands(click.Context(click.Command("roadlang")))
+    assert sorted(documented) == sorted(commands)

@@ -28,8 +28,8 @@ _NO_PLUGINS = "ROADLANG_NO_PLUGINS"
     cls=LazyGroup,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog="Exit codes: 0 done, 1 the scenario has errors, 2 wrong use, 3 no scene satisfied the"
-    " requirements, 4 an expectation was broken, 5 an outside part (engine, network, plugin)"
-    " failed, 70 a bug of roadlang.",
+    " requirements, 4 an expectation is violated, 5 an outside part (engine, network, plugin,"
+    " memory) failed, 70 a bug of roadlang.",
 )
 @click.version_option(__version__, "-V", "--version", message="roadlang %(version)s")
 @click.option(
