@@ -5,6 +5,7 @@ Trees follow the precedence of the language: what binds looser stands in a `Grou
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from typing import Any
 
@@ -214,38 +215,32 @@ class _Grower:
         return ast.Block(self.some(item, depth, 0, 3), span=NOWHERE)
 
     def statement(self, depth: int) -> ast.Statement:
-        block = self.maybe(self.block, 2)
-        name, at = self.word(), NOWHERE
-        match self.draw(st.integers(0, 9)):
-            case 0:
-                return ast.Header(name, self.maybe(self.string, 0), span=at)
-            case 1:
-                return ast.Include(self.string(), block, span=at)
-            case 2:
-                return ast.Param(name, self.value(depth), span=at)
-            case 3:
-                return ast.Let(name, self.value(depth), span=at)
-            case 4:
-                source = self.maybe(self.one_of(self.source, self.text), 1)
-                return ast.Geometry(self.pick("image network road"), name, source, block, span=at)
-            case 5:
-                word = self.pick("require expect")
-                return ast.Constraint(word, name, self.formula(depth), span=at)
-            case 6:
-                word = self.pick("require expect")
-                return ast.Constraint(word, name, None, self.kind(), block, span=at)
-            case 7:
-                word, on = self.pick("agent object"), self.maybe(self.source, 1)
-                place = self.formula(depth)
-                return ast.Actor(word, name, self.source(1), on, place, block, span=at)
-            case 8:
-                kind = self.maybe(self.kind, 0)
-                return ast.RunStep(self.pick("sample simulate falsify"), kind, block, span=at)
-            case _:
-                return self.one_of(
-                    lambda _: ast.World(block, span=at),
-                    lambda _: ast.Emit(self.kind(), block, span=at),
-                )(0)
+        node = self.draw(st.sampled_from(ast.STATEMENTS))
+        values = {
+            field.name: self.field(node, field.name, str(field.type), depth)
+            for field in dataclasses.fields(node)
+            if not field.kw_only
+        }
+        if node is ast.Constraint:  # a formula, or a kind with its block
+            left_out = self.one_of(lambda _: ["formula"], lambda _: ["kind", "block"])(0)
+            values |= dict.fromkeys(left_out)
+        return node(**values, span=NOWHERE)
+
+    def field(self, node: type[ast.Statement], name: str, hint: str, depth: int) -> Any:
+        """The value of one field of a statement, by its type and its name."""
+        expressions = {"value": self.value, "at": self.formula, "formula": self.formula}
+        if name == "source":
+            expressions["source"] = self.one_of(self.source, self.text)
+        make = {
+            "str": lambda _: self.draw(st.sampled_from(node.words)),
+            "Word": self.word,
+            "String": self.string,
+            "Kind": self.kind,
+            "Block": lambda _: self.block(2),
+            "Expression": expressions.get(name, self.source),
+        }[hint.removesuffix(" | None")]
+        always = node is ast.Constraint or not hint.endswith(" | None")
+        return make(depth) if always else self.maybe(make, depth)
 
 
 @st.composite

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ...diagnostics import Code, Label, Span, nearest
-from ...ir.values import PassCall, Value
+from ...ir.values import PassCall
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
@@ -136,15 +136,3 @@ def lower_options(
 def _is_whole(block: ast.Block | None) -> bool:
     """Whether what is not in a block is missing, rather than in a part that could not be read."""
     return block is None or (block.complete and block.span.text.endswith("}"))
-
-
-def refuse_passes(checker: Checker, what: str, passes: Iterable[ast.Pass]) -> bool:
-    """False, reported, where a block that takes none has passes."""
-    fine = True
-    for item in passes:
-        checker.report(Code.MISPLACED_PASS, item.verb.span, what=f"`{what}`", verb=item.verb.text)
-        fine = False
-    return fine
-
-
-Options = tuple[tuple[str, Value], ...]

@@ -18,7 +18,7 @@ from .constraints import lower_constraint
 from .geometry import lower_geometry
 from .named_values import lower_value
 from .run import lower_emit, lower_run_step
-from .world import lower_world
+from .settings import lower_settings
 
 _SPECS = (
     StatementSpec("param", "values", lower_value),
@@ -36,7 +36,7 @@ _SPECS = (
     StatementSpec("expect", "expectations", lower_constraint, as_written=True),
     StatementSpec("agent", "agents", lower_actor, PlacementOptions, {"drive": DriveOptions}),
     StatementSpec("object", "objects", lower_actor, PlacementOptions),
-    StatementSpec("world", "world", lower_world, WorldOptions, once=True),
+    StatementSpec("world", "world", lower_settings, WorldOptions, once=True),
     StatementSpec("sample", "sample", lower_run_step, once=True, default_kind="random"),
     StatementSpec("simulate", "simulate", lower_run_step, once=True, default_kind="builtin"),
     StatementSpec("falsify", "falsify", lower_run_step, once=True, default_kind="random"),

@@ -1,0 +1,23 @@
+"""Statements that are nothing but options: `world`."""
+
+from __future__ import annotations
+
+from ...ir.values import Value
+from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
+from ..infer.blocks import lower_options, lower_passes
+from ..infer.statement_spec import StatementSpec
+from ..names.program import PlacedStatement
+
+
+def lower_settings(
+    checker: Checker, spec: StatementSpec, placed: PlacedStatement
+) -> tuple[tuple[str, Value], ...]:
+    """The options as values."""
+    block: ast.Block | None = getattr(placed.statement, "block", None)
+    context = Context(user=spec.word, place=spec.word)
+    span = placed.statement.span
+    bound = lower_options(checker, spec.word, block, spec.schema, context, span)
+    lower_passes(checker, spec, block, context)
+    return bound.values
