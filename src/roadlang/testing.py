@@ -128,7 +128,7 @@ def road_batch(
     zeros = np.zeros((variants, len(frame.stations)))
     widths = np.broadcast_to(np.asarray(width, dtype=float).reshape(-1, 1), (variants, 1))
     curves = DisplacedBatch(frame, zeros, zeros, zeros)
-    return RoadBatch(name, name, curves, widths, zeros)
+    return RoadBatch(name, name, curves, widths, zeros, confidence=1.0)
 
 
 def random(variants: int = 1, seed: int = 0) -> BatchRandom:

@@ -12,4 +12,4 @@ from roadlang.world.stations import still
 def road_of(points: list[tuple[float, float]], closed: bool = False) -> RoadBatch:
     curve = Curve.through(points, closed)
     frame = Frame.of(curve, curve.stations(spacing=1.0))
-    return still("main", "main", frame, np.full((1, 1), 8.0))
+    return still("main", "main", frame, np.full((1, 1), 8.0), 1.0)

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import ClassVar
 
 import cv2
 import numpy as np
 import pytest
 
+from roadlang.api import Extraction, Extractor, Picture
 from roadlang.diagnostics import DiagnosticError
+from roadlang.geometry import RoadNetwork
 from roadlang.scenes.sampling import SamplingResult
 
 Sample = Callable[..., SamplingResult]
@@ -154,3 +158,56 @@ road found from seen { select: longest }
     lines = [scene.roads[0].y for scene in scenes]
     assert all(a != b for a, b in itertools.combinations(lines, 2))
     assert sample(text, 1).scenes[0] == scenes[0]
+
+
+@dataclass(frozen=True)
+class Unsure(Extractor):
+    """Two roads that meet, one of them doubtful."""
+
+    name: ClassVar[str] = "unsure"
+
+    def extract(self, picture: Picture) -> Extraction:
+        found = picture.network([np.array([(0.0, 0.0), (9.0, 0.0)])])
+        (edge,) = found.network.edges
+        network = RoadNetwork(found.network.nodes, (replace(edge, confidence=0.9),))
+        return replace(found, network=network, confidence=0.6)
+
+
+def test_a_road_of_a_network_is_as_sure_as_the_network(sample: Sample) -> None:
+    text = (
+        'image plan from """\n##########\n""" { scale: 10m/px }\n'
+        "network lane from plan { extract with acme.unsure }\n"
+        "road main from lane\n"
+        "road wavy from main { perturb with sine { amplitude: 0m..2m, wavelength: 40m } }\n"
+        "expect of_network: confidence(lane) > 0.5\n"
+        "expect of_road: confidence(main) > 0.5\n"
+        "expect of_perturbed: confidence(wavy) > 0.5\n"
+    )
+    (scene,) = sample(text, kinds=(Unsure,)).scenes
+    for verdict in scene.expectations:
+        assert verdict.robustness == pytest.approx(0.1)
+
+
+def test_a_road_that_runs_against_an_edge_is_displaced_to_the_side_of_the_edge(
+    sample: Sample,
+) -> None:
+    text = (
+        'image plan from """\n####################\n""" { scale: 10m/px }\n'
+        "network lane from plan\n"
+        "network wavy from lane { perturb with bump { at: 60m, length: 60m, height: 3m } }\n"
+        "road there from wavy { select: route((5m, 5m), (195m, 5m)) }\n"
+        "road back from wavy { select: route((195m, 5m), (5m, 5m)) }\n"
+    )
+    roads = {road.name: road for road in sample(text).scenes[0].roads}
+    edge, there, back = roads["wavy/1"], roads["there"], roads["back"]
+    assert max(abs(y - 5.0) for y in edge.y) > 2.5
+    for road in (there, back):
+        lateral = np.interp(road.x, *sorted_by_first(edge.x, edge.y))
+        assert np.abs(lateral - road.y).max() < 0.02
+
+
+def sorted_by_first(
+    x: tuple[float, ...], y: tuple[float, ...]
+) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    order = np.argsort(x)
+    return tuple(np.array(x)[order]), tuple(np.array(y)[order])

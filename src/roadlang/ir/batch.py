@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from .read_only import Frozen, frozen
@@ -32,12 +32,12 @@ class RoadBatch(Frozen):
     """(V, S) or (V, 1) meters"""
     displacement: Floats
     """(V, S) meters: the sum of all displacements from the root, left positive"""
+    confidence: float
+    """how sure the extractor is of the road, 0 to 1; 1 of a road that no extractor found"""
     stretch: tuple[Any, Any] | None = None
     """`over: [a, b]` of the pass that perturbs it: arc lengths, or (V, 1) columns of such"""
     others: tuple[RoadBatch, ...] = ()
     """the other roads of the same network, for clearance"""
-    confidence: float = 1.0
-    """how sure the extractor is of the road, 0 to 1"""
 
     @property
     def stations(self) -> Floats:
@@ -92,17 +92,27 @@ class RoadBatch(Frozen):
         return length
 
     def take(self, rows: NDArray[np.intp]) -> RoadBatch:
-        """The variants at `rows`; a road that is alike in all stays as it is."""
-        alike = self.variants == 1 and self.width.shape[0] == 1
-        if alike:
+        """The variants at `rows`, in every field; what has one row for all variants keeps it."""
+        every = {field.name: getattr(self, field.name) for field in fields(self)}
+        taken = {name: _rows(value, rows) for name, value in every.items()}
+        if all(taken[name] is value for name, value in every.items()):
             return self
-        return RoadBatch(
-            self.name,
-            self.root,
-            self.curves if self.variants == 1 else self.curves.take(rows),
-            self.width if self.width.shape[0] == 1 else self.width[rows],
-            self.displacement if self.displacement.shape[0] == 1 else self.displacement[rows],
-        )
+        return replace(self, **taken)
+
+
+def _rows(value: Any, rows: NDArray[np.intp]) -> Any:
+    """The rows of a field: of arrays, curves and roads, also inside tuples."""
+    if isinstance(value, RoadBatch):
+        return value.take(rows)
+    if hasattr(value, "variants"):  # curves
+        return value if value.variants == 1 else value.take(rows)
+    if hasattr(value, "shape"):
+        return value if value.shape[0] == 1 else value[rows]
+    if isinstance(value, tuple):
+        items = tuple(_rows(item, rows) for item in value)
+        is_same = all(item is before for item, before in zip(items, value, strict=True))
+        return value if is_same else items
+    return value
 
 
 class BatchRandom:

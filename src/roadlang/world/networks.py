@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any
 
@@ -82,8 +82,7 @@ def _still_edge(network: Network, edge: int, candidates: CandidateBatch) -> Road
     found = root.network.edge(edge)
     width: WidthProfile = found.width
     name = f"{root.name}/{edge}"
-    batch = still(name, name, frame, width.at(frame.stations)[None, :])
-    return replace(batch, confidence=found.confidence)
+    return still(name, name, frame, width.at(frame.stations)[None, :], found.confidence)
 
 
 def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:

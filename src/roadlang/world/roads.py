@@ -35,7 +35,7 @@ DEFAULT_LANES = 2
 @dataclass(frozen=True, eq=False)
 class RoadRoot:
     """A road before any `perturb`. `path`: its way through a network, where it comes of one;
-    `inputs`: the files that it was made from."""
+    `inputs`: the files that it was made from, `confidence` that of the extractor in its network."""
 
     id: str
     frame: Frame
@@ -44,6 +44,7 @@ class RoadRoot:
     path: Path | None = None
     network: Network | None = None
     inputs: tuple[Input, ...] = ()
+    confidence: float = 1.0
 
 
 def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
@@ -108,7 +109,7 @@ def _carried(road: Road, candidates: CandidateBatch) -> RoadBatch:
     width = (
         np.full((1, 1), DEFAULT_WIDTH) if root.width is None else root.width.at(stations)[None, :]
     )
-    batch = still(road.name, root.id, root.frame, width)
+    batch = still(road.name, root.id, root.frame, width, root.confidence)
     network = root.network
     if network is None or root.path is None or not _is_bent(network, candidates.scenario):
         return batch
@@ -168,8 +169,8 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
         edge = root.network.edge(steps[0].edge)
         if steps[0].stop >= edge.length:
             id = f"{root.name}/{edge.id}"
-            frame = root.frame(edge.id)
-            return RoadRoot(id, frame, edge.width, None, path, network, root.inputs)
+            frame, width = root.frame(edge.id), edge.width
+            return RoadRoot(id, frame, width, None, path, network, root.inputs, root.confidence)
     return _way(root, path, network, candidates)
 
 
@@ -183,7 +184,8 @@ def _way(root: NetworkRoot, path: Path, network: Network, candidates: CandidateB
 
     id = f"{root.name}/{steps}"
     shared = keeper.once(("way", id), frame)
-    return RoadRoot(id, shared, path.width, None, path, network, root.inputs)
+    width = path.width
+    return RoadRoot(id, shared, width, None, path, network, root.inputs, root.confidence)
 
 
 def _drawn(road: Road, candidates: CandidateBatch) -> Curve:

@@ -18,10 +18,13 @@ def stations_of(curve: Curve) -> NDArray[np.float64]:
     return curve.stations(count=count)
 
 
-def still(name: str, root: str, frame: Frame, width: NDArray[np.float64]) -> RoadBatch:
+def still(
+    name: str, root: str, frame: Frame, width: NDArray[np.float64], confidence: float
+) -> RoadBatch:
     """A root road as a batch: one row, not displaced."""
     zeros = np.zeros((1, len(frame.stations)))
-    return RoadBatch(name, root, DisplacedBatch(frame, zeros, zeros, zeros), width, zeros)
+    curves = DisplacedBatch(frame, zeros, zeros, zeros)
+    return RoadBatch(name, root, curves, width, zeros, confidence)
 
 
 def is_still(road: RoadBatch) -> bool:
