@@ -476,3 +476,20 @@ def test_little_memory_is_said(folder):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder)
     assert (done.returncode, "RL933" in done.stderr) == (5, True), done.stderr
     assert not (folder / "out").exists()
+
+
+def test_check_writes_the_fixes_that_leave_no_choice(folder: Path) -> None:
+    (folder / "scene.rl").write_text(
+        SCENE.replace("require near:", "requir near =") + "emit teleport\n"
+    )
+    done = roadlang("check", "--fix", "scene.rl", cwd=folder)
+    assert "2 fixes" in done.stderr
+    assert "RL210" in done.stderr
+    assert done.returncode == 1
+    assert (folder / "scene.rl").read_text() == SCENE + "emit teleport\n"
+
+
+def test_check_fix_leaves_a_good_file_untouched(folder: Path) -> None:
+    before = (folder / "scene.rl").stat()
+    assert roadlang("check", "--fix", "scene.rl", cwd=folder).returncode == 0
+    assert (folder / "scene.rl").stat().st_mtime_ns == before.st_mtime_ns

@@ -3,27 +3,37 @@
 from __future__ import annotations
 
 import json
+from typing import TYPE_CHECKING
 
 import click
 
-from ..diagnostics import Diagnostic, DiagnosticError
+from ..diagnostics import Diagnostic, DiagnosticError, Source
 from ..ir.scenario import Scenario
-from ..session.scene_files import parse_overrides
+from ..session.scene_files import STANDARD_INPUT, parse_overrides
 from . import exit_codes
 from .console import report
+
+if TYPE_CHECKING:
+    from ..session.loading import LoadedScenario
+
+_MOST_ROUNDS = 20
 
 
 @click.command("check")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path())
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
 @click.option("--json", "as_json", is_flag=True, help="Print the diagnostics as a JSON list.")
+@click.option("--fix", is_flag=True, help="Write the fixes that leave no choice into the FILEs.")
 @click.option(
     "--scenario", is_flag=True, help="Print the scenario as JSON when there are no errors."
 )
 def command(
-    files: tuple[str, ...], settings: tuple[str, ...], as_json: bool, scenario: bool
+    files: tuple[str, ...], settings: tuple[str, ...], as_json: bool, fix: bool, scenario: bool
 ) -> None:
-    """Report every fault of the scene FILEs; write nothing. `-` reads standard input.
+    """Report every fault of the scene FILEs. `-` reads standard input.
+
+    Nothing is written but what --fix asks for: fixes with one possible replacement are made, the
+    file is checked again, and what is left is reported.
 
     A JSON diagnostic has code, severity, message, file, line, column, end_line, end_column
     (counted from 1, the end behind the last character), help and fixes.
@@ -31,7 +41,7 @@ def command(
     overrides = parse_overrides(settings)
     found: list[Diagnostic] = []
     for name in files:
-        checked, diagnostics = _check(name, overrides)
+        checked, diagnostics = _check(name, overrides, fix)
         found += diagnostics
         if scenario and checked is not None:
             _print_scenario(checked)
@@ -44,16 +54,39 @@ def command(
     click.get_current_context().exit(exit_codes.exit_code_of(found))
 
 
-def _check(name: str, overrides: dict[str, str]) -> tuple[Scenario | None, list[Diagnostic]]:
+def _check(
+    name: str, overrides: dict[str, str], fix: bool
+) -> tuple[Scenario | None, list[Diagnostic]]:
     from ..session.loading import load
 
     try:
         loaded = load(name).with_params(overrides)
+        if fix:
+            loaded = _fixed(loaded, name)
         found = list(loaded.check())
     except DiagnosticError as error:
         return None, list(error.diagnostics)
     has_errors = any(diagnostic.is_error for diagnostic in found)
     return None if has_errors else loaded.scenario, found
+
+
+def _fixed(loaded: LoadedScenario, name: str) -> LoadedScenario:
+    """The scenario after all certain fixes, which are written into its file."""
+    from ..diagnostics.fixing import apply_fixes
+    from ..files.writing import write_file
+
+    if name == STANDARD_INPUT:
+        raise click.UsageError("--fix writes into files; standard input is none")
+    before, count = loaded.text, 0
+    for _ in range(_MOST_ROUNDS):
+        text, fixes = apply_fixes(Source(str(loaded.path), loaded.text), loaded.check())
+        if not fixes:
+            break
+        loaded, count = loaded.with_text(text), count + fixes
+    if loaded.text != before:
+        write_file(loaded.path, loaded.text)
+        click.echo(f"{name}: {count} {'fix' if count == 1 else 'fixes'}", err=True)
+    return loaded
 
 
 def _print_scenario(scenario: Scenario) -> None:
