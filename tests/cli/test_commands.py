@@ -480,7 +480,7 @@ def test_little_memory_is_said(folder):
 
 def test_check_writes_the_fixes_that_leave_no_choice(folder: Path) -> None:
     (folder / "scene.rl").write_text(
-        SCENE.replace("require near:", "requir near =") + "emit teleport\n"
+        SCENE.replace("require near:", "requir near=") + "emit teleport\n"
     )
     done = roadlang("check", "--fix", "scene.rl", cwd=folder)
     assert "2 fixes" in done.stderr
