@@ -92,4 +92,4 @@ def _fixed(loaded: LoadedScenario, name: str) -> LoadedScenario:
 def _print_scenario(scenario: Scenario) -> None:
     from ..ir.scenario_json import scenario_to_json
 
-    click.echo(json.dumps(scenario_to_json(scenario), indent=2, ensure_ascii=False))
+    click.echo(json.dumps(scenario_to_json(scenario), indent=2))

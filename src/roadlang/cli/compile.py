@@ -12,7 +12,7 @@ import click
 from ..diagnostics import Diagnostic, DiagnosticError
 from ..session.scene_files import parse_overrides
 from . import exit_codes
-from .console import echo, holding, report, violations
+from .console import echo, holding, note, report, violations
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
@@ -127,9 +127,9 @@ class _Compilation:
         if self.scenes is None:
             return
         if self.scenes.result.missing:
-            click.echo(f"\n{self.scenes.rejection_table}", err=True)
+            note(f"\n{self.scenes.rejection_table}")
         for remark in self.scenes.remarks:
-            click.echo(f"note: {remark}", err=True)
+            note(f"note: {remark}")
         if self.manifest is not None:
             for line in violations(self.scenes.expectations):
                 echo(line)
@@ -161,7 +161,7 @@ class _Compilation:
             ),
             "remarks": [] if scenes is None else list(scenes.remarks),
         }
-        return json.dumps(record, indent=2, ensure_ascii=False)
+        return json.dumps(record, indent=2)
 
 
 def _count(number: int, noun: str) -> str:

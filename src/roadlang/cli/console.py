@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, TextIO
@@ -10,10 +11,13 @@ from typing import TYPE_CHECKING, TextIO
 import click
 
 from ..diagnostics import Diagnostic
+from ..diagnostics.printable import printable
 from ..diagnostics.render import in_order, render_all
 
 if TYPE_CHECKING:
     from ..session.expectations import Expectation
+
+_COLOR_SEQUENCE = re.compile(r"(\x1b\[[0-9;]*m)")
 
 
 def wants_color(stream: TextIO) -> bool:
@@ -55,8 +59,21 @@ def _count(number: int, noun: str) -> str:
 
 
 def echo(text: str) -> None:
-    """A result, to stdout."""
-    click.echo(text, color=wants_color(sys.stdout))
+    """A result, to stdout, without control characters."""
+    click.echo(_safe(text), color=wants_color(sys.stdout))
+
+
+def note(text: str) -> None:
+    """A remark, to stderr, without control characters."""
+    click.echo(_safe(text), err=True, color=wants_color(sys.stderr))
+
+
+def _safe(text: str) -> str:
+    """Lines as they may be shown: of control characters only colors and line breaks stay."""
+    parts = _COLOR_SEQUENCE.split(text)
+    return "".join(
+        part if index % 2 else printable(part, keep="\n\t") for index, part in enumerate(parts)
+    )
 
 
 def style(text: str, *, fg: str | None = None, bold: bool | None = None) -> str:

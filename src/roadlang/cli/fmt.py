@@ -61,4 +61,6 @@ def _print_diff(name: str, before: str, after: str) -> None:
     lines = difflib.unified_diff(
         before.splitlines(keepends=True), after.splitlines(keepends=True), name, name
     )
-    sys.stdout.writelines(lines)
+    # On a terminal the diff is looked at; elsewhere it must apply to the file as it is.
+    write = echo if sys.stdout.isatty() else sys.stdout.write
+    write("".join(lines))

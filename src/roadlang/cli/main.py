@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 import click
 
+from ..diagnostics.printable import one_line
 from ..plugins.termination import (
     Terminated,
     end_on_sigterm,
@@ -85,6 +86,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return result if isinstance(result, int) else exit_codes.DONE
     except click.ClickException as error:
+        error.message = one_line(error.message)
         error.show()
         return error.exit_code
     except (click.Abort, KeyboardInterrupt):

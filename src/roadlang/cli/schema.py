@@ -22,7 +22,7 @@ def command(words: tuple[str, ...]) -> None:
     schemas = {"scene": _scene, "manifest": _manifest, "scenario": _scenario}
     named = schemas.get(words[0]) if len(words) == 1 else None
     found = named() if named is not None else _kind(words, schemas)
-    click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+    click.echo(json.dumps(found, indent=2))
 
 
 def _scene() -> dict[str, Any]:

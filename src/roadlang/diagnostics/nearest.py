@@ -2,24 +2,105 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from difflib import SequenceMatcher, get_close_matches
+from functools import cached_property, lru_cache
+from heapq import nsmallest
+
+MANY = 64
+"""Up to so many known names a word is compared with each of them, letter by letter."""
+
+CHOSEN = 16
+"""Of more names it is compared with those that share the most trigrams with it."""
+
+_MOST_POSTINGS = 2048
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
     """The known name most like `word`, or None when none is near."""
-    candidates = sorted(set(known))
-    folded = {name.casefold().replace("-", "_"): name for name in candidates}
-    exact = folded.get(word.casefold().replace("-", "_"))
+    return _nearest(word, tuple(known))
+
+
+@lru_cache(maxsize=256)
+def _nearest(word: str, known: tuple[str, ...]) -> str | None:
+    names = _known(known)
+    exact = names.by_folded.get(_folded(word))
     if exact is not None:
         return exact
     if len(word) < 2:
         return None
-    slips = max(1, (len(word) + 1) // 3)
-    near = [(edits(word, name, slips), name) for name in candidates]
-    fewest = min((count for count, _ in near), default=slips + 1)
-    if fewest <= slips:
-        return max((name for count, name in near if count == fewest), key=_likeness_to(word))
+    candidates = names.like(word)
+    return _fewest_edits(word, candidates) or _most_alike(word, candidates)
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> tuple[str, ...]:
+    """A help line naming the nearest known name; empty when none is near."""
+    found = nearest(word, known)
+    return (f"did you mean `{found}`?",) if found else ()
+
+
+class _Known:
+    """The names that a word is compared with, indexed."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self.sorted = sorted(set(names))
+        self.by_folded = {_folded(name): name for name in self.sorted}
+
+    @cached_property
+    def by_trigram(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for name in self.sorted:
+            for trigram in _trigrams(name):
+                found.setdefault(trigram, []).append(name)
+        return found
+
+    def like(self, word: str) -> list[str]:
+        """The names worth comparing with `word`, all if they are few; the most promising first."""
+        if len(self.sorted) <= MANY:
+            return self.sorted
+        lists = [self.by_trigram.get(trigram, []) for trigram in _trigrams(word)]
+        shared: Counter[str] = Counter()
+        looked_at = 0
+        for names in sorted(lists, key=len):  # what few names have says most
+            if looked_at > _MOST_POSTINGS:
+                break
+            looked_at += len(names)
+            shared.update(names)
+        # By count, then by name, so that the choice is the same in every process.
+        return nsmallest(CHOSEN, shared, key=lambda name: (-shared[name], name))
+
+
+@lru_cache(maxsize=16)
+def _known(names: tuple[str, ...]) -> _Known:
+    return _Known(names)
+
+
+def _folded(name: str) -> str:
+    return name.casefold().replace("-", "_")
+
+
+def _trigrams(name: str) -> set[str]:
+    padded = f"  {name.casefold()} "
+    return {padded[start : start + 3] for start in range(len(padded) - 2)}
+
+
+def _fewest_edits(word: str, candidates: list[str]) -> str | None:
+    """The name that takes the fewest edits, at most one for every three letters."""
+    fewest = max(1, (len(word) + 1) // 3)
+    best: list[str] = []
+    for name in candidates:
+        count = edits(word, name, fewest)
+        if count < fewest:
+            fewest, best = count, [name]
+        elif count == fewest:
+            best.append(name)
+    return max(sorted(best), key=_likeness_to(word)) if best else None
+
+
+def _most_alike(word: str, candidates: list[str]) -> str | None:
+    """A name of which the word is a rough copy or the only beginning."""
+    candidates = sorted(candidates)
     alike = get_close_matches(word, candidates, n=1, cutoff=0.7)
     if alike:
         return alike[0]
@@ -32,24 +113,39 @@ def _likeness_to(word: str) -> Callable[[str], float]:
 
 
 def edits(a: str, b: str, most: int) -> int:
-    """How many letters to change, add, drop or swap with a neighbor; above `most`, `most + 1`."""
+    """How many letters to change, add, drop or swap with a neighbor; above `most`, `most + 1`.
+
+    The restricted Damerau-Levenshtein distance, computed in a band of `most` cells beside the
+    diagonal (Ukkonen 1985).
+    """
     if abs(len(a) - len(b)) > most:
         return most + 1
+    a, b = _without_common_ends(a, b)
+    far = most + 1
     before: list[int] = []
-    row = list(range(len(b) + 1))
+    row = [min(j, far) for j in range(len(b) + 1)]
     for i, x in enumerate(a, start=1):
-        before, above, row = row, row if i == 1 else before, [i]
-        for j, y in enumerate(b, start=1):
+        above, before = before, row
+        row = [far] * (len(b) + 1)
+        if i <= most:
+            row[0] = i
+        for j in range(max(1, i - most), min(len(b), i + most) + 1):
+            y = b[j - 1]
             cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (x != y))
             if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
                 cost = min(cost, above[j - 2] + 1)
-            row.append(cost)
+            row[j] = cost
         if min(row) > most:
-            return most + 1
-    return min(row[-1], most + 1)
+            return far
+    return min(row[-1], far)
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> tuple[str, ...]:
-    """A help line naming the nearest known name; empty when none is near."""
-    found = nearest(word, known)
-    return (f"did you mean `{found}`?",) if found else ()
+def _without_common_ends(a: str, b: str) -> tuple[str, str]:
+    shorter = min(len(a), len(b))
+    first = 0
+    while first < shorter and a[first] == b[first]:
+        first += 1
+    last = 0
+    while last < shorter - first and a[-1 - last] == b[-1 - last]:
+        last += 1
+    return a[first : len(a) - last], b[first : len(b) - last]

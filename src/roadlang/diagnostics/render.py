@@ -3,65 +3,86 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 from .diagnostic import Diagnostic
+from .printable import columns, one_line, printable
 from .source import Span
 
 _COLORS = {"error": "31", "warning": "33", "note": "36"}
+_BLUE = "34"
 _WIDEST_LINE = 160
 
 
 def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
-    """A diagnostic with its source line, the place underlined, and what to do."""
+    """A diagnostic with its source line, the place underlined, and what to do.
 
-    def paint(text: str, code: str) -> str:
-        return f"\x1b[{code}m{text}\x1b[0m" if color else text
-
-    hue = _COLORS[diagnostic.severity]
-    head = paint(f"{diagnostic.severity}[{diagnostic.code}]", f"1;{hue}")
-    lines = [f"{head}: {paint(diagnostic.message, '1')}"]
-    margin = _margin(diagnostic)
-    bar = paint("|", "34")
-    if diagnostic.span is not None:
-        lines.append(f"{' ' * margin}{paint('-->', '34')} {diagnostic.span}")
-        lines.extend(_excerpt(diagnostic.span, "", "^", margin, bar, hue, paint))
-    elif diagnostic.path is not None:
-        lines.append(f"{' ' * margin}{paint('-->', '34')} {diagnostic.path}")
-    for label in diagnostic.labels:
-        if diagnostic.span is None or label.span.source is not diagnostic.span.source:
-            lines.append(f"{' ' * margin}{paint('-->', '34')} {label.span}")
-        lines.extend(_excerpt(label.span, label.text, "-", margin, bar, "34", paint))
-    for text in diagnostic.help:
-        lines.append(f"{' ' * margin} {paint('=', '34')} {paint('help', '1')}: {text}")
-    return "\n".join(lines)
+    Control characters of the source, of names and of messages are shown as `U+001B`.
+    """
+    return "\n".join(_Text(diagnostic, color).lines())
 
 
-def _margin(diagnostic: Diagnostic) -> int:
-    spans = [label.span for label in diagnostic.labels]
-    if diagnostic.span is not None:
-        spans.append(diagnostic.span)
-    return max((len(str(span.line)) for span in spans), default=1)
+@dataclass(frozen=True)
+class _Text:
+    """Renders one diagnostic."""
+
+    diagnostic: Diagnostic
+    color: bool
+
+    def lines(self) -> Iterator[str]:
+        found = self.diagnostic
+        color = _COLORS[found.severity]
+        head = self.style(f"{found.severity}[{found.code}]", f"1;{color}")
+        yield f"{head}: {self.style(one_line(found.message), '1')}"
+        if found.span is not None:
+            yield self.location(str(found.span))
+            yield from self.excerpt(found.span, "", "^", color)
+        elif found.path is not None:
+            yield self.location(found.path)
+        for label in found.labels:
+            if found.span is None or label.span.source is not found.span.source:
+                yield self.location(str(label.span))
+            yield from self.excerpt(label.span, label.text, "-", _BLUE)
+        for text in found.help:
+            head = f"{self.gutter} {self.style('=', _BLUE)} {self.style('help', '1')}: "
+            yield head + f"\n{self.gutter}   ".join(printable(line) for line in text.splitlines())
+
+    def style(self, text: str, code: str) -> str:
+        return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
+
+    @property
+    def gutter(self) -> str:
+        """Blanks as wide as the greatest line number shown."""
+        spans = [label.span for label in self.diagnostic.labels]
+        if self.diagnostic.span is not None:
+            spans.append(self.diagnostic.span)
+        return " " * max((len(str(span.line)) for span in spans), default=1)
+
+    def location(self, place: str) -> str:
+        return f"{self.gutter}{self.style('-->', _BLUE)} {one_line(place)}"
+
+    def excerpt(self, span: Span, text: str, mark: str, color: str) -> Iterator[str]:
+        """The line of a span, and below it the underline with a label."""
+        before, marked, after = _cut(span)
+        bar = self.style("|", _BLUE)
+        underline = " " * columns(before) + mark * max(1, columns(marked))
+        number = self.style(str(span.line).rjust(len(self.gutter)), _BLUE)
+        yield f"{self.gutter} {bar}"
+        yield f"{number} {bar} {before}{marked}{after}"
+        labeled = f"{underline} {one_line(text)}".rstrip()
+        yield f"{self.gutter} {bar} {self.style(labeled, color)}"
 
 
-def _excerpt(
-    span: Span, text: str, mark: str, margin: int, bar: str, hue: str, paint: object
-) -> list[str]:
-    assert callable(paint)
-    line = span.source.line(span.line)
-    start = span.column - 1
+def _cut(span: Span) -> tuple[str, str, str]:
+    """The line of a span before, in and after it, safe to show; a long line is cut around it."""
+    line = span.source.line(span.line).replace("\t", " ")
+    start = min(span.column - 1, len(line))
     end = span.end_column - 1 if span.end_line == span.line else len(line)
-    # A very long line is cut around the place, so that the underline stays in view.
-    cut = max(0, start - _WIDEST_LINE // 2) if len(line) > _WIDEST_LINE else 0
-    shown = line[cut : cut + _WIDEST_LINE].expandtabs(1)
-    start, end = start - cut, min(end - cut, len(shown))
-    underline = " " * start + mark * max(1, end - start)
-    gutter = " " * margin
-    return [
-        f"{gutter} {bar}",
-        f"{paint(str(span.line).rjust(margin), '34')} {bar} {shown}",
-        f"{gutter} {bar} {paint((underline + ' ' + text).rstrip(), hue)}",
-    ]
+    first = max(0, start - _WIDEST_LINE // 2) if len(line) > _WIDEST_LINE else 0
+    last = first + _WIDEST_LINE
+    end = max(start, min(end, last))
+    return printable(line[first:start]), printable(line[start:end]), printable(line[end:last])
 
 
 def render_all(diagnostics: Iterable[Diagnostic], *, color: bool = False) -> str:
