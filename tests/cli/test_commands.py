@@ -353,7 +353,7 @@ def test_plugins_lists_kinds_and_shows_options(tmp_path):
         kind for kind in record["kinds"] if kind["name"] == "sine"
     ).items()
     shown = roadlang("plugins", "show", "perturb", "sine", cwd=tmp_path).stdout
-    assert "wavelength: a length (m); required; > 0m" in shown
+    assert "wavelength: length (m); required; > 0m" in shown
 
 
 @pytest.mark.parametrize("name", ["scene", "manifest", "scenario", "sine"])

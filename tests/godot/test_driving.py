@@ -63,7 +63,7 @@ def test_a_car_brakes_when_its_condition_comes_true(session: Session) -> None:
     main = road("main", pieces(straight(300)))
     when = {
         "formula": {"<": ["d", 30.0]},
-        "signals": {"d": {"kind": "distance", "options": {"one": "ego", "other": "van"}}},
+        "signals": {"d": {"kind": "distance", "options": {"first": "ego", "second": "van"}}},
     }
     brake = call("brake", when=when, deceleration=6.0)
     ego = car("ego", main, 5.0, call("lane_follow", speed=15.0, acceleration=3.0), brake)

@@ -67,7 +67,9 @@ def test_a_condition_becomes_the_nested_lists_of_the_engine() -> None:
     main = bends()
     when = {
         "formula": {"once": {"<": ["d", 15.0]}, "interval": [0, 2]},
-        "signals": {"d": {"kind": "roadlang.distance", "options": {"one": "ego", "other": "lead"}}},
+        "signals": {
+            "d": {"kind": "roadlang.distance", "options": {"first": "ego", "second": "lead"}}
+        },
     }
     ego = car("ego", main, 5.0, call("lane_follow", speed=9.0), call("brake", when=when))
     made = scene(main, agents=[ego, car("lead", main, 40.0)])
@@ -80,7 +82,7 @@ def test_an_object_in_a_condition_is_told_by_its_outline() -> None:
     main = bends()
     when = {
         "formula": {"<": ["d", 5.0]},
-        "signals": {"d": {"kind": "distance", "options": {"one": "van", "other": "ego"}}},
+        "signals": {"d": {"kind": "distance", "options": {"first": "van", "second": "ego"}}},
     }
     ego = car("ego", main, 5.0, call("brake", when=when))
     made = scene(main, agents=[ego], objects=[thing("parked_van", 50.0, 3.0, name="van")])

@@ -88,7 +88,7 @@ def test_the_time_of_the_drive_is_a_signal() -> None:
 
 def test_the_distance_between_middles_and_between_outlines() -> None:
     both = trace(agent("ego", 0 * TIME), agent("lead", 0 * TIME + 20.0))
-    who = {"one": "ego", "other": "lead"}
+    who = {"first": "ego", "second": "lead"}
     apart = condition({"always": {">": ["d", 0.0]}}, d=("distance", who))
     assert rho_of(apart, both) == pytest.approx(20.0)
     free = condition({"always": {">": ["d", 0.0]}}, d=("gap", who))
@@ -97,14 +97,14 @@ def test_the_distance_between_middles_and_between_outlines() -> None:
 
 def test_a_turned_outline_reaches_elsewhere() -> None:
     turned = agent("lead", 0 * TIME + 20.0, heading=np.zeros_like(TIME) + math.pi / 2)
-    free = condition({"always": {">": ["d", 0.0]}}, d=("gap", {"one": "ego", "other": "lead"}))
+    free = condition({"always": {">": ["d", 0.0]}}, d=("gap", {"first": "ego", "second": "lead"}))
     assert rho_of(free, trace(agent("ego", 0 * TIME), turned)) == pytest.approx(20.0 - 2.25 - 0.9)
 
 
 def test_the_distance_to_a_group_is_that_to_the_nearest() -> None:
     group = [agent(f"walkers[{i}]", 0 * TIME + 5.0 * (i + 1)) for i in range(3)]
     apart = condition(
-        {"always": {">": ["d", 0.0]}}, d=("distance", {"one": "ego", "other": "walkers"})
+        {"always": {">": ["d", 0.0]}}, d=("distance", {"first": "ego", "second": "walkers"})
     )
     assert rho_of(apart, trace(agent("ego", 0 * TIME), *group)) == pytest.approx(5.0)
 

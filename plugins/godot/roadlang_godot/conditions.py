@@ -97,7 +97,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> A
     if kind == "time":
         return ["time"]
     options = call.get("options", {})
-    names = [str(options[key]) for key in ("agent", "one", "other") if key in options]
+    names = [str(options[key]) for key in ("agent", "first", "second") if key in options]
     moving = {actor.group for actor in scene.agents} | {actor.name for actor in scene.agents}
     # An object is named second, so that the engine always finds an agent first.
     names.sort(key=lambda one: one not in moving)

@@ -1,4 +1,4 @@
-"""`emit godot`: each scene built live in a Godot engine, and proven built."""
+"""`emit godot`: each scene built live in Godot, and verified."""
 
 from __future__ import annotations
 
@@ -13,14 +13,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Godot(Backend):
-    """Build the scene in a running engine (`roadlang godot` starts one), and prove it built."""
+    """Build the scene in a running Godot (start it with `roadlang godot`) and verify it."""
 
     name: ClassVar[str] = "godot"
 
-    road: Word = option("mesh", words=("mesh", "tiles"), help="along the curve, or pixel by pixel")
-    transport: Word = option("udp", words=("udp", "websocket"), help="how it is sent")
-    host: String = option("127.0.0.1", help="where the engine listens")
-    port: Whole = option(4242, minimum=1, maximum=65535, help="at which port")
+    road: Word = option(
+        "mesh",
+        words=("mesh", "tiles"),
+        help="build the road as a mesh along the curve, or as pixel tiles",
+    )
+    transport: Word = option("udp", words=("udp", "websocket"), help="transport protocol")
+    host: String = option("127.0.0.1", help="host on which Godot listens")
+    port: Whole = option(4242, minimum=1, maximum=65535, help="port on which Godot listens")
 
     def send(self, scene: Scene) -> None:
         """Build, and compare what the engine holds with what was sent."""

@@ -1,4 +1,4 @@
-"""`simulate with godot`: scenes driven with physics in a Godot engine."""
+"""`simulate with godot`: drive scenes in Godot, with physics."""
 
 from __future__ import annotations
 
@@ -15,14 +15,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Godot(Simulator):
-    """Drive in a Godot engine, with wheels, springs and tire friction."""
+    """Godot with its physics engine: wheels, suspension and tire friction."""
 
     name: ClassVar[str] = "godot"
 
-    duration: Duration = option(60.0, above=0, maximum=3600, help="how long at most")
-    step: Duration = option(0.02, minimum=0.001, maximum=1, help="time between two records")
-    headless: Flag = option(True, help="without a window, as fast as it can")
-    road: Word = option("mesh", words=("mesh", "tiles"), help="along the curve, or pixel by pixel")
+    duration: Duration = option(60.0, above=0, maximum=3600, help="maximum duration of a drive")
+    step: Duration = option(0.02, minimum=0.001, maximum=1, help="sampling interval of the trace")
+    headless: Flag = option(True, help="run without a window, as fast as possible")
+    road: Word = option(
+        "mesh",
+        words=("mesh", "tiles"),
+        help="build the road as a mesh along the curve, or as pixel tiles",
+    )
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Start an engine, build the scene, drive it, and end the engine."""

@@ -1,4 +1,4 @@
-"""`adjust with blur`: the picture out of focus."""
+"""`adjust with blur`: an image out of focus."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Blur(Adjuster):
-    """Smooth with a Gaussian."""
+    """Blur with a Gaussian filter."""
 
     name: ClassVar[str] = "blur"
     radius: Pixels = option(minimum=0, maximum=200, help="standard deviation of the Gaussian")

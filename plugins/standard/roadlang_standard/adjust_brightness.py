@@ -1,4 +1,4 @@
-"""`adjust with brightness`: the picture lighter or darker."""
+"""`adjust with brightness`: a lighter or darker image."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Brightness(Adjuster):
-    """Multiply every channel by a factor."""
+    """Multiply all color channels by a factor."""
 
     name: ClassVar[str] = "brightness"
-    factor: Number = option(minimum=0, help="1 leaves the picture as it is, 0 is black")
+    factor: Number = option(minimum=0, help="factor: 1 changes nothing, 0 is black")
 
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:
         import numpy as np

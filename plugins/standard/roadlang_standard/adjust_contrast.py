@@ -1,4 +1,4 @@
-"""`adjust with contrast`: the picture flatter or harder."""
+"""`adjust with contrast`: lower or higher contrast."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Contrast(Adjuster):
-    """Pull the colors away from, or toward, the mean gray."""
+    """Scale the difference of every color from the mean gray."""
 
     name: ClassVar[str] = "contrast"
-    factor: Number = option(minimum=0, help="1 leaves the picture as it is, 0 is gray")
+    factor: Number = option(minimum=0, help="factor: 1 changes nothing, 0 is uniform gray")
 
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:
         import numpy as np

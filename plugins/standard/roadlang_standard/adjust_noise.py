@@ -21,7 +21,7 @@ class Noise(Adjuster):
     name: ClassVar[str] = "noise"
     is_random: ClassVar[bool] = True
     sigma: Number = option(
-        minimum=0, maximum=1, help="standard deviation, as a share of full scale"
+        minimum=0, maximum=1, help="standard deviation, as a fraction of the full range"
     )
 
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:

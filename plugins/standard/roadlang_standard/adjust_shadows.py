@@ -1,4 +1,4 @@
-"""`adjust with shadows`: dark blobs, as of clouds and trees."""
+"""`adjust with shadows`: dark patches, like the shadows of clouds and trees."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ class Shadows(Adjuster):
 
     name: ClassVar[str] = "shadows"
     is_random: ClassVar[bool] = True
-    count: Whole = option(minimum=0, maximum=1000, help="how many")
+    count: Whole = option(minimum=0, maximum=1000, help="number of patches")
     size: Pixels = option(above=0, help="mean radius of a patch")
-    darkness: Number = option(0.5, minimum=0, maximum=1, help="1 is black")
+    darkness: Number = option(0.5, minimum=0, maximum=1, help="0 is transparent, 1 is black")
     softness: Number = option(
-        0.3, minimum=0, maximum=1, help="width of the edge, as a share of the size"
+        0.3, minimum=0, maximum=1, help="width of the soft edge, as a fraction of `size`"
     )
 
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:

@@ -1,4 +1,4 @@
-"""`adjust with sharpness`: edges softer or crisper."""
+"""`adjust with sharpness`: softer or sharper edges."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Sharpness(Adjuster):
-    """Blend with a smoothed copy (below 1) or away from it (above 1)."""
+    """Blend the image with a smoothed copy (below 1) or away from it (above 1)."""
 
     name: ClassVar[str] = "sharpness"
     factor: Number = option(
-        minimum=0, maximum=20, help="1 leaves the picture as it is, 0 is smooth"
+        minimum=0, maximum=20, help="factor: 1 changes nothing, 0 is fully smoothed"
     )
 
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:

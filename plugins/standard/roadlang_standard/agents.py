@@ -1,11 +1,40 @@
-"""What may stand behind `agent N is`: sizes, looks and mass of everything that moves."""
+"""Kinds of agents, as in `agent ego is car`: dimensions, mass and color of what moves."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from roadlang.api import AgentKind, Angle, Length, Mass, String, option
+
+
+def _length(default: float) -> Any:
+    return option(default, above=0, maximum=40, help="length from bumper to bumper")
+
+
+def _width(default: float) -> Any:
+    return option(default, above=0, maximum=10, help="width without mirrors")
+
+
+def _height(default: float) -> Any:
+    return option(default, above=0, maximum=10, help="height above the ground")
+
+
+def _wheelbase(default: float) -> Any:
+    return option(default, above=0, maximum=20, help="distance between the axles")
+
+
+def _max_steering(default: float) -> Any:
+    help = "maximum steering angle of the front wheels, to either side"
+    return option(default, above=0, maximum=1.5, help=help)
+
+
+def _mass(default: float) -> Any:
+    return option(default, above=0, help="total mass, including driver or rider")
+
+
+def _color(default: str) -> Any:
+    return option(default, help="color by name or hexadecimal code: `white`, `#1f5fa8`")
 
 
 @dataclass(frozen=True)
@@ -13,13 +42,13 @@ class Car(AgentKind):
     """A passenger car."""
 
     name: ClassVar[str] = "car"
-    length: Length = option(4.5, above=0, maximum=40, help="from bumper to bumper")
-    width: Length = option(1.8, above=0, maximum=10, help="without mirrors")
-    height: Length = option(1.5, above=0, maximum=10, help="over the ground")
-    wheelbase: Length = option(2.7, above=0, maximum=20, help="from axle to axle")
-    max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
-    mass: Mass = option(1500.0, above=0, help="with driver")
-    color: String = option("#1f5fa8", help="a name or a code: `white`, `#1f5fa8`")
+    length: Length = _length(4.5)
+    width: Length = _width(1.8)
+    height: Length = _height(1.5)
+    wheelbase: Length = _wheelbase(2.7)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(1500.0)
+    color: String = _color("#1f5fa8")
 
 
 @dataclass(frozen=True)
@@ -27,27 +56,27 @@ class Van(AgentKind):
     """A delivery van."""
 
     name: ClassVar[str] = "van"
-    length: Length = option(5.9, above=0, maximum=40, help="from bumper to bumper")
-    width: Length = option(2.0, above=0, maximum=10, help="without mirrors")
-    height: Length = option(2.5, above=0, maximum=10, help="over the ground")
-    wheelbase: Length = option(3.6, above=0, maximum=20, help="from axle to axle")
-    max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
-    mass: Mass = option(2500.0, above=0, help="with driver")
-    color: String = option("#e8e8e8", help="a name or a code: `white`, `#1f5fa8`")
+    length: Length = _length(5.9)
+    width: Length = _width(2.0)
+    height: Length = _height(2.5)
+    wheelbase: Length = _wheelbase(3.6)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(2500.0)
+    color: String = _color("#e8e8e8")
 
 
 @dataclass(frozen=True)
 class Truck(AgentKind):
-    """A lorry."""
+    """A truck."""
 
     name: ClassVar[str] = "truck"
-    length: Length = option(9.0, above=0, maximum=40, help="from bumper to bumper")
-    width: Length = option(2.5, above=0, maximum=10, help="without mirrors")
-    height: Length = option(3.5, above=0, maximum=10, help="over the ground")
-    wheelbase: Length = option(5.2, above=0, maximum=20, help="from axle to axle")
-    max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
-    mass: Mass = option(12000.0, above=0, help="with driver")
-    color: String = option("#8a4b2a", help="a name or a code: `white`, `#1f5fa8`")
+    length: Length = _length(9.0)
+    width: Length = _width(2.5)
+    height: Length = _height(3.5)
+    wheelbase: Length = _wheelbase(5.2)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(12000.0)
+    color: String = _color("#8a4b2a")
 
 
 @dataclass(frozen=True)
@@ -55,13 +84,13 @@ class Bus(AgentKind):
     """A city bus."""
 
     name: ClassVar[str] = "bus"
-    length: Length = option(12.0, above=0, maximum=40, help="from bumper to bumper")
-    width: Length = option(2.55, above=0, maximum=10, help="without mirrors")
-    height: Length = option(3.1, above=0, maximum=10, help="over the ground")
-    wheelbase: Length = option(5.9, above=0, maximum=20, help="from axle to axle")
-    max_steering: Angle = option(0.6981, above=0, maximum=1.5, help="of the front wheels, each way")
-    mass: Mass = option(14000.0, above=0, help="with driver")
-    color: String = option("#c8a415", help="a name or a code: `white`, `#1f5fa8`")
+    length: Length = _length(12.0)
+    width: Length = _width(2.55)
+    height: Length = _height(3.1)
+    wheelbase: Length = _wheelbase(5.9)
+    max_steering: Angle = _max_steering(0.6981)
+    mass: Mass = _mass(14000.0)
+    color: String = _color("#c8a415")
 
 
 @dataclass(frozen=True)
@@ -69,13 +98,13 @@ class Motorcycle(AgentKind):
     """A motorcycle."""
 
     name: ClassVar[str] = "motorcycle"
-    length: Length = option(2.2, above=0, maximum=40, help="from bumper to bumper")
-    width: Length = option(0.8, above=0, maximum=10, help="without mirrors")
-    height: Length = option(1.4, above=0, maximum=10, help="over the ground")
-    wheelbase: Length = option(1.5, above=0, maximum=20, help="from axle to axle")
-    max_steering: Angle = option(0.5236, above=0, maximum=1.5, help="of the front wheels, each way")
-    mass: Mass = option(280.0, above=0, help="with driver")
-    color: String = option("#333333", help="a name or a code: `white`, `#1f5fa8`")
+    length: Length = _length(2.2)
+    width: Length = _width(0.8)
+    height: Length = _height(1.4)
+    wheelbase: Length = _wheelbase(1.5)
+    max_steering: Angle = _max_steering(0.5236)
+    mass: Mass = _mass(280.0)
+    color: String = _color("#333333")
 
 
 @dataclass(frozen=True)
@@ -83,34 +112,34 @@ class Bicycle(AgentKind):
     """A bicycle with its rider."""
 
     name: ClassVar[str] = "bicycle"
-    length: Length = option(1.8, above=0, maximum=40, help="from bumper to bumper")
-    width: Length = option(0.6, above=0, maximum=10, help="without mirrors")
-    height: Length = option(1.7, above=0, maximum=10, help="over the ground")
-    wheelbase: Length = option(1.1, above=0, maximum=20, help="from axle to axle")
-    max_steering: Angle = option(0.6109, above=0, maximum=1.5, help="of the front wheels, each way")
-    mass: Mass = option(95.0, above=0, help="with driver")
-    color: String = option("#3a8f3a", help="a name or a code: `white`, `#1f5fa8`")
+    length: Length = _length(1.8)
+    width: Length = _width(0.6)
+    height: Length = _height(1.7)
+    wheelbase: Length = _wheelbase(1.1)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(95.0)
+    color: String = _color("#3a8f3a")
 
 
 @dataclass(frozen=True)
 class Pedestrian(AgentKind):
-    """Someone on foot."""
+    """A pedestrian."""
 
     name: ClassVar[str] = "pedestrian"
-    length: Length = option(0.4, above=0, maximum=2, help="front to back")
-    width: Length = option(0.6, above=0, maximum=2, help="side to side")
-    height: Length = option(1.75, above=0, maximum=3, help="tall")
-    mass: Mass = option(75.0, above=0, help="weight")
-    color: String = option("#b03a2e", help="a name or a code: `white`, `#b03a2e`")
+    length: Length = option(0.4, above=0, maximum=2, help="front-to-back depth")
+    width: Length = option(0.6, above=0, maximum=2, help="shoulder width")
+    height: Length = option(1.75, above=0, maximum=3, help="height")
+    mass: Mass = option(75.0, above=0, help="body mass")
+    color: String = _color("#b03a2e")
 
 
 @dataclass(frozen=True)
 class Animal(AgentKind):
-    """A deer, or what else runs onto roads."""
+    """A deer or another animal that runs onto the road."""
 
     name: ClassVar[str] = "animal"
-    length: Length = option(1.5, above=0, maximum=4, help="front to back")
-    width: Length = option(0.5, above=0, maximum=2, help="side to side")
-    height: Length = option(1.2, above=0, maximum=4, help="tall")
-    mass: Mass = option(80.0, above=0, help="weight")
-    color: String = option("#7a5230", help="a name or a code: `brown`, `#7a5230`")
+    length: Length = option(1.5, above=0, maximum=4, help="length from head to tail")
+    width: Length = option(0.5, above=0, maximum=2, help="width")
+    height: Length = option(1.2, above=0, maximum=4, help="height")
+    mass: Mass = option(80.0, above=0, help="body mass")
+    color: String = _color("#7a5230")

@@ -1,4 +1,4 @@
-"""`choice(a, b, weights: [3, 1])`: one of several."""
+"""`choice(a, b, weights: [3, 1])`: one of several values."""
 
 from __future__ import annotations
 
@@ -25,12 +25,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Choice(Distribution):
-    """One of the values, by weight."""
+    """One of the given values, chosen by weight."""
 
     name: ClassVar[str] = "choice"
     rest: ClassVar[str] = "items"
     items: list_of(Anything, at_least=1) = option(help="the values to choose from")
-    weights: list_of(Number) = option(None, help="how likely each is, relative to the others")
+    weights: list_of(Number) = option(
+        None, help="relative probability of each value; equal by default"
+    )
 
     def quantile(self, uniform: Floats) -> Any:
         """The item whose share of the unit interval holds the number."""

@@ -1,4 +1,4 @@
-"""`integer(a, b)`: a whole number."""
+"""`integer(a, b)`: a uniformly distributed integer."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Integer(Distribution):
-    """A whole number from `low` to `high`, both included, each as likely."""
+    """A uniformly distributed integer from `low` to `high`, both included."""
 
     name: ClassVar[str] = "integer"
-    low: Whole = option(help="the least")
-    high: Whole = option(help="the greatest")
+    low: Whole = option(help="smallest value")
+    high: Whole = option(help="largest value")
 
     def quantile(self, uniform: Floats) -> Floats:
         import numpy as np

@@ -1,4 +1,4 @@
-"""`normal(mean, sd)`: the bell curve, cut off where wanted."""
+"""`normal(mean, sd)`: a normal distribution, optionally truncated."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Normal(Distribution):
-    """A normal distribution, truncated to `within` where given."""
+    """A normal distribution, truncated to `within` if that is given."""
 
     name: ClassVar[str] = "normal"
-    mean: Like = option(help="the middle")
-    sd: Like = option(help="standard deviation; not negative")
-    within: Between = option(None, help="`[least, greatest]`: never beyond")
+    mean: Like = option(help="mean")
+    sd: Like = option(help="standard deviation, not negative")
+    within: Between = option(None, help="`[low, high]`: truncation bounds")
 
     def quantile(self, uniform: Floats) -> Floats:
         """By inversion between the probabilities of the ends."""

@@ -1,4 +1,4 @@
-"""`a..b`, or `uniform(a, b)`: every value between two is as likely."""
+"""`a..b`, or `uniform(a, b)`: a uniform distribution."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Uniform(Distribution):
-    """Any number between two, each as likely."""
+    """A uniformly distributed real number; `a..b` is the same."""
 
     name: ClassVar[str] = "uniform"
     is_default: ClassVar[bool] = True
-    low: Like = option(help="the least")
-    high: Like = option(help="the greatest")
+    low: Like = option(help="lower bound")
+    high: Like = option(help="upper bound")
 
     def quantile(self, uniform: Floats) -> Floats:
         return self.low + (self.high - self.low) * uniform

@@ -1,4 +1,4 @@
-"""`draw with segments`: a road put together from pieces."""
+"""`draw with segments`: a road built from pieces."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from roadlang.api import Angle, Drawer, Point, call_of, geometry, list_of, optio
 
 @dataclass(frozen=True)
 class Segments(Drawer):
-    """Join straights, arcs and clothoids, each going on where the last one ends."""
+    """Join straights, arcs and clothoids, each starting where the previous one ends."""
 
     name: ClassVar[str] = "segments"
     pieces: list_of(call_of("piece"), at_least=1) = option(
-        help="straight(80m), arc(40m, 60deg), clothoid(30m, to: 1/m)"
+        help="list of `straight(80m)`, `arc(40m, 60deg)`, `clothoid(30m, to: 0.02/m)`"
     )
-    start: Point = option((0.0, 0.0), help="where the first piece begins")
-    heading: Angle = option(0.0, help="where the first piece points, counter-clockwise from east")
+    start: Point = option((0.0, 0.0), help="position of the start")
+    heading: Angle = option(0.0, help="heading at the start, counter-clockwise from east")
 
     def draw(self, closed: bool) -> geometry.Curve:
         """Exact arcs and clothoids, sampled half a meter apart."""

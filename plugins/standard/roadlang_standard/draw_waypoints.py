@@ -10,10 +10,10 @@ from roadlang.api import Drawer, Point, geometry, list_of, option
 
 @dataclass(frozen=True)
 class Waypoints(Drawer):
-    """Lay a cubic spline through the points."""
+    """A cubic spline through the points."""
 
     name: ClassVar[str] = "waypoints"
-    points: list_of(Point, at_least=2) = option(help="the points, in the order driven")
+    points: list_of(Point, at_least=2) = option(help="points on the center line, in driving order")
 
     def draw(self, closed: bool) -> geometry.Curve:
         """A cubic spline by arc length; a closed road goes back to the first point."""

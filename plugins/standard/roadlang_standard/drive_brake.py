@@ -1,4 +1,4 @@
-"""`drive with brake`: slow down to a stop, keeping to the lane."""
+"""`drive with brake`: brake to a stop in the lane."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from roadlang.api import Acceleration, Controller, Speed, option
 
 @dataclass(frozen=True)
 class Brake(Controller):
-    """Brake steadily, down to `speed`, and stay there."""
+    """Brake at a constant rate down to `speed`, and keep that speed."""
 
     name: ClassVar[str] = "brake"
-    deceleration: Acceleration = option(6.0, above=0, maximum=20, help="how hard")
-    speed: Speed = option(0.0, minimum=0, help="where the braking ends")
+    deceleration: Acceleration = option(6.0, above=0, maximum=20, help="deceleration")
+    speed: Speed = option(0.0, minimum=0, help="speed at which braking ends")

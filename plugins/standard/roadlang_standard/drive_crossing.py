@@ -10,8 +10,8 @@ from roadlang.api import Controller, Length, Speed, option
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at right angles and stop on the other side."""
+    """Cross the road at a right angle and stop on the other side."""
 
     name: ClassVar[str] = "crossing"
-    speed: Speed = option(1.4, above=0, maximum=20, help="walking pace")
-    beyond: Length = option(1.0, minimum=0, help="how far past the other edge it goes on")
+    speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
+    beyond: Length = option(1.0, minimum=0, help="distance to walk past the opposite edge")

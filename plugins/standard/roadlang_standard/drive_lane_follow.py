@@ -1,4 +1,4 @@
-"""`drive with lane_follow`: keep to the lane, exactly, at a speed."""
+"""`drive with lane_follow`: follow the center of the lane exactly."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from roadlang.api import Acceleration, Controller, Speed, option
 
 @dataclass(frozen=True)
 class LaneFollow(Controller):
-    """Follow the middle of the lane at a set speed."""
+    """Follow the center of the lane exactly, at a given speed."""
 
     name: ClassVar[str] = "lane_follow"
-    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="what it tries to keep")
-    acceleration: Acceleration = option(2.0, above=0, maximum=20, help="the most it speeds up")
-    deceleration: Acceleration = option(4.0, above=0, maximum=20, help="the most it slows down")
+    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="target speed")
+    acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
+    deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")

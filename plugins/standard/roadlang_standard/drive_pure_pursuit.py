@@ -10,11 +10,13 @@ from roadlang.api import Acceleration, Controller, Duration, Length, Speed, opti
 
 @dataclass(frozen=True)
 class PurePursuit(Controller):
-    """Steer along the circle through a point of the lane ahead (Coulter 1992)."""
+    """Steer along the arc to a point ahead in the lane (Coulter 1992)."""
 
     name: ClassVar[str] = "pure_pursuit"
-    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="what it tries to keep")
-    lookahead: Length = option(6.0, above=0, maximum=200, help="distance of the point aimed at")
-    lookahead_time: Duration = option(0.0, minimum=0, maximum=10, help="added: speed times this")
-    acceleration: Acceleration = option(3.0, above=0, maximum=20, help="the most it speeds up")
-    deceleration: Acceleration = option(6.0, above=0, maximum=20, help="the most it slows down")
+    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="target speed")
+    lookahead: Length = option(6.0, above=0, maximum=200, help="lookahead distance")
+    lookahead_time: Duration = option(
+        0.0, minimum=0, maximum=10, help="adds this time multiplied by the speed to `lookahead`"
+    )
+    acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
+    deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")

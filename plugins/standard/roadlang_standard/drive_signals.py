@@ -1,4 +1,4 @@
-"""What can be said of a drive: `ego.speed`, `distance(ego, walker)`, `time`."""
+"""Signals over the time of a drive: `ego.speed`, `distance(ego, walker)`, `time`."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Speed(DriveSignal):
-    """How fast it drives."""
+    """Speed."""
 
     name: ClassVar[str] = "speed"
     unit: ClassVar[str] = "m/s"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.speed
@@ -33,11 +33,11 @@ class Speed(DriveSignal):
 
 @dataclass(frozen=True)
 class AccelerationSignal(DriveSignal):
-    """How its speed changes; braking is negative."""
+    """Longitudinal acceleration; negative when braking."""
 
     name: ClassVar[str] = "acceleration"
     unit: ClassVar[str] = "m/s^2"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.acceleration
@@ -46,11 +46,11 @@ class AccelerationSignal(DriveSignal):
 
 @dataclass(frozen=True)
 class CrossTrack(DriveSignal):
-    """Distance from the line it should follow, left positive."""
+    """Lateral distance from the path that the agent follows, positive to the left."""
 
     name: ClassVar[str] = "cross_track"
     unit: ClassVar[str] = "m"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.cross_track
@@ -59,11 +59,11 @@ class CrossTrack(DriveSignal):
 
 @dataclass(frozen=True)
 class Progress(DriveSignal):
-    """Share of its road that is behind it, from 0 to 1."""
+    """Share of the path that the agent has completed, from 0 to 1."""
 
     name: ClassVar[str] = "progress"
     unit: ClassVar[str] = ""
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.progress
@@ -72,11 +72,11 @@ class Progress(DriveSignal):
 
 @dataclass(frozen=True)
 class Station(DriveSignal):
-    """Arc length along its road."""
+    """Arc length along the road of the agent."""
 
     name: ClassVar[str] = "station"
     unit: ClassVar[str] = "m"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.station
@@ -85,11 +85,11 @@ class Station(DriveSignal):
 
 @dataclass(frozen=True)
 class Steering(DriveSignal):
-    """Angle of the front wheels, left positive."""
+    """Steering angle of the front wheels, positive to the left."""
 
     name: ClassVar[str] = "steering"
     unit: ClassVar[str] = "rad"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.steering
@@ -98,11 +98,11 @@ class Steering(DriveSignal):
 
 @dataclass(frozen=True)
 class HeadingSignal(DriveSignal):
-    """Where it points, counter-clockwise from east."""
+    """Heading, counter-clockwise from east."""
 
     name: ClassVar[str] = "heading"
     unit: ClassVar[str] = "rad"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.heading
@@ -111,11 +111,11 @@ class HeadingSignal(DriveSignal):
 
 @dataclass(frozen=True)
 class LateralAcceleration(DriveSignal):
-    """Speed times rate of turn, left positive."""
+    """Lateral acceleration: speed times yaw rate, positive to the left."""
 
     name: ClassVar[str] = "lateral_acceleration"
     unit: ClassVar[str] = "m/s^2"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         return rate(self.agent.heading, self.agent.time) * self.agent.speed
@@ -123,11 +123,11 @@ class LateralAcceleration(DriveSignal):
 
 @dataclass(frozen=True)
 class JerkSignal(DriveSignal):
-    """How its acceleration changes."""
+    """Jerk: rate of change of the acceleration."""
 
     name: ClassVar[str] = "jerk"
     unit: ClassVar[str] = "m/s^3"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         return rate(self.agent.acceleration, self.agent.time)
@@ -135,11 +135,11 @@ class JerkSignal(DriveSignal):
 
 @dataclass(frozen=True)
 class YawRate(DriveSignal):
-    """How fast it turns, left positive."""
+    """Yaw rate, positive to the left."""
 
     name: ClassVar[str] = "yaw_rate"
     unit: ClassVar[str] = "rad/s"
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         return rate(self.agent.heading, self.agent.time)
@@ -147,11 +147,11 @@ class YawRate(DriveSignal):
 
 @dataclass(frozen=True)
 class Contacts(DriveSignal):
-    """How many things it touches, the ground apart."""
+    """Number of bodies in contact with the agent, not counting the ground."""
 
     name: ClassVar[str] = "contacts"
     unit: ClassVar[str] = ""
-    agent: AgentName = option(help="who")
+    agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
         values: Floats = self.agent.contacts
@@ -160,35 +160,35 @@ class Contacts(DriveSignal):
 
 @dataclass(frozen=True)
 class DistanceSignal(DriveSignal):
-    """Distance between the middles of two agents or objects; of a group, the nearest."""
+    """Distance between the centers of two agents or objects; for a group, of its nearest member."""
 
     name: ClassVar[str] = "distance"
     unit: ClassVar[str] = "m"
     member: ClassVar[bool] = False
-    one: AgentOrObject = option(help="one")
-    other: AgentOrObject = option(help="the other")
+    first: AgentOrObject = option(help="an agent, an object or a group of them")
+    second: AgentOrObject = option(help="another agent, object or group")
 
     def values(self) -> Floats:
-        return nearest(self.one, self.other, middles)
+        return nearest(self.first, self.second, middles)
 
 
 @dataclass(frozen=True)
 class GapSignal(DriveSignal):
-    """Free space between the outlines of two agents or objects; of a group, the nearest."""
+    """Gap between the outlines of two agents or objects; for a group, of its nearest member."""
 
     name: ClassVar[str] = "gap"
     unit: ClassVar[str] = "m"
     member: ClassVar[bool] = False
-    one: AgentOrObject = option(help="one")
-    other: AgentOrObject = option(help="the other")
+    first: AgentOrObject = option(help="an agent, an object or a group of them")
+    second: AgentOrObject = option(help="another agent, object or group")
 
     def values(self) -> Floats:
-        return nearest(self.one, self.other, outlines)
+        return nearest(self.first, self.second, outlines)
 
 
 @dataclass(frozen=True)
 class Time(DriveSignal):
-    """Time since the drive began."""
+    """Time since the start of the drive."""
 
     name: ClassVar[str] = "time"
     unit: ClassVar[str] = "s"

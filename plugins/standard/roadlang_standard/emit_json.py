@@ -1,4 +1,4 @@
-"""`emit json`: each scene whole, as the versioned schema of scenes has it."""
+"""`emit json`: each scene in the versioned schema of scenes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Json(Backend):
-    """Everything in a scene, in SI units and radians (`roadlang schema scene`)."""
+    """The complete scene as JSON, in SI units and radians (`roadlang schema scene`)."""
 
     name: ClassVar[str] = "json"
     is_default: ClassVar[bool] = True

@@ -1,4 +1,4 @@
-"""`emit svg`: each scene as a figure, and a contact sheet of all."""
+"""`emit svg`: a figure of each scene, and a contact sheet."""
 
 from __future__ import annotations
 
@@ -14,19 +14,21 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Svg(Backend):
-    """A figure of each scene, and a contact sheet where there are several."""
+    """A figure of each scene, and a contact sheet of all scenes."""
 
     name: ClassVar[str] = "svg"
     is_default: ClassVar[bool] = True
     size: Pixels = option(1024.0, minimum=120, maximum=8192, help="width of the figure")
     ghost: Flag = option(True, help="show the original road under the perturbed one")
-    labels: Flag = option(True, help="name agents and objects")
+    labels: Flag = option(True, help="label agents and objects")
     legend: Flag = option(True, help="list requirements and expectations below the map")
     stations: Flag = option(True, help="mark arc length along the road")
     profiles: Flag = option(True, help="plot signals and robustness over arc length")
-    photo: ImageName = option(None, help="the image that is shown under the roads")
-    fade: Number = option(0.35, minimum=0, maximum=1, help="share of white mixed into the photo")
-    contact_sheet: Flag = option(True, help="write contact-sheet.svg where there are many scenes")
+    photo: ImageName = option(None, help="image to show under the roads")
+    fade: Number = option(
+        0.35, minimum=0, maximum=1, help="how much the photo is faded: 0 not at all, 1 to white"
+    )
+    contact_sheet: Flag = option(True, help="write contact-sheet.svg if there are several scenes")
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         """The figure."""

@@ -1,4 +1,4 @@
-"""`extract with aerial`: roads in photos from above, found by the net that ships with roadlang."""
+"""`extract with aerial`: roads in aerial photos, found by the bundled neural network."""
 
 from __future__ import annotations
 
@@ -17,29 +17,33 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Aerial(Extractor):
-    """A small learned net, then tracing, linking over gaps, junctions and widths."""
+    """Aerial photos: segment with a small neural network, trace, bridge gaps, find junctions."""
 
     name: ClassVar[str] = "aerial"
     threshold: Number = option(
-        "auto", words=("auto",), above=0, below=1, help="least evidence of a road"
+        "auto", words=("auto",), above=0, below=1, help="minimum probability of road"
     )
-    width: Length = option(None, above=0, help="the roads' width, instead of the measured one")
+    width: Length = option(None, above=0, help="road width; measured in the image by default")
     through: list_of(PixelPoint) = option(  # type: ignore[valid-type]
-        (), help="points that roads pass through, in order along a road"
+        (), help="pixels that a road passes through, in order along it"
     )
     leave_out: list_of(list_of(PixelPoint, at_least=2)) = option(  # type: ignore[valid-type]
-        (), help="boxes without roads, each as two corners"
+        (), help="boxes without roads, each given by two opposite corners"
     )
-    only_through: Flag = option(False, help="keep only the roads that `through` points lie on")
-    min_length: Length = option(None, minimum=0, help="shortest dead end that is kept")
+    only_through: Flag = option(False, help="keep only roads that contain a `through` point")
+    min_length: Length = option(
+        None, minimum=0, help="minimum length of a dead end; shorter ones are dropped"
+    )
     method: Word = option(
-        "learned", words=("learned", "classical"), help="the shipped net, or ribbon filters alone"
+        "learned",
+        words=("learned", "classical"),
+        help="the bundled neural network, or classical ribbon filters",
     )
     resolution: Scale = option(
         "auto",
         words=("auto", "unknown"),
         above=0,
-        help="ground resolution to reckon with; auto: the image's scale",
+        help="assumed ground resolution; `auto` is the scale of the image",
     )
 
     def extract(self, picture: Picture) -> Extraction:

@@ -1,4 +1,4 @@
-"""`extract with auto`, the default: see what sort of picture it is and take the kind for it."""
+"""`extract with auto`, the default: detect the type of image and use the matching extractor."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Auto(Extractor):
-    """Tell photo, drawing, mask and legend apart, say so, and delegate."""
+    """Detect the type of image (photo, drawing, mask, legend) and use the matching extractor."""
 
     name: ClassVar[str] = "auto"
     is_default: ClassVar[bool] = True
     threshold: Number = option(
-        "auto", words=("auto",), above=0, below=1, help="see `aerial` and `contour`"
+        "auto", words=("auto",), above=0, below=1, help="threshold of `aerial` or `contour`"
     )
-    width: Length = option(None, above=0, help="the roads' width, instead of the measured one")
+    width: Length = option(None, above=0, help="road width; measured in the image by default")
     through: list_of(PixelPoint) = option(  # type: ignore[valid-type]
-        (), help="points that roads pass through: a hint for photos"
+        (), help="pixels that a road passes through (photos only)"
     )
     leave_out: list_of(list_of(PixelPoint, at_least=2)) = option(  # type: ignore[valid-type]
-        (), help="boxes without roads, each as two corners: a hint for photos"
+        (), help="boxes without roads, each given by two opposite corners (photos only)"
     )
-    only_through: Flag = option(False, help="keep only the roads that `through` points lie on")
+    only_through: Flag = option(False, help="keep only roads that contain a `through` point")
     resolution: Scale = option(
         "auto",
         words=("auto", "unknown"),
         above=0,
-        help="ground resolution to reckon with in photos; auto: the image's scale",
+        help="assumed ground resolution of a photo; `auto` is the scale of the image",
     )
 
     def extract(self, picture: Picture) -> Extraction:

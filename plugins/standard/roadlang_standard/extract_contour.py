@@ -1,4 +1,4 @@
-"""`extract with contour`: the paper's chain, for clean pictures and drawings."""
+"""`extract with contour`: the steps of the paper, for clean images and drawings."""
 
 from __future__ import annotations
 
@@ -13,21 +13,29 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Contour(Extractor):
-    """Blur, threshold, contours, spline: a road that differs from all else by its tone."""
+    """Blur, threshold, contour, spline: for images in which the road has a tone of its own."""
 
     name: ClassVar[str] = "contour"
-    blur: Pixels = option(0.0, minimum=0, maximum=100, help="deviation of the Gaussian, first step")
+    blur: Pixels = option(
+        0.0, minimum=0, maximum=100, help="standard deviation of the Gaussian blur, the first step"
+    )
     threshold: Number = option(
-        "auto", words=("auto",), above=0, below=1, help="gray that parts road from the rest"
+        "auto",
+        words=("auto",),
+        above=0,
+        below=1,
+        help="gray level that separates the road from the background",
     )
     road: Word = option(
-        "auto", words=("auto", "dark", "light"), help="which side of the threshold is road"
+        "auto",
+        words=("auto", "dark", "light"),
+        help="whether the road is darker or lighter than the background",
     )
     edges: Flag = option(True, help="read two edge lines as the road between them")
-    spline: Flag = option(True, help="smooth the center lines")
-    width: Length = option(None, above=0, help="the road's width, instead of the measured one")
+    spline: Flag = option(True, help="fit a smoothing spline to the center lines")
+    width: Length = option(None, above=0, help="road width; measured in the image by default")
     min_length: Length = option(
-        None, minimum=0, help="shortest dead end that is kept; by default about the road's width"
+        None, minimum=0, help="minimum length of a dead end; by default about the road width"
     )
 
     def extract(self, picture: Picture) -> Extraction:

@@ -1,4 +1,4 @@
-"""`extract with onnx`: a road net of your own, through the same back end as the shipped one."""
+"""`extract with onnx`: your own segmentation network in place of the bundled one."""
 
 from __future__ import annotations
 
@@ -15,10 +15,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Onnx(Aerial):
-    """Your own net: RGB in 0..255 (1, 3, h, w) to one or two maps in 0..1 of half that size."""
+    """Your own network: RGB in 0..255 (1, 3, h, w) to one or two maps in 0..1 of half that size."""
 
     name: ClassVar[str] = "onnx"
-    model: File = option(help="the ONNX file: road surface, and center line if it has two maps")
+    model: File = option(
+        help="ONNX file; outputs the road surface and, optionally, the center line"
+    )
 
     def extract(self, picture: Picture) -> Extraction:
         from .extraction.evidence import checked_net

@@ -1,4 +1,4 @@
-"""`extract with pixels`: typed grids and drawings with a legend, exactly."""
+"""`extract with pixels`: text images and drawings with a legend, exactly."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Pixel(Extractor):
-    """Read a legend: a typed character, or a drawn color, is a road or an object."""
+    """Text images and drawings: the legend says which characters or colors are roads or objects."""
 
     name: ClassVar[str] = "pixels"
     thickness: Pixels = option(
-        None, above=0, help="the roads' width; by default a cell, or what is drawn"
+        None, above=0, help="road width; by default one cell of a text image, or the drawn width"
     )
 
     def extract(self, picture: Picture) -> Extraction:

@@ -1,11 +1,28 @@
-"""What may stand behind `object N is` and in a legend: sizes and looks of what does not move."""
+"""Kinds of objects, as in `object oak is tree` and in legends: dimensions and color of what does
+not move."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from roadlang.api import Length, ObjectKind, String, option
+
+
+def _length(default: float) -> Any:
+    return option(default, above=0, maximum=500, help="dimension along the heading")
+
+
+def _width(default: float) -> Any:
+    return option(default, above=0, maximum=500, help="dimension across the heading")
+
+
+def _height(default: float) -> Any:
+    return option(default, above=0, maximum=500, help="height above the ground")
+
+
+def _color(default: str) -> Any:
+    return option(default, help="color by name or hexadecimal code: `white`, `#2e7d32`")
 
 
 @dataclass(frozen=True)
@@ -13,10 +30,10 @@ class Tree(ObjectKind):
     """A tree."""
 
     name: ClassVar[str] = "tree"
-    length: Length = option(4.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(4.0, above=0, maximum=500, help="across its heading")
-    height: Length = option(8.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#2e7d32", help="a name or a code: `white`, `#2e7d32`")
+    length: Length = _length(4.0)
+    width: Length = _width(4.0)
+    height: Length = _height(8.0)
+    color: String = _color("#2e7d32")
 
 
 @dataclass(frozen=True)
@@ -24,10 +41,10 @@ class Bush(ObjectKind):
     """A bush."""
 
     name: ClassVar[str] = "bush"
-    length: Length = option(1.5, above=0, maximum=500, help="along its heading")
-    width: Length = option(1.5, above=0, maximum=500, help="across its heading")
-    height: Length = option(1.2, above=0, maximum=500, help="over the ground")
-    color: String = option("#558b2f", help="a name or a code: `white`, `#558b2f`")
+    length: Length = _length(1.5)
+    width: Length = _width(1.5)
+    height: Length = _height(1.2)
+    color: String = _color("#558b2f")
 
 
 @dataclass(frozen=True)
@@ -35,10 +52,10 @@ class Building(ObjectKind):
     """A building."""
 
     name: ClassVar[str] = "building"
-    length: Length = option(12.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(10.0, above=0, maximum=500, help="across its heading")
-    height: Length = option(7.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#b71c1c", help="a name or a code: `white`, `#b71c1c`")
+    length: Length = _length(12.0)
+    width: Length = _width(10.0)
+    height: Length = _height(7.0)
+    color: String = _color("#b71c1c")
 
 
 @dataclass(frozen=True)
@@ -46,43 +63,43 @@ class Wall(ObjectKind):
     """A wall."""
 
     name: ClassVar[str] = "wall"
-    length: Length = option(10.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.3, above=0, maximum=500, help="across its heading")
-    height: Length = option(2.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#9e9e9e", help="a name or a code: `white`, `#9e9e9e`")
+    length: Length = _length(10.0)
+    width: Length = _width(0.3)
+    height: Length = _height(2.0)
+    color: String = _color("#9e9e9e")
 
 
 @dataclass(frozen=True)
 class ParkedCar(ObjectKind):
-    """A car that stays where it is."""
+    """A parked car."""
 
     name: ClassVar[str] = "parked_car"
-    length: Length = option(4.5, above=0, maximum=500, help="along its heading")
-    width: Length = option(1.8, above=0, maximum=500, help="across its heading")
-    height: Length = option(1.5, above=0, maximum=500, help="over the ground")
-    color: String = option("#607d8b", help="a name or a code: `white`, `#607d8b`")
+    length: Length = _length(4.5)
+    width: Length = _width(1.8)
+    height: Length = _height(1.5)
+    color: String = _color("#607d8b")
 
 
 @dataclass(frozen=True)
 class ParkedVan(ObjectKind):
-    """A van that stays where it is."""
+    """A parked van."""
 
     name: ClassVar[str] = "parked_van"
-    length: Length = option(5.9, above=0, maximum=500, help="along its heading")
-    width: Length = option(2.0, above=0, maximum=500, help="across its heading")
-    height: Length = option(2.5, above=0, maximum=500, help="over the ground")
-    color: String = option("#eceff1", help="a name or a code: `white`, `#eceff1`")
+    length: Length = _length(5.9)
+    width: Length = _width(2.0)
+    height: Length = _height(2.5)
+    color: String = _color("#eceff1")
 
 
 @dataclass(frozen=True)
 class ParkedTruck(ObjectKind):
-    """A lorry that stays where it is."""
+    """A parked truck."""
 
     name: ClassVar[str] = "parked_truck"
-    length: Length = option(9.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(2.5, above=0, maximum=500, help="across its heading")
-    height: Length = option(3.5, above=0, maximum=500, help="over the ground")
-    color: String = option("#795548", help="a name or a code: `white`, `#795548`")
+    length: Length = _length(9.0)
+    width: Length = _width(2.5)
+    height: Length = _height(3.5)
+    color: String = _color("#795548")
 
 
 @dataclass(frozen=True)
@@ -90,21 +107,21 @@ class Cone(ObjectKind):
     """A traffic cone."""
 
     name: ClassVar[str] = "cone"
-    length: Length = option(0.35, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.35, above=0, maximum=500, help="across its heading")
-    height: Length = option(0.75, above=0, maximum=500, help="over the ground")
-    color: String = option("#ff6d00", help="a name or a code: `white`, `#ff6d00`")
+    length: Length = _length(0.35)
+    width: Length = _width(0.35)
+    height: Length = _height(0.75)
+    color: String = _color("#ff6d00")
 
 
 @dataclass(frozen=True)
 class Barrier(ObjectKind):
-    """A road-works barrier."""
+    """A construction barrier."""
 
     name: ClassVar[str] = "barrier"
-    length: Length = option(2.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.4, above=0, maximum=500, help="across its heading")
-    height: Length = option(1.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#d32f2f", help="a name or a code: `white`, `#d32f2f`")
+    length: Length = _length(2.0)
+    width: Length = _width(0.4)
+    height: Length = _height(1.0)
+    color: String = _color("#d32f2f")
 
 
 @dataclass(frozen=True)
@@ -112,10 +129,10 @@ class Sign(ObjectKind):
     """A traffic sign on a post."""
 
     name: ClassVar[str] = "sign"
-    length: Length = option(0.1, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.7, above=0, maximum=500, help="across its heading")
-    height: Length = option(2.5, above=0, maximum=500, help="over the ground")
-    color: String = option("#1565c0", help="a name or a code: `white`, `#1565c0`")
+    length: Length = _length(0.1)
+    width: Length = _width(0.7)
+    height: Length = _height(2.5)
+    color: String = _color("#1565c0")
 
 
 @dataclass(frozen=True)
@@ -123,10 +140,10 @@ class TrafficLight(ObjectKind):
     """A traffic light on a post."""
 
     name: ClassVar[str] = "traffic_light"
-    length: Length = option(0.3, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.4, above=0, maximum=500, help="across its heading")
-    height: Length = option(3.2, above=0, maximum=500, help="over the ground")
-    color: String = option("#212121", help="a name or a code: `white`, `#212121`")
+    length: Length = _length(0.3)
+    width: Length = _width(0.4)
+    height: Length = _height(3.2)
+    color: String = _color("#212121")
 
 
 @dataclass(frozen=True)
@@ -134,10 +151,10 @@ class Lamp(ObjectKind):
     """A street lamp."""
 
     name: ClassVar[str] = "lamp"
-    length: Length = option(0.3, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.3, above=0, maximum=500, help="across its heading")
-    height: Length = option(6.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#757575", help="a name or a code: `white`, `#757575`")
+    length: Length = _length(0.3)
+    width: Length = _width(0.3)
+    height: Length = _height(6.0)
+    color: String = _color("#757575")
 
 
 @dataclass(frozen=True)
@@ -145,21 +162,21 @@ class Bench(ObjectKind):
     """A bench."""
 
     name: ClassVar[str] = "bench"
-    length: Length = option(0.6, above=0, maximum=500, help="along its heading")
-    width: Length = option(1.8, above=0, maximum=500, help="across its heading")
-    height: Length = option(0.9, above=0, maximum=500, help="over the ground")
-    color: String = option("#8d6e63", help="a name or a code: `white`, `#8d6e63`")
+    length: Length = _length(0.6)
+    width: Length = _width(1.8)
+    height: Length = _height(0.9)
+    color: String = _color("#8d6e63")
 
 
 @dataclass(frozen=True)
 class Bin(ObjectKind):
-    """A rubbish bin."""
+    """A trash can."""
 
     name: ClassVar[str] = "bin"
-    length: Length = option(0.5, above=0, maximum=500, help="along its heading")
-    width: Length = option(0.5, above=0, maximum=500, help="across its heading")
-    height: Length = option(1.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#455a64", help="a name or a code: `white`, `#455a64`")
+    length: Length = _length(0.5)
+    width: Length = _width(0.5)
+    height: Length = _height(1.0)
+    color: String = _color("#455a64")
 
 
 @dataclass(frozen=True)
@@ -167,18 +184,18 @@ class Rock(ObjectKind):
     """A rock."""
 
     name: ClassVar[str] = "rock"
-    length: Length = option(1.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(1.0, above=0, maximum=500, help="across its heading")
-    height: Length = option(0.8, above=0, maximum=500, help="over the ground")
-    color: String = option("#616161", help="a name or a code: `white`, `#616161`")
+    length: Length = _length(1.0)
+    width: Length = _width(1.0)
+    height: Length = _height(0.8)
+    color: String = _color("#616161")
 
 
 @dataclass(frozen=True)
 class Box(ObjectKind):
-    """A plain box, for whatever has no kind of its own."""
+    """A plain box, for anything without a kind."""
 
     name: ClassVar[str] = "box"
-    length: Length = option(1.0, above=0, maximum=500, help="along its heading")
-    width: Length = option(1.0, above=0, maximum=500, help="across its heading")
-    height: Length = option(1.0, above=0, maximum=500, help="over the ground")
-    color: String = option("#9575cd", help="a name or a code: `white`, `#9575cd`")
+    length: Length = _length(1.0)
+    width: Length = _width(1.0)
+    height: Length = _height(1.0)
+    color: String = _color("#9575cd")

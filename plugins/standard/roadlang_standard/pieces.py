@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from roadlang.api import Angle, Curvature, Length, Piece, geometry, option
 
+MOST_TURN = math.radians(3600)
+
 
 @dataclass(frozen=True)
 class Straight(Piece):
-    """Go straight on."""
+    """A straight line."""
 
     name: ClassVar[str] = "straight"
-    length: Length = option(above=0, maximum=1e5, help="how far")
+    length: Length = option(above=0, maximum=1e5, help="arc length")
 
     def laid(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
@@ -22,11 +25,13 @@ class Straight(Piece):
 
 @dataclass(frozen=True)
 class Arc(Piece):
-    """Turn along a circle."""
+    """A circular arc."""
 
     name: ClassVar[str] = "arc"
-    radius: Length = option(above=0, maximum=1e6, help="of the center line")
-    angle: Angle = option(minimum=-62.84, maximum=62.84, help="how far to turn; left is positive")
+    radius: Length = option(above=0, maximum=1e6, help="radius of the center line")
+    angle: Angle = option(
+        minimum=-MOST_TURN, maximum=MOST_TURN, help="angle of the turn, positive to the left"
+    )
 
     def laid(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
@@ -35,13 +40,18 @@ class Arc(Piece):
 
 @dataclass(frozen=True)
 class Clothoid(Piece):
-    """Change the curvature steadily, from what it is, or from `start`, to `to`."""
+    """A clothoid: the curvature changes linearly along the arc length, up to `to`."""
 
     name: ClassVar[str] = "clothoid"
-    length: Length = option(above=0, maximum=1e5, help="how far")
-    to: Curvature = option(minimum=-10, maximum=10, help="curvature at the end; left is positive")
+    length: Length = option(above=0, maximum=1e5, help="arc length")
+    to: Curvature = option(
+        minimum=-10, maximum=10, help="curvature at the end, positive to the left"
+    )
     start: Curvature = option(
-        None, minimum=-10, maximum=10, help="curvature at the start; the last piece's if not given"
+        None,
+        minimum=-10,
+        maximum=10,
+        help="curvature at the start; by default that of the piece before",
     )
 
     def laid(self, curvature: float) -> Any:

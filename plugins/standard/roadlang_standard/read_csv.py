@@ -13,14 +13,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Csv(Reader):
-    """Read a road as rows of points: columns x and y in meters, with or without a width."""
+    """A road from a table of points: columns x and y in meters, and optionally the width."""
 
     name: ClassVar[str] = "csv"
     suffixes: ClassVar[tuple[str, ...]] = (".csv", ".tsv", ".txt")
     reads: ClassVar[tuple[str, ...]] = ("road",)
-    x: String = option("x", help="name of the column of eastings")
-    y: String = option("y", help="name of the column of northings")
-    width: String = option("width", help="name of the column of widths, where there is one")
+    x: String = option("x", help="name of the x column (east, in meters)")
+    y: String = option("y", help="name of the y column (north, in meters)")
+    width: String = option("width", help="name of the width column (in meters), if there is one")
 
     def read(self, path: Path) -> Any:
         """A `Curve`, or a `Road` where there are widths; closed where the last row is the first."""

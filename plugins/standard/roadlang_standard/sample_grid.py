@@ -1,4 +1,4 @@
-"""`sample with grid`: every combination."""
+"""`sample with grid`: every combination of values."""
 
 from __future__ import annotations
 
@@ -23,10 +23,12 @@ MOST = 10_000_000
 
 @dataclass(frozen=True)
 class Grid(Sampler):
-    """Every combination of the values of all draws: a parameter sweep."""
+    """A parameter sweep: every combination of the values of all draws."""
 
     name: ClassVar[str] = "grid"
-    steps: Whole = option(5, minimum=1, maximum=10_000, help="values of a continuous draw")
+    steps: Whole = option(
+        5, minimum=1, maximum=10_000, help="number of values of each continuous draw"
+    )
 
     def size(self, draws: Sequence[DrawnValue]) -> int:
         """The product of the numbers of levels. Raises RL614 beyond ten million."""

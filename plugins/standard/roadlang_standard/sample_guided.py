@@ -1,4 +1,4 @@
-"""`sample with guided`: robustness steers the draw."""
+"""`sample with guided`: draws guided by robustness."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _JITTER = 0.01
 
 @dataclass(frozen=True)
 class Guided(Sampler):
-    """Learn from robustness where the requirements hold, and draw there."""
+    """Learn from robustness where the requirements are satisfied, and sample there."""
 
     name: ClassVar[str] = "guided"
     sequential: ClassVar[bool] = False
@@ -26,10 +26,10 @@ class Guided(Sampler):
         None,
         minimum=1,
         maximum=100_000_000,
-        help="tries before a scene is given up; about five seconds' worth",
+        help="maximum attempts per scene; by default about five seconds of work",
     )
     pilot: Whole = option(
-        20_000, minimum=100, maximum=10_000_000, help="candidates to learn from, at most"
+        20_000, minimum=100, maximum=10_000_000, help="maximum number of candidates to learn from"
     )
 
     def limit(self) -> int | None:

@@ -1,4 +1,4 @@
-"""`sample with halton`: an even cover of the space of draws."""
+"""`sample with halton`: a low-discrepancy sequence."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Halton(Sampler):
-    """A scrambled Halton sequence: fewer gaps than random draws."""
+    """A scrambled Halton sequence: covers the space more evenly than random draws."""
 
     name: ClassVar[str] = "halton"
     attempts: Whole = option(
         None,
         minimum=1,
         maximum=100_000_000,
-        help="candidates in all before the search is given up; about five seconds' worth",
+        help="maximum number of candidates; by default about five seconds of work",
     )
 
     def limit(self) -> int | None:

@@ -10,7 +10,7 @@ from roadlang.api import Sampler, Whole, option
 
 @dataclass(frozen=True)
 class Random(Sampler):
-    """Draw at random; each scene tries until its draw satisfies every requirement."""
+    """Independent random draws, repeated until all requirements are satisfied."""
 
     name: ClassVar[str] = "random"
     is_default: ClassVar[bool] = True
@@ -19,7 +19,7 @@ class Random(Sampler):
         None,
         minimum=1,
         maximum=100_000_000,
-        help="tries before a scene is given up; about five seconds' worth",
+        help="maximum attempts per scene; by default about five seconds of work",
     )
 
     def limit(self) -> int | None:

@@ -1,4 +1,4 @@
-"""How a road is chosen of a network: `route((0m, 0m), (80m, 40m))`, `road(12)`."""
+"""Ways to select a road from a network: `route((0m, 0m), (80m, 40m))`, `road(12)`."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from roadlang.api import Point, Selector, Whole, geometry, option
 
 @dataclass(frozen=True)
 class Route(Selector):
-    """The shortest way along the network between the places nearest to two points."""
+    """The shortest path through the network between two points."""
 
     name: ClassVar[str] = "route"
-    start: Point = option(help="near where it begins")
-    end: Point = option(help="near where it ends")
+    start: Point = option(help="a point near the start of the path")
+    end: Point = option(help="a point near the end of the path")
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
         """The way between the places of the network nearest to the points."""
@@ -23,10 +23,10 @@ class Route(Selector):
 
 @dataclass(frozen=True)
 class RoadById(Selector):
-    """One road of the network, by its number."""
+    """One road of the network, by its id."""
 
     name: ClassVar[str] = "road"
-    id: Whole = option(minimum=0, help="the number in the picture, the scene file or the map")
+    id: Whole = option(minimum=0, help="id that the map or the extractor gave the road")
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
         """The whole of that road."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import sys
 import traceback
@@ -10,7 +11,6 @@ from collections.abc import Iterator, Sequence
 
 import click
 
-from ..diagnostics.printable import one_line
 from ..plugins.termination import (
     Terminated,
     end_on_sigterm,
@@ -86,8 +86,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return result if isinstance(result, int) else exit_codes.DONE
     except click.ClickException as error:
-        error.message = one_line(error.message)
-        error.show()
+        _show(error)
         return error.exit_code
     except (click.Abort, KeyboardInterrupt):
         click.echo("interrupted", err=True)
@@ -99,6 +98,15 @@ def run(arguments: Sequence[str] | None = None) -> int:
         return request.code if isinstance(request.code, int) else int(request.code is not None)
     except Exception as error:  # noqa: BLE001 - a bug becomes RL900, never a traceback
         return _explain(error)
+
+
+def _show(error: click.ClickException) -> None:
+    """Print wrong use to stderr; what was typed may hold control characters."""
+    from .console import note
+
+    text = io.StringIO()
+    error.show(text)
+    note(text.getvalue().rstrip())
 
 
 def _explain(error: Exception) -> int:

@@ -6,10 +6,10 @@ from dataclasses import dataclass, fields
 
 _SYMBOLS = {"length": "m", "pixel": "px", "time": "s", "angle": "rad", "mass": "kg"}
 _NAMES: dict[tuple[float, ...], str] = {
-    (0, 0, 0, 0, 0): "a pure number",
+    (0, 0, 0, 0, 0): "a dimensionless number",
     (1, 0, 0, 0, 0): "a length",
     (2, 0, 0, 0, 0): "an area",
-    (0, 1, 0, 0, 0): "a number of pixels",
+    (0, 1, 0, 0, 0): "a length in pixels",
     (0, 0, 1, 0, 0): "a time",
     (0, 0, 0, 1, 0): "an angle",
     (0, 0, 0, 0, 1): "a mass",
@@ -19,7 +19,7 @@ _NAMES: dict[tuple[float, ...], str] = {
     (-1, 0, 0, 0, 0): "a curvature",
     (1, -1, 0, 0, 0): "a scale",
     (0, 0, -1, 0, 0): "a frequency",
-    (0, 0, -1, 1, 0): "an angular speed",
+    (0, 0, -1, 1, 0): "an angular velocity",
     (1, 0, -2, 0, 1): "a force",
 }
 
@@ -55,7 +55,7 @@ class Dimension:
 
     @property
     def unit(self) -> str:
-        """The SI unit as the language writes it: `m/s^2`, `1/m`, empty for a pure number."""
+        """The SI unit as the language writes it: `m/s^2`, `1/m`, empty for a dimensionless number."""
         above: list[str] = []
         below: list[str] = []
         for part in fields(self):

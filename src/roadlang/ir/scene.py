@@ -129,7 +129,7 @@ class SceneSignal:
     name: str
     text: str
     unit: str
-    """SI unit of the values, such as `m` or `1/m`; empty for pure numbers"""
+    """SI unit of the values, such as `m` or `1/m`; empty for dimensionless numbers"""
     profiles: tuple[Profile, ...]
 
 

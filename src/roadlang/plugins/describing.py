@@ -12,7 +12,7 @@ from .options import OptionSchema
 
 
 def type_text(option: OptionSchema) -> str:
-    """What may be written for an option: `a length`, `a whole number or auto`."""
+    """What may be written for an option: `length (m)`, `integer | auto`."""
     if isinstance(option.type, types.WordType):
         return " | ".join(option.words) or "one of the words of `option(words=...)`"
     return " | ".join([_WORDS[type(option.type)](option.type), *option.words])
@@ -65,7 +65,9 @@ def _quantity_text(value: float, type_: OptionType) -> str:
         degrees = math.degrees(value)
         if abs(degrees - round(degrees, 1)) < 0.01:
             return f"{round(degrees, 1):g}deg"
-    return f"{value:g}{unit[1:] if unit.startswith('1/') else unit}"
+    if unit == "m/s" and f"{value:g}" != f"{value:.3g}" and round(value * 3.6, 6).is_integer():
+        return f"{value * 3.6:g}km/h"
+    return f"{value:.10g}{unit[1:] if unit.startswith('1/') else unit}"
 
 
 def _unit(type_: OptionType) -> str:
@@ -86,7 +88,8 @@ def _item_type(type_: OptionType) -> OptionType:
     return type_
 
 
-def _a(noun: str) -> str:
+def with_article(noun: str) -> str:
+    """`a road`, `an agent`."""
     return f"an {noun}" if noun[0] in "aeio" else f"a {noun}"
 
 
@@ -94,32 +97,40 @@ def _of(type_: OptionType) -> str:
     return _WORDS[type(type_)](type_)
 
 
+def _plural(type_: OptionType) -> str:
+    """Several of a type: `points (m)`, `lists of numbers`."""
+    noun, space, rest = _of(type_).partition(" ")
+    if not noun.isalpha():
+        return f"items `{_of(type_)}`"
+    return f"{noun}s{space}{rest}"
+
+
+def _quantity(type_: types.QuantityType) -> str:
+    if type_.whole:
+        return "integer"
+    noun = str(type_.dimension).removeprefix("an ").removeprefix("a ")
+    noun = "number" if noun == "dimensionless number" else noun
+    unit = type_.dimension.unit
+    return f"{noun} ({unit})" if unit and "quantity" not in noun else noun
+
+
 _WORDS: dict[type, Callable[[Any], str]] = {
-    types.QuantityType: lambda t: (
-        "a whole number"
-        if t.whole
-        else str(t.dimension)
-        + (
-            f" ({t.dimension.unit})"
-            if t.dimension.unit and "quantity" not in str(t.dimension)
-            else ""
-        )
-    ),
-    types.LikeType: lambda t: "a number of the same unit as the others",
+    types.QuantityType: _quantity,
+    types.LikeType: lambda t: "number with the same unit as the others",
     types.FlagType: lambda t: "true | false",
-    types.TextType: lambda t: "a string",
-    types.FileType: lambda t: "a file name",
-    types.WordType: lambda t: "a word",
-    types.ListType: lambda t: f"a list of {_of(t.item)}",
-    types.IntervalType: lambda t: f"[a, b], each {_of(t.item)}",
-    types.PointType: lambda t: f"a point ({t.dimension.unit})",
-    types.EntityType: lambda t: "the name of " + " or ".join(map(_a, t.roles)),
-    types.NamesType: lambda t: "a constraint's name, or a list of such",
-    types.CallType: lambda t: f"a call of a {t.verb}",
-    types.KindNameType: lambda t: f"the name of a kind of {t.verb}",
-    types.RecordType: lambda t: "{ ... }",
-    types.MapType: lambda t: f"a map to {_of(t.item)}",
-    types.ConditionType: lambda t: "a drive formula",
-    types.AnyType: lambda t: "anything",
+    types.TextType: lambda t: "string",
+    types.FileType: lambda t: "file name",
+    types.WordType: lambda t: "word",
+    types.ListType: lambda t: f"list of {_plural(t.item)}",
+    types.IntervalType: lambda t: f"interval [a, b] of {_plural(t.item)}",
+    types.PointType: lambda t: f"point ({t.dimension.unit})",
+    types.EntityType: lambda t: "name of " + " or ".join(map(with_article, t.roles)),
+    types.NamesType: lambda t: "name of a requirement or expectation, or a list of names",
+    types.CallType: lambda t: str(t.verb),
+    types.KindNameType: lambda t: f"kind of {t.verb}",
+    types.RecordType: lambda t: "record { ... }",
+    types.MapType: lambda t: f"map to {_plural(t.item)}",
+    types.ConditionType: lambda t: "formula over the drive",
+    types.AnyType: lambda t: "value of any type",
     types.UnionType: lambda t: " | ".join(_of(item) for item in t.alternatives),
 }

@@ -43,7 +43,7 @@ class RoadProfile:
 class Profiles:
     """A signal, or the robustness of a formula, along each road that it is about.
 
-    `text` is what it says, `unit` the SI unit of its values (empty for pure numbers).
+    `text` is what it says, `unit` the SI unit of its values (empty for dimensionless numbers).
     """
 
     def __init__(self, name: str, text: str, unit: str, profiles: Iterable[Profile]) -> None:

@@ -75,7 +75,7 @@ def _dimension(
             Code.WRONG_DIMENSION,
             right.span,
             what="an exponent",
-            expected="a pure number",
+            expected="a dimensionless number",
             found=right.type,
         )
         return None

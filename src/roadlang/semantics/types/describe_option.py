@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...plugins import option_types as opt
+from ...plugins.describing import with_article
 
 _CALLS = {"piece": "a piece of a road, such as `straight(80m)`", "select": "a way to choose a road"}
 
@@ -21,7 +22,7 @@ def describe(expected: opt.OptionType, words: Iterable[str] = ()) -> str:
 def _describe(expected: opt.OptionType) -> str:
     match expected:
         case opt.QuantityType(dimension, whole):
-            return "a whole number" if whole else str(dimension)
+            return "an integer" if whole else str(dimension)
         case opt.LikeType():
             return "a number"
         case opt.FlagType():
@@ -33,13 +34,13 @@ def _describe(expected: opt.OptionType) -> str:
         case opt.WordType():
             return "a word"
         case opt.ListType(item):
-            return f"a list, each item {_describe(item)}"
+            return f"a list in which each item is {_describe(item)}"
         case opt.IntervalType():
             return "an interval `[low, high]`"
         case opt.PointType(dimension):
-            return f"a point `(x, y)` in {dimension.unit or 'pure numbers'}"
+            return f"a point `(x, y)` in {dimension.unit or 'dimensionless numbers'}"
         case opt.EntityType(roles):
-            return "the name of " + " or ".join(_a(role) for role in roles)
+            return "the name of " + " or ".join(map(with_article, roles))
         case opt.NamesType():
             return "the name of a `require` or `expect`, or a list of such"
         case opt.CallType(verb):
@@ -54,7 +55,3 @@ def _describe(expected: opt.OptionType) -> str:
             return "a value"
         case opt.UnionType(alternatives):
             return " or ".join(_describe(part) for part in alternatives)
-
-
-def _a(role: str) -> str:
-    return f"an {role}" if role[0] in "aeio" else f"a {role}"

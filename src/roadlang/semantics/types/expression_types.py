@@ -97,8 +97,7 @@ class SignalType:
     dimension: Dimension
 
     def __str__(self) -> str:
-        over = "over a road" if self.domain == "road" else "of the drive"
-        return f"a signal {over}"
+        return f"a {self.domain} signal"
 
 
 @dataclass(frozen=True, slots=True)
