@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
@@ -60,7 +61,7 @@ def diagnose(
     help: str | Iterable[str] = (),
     labels: Iterable[Label] = (),
     fixes: Iterable[Fix] = (),
-    path: str | None = None,
+    path: str | os.PathLike[str] | None = None,
     severity: Severity | None = None,
     **values: object,
 ) -> Diagnostic:
@@ -74,5 +75,5 @@ def diagnose(
         help=(help,) if isinstance(help, str) else tuple(help),
         labels=tuple(labels),
         fixes=tuple(fixes),
-        path=path,
+        path=None if path is None else os.fspath(path),
     )

@@ -55,7 +55,7 @@ class Dimension:
 
     @property
     def unit(self) -> str:
-        """The SI unit as the language writes it: `m/s^2`, `1/m`, empty for a dimensionless number."""
+        """The SI unit as the language writes it: `m/s^2`, `1/m`; empty if dimensionless."""
         above: list[str] = []
         below: list[str] = []
         for part in fields(self):

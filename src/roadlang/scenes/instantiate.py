@@ -122,7 +122,7 @@ def _draws(record: DrawRecord, candidates: CandidateBatch) -> dict[str, Any]:
 
 
 def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str]:
-    """The SI units of values and draws that are quantities; dimensionless numbers and words have none."""
+    """The SI units of values and draws that are quantities; other values have none."""
     named = {
         item.name: item.dimension.unit
         for item in scenario.source.values
