@@ -97,6 +97,7 @@ if TYPE_CHECKING:
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.encoding import to_json
     from .ir.picture import Extraction, FoundObject, Picture
+    from .ir.road_bounds import RoadBounds
     from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
     from .ir.trace import AgentTrace, Trace
 
@@ -104,6 +105,7 @@ _LATER = {
     ".drive.contract": "Control Observation",
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.encoding": "to_json",
+    ".ir.road_bounds": "RoadBounds",
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.scene": "Call Scene SceneActor SceneNetwork SceneNode SceneRoad Verdict",
     ".ir.trace": "AgentTrace Trace",
@@ -174,6 +176,7 @@ __all__ = [
     "Point",
     "Reader",
     "RoadBatch",
+    "RoadBounds",
     "RoadName",
     "RoadNumber",
     "RoadOrNetwork",

@@ -74,14 +74,16 @@ def failure(sample: Sample, text: str, *kinds: type) -> Any:
 
 
 @pytest.mark.parametrize("gives", [float("nan"), [1.0, 2.0, 3.0], [], -1.0])
-def test_a_reach_that_is_no_bound(sample: Sample, gives: Any) -> None:
-    found = failure(sample, BENT.replace("KIND", "odd") + NEAR, kind(Perturber, "reach", gives))
+def test_a_displacement_bound_that_is_none(sample: Sample, gives: Any) -> None:
+    found = failure(
+        sample, BENT.replace("KIND", "odd") + NEAR, kind(Perturber, "displacement_bound", gives)
+    )
     assert found.code == "RL474"
     assert "perturb acme.odd" in found.message
 
 
-def test_a_reach_that_raises(sample: Sample) -> None:
-    odd = kind(Perturber, "reach", ValueError("boom"))
+def test_a_displacement_bound_that_raises(sample: Sample) -> None:
+    odd = kind(Perturber, "displacement_bound", ValueError("boom"))
     found = failure(sample, BENT.replace("KIND", "odd") + NEAR, odd)
     assert found.code == "RL470"
     assert "ValueError: boom" in found.message

@@ -35,7 +35,7 @@ def test_nobody_goes_beyond_the_reach(
     made = KINDS[kind](COLUMN)
     moves = made.displacements(road, random)
     assert moves.shape == (8, len(road.stations))
-    assert (np.abs(moves) <= made.reach() + 1e-12).all()
+    assert (np.abs(moves) <= made.displacement_bound() + 1e-12).all()
     assert np.abs(moves).max(axis=1).min() > 0
 
 

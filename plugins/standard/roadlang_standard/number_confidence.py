@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import RoadNumber, RoadOrNetwork, option
 
@@ -21,6 +22,10 @@ class Confidence(RoadNumber):
     name: ClassVar[str] = "confidence"
     cost: ClassVar[float] = 1.0
     road: RoadOrNetwork = option(help="the road or network")
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        return 0.0, 1.0
 
     def values(self) -> Floats:
         import numpy as np

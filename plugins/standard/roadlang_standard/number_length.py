@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import RoadName, RoadNumber, option
 
@@ -22,6 +23,10 @@ class Length(RoadNumber):
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 5.0
     road: RoadName = option(help="the road")
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        return 0.0, float("inf")
 
     def values(self) -> Floats:
         return self.road.length

@@ -36,5 +36,5 @@ class Bump(Perturber):
         x = np.clip(2.0 * away / self.length, -1.0, 1.0)
         return np.atleast_2d(self.height * (1.0 - x * x) ** 3)
 
-    def reach(self) -> Floats | float:
+    def displacement_bound(self) -> Floats | float:
         return abs(self.height)

@@ -48,5 +48,5 @@ class Harmonics(Perturber):
         size = random.uniform(1, stream=1)
         return self.amplitude * size * total / np.maximum(bound, 1e-12)
 
-    def reach(self) -> Floats | float:
+    def displacement_bound(self) -> Floats | float:
         return self.amplitude

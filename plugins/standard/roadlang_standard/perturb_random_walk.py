@@ -63,5 +63,5 @@ class RandomWalk(Perturber):
         # Folding the line into [-1, 1] reflects the walk at both ends.
         return np.abs(np.mod(np.cumsum(steps, axis=1), 4.0) - 2.0) - 1.0
 
-    def reach(self) -> Floats | float:
+    def displacement_bound(self) -> Floats | float:
         return self.amplitude

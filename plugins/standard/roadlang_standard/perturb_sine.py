@@ -39,5 +39,5 @@ class Sine(Perturber):
             self.amplitude * np.sin((2.0 * np.pi / wavelength) * roads.stations + self.phase)
         )
 
-    def reach(self) -> Floats | float:
+    def displacement_bound(self) -> Floats | float:
         return abs(self.amplitude)

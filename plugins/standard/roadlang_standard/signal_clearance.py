@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, geometry, option
 
@@ -26,6 +27,10 @@ class Clearance(Signal):
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 3000.0
     road: RoadOrNetwork = option(help="the road")
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        return 0.0, FARTHEST
 
     def values(self) -> Floats:
         import numpy as np

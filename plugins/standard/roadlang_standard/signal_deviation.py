@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, option
 from roadlang_standard.nearest import nearest_offset
@@ -24,6 +25,10 @@ class Deviation(Signal):
     cost: ClassVar[float] = 2.0
     road: RoadOrNetwork = option(help="the displaced road")
     origin: RoadOrNetwork = option(help="what it came from")
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        return 0.0, options["road"].apart(options["origin"])
 
     def values(self) -> Floats:
         import numpy as np

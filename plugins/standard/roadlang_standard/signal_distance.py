@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, geometry, option
 from roadlang_standard.nearest import nearest_distance
@@ -24,6 +25,10 @@ class Distance(Signal):
     cost: ClassVar[float] = 3.0
     road: RoadOrNetwork = option(help="one road")
     other: RoadOrNetwork = option(help="the other")
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        return 0.0, options["road"].apart(options["other"])
 
     def values(self) -> Floats:
         if self.road.root == self.other.root:

@@ -6,6 +6,7 @@ call each other.
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable
 from functools import reduce
@@ -30,10 +31,11 @@ from ..ir.values import (
     Text,
     Value,
 )
-from ..plugins.guard import plugin_guard
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
 from ..plugins.options import OptionSchema, schema_of
 from .candidates import CandidateBatch, coordinate_name
+from .indexed_scenario import IndexedScenario
 from .kind_instance import KindInstance, check_bounds, scalar
 
 Resolve = Callable[[Entity], Any]
@@ -95,12 +97,27 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
         built = build(draw.call, candidates, element)
         with built.guarded:
             found = built.kind.quantile(frozen(candidates.uniform(draw.place, element)))
-            return np.asarray(found).reshape(candidates.count, 1)
+            found = np.asarray(found).reshape(candidates.count, 1)
+        return _within_support(found, draw, built, candidates.scenario)
 
     values = candidates.once(("draw", draw.place, element), quantile)
     if candidates.record is not None:
         candidates.record.values[coordinate_name(draw.place, element)] = values
     return values
+
+
+def _within_support(found: Any, draw: Draw, built: KindInstance, scenario: IndexedScenario) -> Any:
+    """The values of a draw, none beyond the support by rounding. Raises RL474 where one is."""
+    low, high = scenario.value_bounds.of(draw)
+    if found.dtype.kind not in "fiu" or (math.isinf(low) and math.isinf(high)):
+        return found
+    slack = 1e-9 * max(1.0, *(abs(end) for end in (low, high) if math.isfinite(end)))
+    least, greatest = found.min(), found.max()
+    if not (low - slack <= least and greatest <= high + slack):
+        value = greatest if low - slack <= least else least
+        fault = f"gave {value:g}, which is beyond its support, {low:g} to {high:g}"
+        raise wrong_result(built.entry, built.call.span, fault)
+    return found if low <= least and greatest <= high else np.clip(found, low, high)
 
 
 def _operation(value: Operation, candidates: CandidateBatch, element: int) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import suppress
+from functools import cached_property
 from typing import Any, TypeVar
 
 from ..diagnostics import Code, DiagnosticError, diagnose
@@ -13,6 +14,7 @@ from ..ir.values import Draw, PassCall, Text, Value
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
 from ..plugins.registry import KindEntry, Registry, UnknownKind
+from ..plugins.value_bounds import ValueBounds
 from .dependencies import draws_in, walk
 
 T = TypeVar("T")
@@ -64,6 +66,15 @@ class IndexedScenario:
             ) from None
         with plugin_guard(entry, call.span):
             return entry, entry.load()
+
+    @cached_property
+    def value_bounds(self) -> ValueBounds:
+        """The least and the greatest number that each value can be, whatever is drawn."""
+        return ValueBounds(self.value_of, self.kind)
+
+    def value_of(self, name: str) -> Value:
+        """What a `param` or `let` stands for."""
+        return self.values[name].value
 
     def draws(self) -> Iterator[Draw]:
         """Every draw of the scenario; one that is used twice comes twice."""

@@ -11,9 +11,11 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
-from .bounds import settled_rows
+from ..ir.values import Condition
+from .early_verdicts import is_impossible, settled_rows
 from .requirement import Requirement
 from .requirements import requirements_of
+from .stated_ranges import check_stated_ranges
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -79,15 +81,35 @@ class Acceptance:
         """Every requirement, of rejected candidates too."""
         shape = (len(self.requirements), candidates.count)
         rho, satisfied = np.empty(shape), np.empty(shape, dtype=bool)
-        parts = [(slice(None), candidates)]
-        if self.has_varying_stations:
-            singles = range(candidates.count)
-            parts = [(slice(i, i + 1), candidates.take(np.array([i]))) for i in singles]
-        for rows, part in parts:
+        start = 0
+        for part in self._comparable(candidates):
+            rows = slice(start, start + part.count)
             for index, requirement in enumerate(self.requirements):
                 rho[index, rows] = found = requirement.rho(part)
                 satisfied[index, rows] = requirement.is_satisfied(part, found)
+            start = rows.stop
         return Measurements(rho, satisfied)
+
+    def impossible(self, candidates: CandidateBatch) -> frozenset[int]:
+        """The requirements that no candidate can satisfy, as far as bounds tell.
+
+        Raises RL474 where the values of `candidates` show that a bound, stated by a kind, is wrong.
+        """
+        scenario, requirements = self.scenario, self.requirements
+        refuted = [i for i, found in enumerate(requirements) if is_impossible(found, scenario)]
+        for part in self._comparable(candidates) if refuted else ():
+            for index in refuted:
+                requirements[index].rho(part)  # holds draws and displacements to their bounds
+                test = requirements[index].test
+                assert isinstance(test, Condition)
+                check_stated_ranges(test, part)
+        return frozenset(refuted)
+
+    def _comparable(self, candidates: CandidateBatch) -> list[CandidateBatch]:
+        """The candidates together, or one by one where they differ in their stations."""
+        if not self.has_varying_stations:
+            return [candidates]
+        return [candidates.take(np.array([row])) for row in range(candidates.count)]
 
     def _sift(
         self,

@@ -17,6 +17,7 @@ from ..ir.values import Condition, PassCall
 from ..stl.evaluate.satisfaction import Truth, is_satisfied, zero_satisfies
 from .road_conditions import condition_rho, condition_truth
 from .road_monitors import monitor_rho
+from .stated_ranges import check_stated_ranges
 from .violations import violated_stretches
 
 
@@ -38,6 +39,7 @@ def _of_condition(name: str, condition: Condition, candidates: CandidateBatch) -
     pending = Verdict(name, condition.text, condition.domain, None, None)
     if condition.domain == "drive":
         return replace(pending, formula=condition_json(condition, candidates))
+    check_stated_ranges(condition, candidates)
     rho = float(condition_rho(condition, candidates)[0])
     found = decided(pending, rho, lambda rows: condition_truth(condition, candidates))
     if found.satisfied or condition.domain != "road":

@@ -142,9 +142,12 @@ class Perturber(Kind):
         """(variants, stations) meters. The runner loops over `displacement` without it."""
         raise NotImplementedError
 
-    def reach(self) -> Floats | float:
-        """A bound of the displacement, told by the options alone: requirements that it settles
-        need no geometry. It must be monotone in every option."""
+    def displacement_bound(self) -> Floats | float:
+        """The greatest displacement, meters, that the options allow: a number, or (variants, 1).
+
+        Requirements that it decides need no geometry. It must be monotonic in every option;
+        without it nothing is known. A displacement beyond it is RL474.
+        """
         return float("inf")
 
 
@@ -171,6 +174,16 @@ class Signal(Kind):
     def values(self) -> Floats:
         """(variants, stations), SI units. Fields that name roads hold `RoadBatch`es."""
         raise NotImplementedError
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        """Least and greatest value that the options allow: numbers, or (variants, 1) columns.
+
+        Requirements that they decide need no geometry; without them nothing is known. `options`
+        holds all options by name: a `RoadBounds` for each road, and numbers, or columns
+        (variants, 1). It must be monotonic in every number. A value beyond the range is RL474.
+        """
+        return float("-inf"), float("inf")
 
     @classmethod
     def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
@@ -234,7 +247,11 @@ class Distribution(Kind):
         raise NotImplementedError
 
     def support(self) -> tuple[float, float] | None:
-        """Least and greatest value, for bounds; None when not known."""
+        """Least and greatest value, for bounds; None when not known. Options are plain numbers.
+
+        Where options are drawn themselves it is evaluated at all ends of their ranges, so both must
+        be monotonic in every option. A value beyond it is RL474.
+        """
         return None
 
     def levels(self, steps: int) -> Iterable[float]:

@@ -11,7 +11,6 @@ from ..evaluate.candidates import CandidateBatch
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance
-from ..judging.bounds import is_impossible
 from ..plugins.registry import Registry
 from ..search.rejection_report import RejectionStats, Row, as_text, rows_of
 from ..search.samplers import Progress
@@ -82,16 +81,19 @@ def sample_scenes(
     )
 
 
+_CHECKED_BY = 16
+"""Candidates that must agree with bounds that refute a requirement"""
+
+
 def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
     """Requirements that bounds refute, or that nothing random has a say in and that fail."""
-    refuted = {
-        index
-        for index, requirement in enumerate(acceptance.requirements)
-        if is_impossible(requirement, acceptance.scenario)
-    }
+    count = 1 if acceptance.has_varying_stations else _CHECKED_BY
+    attempts = np.arange(count)
+    few = CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), attempts)
+    refuted = acceptance.impossible(few)
     if refuted:
-        return frozenset(refuted)
-    first = CandidateBatch(acceptance.scenario, seed, np.zeros(1, np.int64), np.zeros(1, np.int64))
+        return refuted
+    first = few.take(np.zeros(1, np.intp))
     fixed = [index for index, r in enumerate(acceptance.requirements) if not r.draws]
     if not fixed:
         return frozenset()

@@ -6,10 +6,13 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics import Code, Diagnostic, Fix, Label, Span, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, Span, diagnose
+from ..ir.values import PassCall, Value
 from ..plugins.kinds import Kind
 from ..plugins.options import OptionSchema
 from ..plugins.registry import KindEntry, Registry
+from ..plugins.value_bounds import ValueBounds
+from ..stl.evaluate.interval_arithmetic import UNKNOWN, Bounds
 from ..syntax.tree import nodes as ast
 from .context import Context
 from .names.program import Program
@@ -41,8 +44,7 @@ class Checker:
         self.kinds: dict[tuple[str, str], ResolvedKind | None] = {}
         self.divisors: list[tuple[str, Span]] = []
         """The `s` of numbers such as `1/s`, and where."""
-        self.bounds: dict[int, tuple[float, float] | None] = {}
-        """Least and greatest number that an operand of a comparison can be, by the node's id."""
+        self.value_bounds = ValueBounds(lambda name: self.definition(name).value, self._kind_of)
         self._rules = rules
         self._define = define
         self._definitions: dict[str, TypedExpression] = {}
@@ -75,6 +77,17 @@ class Checker:
     def infer(self, expression: ast.Expression, context: Context) -> TypedExpression:
         """Type and value of an expression; errors are reported once, here."""
         return self._rules[type(expression)](self, expression, context)
+
+    def bounds_of(self, value: Value) -> Bounds:
+        """The least and the greatest number that a value can be, as far as can be told."""
+        try:
+            return self.value_bounds.of(value)
+        except DiagnosticError:  # a plugin's mistake shows when it draws, with its name
+            return UNKNOWN
+
+    def _kind_of(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
+        entry = self.registry.find(call.verb, call.kind)
+        return entry, entry.load()
 
     def definition(self, name: str) -> TypedExpression:
         """What a `param` or `let` is."""

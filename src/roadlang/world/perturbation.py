@@ -21,6 +21,7 @@ from .stations import is_still
 
 Floats = NDArray[np.float64]
 FARTHEST = 1e6
+_ROUNDING = 1e-9
 
 
 def perturbed(
@@ -75,11 +76,25 @@ def _displacements(
         raise wrong_result(
             built.entry, built.call.span, "gave displacements that are not finite numbers"
         )
-    if np.abs(moves).max(initial=0.0) > FARTHEST:
+    _check_size(moves, built, road)
+    return moves
+
+
+def _check_size(moves: Floats, built: KindInstance, road: RoadBatch) -> None:
+    """Raises RL474 for a displacement beyond what the kind states, or beyond all measure."""
+    farthest = np.abs(moves).max(axis=1, keepdims=True, initial=0.0)
+    if farthest.max(initial=0.0) > FARTHEST:
         raise wrong_result(
             built.entry, built.call.span, f"moved `{road.name}` by more than {FARTHEST:g} m"
         )
-    return moves
+    with built.guarded:
+        bound = np.asarray(built.kind.displacement_bound(), dtype=np.float64).reshape(-1, 1)
+    beyond = farthest > bound + _ROUNDING * np.maximum(1.0, bound)
+    if beyond.any():
+        row = int(np.flatnonzero(beyond.any(axis=1))[0])
+        stated = float(np.broadcast_to(bound, farthest.shape)[row, 0])
+        fault = f"moved `{road.name}` by {farthest[row, 0]:g} m, beyond its bound of {stated:g} m"
+        raise wrong_result(built.entry, built.call.span, fault)
 
 
 def _displacement(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...diagnostics import Code
+from ...diagnostics import Code, DiagnosticError
 from ...ir.dimension import PURE
 from ...ir.values import Constant, Draw, Items, PassCall, Value
-from ...plugins.guard import PluginFault, attributed
 from ...plugins.option_types import AnyType, ListType, QuantityType
+from ...plugins.stated_bounds import stated_support
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
 from ..context import Context
-from ..types import bounds
 from ..types import expression_types as ty
 from ..types.dimensions import common_dimension, dimension_of
 from ..types.expression_types import TypedExpression, unknown
@@ -26,18 +25,18 @@ def draw_of(
     kind = _type_of(checker, found, bound)
     if kind is None:
         return unknown(call.span)
-    reach = _reach(found, bound)
-    if reach is not None and reach[0] > reach[1]:
-        return checker.report(
-            Code.REVERSED_RANGE, call.span, what="range", help="the lower end comes first"
-        )
     place = checker.draw_place(context)
     options = bound.values
     drawn = PassCall("distribution", found.entry.qualified, options, place, call.span)
+    if _is_reversed(checker, drawn, found):
+        return checker.report(
+            Code.REVERSED_RANGE, call.span, what="range", help="the lower end comes first"
+        )
     dimension = kind.dimension if isinstance(kind, ty.Quantity) else PURE
     value = Draw(place, drawn, context.per, dimension)
+    bounds = checker.bounds_of(value)
     return TypedExpression(
-        call.span, kind, value, random=True, bounds=reach, items=_items(found, bound)
+        call.span, kind, value, random=True, bounds=bounds, items=_items(found, bound)
     )
 
 
@@ -97,28 +96,14 @@ def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Typ
     return first.type
 
 
-def _reach(found: ResolvedKind, bound: BoundOptions) -> tuple[float, float] | None:
-    chosen = _chosen(found, bound)
-    if chosen:
-        return bounds.hull([part.bounds for part in chosen])
-    by_name = {name: typed.bounds for name, typed in bound.given.items()}
-    if {"low", "high"} <= by_name.keys():
-        low, high = by_name["low"], by_name["high"]
-        return (low[0], high[1]) if low and high else None
-    return _support(found, bound)
-
-
-def _support(found: ResolvedKind, bound: BoundOptions) -> tuple[float, float] | None:
-    """What the distribution says itself, where all its options are constant."""
-    options = {name: constant_of(value) for name, value in bound.values}
-    if any(option is None for option in options.values()):
-        return None
+def _is_reversed(checker: Checker, call: PassCall, found: ResolvedKind) -> bool:
+    """Whether the distribution states a least value above the greatest, of these very options."""
+    options = checker.value_bounds.options(call)
     try:
-        with attributed():
-            support = found.kind(**options).support()  # type: ignore[attr-defined]
-    except PluginFault:  # a plugin's mistake shows when it draws, with its name
-        return None
-    return support if isinstance(support, tuple) and len(support) == 2 else None
+        low, high = stated_support(found.entry, found.kind, options, call.span)
+    except DiagnosticError:  # a plugin's mistake shows when it draws, with its name
+        return False
+    return low > high
 
 
 def constant_of(value: Value) -> Any:

@@ -18,11 +18,11 @@ from ...ir.values import (
     Reference,
     Text,
 )
+from ...stl.evaluate.interval_arithmetic import negated as negated_bounds
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..names.program import expression_of
-from ..types import bounds
 from ..types.arithmetic import signal_arithmetic, signal_negation
 from ..types.dimensions import common_dimension
 from ..types.expression_types import (
@@ -83,7 +83,7 @@ def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> 
         else Operation("negate", (value,))
     )
     return replace(
-        operand, span=negation.span, value=negated, bounds=bounds.negated(operand.bounds)
+        operand, span=negation.span, value=negated, bounds=negated_bounds(operand.bounds)
     )
 
 
@@ -116,8 +116,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
     if dimension is None:
         return unknown(draw.span)
     low, high = ends
-    reach = bounds.hull([low.bounds, high.bounds])
-    if reach and math.inf in map(abs, reach):
+    if any(end.constant is not None and math.isinf(end.constant) for end in ends):
         return checker.report(Code.NOT_FINITE, draw.span, what="a range that is drawn from")
     if low.constant is not None and high.constant is not None and low.constant > high.constant:
         text = f"{draw.high.span.text}..{draw.low.span.text}"
@@ -136,7 +135,8 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
         whole=low.constant is not None and low.constant == high.constant and kinds[0].whole,
     )
     value = Draw(place, call, context.per, dimension)
-    return TypedExpression(draw.span, kind, value, random=True, bounds=reach, range=True)
+    bounds = checker.bounds_of(value)
+    return TypedExpression(draw.span, kind, value, random=True, bounds=bounds, range=True)
 
 
 def infer_point(checker: Checker, point: ast.Point, context: Context) -> TypedExpression:

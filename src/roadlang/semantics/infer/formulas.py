@@ -40,8 +40,6 @@ def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -
     parts = [checker.infer(operand, context) for operand in node.operands]
     if any(part.is_unknown for part in parts):
         return unknown(node.span)
-    for operand, part in zip(node.operands, parts, strict=True):
-        checker.bounds[id(operand)] = part.bounds
     for part in parts:
         if not isinstance(part.type, Quantity | SignalType):
             expected = "a number or a signal"

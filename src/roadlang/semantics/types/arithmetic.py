@@ -11,9 +11,9 @@ from typing import Any
 from ...diagnostics import Code, Label, Span
 from ...ir.dimension import PURE, Dimension
 from ...ir.values import Constant, NumberBinding, Operation, Value
+from ...stl.evaluate.interval_arithmetic import arithmetic, of_function
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
-from . import bounds
 from .dimensions import common_dimension, dimension_of
 from .expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
 from .number_terms import term_of
@@ -22,13 +22,11 @@ _OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": 
 
 
 def signal_negation(operand: TypedExpression, span: Span) -> TypedExpression:
-    """`-signal`, with its bounds mirrored."""
+    """`-signal`."""
     from ...stl import Negate
 
     assert operand.term is not None
-    return replace(
-        operand, span=span, term=Negate(operand.term), bounds=bounds.negated(operand.bounds)
-    )
+    return replace(operand, span=span, term=Negate(operand.term))
 
 
 def signal_arithmetic(
@@ -40,10 +38,9 @@ def signal_arithmetic(
         return unknown(node.span)
     if node.operator == "/" and right.constant == 0:
         return checker.report(Code.NOT_FINITE, node.right.span, what="a number divided by 0")
-    reach = bounds.arithmetic(node.operator, left.bounds, right.bounds)
     both = (left, right)
     if any(isinstance(side.type, SignalType) for side in both):
-        return _of_signals(checker, node, both, dimension, reach)
+        return _of_signals(checker, node, both, dimension)
     kinds = [side.type for side in both if isinstance(side.type, Quantity)]
     kind = Quantity(
         dimension,
@@ -54,9 +51,10 @@ def signal_arithmetic(
     if value is None:
         return unknown(node.span)
     random = left.random or right.random
+    bounds = arithmetic(node.operator, left.bounds, right.bounds)
     if isinstance(value, Constant):
-        reach = (value.value, value.value)
-    return TypedExpression(node.span, kind, value, random=random, bounds=reach)
+        bounds = (value.value, value.value)
+    return TypedExpression(node.span, kind, value, random=random, bounds=bounds)
 
 
 def _dimension(
@@ -123,7 +121,6 @@ def _of_signals(
     node: ast.Arithmetic,
     sides: tuple[TypedExpression, TypedExpression],
     dimension: Dimension,
-    reach: tuple[float, float] | None,
 ) -> TypedExpression:
     from ...stl import Arithmetic
 
@@ -136,9 +133,8 @@ def _of_signals(
     term = Arithmetic(node.operator, terms[0], terms[1])  # type: ignore[arg-type]
     kind = SignalType(evidence.domain, dimension)
     return TypedExpression(
-        node.span, kind, bounds=reach, term=term, evidence=evidence, signals=signals,
-        numbers=numbers,
-    )  # fmt: skip
+        node.span, kind, term=term, evidence=evidence, signals=signals, numbers=numbers
+    )
 
 
 def terms_of(sides: Sequence[TypedExpression]) -> tuple[list[Any], tuple[NumberBinding, ...]]:
@@ -200,14 +196,14 @@ def of_functions(
 ) -> TypedExpression:
     """`abs`, `min` or `max` of numbers alone."""
     values = tuple(argument.value for argument in arguments if argument.value is not None)
-    reach = function_bounds(name, arguments)
+    bounds = of_function(name, [argument.bounds for argument in arguments])
     constants = [argument.constant for argument in arguments]
     value: Value = Operation(name, values)
-    if reach is not None and all(constant is not None for constant in constants):
-        value = Constant(reach[0], dimension)
+    if all(constant is not None for constant in constants):
+        value = Constant(bounds[0], dimension)
     random = any(argument.random for argument in arguments)
     kind = Quantity(dimension)
-    return TypedExpression(span, kind, value, random=random, bounds=reach)
+    return TypedExpression(span, kind, value, random=random, bounds=bounds)
 
 
 def signal_of_functions(
@@ -227,17 +223,8 @@ def signal_of_functions(
     return TypedExpression(
         span,
         SignalType(evidence.domain, dimension),
-        bounds=function_bounds(name, arguments),
         term=Apply(name, tuple(terms)),  # type: ignore[arg-type]
         evidence=evidence,
         signals=tuple(dict.fromkeys(s for argument in arguments for s in argument.signals)),
         numbers=numbers,
     )
-
-
-def function_bounds(name: str, arguments: Sequence[TypedExpression]) -> tuple[float, float] | None:
-    """Bounds of `abs`, `min` or `max` of the arguments; None if unknown."""
-    parts = [argument.bounds for argument in arguments]
-    if name == "abs":
-        return bounds.absolute(parts[0])
-    return bounds.least(parts) if name == "min" else bounds.greatest(parts)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from ...diagnostics import Span
 from ...ir.dimension import PURE, Dimension
 from ...ir.values import NumberBinding, SignalBinding, Value
+from ...stl.evaluate.interval_arithmetic import UNKNOWN, Bounds
 
 if TYPE_CHECKING:
     from ...stl import Formula, Term
@@ -167,7 +168,7 @@ class TypedExpression:
     type: Type
     value: Value | None = None
     random: bool = False
-    bounds: tuple[float, float] | None = None
+    bounds: Bounds = UNKNOWN
     term: Term | None = None
     formula: Formula | None = None
     evidence: Evidence | None = None
@@ -186,9 +187,8 @@ class TypedExpression:
     @property
     def constant(self) -> float | None:
         """The number it is in every scene."""
-        if self.bounds is None or self.random or self.bounds[0] != self.bounds[1]:
-            return None
-        return self.bounds[0]
+        low, high = self.bounds
+        return None if self.random or low != high else low
 
 
 def unknown(span: Span) -> TypedExpression:

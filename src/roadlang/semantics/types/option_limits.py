@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ...diagnostics import Code
 from ...ir.dimension import Dimension
 from ...plugins.describing import value_text
@@ -15,9 +17,10 @@ def check_limits(
     checker: Checker, typed: TypedExpression, limits: Constraints, what: str, dimension: Dimension
 ) -> bool:
     """False, reported, where the number can be beyond a limit."""
-    if typed.bounds is None:
-        return True
     low, high = typed.bounds
+    if math.isinf(low) and math.isinf(high) and low != high:
+        return True
+    low, high = _finite_ends(low, high)
     fault = _below(limits, low) or _above(limits, high)
     if fault is None:
         return True
@@ -31,6 +34,13 @@ def check_limits(
         found=f"{verb} {_quantity(number, dimension)}",
     )
     return False
+
+
+def _finite_ends(low: float, high: float) -> tuple[float, float]:
+    """The two ends; the other one for an infinite end, of which nothing is known."""
+    if low == high:  # `inf` as written
+        return low, high
+    return (high if math.isinf(low) else low), (low if math.isinf(high) else high)
 
 
 def _below(limits: Constraints, low: float) -> tuple[str, float, float] | None:
