@@ -22,8 +22,7 @@ from roadlang.api import (
     option,
 )
 from roadlang.scenes.sampling import SamplingResult
-
-from ..straight_road import STRAIGHT
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 SWAYING = (

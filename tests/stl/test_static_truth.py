@@ -9,9 +9,8 @@ import pytest
 
 from roadlang import stl
 from roadlang.stl.evaluate.static_truth import StaticTruth, static_truth
-
-from ..stl_draws import NAMES, FormulaDraw
-from ..stl_reference import Reference
+from tests.stl_draws import NAMES, FormulaDraw
+from tests.stl_reference import Reference
 
 EDGES = (0.0, -0.0, -1.0, 2.0)
 KNOWN = {"x": (-1.0, 2.0), "low": (0.0, 1.0), "high": (1.0, 3.0), "one": (1.0, 1.0)}
