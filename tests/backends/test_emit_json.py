@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from typing import Any
 
 import jsonschema
 import numpy as np
@@ -17,30 +18,30 @@ from tests.backends.handmade_scenes import bend, town
 
 
 @pytest.mark.parametrize("scene", [bend(), town()], ids=["bend", "town"])
-def test_a_scene_fits_the_published_schema(scene):
+def test_a_scene_fits_the_published_schema(scene: Any) -> None:
     text = Json().files(scene)["json"]
     jsonschema.Draft202012Validator(json_schema(Scene)).validate(json.loads(text))
 
 
-def test_a_scene_reads_back_exactly():
+def test_a_scene_reads_back_exactly() -> None:
     scene = bend()
     assert to_json(scene_from_json(to_json(scene))) == to_json(scene)
     assert scene_from_json(to_json(scene)).roads == scene.roads
 
 
-def test_the_schema_refuses_another_version():
+def test_the_schema_refuses_another_version() -> None:
     record = json.loads(to_json(bend()))
     record["schema"] = "roadlang.scene/0"
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate(record, json_schema(Scene))
 
 
-def test_the_first_member_says_what_the_file_is():
+def test_the_first_member_says_what_the_file_is() -> None:
     assert to_json(bend()).splitlines()[1] == '  "schema": "roadlang.scene/2",'
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf")])
-def test_a_number_that_is_not_finite_is_refused_with_its_place(value):
+def test_a_number_that_is_not_finite_is_refused_with_its_place(value: float) -> None:
     scene = bend()
     road = scene.roads[0]
     broken = replace(scene, roads=(replace(road, x=(*road.x[:3], value, *road.x[4:])),))
@@ -49,18 +50,18 @@ def test_a_number_that_is_not_finite_is_refused_with_its_place(value):
     assert refused.value.place == "roads[0].x[3]"
 
 
-def test_numpy_numbers_are_numbers():
+def test_numpy_numbers_are_numbers() -> None:
     scene = replace(bend(), values={"reach": np.float64(8.5), "count": np.int64(3)})
     assert json.loads(to_json(scene))["values"] == {"count": 3, "reach": 8.5}
 
 
-def test_maps_are_sorted_so_that_equal_scenes_are_equal_bytes():
+def test_maps_are_sorted_so_that_equal_scenes_are_equal_bytes() -> None:
     one = replace(bend(), values={"a": 1, "b": 2})
     other = replace(bend(), values={"b": 2, "a": 1})
     assert to_json(one) == to_json(other)
 
 
-def test_scenes_of_the_first_schema_are_read():
+def test_scenes_of_the_first_schema_are_read() -> None:
     """`colour` became `color`; what was added since is empty."""
     scene = bend()
     painted = replace(scene.agents[0], options={"color": "#112233"})
@@ -76,7 +77,7 @@ def test_scenes_of_the_first_schema_are_read():
 
 
 @pytest.mark.parametrize("schema", ["roadlang.scene/9", None, 2])
-def test_other_schemas_are_refused(schema):
+def test_other_schemas_are_refused(schema: str | int | None) -> None:
     record = {**json.loads(to_json(bend())), "schema": schema}
     with pytest.raises(UnknownSceneSchema, match="scene/2"):
         scene_from_json(json.dumps(record))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -17,7 +18,7 @@ from tests.backends.handmade_scenes import actor, bend, road, town
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def drawn(scene, **options) -> ElementTree.Element:
+def drawn(scene: Any, **options: Any) -> ElementTree.Element:
     return ElementTree.fromstring(Svg(**options).files(scene)["svg"])
 
 
@@ -29,25 +30,25 @@ def texts(root: ElementTree.Element) -> list[str]:
     return ["".join(node.itertext()) for node in root.iter(f"{SVG}text")]
 
 
-def test_a_figure_has_road_markings_ghost_agents_objects_scale_and_north():
+def test_a_figure_has_road_markings_ghost_agents_objects_scale_and_north() -> None:
     root = drawn(bend())
     for name in ("roads", "markings", "ghosts", "agents", "objects", "scale-bar", "north"):
         assert group(root, name) is not None, name
 
 
-def test_the_size_option_is_the_width_in_pixels():
+def test_the_size_option_is_the_width_in_pixels() -> None:
     assert drawn(bend(), size=640.0).get("width") == "640"
 
 
 @pytest.mark.parametrize("scale", [0.2, 1.0, 20.0])
-def test_letters_have_one_size_whatever_the_scene_measures(scale):
+def test_letters_have_one_size_whatever_the_scene_measures(scale: float) -> None:
     legend = group(drawn(bend(scale)), "legend")
     assert legend is not None
     assert float(legend.get("font-size")) == pytest.approx(1024 / 78, abs=0.01)
 
 
 @pytest.mark.parametrize("scale", [0.2, 1.0, 20.0])
-def test_every_point_of_the_roads_lies_in_the_map(scale):
+def test_every_point_of_the_roads_lies_in_the_map(scale: float) -> None:
     root = drawn(bend(scale))
     _, _, width, height = map(float, root.get("viewBox").split())
     roads = group(root, "roads")
@@ -58,7 +59,7 @@ def test_every_point_of_the_roads_lies_in_the_map(scale):
 
 
 @pytest.mark.parametrize(("scale", "label"), [(0.2, "10 m"), (1.0, "20 m"), (20.0, "500 m")])
-def test_the_scale_bar_has_a_round_length(scale, label):
+def test_the_scale_bar_has_a_round_length(scale: float, label: str) -> None:
     root = drawn(bend(scale))
     bar = group(root, "scale-bar")
     value, unit = texts(bar)[-1].split()
@@ -70,7 +71,7 @@ def test_the_scale_bar_has_a_round_length(scale, label):
     assert length == pytest.approx(meters * pixels_per_meter, rel=0.01)
 
 
-def test_violated_stretches_are_marked_where_they_are():
+def test_violated_stretches_are_marked_where_they_are() -> None:
     scene = bend()
     marks = group(drawn(scene), "violations")
     titles = [node.text for node in marks.iter(f"{SVG}title")]
@@ -78,14 +79,14 @@ def test_violated_stretches_are_marked_where_they_are():
     assert group(drawn(replace(scene, expectations=())), "violations") is None
 
 
-def test_the_legend_says_how_each_requirement_came_out():
+def test_the_legend_says_how_each_requirement_came_out() -> None:
     words = texts(group(drawn(bend()), "legend"))
     assert "phi1" in words
     assert "\N{GREEK SMALL LETTER RHO} = 4" in words
     assert "when driven" in words
 
 
-def test_a_ghost_is_drawn_only_where_the_road_was_changed():
+def test_a_ghost_is_drawn_only_where_the_road_was_changed() -> None:
     scene = bend()
     assert group(drawn(scene, ghost=False), "ghosts") is None
     unchanged = replace(scene.roads[0], name="bent", root="main", derived=True)
@@ -93,7 +94,7 @@ def test_a_ghost_is_drawn_only_where_the_road_was_changed():
     assert group(drawn(same), "ghosts") is None
 
 
-def test_a_long_formula_is_written_whole_in_several_lines():
+def test_a_long_formula_is_written_whole_in_several_lines() -> None:
     scene = bend()
     shown = " ".join(texts(group(drawn(scene), "legend")))
     assert scene.requirements[1].text in shown
@@ -104,7 +105,7 @@ def test_a_long_formula_is_written_whole_in_several_lines():
     assert " ".join(words).count("always") == 40
 
 
-def test_signals_and_robustness_are_plotted_over_arc_length():
+def test_signals_and_robustness_are_plotted_over_arc_length() -> None:
     stations = tuple(float(s) for s in range(0, 240, 2))
     e1 = SceneSignal("e1", "deviation(bent, main)", "m", (
         Profile("bent", stations, tuple(s / 60 for s in stations)),))  # fmt: skip
@@ -122,7 +123,7 @@ def test_signals_and_robustness_are_plotted_over_arc_length():
     assert group(drawn(replace(bend(), signals=(e1,)), profiles=False), "profiles") is None
 
 
-def test_the_place_where_a_constraint_is_tight_is_marked_on_the_road():
+def test_the_place_where_a_constraint_is_tight_is_marked_on_the_road() -> None:
     scene = bend()
     at = scene.roads[1].stations[200]
     phi1 = replace(scene.requirements[0], tightest=RoadPlace("bent", at))
@@ -133,12 +134,12 @@ def test_the_place_where_a_constraint_is_tight_is_marked_on_the_road():
     assert abs(float(foot.get("cx")) - float(middle[0])) < 40
 
 
-def test_the_world_is_said_in_a_corner():
+def test_the_world_is_said_in_a_corner() -> None:
     world = {"weather": "rain", "time_of_day": 66600.0, "friction": 0.7}
     assert "rain · 18:30 · friction 0.70" in texts(drawn(replace(bend(), world=world)))
 
 
-def test_the_photo_lies_under_the_roads_where_it_was_taken():
+def test_the_photo_lies_under_the_roads_where_it_was_taken() -> None:
     pixels = np.full((120, 480, 3), 90, np.uint8)
     scene = bend()
     root = drawn(scene, photo=Picture(pixels, 0.5), fade=0.5)
@@ -150,18 +151,18 @@ def test_the_photo_lies_under_the_roads_where_it_was_taken():
     assert picture.get("opacity") == "0.5"
 
 
-def test_junctions_are_covered_so_that_no_edge_line_crosses_them():
+def test_junctions_are_covered_so_that_no_edge_line_crosses_them() -> None:
     roads = group(drawn(town()), "roads")
     surface = roads.findall(f"{SVG}g")[1]
     assert len(surface.findall(f"{SVG}circle")) == 2
 
 
-def test_agents_stay_visible_in_a_scene_of_five_kilometers():
+def test_agents_stay_visible_in_a_scene_of_five_kilometers() -> None:
     body = group(drawn(bend(20.0)), "agents").find(f".//{SVG}rect")
     assert float(body.get("width")) >= 15.0
 
 
-def test_a_group_of_many_has_one_label():
+def test_a_group_of_many_has_one_label() -> None:
     cars = tuple(actor(f"parked[{i}]", "car", 20.0 * i, 0, group="parked") for i in range(9))
     labels = texts(group(drawn(replace(bend(), agents=cars)), "labels"))
     assert "parked (9)" in labels
@@ -170,27 +171,27 @@ def test_a_group_of_many_has_one_label():
     assert {"parked[0]", "parked[1]"} <= set(few)
 
 
-def test_names_that_look_like_markup_are_text():
+def test_names_that_look_like_markup_are_text() -> None:
     scene = replace(bend(), title='<script>alert("1")</script> & more\x07')
     assert '<script>alert("1")</script> & more' in texts(drawn(scene))
 
 
-def test_a_kind_without_a_drawing_of_its_own_is_drawn_as_its_outline():
+def test_a_kind_without_a_drawing_of_its_own_is_drawn_as_its_outline() -> None:
     scene = replace(bend(), objects=(actor("hole", "acme.pothole", 20, 0),))
     assert group(drawn(scene), "objects").find(f".//{SVG}rect") is not None
 
 
-def test_a_color_is_a_color_and_nothing_else():
+def test_a_color_is_a_color_and_nothing_else() -> None:
     scene = replace(bend(), agents=(actor("ego", "car", 0, 0, options={"color": "url(#x)"}),))
     assert "url(#x)" not in Svg().files(scene)["svg"]
 
 
-def test_an_empty_scene_is_a_figure_too():
+def test_an_empty_scene_is_a_figure_too() -> None:
     scene = replace(bend(), roads=(), agents=(), objects=(), requirements=(), expectations=())
     assert group(drawn(scene), "scale-bar") is not None
 
 
-def test_a_closed_road_is_closed():
+def test_a_closed_road_is_closed() -> None:
     import math
 
     points = [
@@ -206,11 +207,11 @@ def test_a_closed_road_is_closed():
     assert numbers[0] == numbers[-1]
 
 
-def test_the_same_scene_gives_the_same_bytes():
+def test_the_same_scene_gives_the_same_bytes() -> None:
     assert Svg().files(bend())["svg"] == Svg().files(bend())["svg"]
 
 
-def test_a_contact_sheet_shows_every_scene_at_one_scale():
+def test_a_contact_sheet_shows_every_scene_at_one_scale() -> None:
     scenes = [bend(index=i, amplitude=float(i)) for i in range(7)]
     sheet = Svg().collection(scenes)["contact-sheet.svg"]
     root = ElementTree.fromstring(sheet)
@@ -220,7 +221,7 @@ def test_a_contact_sheet_shows_every_scene_at_one_scale():
     ]
 
 
-def test_a_contact_sheet_shows_the_draws_that_differ():
+def test_a_contact_sheet_shows_the_draws_that_differ() -> None:
     def scene(index: int) -> object:
         draws = {"bent/perturb 1/amplitude": 1.5 + index, "bent/perturb 1/phase": 0.25}
         units = {"bent/perturb 1/amplitude": "m", "bent/perturb 1/phase": "rad"}
@@ -234,7 +235,7 @@ def test_a_contact_sheet_shows_the_draws_that_differ():
     assert not any("phase" in word for word in shown)
 
 
-def test_draws_of_one_name_are_told_apart_by_their_place():
+def test_draws_of_one_name_are_told_apart_by_their_place() -> None:
     def scene(index: int) -> object:
         draws = {"left/amplitude": 1.0 + index, "right/amplitude": 2.0 + index}
         return replace(bend(index=index), draws=draws)
@@ -244,16 +245,16 @@ def test_draws_of_one_name_are_told_apart_by_their_place():
     assert "right/amplitude" in sheet
 
 
-def test_a_contact_sheet_says_how_many_scenes_it_leaves_out():
+def test_a_contact_sheet_says_how_many_scenes_it_leaves_out() -> None:
     sheet = Svg().collection(bend(index=i) for i in range(60))["contact-sheet.svg"]
     assert "the first 48 of 60 scenes" in sheet
 
 
-def test_one_scene_needs_no_contact_sheet():
+def test_one_scene_needs_no_contact_sheet() -> None:
     assert Svg().collection([bend()]) == {}
 
 
-def test_a_road_of_two_points_is_drawn():
+def test_a_road_of_two_points_is_drawn() -> None:
     line = road("line", lambda x: 0.0, derived=True)
     short = replace(
         line,
@@ -273,14 +274,14 @@ def test_a_road_of_two_points_is_drawn():
     assert group(drawn(replace(bend(), roads=(short,), expectations=())), "roads") is not None
 
 
-def test_versions_of_one_road_are_told_apart_by_color_and_name():
+def test_versions_of_one_road_are_told_apart_by_color_and_name() -> None:
     scene = bend()
     other = replace(scene.roads[1], name="right")
     root = drawn(replace(scene, roads=(*scene.roads, other), expectations=()))
     assert texts(group(root, "versions")) == ["bent", "right"]
 
 
-def test_a_road_that_runs_on_a_network_is_a_route_on_its_streets():
+def test_a_road_that_runs_on_a_network_is_a_route_on_its_streets() -> None:
     scene = town()
     street = next(r for r in scene.roads if r.name == "town/3")
     tour = replace(street, name="tour", root="tour", network=None, edge=None)
@@ -289,7 +290,7 @@ def test_a_road_that_runs_on_a_network_is_a_route_on_its_streets():
     assert texts(group(root, "routes")) == ["tour"]
 
 
-def test_edge_lines_make_no_loops_inside_tight_bends():
+def test_edge_lines_make_no_loops_inside_tight_bends() -> None:
     import numpy as np
 
     from roadlang_standard.svg.ribbon import unfolded

@@ -10,6 +10,7 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -63,29 +64,29 @@ def imported_by(*arguments: str, cwd: Path) -> set[str]:
 
 
 @pytest.mark.parametrize("option", ["--help", "--version"])
-def test_help_and_version_import_nothing_heavy(option, tmp_path):
+def test_help_and_version_import_nothing_heavy(option: str, tmp_path: Path) -> None:
     heavy = {"numpy", "scipy", "cv2", "lark", "pluggy", "msgspec", "yaml"}
     assert not imported_by(option, cwd=tmp_path) & heavy
 
 
-def test_check_imports_neither_numpy_nor_scipy_nor_opencv(folder):
+def test_check_imports_neither_numpy_nor_scipy_nor_opencv(folder: Path) -> None:
     assert not imported_by("check", "scene.rl", cwd=folder) & {"numpy", "scipy", "cv2"}
 
 
-def test_help_lists_the_commands(tmp_path):
+def test_help_lists_the_commands(tmp_path: Path) -> None:
     done = roadlang("--help", cwd=tmp_path)
     assert done.returncode == 0
     for name in ("compile", "check", "fmt", "init", "explain", "plugins", "schema", "completion"):
         assert f"  {name} " in done.stdout
 
 
-def test_a_misspelled_command_gets_its_name(tmp_path):
+def test_a_misspelled_command_gets_its_name(tmp_path: Path) -> None:
     done = roadlang("complie", cwd=tmp_path)
     assert done.returncode == 2
     assert "Did you mean `compile`?" in done.stderr
 
 
-def test_compile_writes_scenes_figures_a_sheet_and_a_manifest(folder):
+def test_compile_writes_scenes_figures_a_sheet_and_a_manifest(folder: Path) -> None:
     done = roadlang("compile", "scene.rl", "-n", "2", "-o", "out", cwd=folder)
     assert done.returncode == 0, done.stderr
     names = sorted(path.name for path in (folder / "out").iterdir())
@@ -99,7 +100,7 @@ def test_compile_writes_scenes_figures_a_sheet_and_a_manifest(folder):
     ]
 
 
-def test_the_manifest_has_the_digest_of_every_file(folder):
+def test_the_manifest_has_the_digest_of_every_file(folder: Path) -> None:
     from hashlib import sha256
 
     roadlang("compile", "scene.rl", "-n", "2", "-o", "out", cwd=folder)
@@ -115,7 +116,7 @@ def files_of(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
-def test_two_runs_and_any_number_of_jobs_give_the_same_bytes(folder):
+def test_two_runs_and_any_number_of_jobs_give_the_same_bytes(folder: Path) -> None:
     for name, jobs in (("a", "1"), ("b", "1"), ("c", "2")):
         roadlang(
             "compile", "scene.rl", "-n", "3", "--seed", "5", "--jobs", jobs, "-o", name, cwd=folder
@@ -123,7 +124,7 @@ def test_two_runs_and_any_number_of_jobs_give_the_same_bytes(folder):
     assert files_of(folder / "a") == files_of(folder / "b") == files_of(folder / "c")
 
 
-def test_a_scene_does_not_depend_on_how_many_are_asked_for(folder):
+def test_a_scene_does_not_depend_on_how_many_are_asked_for(folder: Path) -> None:
     roadlang("compile", "scene.rl", "-n", "2", "-o", "few", cwd=folder)
     roadlang("compile", "scene.rl", "-n", "6", "-o", "many", cwd=folder)
     few, many = files_of(folder / "few"), files_of(folder / "many")
@@ -131,23 +132,23 @@ def test_a_scene_does_not_depend_on_how_many_are_asked_for(folder):
         assert few[name] == many[name]
 
 
-def test_emit_on_the_command_line_replaces_the_files(folder):
+def test_emit_on_the_command_line_replaces_the_files(folder: Path) -> None:
     roadlang("compile", "scene.rl", "--emit", "svg", "-o", "out", cwd=folder)
     assert sorted(files_of(folder / "out")) == ["manifest.json", "scene-0000.svg"]
 
 
-def test_a_file_without_emit_gets_json_and_svg(folder):
+def test_a_file_without_emit_gets_json_and_svg(folder: Path) -> None:
     (folder / "scene.rl").write_text(SCENE.replace("emit json\nemit svg\n", ""))
     assert roadlang("compile", "scene.rl", cwd=folder).returncode == 0
     assert set(files_of(folder / "out")) == {"manifest.json", "scene-0000.json", "scene-0000.svg"}
 
 
-def test_emitting_nothing_is_refused(folder):
+def test_emitting_nothing_is_refused(folder: Path) -> None:
     done = roadlang("compile", "scene.rl", "--emit", "", cwd=folder)
     assert (done.returncode, "RL928" in done.stderr) == (2, True)
 
 
-def test_compile_json_prints_manifest_and_diagnostics(folder):
+def test_compile_json_prints_manifest_and_diagnostics(folder: Path) -> None:
     done = roadlang("compile", "scene.rl", "-o", "out", "--json", cwd=folder)
     record = json.loads(done.stdout)
     assert record["manifest"]["scenes"] == 1
@@ -163,7 +164,7 @@ expect loose: always (abs(deviation(bent, main)) < 9m)
 )
 
 
-def test_a_road_that_violates_an_expectation_is_written_and_exits_4(folder):
+def test_a_road_that_violates_an_expectation_is_written_and_exits_4(folder: Path) -> None:
     (folder / "scene.rl").write_text(VIOLATED)
     done = roadlang("compile", "scene.rl", "-n", "3", "-o", "out", cwd=folder)
     assert done.returncode == 4
@@ -179,7 +180,7 @@ def test_a_road_that_violates_an_expectation_is_written_and_exits_4(folder):
     ]
 
 
-def test_expectations_over_the_drive_are_not_judged_by_compile(folder):
+def test_expectations_over_the_drive_are_not_judged_by_compile(folder: Path) -> None:
     drive = "agent ego is car on bent at 5m {}\nexpect slow: always (ego.speed < 1m/s)\n"
     (folder / "scene.rl").write_text(SCENE + drive)
     done = roadlang("compile", "scene.rl", "--json", cwd=folder)
@@ -188,7 +189,7 @@ def test_expectations_over_the_drive_are_not_judged_by_compile(folder):
     assert (found["judged"], found["violated"], found["worst"]) == ([], [], None)
 
 
-def test_impossible_requirements_exit_3_with_the_table_and_write_nothing(folder):
+def test_impossible_requirements_exit_3_with_the_table_and_write_nothing(folder: Path) -> None:
     (folder / "scene.rl").write_text(SCENE + "require far: always (deviation(bent, main) > 50m)\n")
     done = roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
     assert done.returncode == 3
@@ -197,7 +198,7 @@ def test_impossible_requirements_exit_3_with_the_table_and_write_nothing(folder)
     assert not (folder / "out").exists()
 
 
-def test_a_failing_run_leaves_an_earlier_output_as_it_was(folder):
+def test_a_failing_run_leaves_an_earlier_output_as_it_was(folder: Path) -> None:
     roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
     before = files_of(folder / "out")
     (folder / "scene.rl").write_text(SCENE.replace("sine", "sinus"))
@@ -205,27 +206,29 @@ def test_a_failing_run_leaves_an_earlier_output_as_it_was(folder):
     assert files_of(folder / "out") == before
 
 
-def test_scenes_of_an_earlier_run_go_and_files_of_others_stay(folder):
+def test_scenes_of_an_earlier_run_go_and_files_of_others_stay(folder: Path) -> None:
     roadlang("compile", "scene.rl", "-n", "3", "-o", "out", cwd=folder)
     (folder / "out/notes.txt").write_text("mine")
     roadlang("compile", "scene.rl", "-n", "1", "--emit", "json", "-o", "out", cwd=folder)
     assert set(files_of(folder / "out")) == {"manifest.json", "notes.txt", "scene-0000.json"}
 
 
-def test_a_manifest_of_something_else_is_left_alone(folder):
+def test_a_manifest_of_something_else_is_left_alone(folder: Path) -> None:
     (folder / "manifest.json").write_text('{"name": "a web page"}')
     done = roadlang("compile", "scene.rl", "-o", ".", cwd=folder)
     assert (done.returncode, "RL460" in done.stderr) == (2, True)
     assert set(files_of(folder)) == {"manifest.json", "scene.rl"}
 
 
-def test_a_plugin_that_changes_the_current_folder_changes_no_output(folder, monkeypatch):
+def test_a_plugin_that_changes_the_current_folder_changes_no_output(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from roadlang_standard.emit_json import Json
 
     files = Json.files
     (folder / "elsewhere").mkdir()
 
-    def wandering(self, scene):
+    def wandering(self: Any, scene: Any) -> Any:
         monkeypatch.chdir(folder / "elsewhere")
         return files(self, scene)
 
@@ -234,13 +237,13 @@ def test_a_plugin_that_changes_the_current_folder_changes_no_output(folder, monk
     assert "scene-0000.json" in files_of(folder / "out")
 
 
-def test_an_output_folder_that_cannot_be_made_is_said(folder):
+def test_an_output_folder_that_cannot_be_made_is_said(folder: Path) -> None:
     (folder / "file").write_text("")
     done = roadlang("compile", "scene.rl", "-o", "file/out", cwd=folder)
     assert (done.returncode, "RL460" in done.stderr) == (2, True)
 
 
-def test_check_json_has_every_fault_with_its_place(folder):
+def test_check_json_has_every_fault_with_its_place(folder: Path) -> None:
     (folder / "scene.rl").write_text(SCENE.replace("amplitude", "amplitud").replace("3m", "3s"))
     done = roadlang("check", "scene.rl", "--json", cwd=folder)
     found = json.loads(done.stdout)
@@ -259,7 +262,7 @@ def test_check_json_has_every_fault_with_its_place(folder):
     assert {entry["line"] for entry in found} == {2, 3}
 
 
-def test_set_gives_a_param_another_value(folder):
+def test_set_gives_a_param_another_value(folder: Path) -> None:
     (folder / "scene.rl").write_text("param reach = 2m\n" + SCENE.replace("6m", "reach"))
     roadlang("compile", "scene.rl", "--set", "reach=1m", "-o", "out", cwd=folder)
     scene = json.loads((folder / "out/scene-0000.json").read_text())
@@ -279,7 +282,9 @@ def test_set_gives_a_param_another_value(folder):
     ids=["missing", "picture", "latin", "utf16", "huge"],
 )
 @pytest.mark.parametrize("command", ["check", "compile", "fmt"])
-def test_what_is_no_text_is_said_without_a_traceback(command, content, code, status, tmp_path):
+def test_what_is_no_text_is_said_without_a_traceback(
+    command: str, content: Any, code: str, status: int, tmp_path: Path
+) -> None:
     if content is not None:
         (tmp_path / "scene.rl").write_bytes(content)
     done = roadlang(command, "scene.rl", cwd=tmp_path)
@@ -288,18 +293,18 @@ def test_what_is_no_text_is_said_without_a_traceback(command, content, code, sta
     assert "Traceback" not in done.stderr
 
 
-def test_a_folder_is_no_scene_file(folder):
+def test_a_folder_is_no_scene_file(folder: Path) -> None:
     (folder / "scenes").mkdir()
     done = roadlang("check", "scenes", cwd=folder)
     assert (done.returncode, "RL921" in done.stderr) == (2, True)
 
 
-def test_check_goes_on_after_a_file_that_is_not_there(folder):
+def test_check_goes_on_after_a_file_that_is_not_there(folder: Path) -> None:
     done = roadlang("check", "nope.rl", "scene.rl", "gone.rl", "--json", cwd=folder)
     assert [entry["file"] for entry in json.loads(done.stdout)] == ["nope.rl", "gone.rl"]
 
 
-def test_standard_input_is_a_file_called_dash(folder):
+def test_standard_input_is_a_file_called_dash(folder: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "roadlang", "fmt", "-"],
         input="param   a=3m\n",
@@ -310,7 +315,7 @@ def test_standard_input_is_a_file_called_dash(folder):
     assert done.stdout == "param a = 3m\n"
 
 
-def test_fmt_check_and_diff_change_nothing(folder):
+def test_fmt_check_and_diff_change_nothing(folder: Path) -> None:
     (folder / "scene.rl").write_text("param   a=3m   # why\n")
     checked = roadlang("fmt", "--check", "scene.rl", cwd=folder)
     shown = roadlang("fmt", "--diff", "scene.rl", cwd=folder)
@@ -321,33 +326,33 @@ def test_fmt_check_and_diff_change_nothing(folder):
     assert roadlang("fmt", "--check", "scene.rl", cwd=folder).returncode == 0
 
 
-def test_fmt_leaves_a_file_with_errors_alone(folder):
+def test_fmt_leaves_a_file_with_errors_alone(folder: Path) -> None:
     (folder / "scene.rl").write_text("road main {\n")
     assert roadlang("fmt", "scene.rl", cwd=folder).returncode == 1
     assert (folder / "scene.rl").read_text() == "road main {\n"
 
 
 @pytest.mark.parametrize("template", ["bend", "town", "sweep"])
-def test_every_starter_scene_compiles(template, tmp_path):
+def test_every_starter_scene_compiles(template: str, tmp_path: Path) -> None:
     assert roadlang("init", "new.rl", "--template", template, cwd=tmp_path).returncode == 0
     done = roadlang("compile", "new.rl", "-o", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert roadlang("fmt", "--check", "new.rl", cwd=tmp_path).returncode == 0
 
 
-def test_init_never_writes_over_a_file(folder):
+def test_init_never_writes_over_a_file(folder: Path) -> None:
     done = roadlang("init", "scene.rl", cwd=folder)
     assert (done.returncode, "RL929" in done.stderr) == (2, True)
     assert (folder / "scene.rl").read_text() == SCENE
 
 
-def test_explain_prints_a_page_and_knows_a_near_code(tmp_path):
+def test_explain_prints_a_page_and_knows_a_near_code(tmp_path: Path) -> None:
     assert "internal-error: internal error" in roadlang("explain", "RL900", cwd=tmp_path).stdout
     done = roadlang("explain", "RL999", cwd=tmp_path)
     assert (done.returncode, "RL925" in done.stderr) == (2, True)
 
 
-def test_plugins_lists_kinds_and_shows_options(tmp_path):
+def test_plugins_lists_kinds_and_shows_options(tmp_path: Path) -> None:
     record = json.loads(roadlang("plugins", "--json", cwd=tmp_path).stdout)
     assert {"verb": "perturb", "name": "sine"}.items() <= next(
         kind for kind in record["kinds"] if kind["name"] == "sine"
@@ -357,14 +362,14 @@ def test_plugins_lists_kinds_and_shows_options(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["scene", "manifest", "scenario", "sine"])
-def test_schemas_are_json_schemas(name, tmp_path):
+def test_schemas_are_json_schemas(name: str, tmp_path: Path) -> None:
     import jsonschema
 
     schema = json.loads(roadlang("schema", name, cwd=tmp_path).stdout)
     jsonschema.Draft202012Validator.check_schema(schema)
 
 
-def test_manifest_and_scenario_fit_their_schemas(folder):
+def test_manifest_and_scenario_fit_their_schemas(folder: Path) -> None:
     import jsonschema
 
     roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
@@ -375,11 +380,11 @@ def test_manifest_and_scenario_fit_their_schemas(folder):
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_completion_scripts(shell, tmp_path):
+def test_completion_scripts(shell: str, tmp_path: Path) -> None:
     assert "roadlang" in roadlang("completion", shell, cwd=tmp_path).stdout
 
 
-def test_color_only_where_it_is_wanted(folder):
+def test_color_only_where_it_is_wanted(folder: Path) -> None:
     (folder / "scene.rl").write_text("raod main {}\n")
     assert "\x1b[" not in roadlang("check", "scene.rl", cwd=folder).stderr
     assert "\x1b[" in roadlang("--color", "always", "check", "scene.rl", cwd=folder).stderr
@@ -388,7 +393,7 @@ def test_color_only_where_it_is_wanted(folder):
     assert "\x1b[" not in quiet.stderr
 
 
-def test_a_closed_pipe_ends_quietly(tmp_path):
+def test_a_closed_pipe_ends_quietly(tmp_path: Path) -> None:
     done = subprocess.run(
         ["bash", "-c", f"{sys.executable} -m roadlang schema scenario | head -n 1"],
         capture_output=True,
@@ -399,7 +404,9 @@ def test_a_closed_pipe_ends_quietly(tmp_path):
     assert done.stderr == ""
 
 
-def test_an_interruption_ends_quietly(monkeypatch, capsys):
+def test_an_interruption_ends_quietly(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     from roadlang.cli import explain
     from roadlang.cli.main import run
 
@@ -411,7 +418,9 @@ def test_an_interruption_ends_quietly(monkeypatch, capsys):
     assert capsys.readouterr().err.strip() == "interrupted"
 
 
-def test_a_bug_is_a_short_report_and_exit_70(monkeypatch, capsys):
+def test_a_bug_is_a_short_report_and_exit_70(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     from roadlang.cli import explain
     from roadlang.cli.main import run
 
@@ -430,7 +439,7 @@ def test_a_bug_is_a_short_report_and_exit_70(monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("words", ["schema scene", "explain", "compile scene.rl --json", "--help"])
-def test_a_full_device_behind_standard_output_is_said(words, folder):
+def test_a_full_device_behind_standard_output_is_said(words: str, folder: Path) -> None:
     with open("/dev/full", "w") as full:
         command = [sys.executable, "-m", "roadlang", *words.split()]
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, cwd=folder)
@@ -452,7 +461,13 @@ def test_a_full_device_behind_standard_output_is_said(words, folder):
         (ValueError("no number"), "RL900", 70),
     ],
 )
-def test_what_the_machine_refuses_is_no_bug(error, code, status, monkeypatch, capsys):
+def test_what_the_machine_refuses_is_no_bug(
+    error: Any,
+    code: str,
+    status: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     from roadlang.cli import explain
     from roadlang.cli.main import run
 
@@ -464,7 +479,7 @@ def test_what_the_machine_refuses_is_no_bug(error, code, status, monkeypatch, ca
     assert f"[{code}]" in capsys.readouterr().err
 
 
-def test_little_memory_is_said(folder):
+def test_little_memory_is_said(folder: Path) -> None:
     code = (
         "import resource, sys\n"
         "from roadlang.cli.main import run\n"

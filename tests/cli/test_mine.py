@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -10,13 +12,13 @@ from roadlang.cli.main import run
 
 
 @pytest.fixture
-def trace(tmp_path):
+def trace(tmp_path: Path) -> str:
     path = tmp_path / "drive.csv"
     path.write_text("t,e\n0,1\n1,3\n2,2\n")
     return str(path)
 
 
-def test_values_in_words_and_json(trace, capsys):
+def test_values_in_words_and_json(trace: Any, capsys: pytest.CaptureFixture[str]) -> None:
     mining = ["mine", "always (e <= limit)", "--param", "limit=0..20", trace]
     assert run(mining) == 0
     assert "limit = 3\nalways (e <= 3" in capsys.readouterr().out
@@ -26,5 +28,5 @@ def test_values_in_words_and_json(trace, capsys):
 
 
 @pytest.mark.parametrize(("bounds", "code"), [("limit=0..1", 1), ("limit", 2), ("x=0..1", 1)])
-def test_refusals(trace, bounds, code):
+def test_refusals(trace: Any, bounds: str, code: int) -> None:
     assert run(["mine", "always (e <= limit)", "--param", bounds, trace]) == code

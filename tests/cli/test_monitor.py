@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -12,13 +14,13 @@ from roadlang.cli.main import run
 
 
 @pytest.fixture
-def trace(tmp_path):
+def trace(tmp_path: Path) -> str:
     path = tmp_path / "drive.csv"
     path.write_text("t,e,v\n0,1,5\n0.5,3,5\n1.5,7,6\n2,2,5\n")
     return str(path)
 
 
-def test_the_table_says_what_decides(trace, capsys):
+def test_the_table_says_what_decides(trace: Any, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["monitor", "always (e < 6)", trace]) == 4
     told = capsys.readouterr().out
     assert "violated" in told
@@ -34,7 +36,9 @@ def test_the_table_says_what_decides(trace, capsys):
         ("eventually[0, 1] (v > 5)", 4, "violated"),
     ],
 )
-def test_exit_codes_and_json(trace, capsys, formula, code, verdict):
+def test_exit_codes_and_json(
+    trace: Any, capsys: pytest.CaptureFixture[str], formula: str, code: int, verdict: str
+) -> None:
     assert run(["monitor", formula, trace, "--json"]) == code
     found = json.loads(capsys.readouterr().out)
     assert found["verdict"] == verdict
@@ -44,7 +48,7 @@ def test_exit_codes_and_json(trace, capsys, formula, code, verdict):
     assert lo <= found["robustness"] <= hi
 
 
-def test_several_traces(trace, tmp_path, capsys):
+def test_several_traces(trace: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     other = tmp_path / "other.json"
     other.write_text('{"t": [0, 1], "e": [0, 1]}')
     assert run(["monitor", "always (e < 6)", trace, str(other), "--json"]) == 4
@@ -53,7 +57,7 @@ def test_several_traces(trace, tmp_path, capsys):
     ]  # fmt: skip
 
 
-def test_the_plot_marks_what_is_violated(trace, tmp_path):
+def test_the_plot_marks_what_is_violated(trace: Any, tmp_path: Path) -> None:
     picture = tmp_path / "out.svg"
     run(["monitor", "always (e < 6 and abs(v) < 9)", trace, "--plot", str(picture)])
     root = ElementTree.parse(picture).getroot()
@@ -72,7 +76,14 @@ def test_the_plot_marks_what_is_violated(trace, tmp_path):
         (["e < 6", "--plot", "drive.csv/plot.svg"], 2, "RL460"),
     ],
 )
-def test_faults_are_explained(trace, capsys, monkeypatch, arguments, code, told):
+def test_faults_are_explained(
+    trace: Any,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    code: int,
+    told: str,
+) -> None:
     monkeypatch.chdir(os.path.dirname(trace))
     assert run(["monitor", arguments[0], trace, *arguments[1:]]) == code
     assert told in capsys.readouterr().err

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 
+import pytest
+
 from roadlang.cli import progress
 
 
@@ -12,7 +14,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def shown_on(stream: io.StringIO, monkeypatch, seconds: float) -> str:
+def shown_on(stream: io.StringIO, monkeypatch: pytest.MonkeyPatch, seconds: float) -> str:
     clock = iter([0.0, seconds, seconds + 1, seconds + 2])
     monkeypatch.setattr(progress.time, "monotonic", lambda: next(clock))
     monkeypatch.setattr(progress.sys, "stderr", stream)
@@ -22,13 +24,13 @@ def shown_on(stream: io.StringIO, monkeypatch, seconds: float) -> str:
     return stream.getvalue()
 
 
-def test_a_terminal_sees_how_far_the_work_is(monkeypatch):
+def test_a_terminal_sees_how_far_the_work_is(monkeypatch: pytest.MonkeyPatch) -> None:
     words = shown_on(Terminal(), monkeypatch, seconds=5.0)
     assert "scenes [###############...............] 1/2" in words
     assert words.endswith("\r\x1b[K")
 
 
-def test_quick_work_shows_nothing(monkeypatch):
+def test_quick_work_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = iter([0.0, 0.1, 0.2])
     monkeypatch.setattr(progress.time, "monotonic", lambda: next(clock))
     stream = Terminal()
@@ -38,5 +40,5 @@ def test_quick_work_shows_nothing(monkeypatch):
     assert stream.getvalue() == ""
 
 
-def test_a_file_or_pipe_sees_nothing(monkeypatch):
+def test_a_file_or_pipe_sees_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     assert shown_on(io.StringIO(), monkeypatch, seconds=5.0) == ""

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 from string import Formatter
+from typing import Any
 
 import pytest
 
@@ -58,7 +59,7 @@ def call_sites() -> Iterator[tuple[str, str, str, set[str | None]]]:
 SITES = list(call_sites())
 
 
-def test_the_call_sites_are_found():
+def test_the_call_sites_are_found() -> None:
     assert len(SITES) > 250
     assert {name for _, name, _, _ in SITES} - {"exit_code_of"} <= REPORTING | FORWARDING
 
@@ -66,7 +67,7 @@ def test_the_call_sites_are_found():
 @pytest.mark.parametrize(
     "site", [site for site in SITES if site[1] in REPORTING], ids=lambda site: site[0]
 )
-def test_a_call_passes_the_values_that_the_message_shows(site):
+def test_a_call_passes_the_values_that_the_message_shows(site: Any) -> None:
     place, _, code, keywords = site
     shown = placeholders(page(getattr(Code, code)).message)
     # A message may show the path, which is also where the diagnostic points.
@@ -74,6 +75,6 @@ def test_a_call_passes_the_values_that_the_message_shows(site):
     assert passed == shown, f"{place}: {code} shows {sorted(shown)}"
 
 
-def test_every_page_is_reported_somewhere():
+def test_every_page_is_reported_somewhere() -> None:
     used = {getattr(Code, code) for _, _, code, _ in SITES}
     assert set(codes()) - used <= CHOSEN_BEFORE

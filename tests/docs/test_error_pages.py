@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from roadlang.cli.exit_codes import exit_code_of
@@ -41,7 +43,7 @@ SHOWN = [
 
 
 @pytest.mark.parametrize("code", codes())
-def test_a_page_has_a_title_a_message_an_explanation_and_an_example(code):
+def test_a_page_has_a_title_a_message_an_explanation_and_an_example(code: str) -> None:
     entry = page(code)
     assert entry.title
     assert entry.message
@@ -50,12 +52,14 @@ def test_a_page_has_a_title_a_message_an_explanation_and_an_example(code):
     assert len(entry.body.split("```")[0].split()) >= 8, "the explanation is too short"
 
 
-def test_every_page_has_a_wrong_example_unless_it_is_listed_with_the_reason():
+def test_every_page_has_a_wrong_example_unless_it_is_listed_with_the_reason() -> None:
     assert {code for code in codes() if not has_wrong_example(code)} == set(WITHOUT_EXAMPLE)
 
 
 @pytest.mark.parametrize("code", SHOWN)
-def test_wrong_examples_give_the_code_and_right_ones_do_not(code, tmp_path, monkeypatch, capsys):
+def test_wrong_examples_give_the_code_and_right_ones_do_not(
+    code: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
     follower = Follower(tmp_path, capsys)
@@ -78,5 +82,5 @@ def test_wrong_examples_give_the_code_and_right_ones_do_not(code, tmp_path, monk
 
 
 @pytest.mark.parametrize("code", codes())
-def test_an_error_has_an_exit_code(code):
+def test_an_error_has_an_exit_code(code: str) -> None:
     assert exit_code_of([Diagnostic(code, "error", "")]) in (1, 2, 3, 5, 70)

@@ -20,6 +20,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -114,7 +115,7 @@ class Reader:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", WRITTEN, ids=lambda page: page.name)
-def test_a_reader_who_follows_the_page_succeeds(page, tmp_path):
+def test_a_reader_who_follows_the_page_succeeds(page: Any, tmp_path: Path) -> None:
     reader = Reader(tmp_path)
     for block in blocks(page):
         try:
@@ -123,7 +124,7 @@ def test_a_reader_who_follows_the_page_succeeds(page, tmp_path):
             raise AssertionError(f"{page.name}, line {block.line}: {error}") from None
 
 
-def test_the_generated_pages_are_current():
+def test_the_generated_pages_are_current() -> None:
     done = subprocess.run(
         [sys.executable, str(ROOT / "docs" / "generate.py"), "--check"],
         capture_output=True,
@@ -134,7 +135,7 @@ def test_the_generated_pages_are_current():
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_every_link_within_the_project_leads_somewhere(page):
+def test_every_link_within_the_project_leads_somewhere(page: Any) -> None:
     text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
     for target in re.findall(r"\]\(([^)\s]+)\)", text):
         path = target.partition("#")[0]
@@ -142,13 +143,13 @@ def test_every_link_within_the_project_leads_somewhere(page):
             assert (page.parent / path).exists(), f"{page.name} links to {target}"
 
 
-def test_the_guide_shows_a_plugin_of_every_kind_that_strangers_write():
+def test_the_guide_shows_a_plugin_of_every_kind_that_strangers_write() -> None:
     guide = (ROOT / "docs" / "plugins.md").read_text(encoding="utf-8")
     for base in ("Extractor", "Perturber", "Signal", "Monitor", "Backend", "Controller"):
         assert re.search(rf"^class \w+\({base}\)", guide, re.MULTILINE), base
 
 
-def test_the_guide_explains_the_chicane_plugin_as_it_is():
+def test_the_guide_explains_the_chicane_plugin_as_it_is() -> None:
     guide = (ROOT / "docs" / "plugins.md").read_text(encoding="utf-8")
     folder = ROOT / "plugins" / "roadlang-chicane"
     for name in ("pyproject.toml", "roadlang_chicane.py"):
@@ -156,7 +157,7 @@ def test_the_guide_explains_the_chicane_plugin_as_it_is():
             assert paragraph.strip("\n") in guide, f"{name}: {paragraph}"
 
 
-def test_the_command_reference_has_every_command_and_no_other():
+def test_the_command_reference_has_every_command_and_no_other() -> None:
     import click
 
     from roadlang.cli.commands import LazyGroup

@@ -7,6 +7,7 @@ import json
 import sys
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import cv2
 import jsonschema
@@ -23,7 +24,7 @@ SCENES = sorted(EXAMPLES.rglob("*.rl"))
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: p.relative_to(EXAMPLES).as_posix())
-def test_an_example_compiles_to_valid_json_and_svg(path, tmp_path):
+def test_an_example_compiles_to_valid_json_and_svg(path: Any, tmp_path: Path) -> None:
     # Examples for an engine emit to it; what they emit is tested where that engine is.
     assert run(["compile", str(path), "-o", str(tmp_path), "-n", "2", "--emit", "json,svg"]) == 0
     scenes = sorted(tmp_path.glob("scene-*.json"))
@@ -34,7 +35,7 @@ def test_an_example_compiles_to_valid_json_and_svg(path, tmp_path):
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: p.relative_to(EXAMPLES).as_posix())
-def test_an_example_is_in_the_one_layout_and_says_what_it_is_for(path):
+def test_an_example_is_in_the_one_layout_and_says_what_it_is_for(path: Any) -> None:
     assert run(["fmt", "--check", str(path)]) == 0
     assert path.read_text(encoding="utf-8").startswith("# ")
 
@@ -52,7 +53,7 @@ def script() -> ModuleType:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["hairpin", "village"])
-def test_a_picture_is_what_the_script_makes(name, script):
+def test_a_picture_is_what_the_script_makes(name: str, script: ModuleType) -> None:
     made = script.PHOTOS[name]()
     stored = cv2.imread(str(EXAMPLES / f"{name}.jpg"))
     assert stored.shape == made.image.shape
@@ -62,5 +63,5 @@ def test_a_picture_is_what_the_script_makes(name, script):
     assert truth == json.loads(json.dumps(script.truth_of(made)))
 
 
-def test_the_drawn_town_is_what_the_script_makes(script):
+def test_the_drawn_town_is_what_the_script_makes(script: ModuleType) -> None:
     assert (cv2.imread(str(EXAMPLES / "town.png")) == script.drawn_town()).all()

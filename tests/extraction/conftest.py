@@ -1,19 +1,23 @@
 """What the extraction tests share: no cache, and how a found line is compared with the true one."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 
 
 @pytest.fixture(autouse=True)
-def no_cache(monkeypatch):
+def no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROADLANG_CACHE", "off")
 
 
 @pytest.fixture
-def distance_to():
+def distance_to() -> Any:
     """(n,) distances from points to a polyline."""
 
-    def measure(points, line):
+    def measure(points: Any, line: Any) -> Any:
         a, b = line[:-1], line[1:]
         step = b - a
         away = points[:, None] - a[None]

@@ -1,5 +1,9 @@
 """Photos: rendered scenes with known truth, shaded and covered; light, hints, tiles."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,16 +13,16 @@ from roadlang_standard.extraction.exposure import even_exposure
 from training.rendering.aerial import render_aerial
 
 
-def main_road(found):
+def main_road(found: Any) -> Any:
     return max(found.roads, key=lambda road: road.length)
 
 
-def inner(points, size, margin=8):
+def inner(points: Any, size: Any, margin: int = 8) -> Any:
     return points[(points > margin).all(axis=1) & (points < size - margin).all(axis=1)]
 
 
 @pytest.mark.parametrize("seed", [901, 903, 904])
-def test_a_road_that_is_30_percent_hidden_is_found(seed, distance_to):
+def test_a_road_that_is_30_percent_hidden_is_found(seed: int, distance_to: Any) -> None:
     scene = render_aerial("curve", seed, size=320, hidden=0.3)
     (true,) = scene.truth.roads
     road = main_road(roads_of_photo(scene.image))
@@ -28,21 +32,21 @@ def test_a_road_that_is_30_percent_hidden_is_found(seed, distance_to):
 
 
 @pytest.mark.parametrize("asphalt", [0.2, 0.35])
-def test_a_dark_road_is_found(asphalt, distance_to):
+def test_a_dark_road_is_found(asphalt: float, distance_to: Any) -> None:
     scene = render_aerial("bend", 12, size=320, asphalt=asphalt)
     (true,) = scene.truth.roads
     road = main_road(roads_of_photo(scene.image))
     assert distance_to(inner(true.points, 320), road.points).mean() < 3
 
 
-def test_brightness_and_contrast_do_not_matter():
+def test_brightness_and_contrast_do_not_matter() -> None:
     scene = render_aerial("suburb", 21, size=256).image
     dim = np.clip(scene * 0.6, 0, 255).astype(np.uint8)
     difference = even_exposure(scene).astype(int) - even_exposure(dim)
     assert np.abs(difference).mean() < 2.5
 
 
-def test_tiles_leave_no_seam():
+def test_tiles_leave_no_seam() -> None:
     scene = render_aerial("suburb", 8, size=1100).image
     net = road_net()
     whole = evidence(scene, net, mirrored=False).surface
@@ -51,7 +55,7 @@ def test_tiles_leave_no_seam():
     assert gap.mean() < 0.02
 
 
-def test_two_clicks_draw_a_road_where_none_is_seen():
+def test_two_clicks_draw_a_road_where_none_is_seen() -> None:
     rng = np.random.default_rng(0)
     meadow = rng.integers(90, 110, (200, 260, 3)).astype(np.uint8)
     assert not any(road.confidence > 0.9 for road in roads_of_photo(meadow).roads)
@@ -63,7 +67,7 @@ def test_two_clicks_draw_a_road_where_none_is_seen():
     assert (road.widths == 8).all()
 
 
-def test_what_is_boxed_out_stays_out():
+def test_what_is_boxed_out_stays_out() -> None:
     scene = render_aerial("grid", 5, size=256)
     box = ((0.0, 0.0), (128.0, 255.0))
     found = roads_of_photo(scene.image, Request(leave_out=(box,)))

@@ -1,5 +1,9 @@
 """Clean drawings give exact roads: circuits between edge lines, filled roads, masks."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -10,7 +14,9 @@ from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("change", ["as drawn", "inverted", "jpeg"])
-def test_a_circuit_is_one_closed_road_between_its_lines(seed, change, distance_to):
+def test_a_circuit_is_one_closed_road_between_its_lines(
+    seed: int, change: str, distance_to: Any
+) -> None:
     drawn = draw_circuit(seed, size=500)
     changed = {"as drawn": drawn.image, "inverted": 255 - drawn.image}
     image = changed.get(change, as_jpeg(drawn.image, 60))
@@ -26,7 +32,9 @@ def test_a_circuit_is_one_closed_road_between_its_lines(seed, change, distance_t
 
 @pytest.mark.parametrize("plan", ["curve", "suburb", "roundabout"])
 @pytest.mark.parametrize(("ground", "ink"), [((255,) * 3, (60,) * 3), ((30, 90, 30), (200,) * 3)])
-def test_filled_roads_are_found_to_the_pixel(plan, ground, ink, distance_to):
+def test_filled_roads_are_found_to_the_pixel(
+    plan: str, ground: Any, ink: Any, distance_to: Any
+) -> None:
     drawn = draw_filled(plan, 3, 400, ground, ink)
     found = roads_by_contour(drawn.image, Chain())
     seen = np.vstack([road.points for road in found.roads])
@@ -39,7 +47,7 @@ def test_filled_roads_are_found_to_the_pixel(plan, ground, ink, distance_to):
     assert np.median(np.abs(widths / true_widths - 1)) < 0.1
 
 
-def test_the_threshold_can_be_given():
+def test_the_threshold_can_be_given() -> None:
     image = np.full((60, 200, 3), 200, np.uint8)
     image[20:30] = 150
     image[40:50] = 20
@@ -48,14 +56,14 @@ def test_the_threshold_can_be_given():
     assert (len(both.roads), len(dark.roads)) == (2, 1)
 
 
-def test_a_blank_picture_has_no_road():
+def test_a_blank_picture_has_no_road() -> None:
     found = roads_by_contour(np.full((50, 50, 3), 128, np.uint8), Chain())
     assert found.roads == ()
     assert found.remarks
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_kinds_of_drawings_are_told_apart(seed):
+def test_kinds_of_drawings_are_told_apart(seed: int) -> None:
     assert picture_kind(draw_circuit(seed).image).name == "edge-line drawing"
     assert picture_kind(draw_filled("suburb", seed).image).name == "filled drawing"
     mask = draw_filled("grid", seed, ground=(0, 0, 0), road=(255, 255, 255)).image

@@ -1,6 +1,10 @@
 """`roadlang extract`: JSON in pixels, an overlay, a mask."""
 
+from __future__ import annotations
+
 import json
+from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -13,17 +17,17 @@ from training.rendering.drawings import draw_circuit
 
 
 @pytest.fixture
-def circuit(tmp_path):
+def circuit(tmp_path: Path) -> Any:
     drawn = draw_circuit(3, 400)
     cv2.imwrite(str(tmp_path / "circuit.png"), drawn.image)
     return drawn, tmp_path
 
 
-def run(*words):
+def run(*words: Any) -> Any:
     return CliRunner().invoke(command, [str(word) for word in words])
 
 
-def test_roads_are_written_in_pixels(circuit, distance_to):
+def test_roads_are_written_in_pixels(circuit: Any, distance_to: Any) -> None:
     drawn, folder = circuit
     names = [folder / name for name in ("roads.json", "roads.svg", "mask.png")]
     done = run(folder / "circuit.png", "-o", names[0], "--overlay", names[1], "--mask", names[2])
@@ -38,19 +42,19 @@ def test_roads_are_written_in_pixels(circuit, distance_to):
     assert names[1].read_text().startswith("<svg")
 
 
-def test_without_an_output_the_json_goes_to_standard_output(circuit):
+def test_without_an_output_the_json_goes_to_standard_output(circuit: Any) -> None:
     _, folder = circuit
     assert json.loads(run(folder / "circuit.png").output)["schema"] == "roadlang.extraction/1"
 
 
-def test_a_picture_without_a_road_is_an_error(tmp_path):
+def test_a_picture_without_a_road_is_an_error(tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "blank.png"), np.full((80, 80, 3), 200, np.uint8))
     done = run(tmp_path / "blank.png", "-o", tmp_path / "roads.json")
     assert done.exit_code == 1
     assert "RL427" in done.output
 
 
-def test_unknown_kinds_and_unfit_options_are_explained(circuit):
+def test_unknown_kinds_and_unfit_options_are_explained(circuit: Any) -> None:
     _, folder = circuit
     for words, code in (
         (["--with", "ariel"], "RL425"),

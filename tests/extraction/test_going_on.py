@@ -1,5 +1,9 @@
 """Roads that end in shade go on: along fainter evidence, to what faces them, to the rim."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import cv2
 import numpy as np
 
@@ -12,7 +16,7 @@ from roadlang_standard.extraction.skeleton import skeleton
 SIZE = 200
 
 
-def evidence(*strokes):
+def evidence(*strokes: Any) -> Any:
     """Strokes (start, end, value) of 7 pixels on nothing."""
     canvas = np.full((SIZE, SIZE), 0.02, np.float32)
     for start, end, value in strokes:
@@ -20,14 +24,14 @@ def evidence(*strokes):
     return cv2.GaussianBlur(canvas, (0, 0), 1.0)
 
 
-def sure_roads(score):
+def sure_roads(score: Any) -> Any:
     graph = trace(skeleton(score > 0.8))
     prune(graph, 8)
     join(graph)
     return graph
 
 
-def test_a_road_goes_on_along_fainter_evidence():
+def test_a_road_goes_on_along_fainter_evidence() -> None:
     score = evidence(((0, 100), (90, 100), 0.95), ((100, 100), (170, 110), 0.5))
     graph = sure_roads(score)
     carry_on(graph, score, (0.4, 0.27), 7, 50)
@@ -35,21 +39,21 @@ def test_a_road_goes_on_along_fainter_evidence():
     assert line.points[:, 0].max() > 160
 
 
-def test_a_fainter_line_from_the_side_is_left_out():
+def test_a_fainter_line_from_the_side_is_left_out() -> None:
     score = evidence(((0, 100), (199, 100), 0.95), ((100, 108), (100, 170), 0.5))
     graph = sure_roads(score)
     carry_on(graph, score, (0.4, 0.27), 7, 50)
     assert len(graph.lines) == 1
 
 
-def test_a_fainter_line_that_turns_away_is_left_out():
+def test_a_fainter_line_that_turns_away_is_left_out() -> None:
     score = evidence(((0, 100), (90, 100), 0.95), ((100, 110), (100, 180), 0.5))
     graph = sure_roads(score)
     carry_on(graph, score, (0.4, 0.27), 7, 50)
     assert max(line.points[:, 1].max() for line in graph.lines) < 120
 
 
-def test_ends_in_one_line_are_joined_across_nothing():
+def test_ends_in_one_line_are_joined_across_nothing() -> None:
     score = evidence(((0, 100), (85, 100), 0.95), ((115, 100), (199, 100), 0.95))
     graph = sure_roads(score)
     link(graph, score, 50, 0.8)
@@ -57,14 +61,14 @@ def test_ends_in_one_line_are_joined_across_nothing():
     assert 0.1 < graph.lines[0].linked < 0.3
 
 
-def test_ends_that_do_not_face_each_other_stay_apart():
+def test_ends_that_do_not_face_each_other_stay_apart() -> None:
     score = evidence(((0, 100), (85, 100), 0.95), ((115, 60), (115, 0), 0.95))
     graph = sure_roads(score)
     link(graph, score, 50, 0.8)
     assert len(graph.lines) == 2
 
 
-def test_a_road_leaves_the_picture_where_fair_evidence_does():
+def test_a_road_leaves_the_picture_where_fair_evidence_does() -> None:
     score = evidence(((0, 100), (165, 100), 0.95), ((165, 100), (199, 100), 0.5))
     graph = sure_roads(score)
     assert len(dead_ends(graph, score.shape)) == 1
@@ -72,7 +76,7 @@ def test_a_road_leaves_the_picture_where_fair_evidence_does():
     assert not dead_ends(graph, score.shape)
 
 
-def test_small_loops_at_a_junction_go_and_turning_circles_stay():
+def test_small_loops_at_a_junction_go_and_turning_circles_stay() -> None:
     for radius, left in ((4, 1), (30, 2)):
         angle = np.linspace(0, 2 * np.pi, 40)
         loop = np.c_[100 - radius + radius * np.cos(angle), 100 + radius * np.sin(angle)]

@@ -1,9 +1,13 @@
 """The extract kinds on pictures, as the compiler calls them."""
 
+from __future__ import annotations
+
 import shutil
 import subprocess
 import sys
 from importlib.resources import files
+from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -22,7 +26,7 @@ from training.rendering.drawings import draw_circuit, draw_filled
 WEIGHTS = files("roadlang_standard.extraction") / "weights" / "roads.onnx"
 
 
-def test_auto_says_what_it_took_the_picture_for():
+def test_auto_says_what_it_took_the_picture_for() -> None:
     drawing = Auto().extract(Picture(draw_circuit(1, 400).image, 0.5))
     typed = Auto().extract(Picture(None, 8.0, {"#": "road"}, ("###", "#..")))
     photo = Auto().extract(Picture(render_aerial("curve", 901, 256).image, 1.0))
@@ -31,7 +35,7 @@ def test_auto_says_what_it_took_the_picture_for():
     assert photo.remarks[0] == "read as a photo"
 
 
-def test_a_circuit_comes_out_closed_and_in_meters():
+def test_a_circuit_comes_out_closed_and_in_meters() -> None:
     drawn = draw_circuit(2, 400)
     found = Contour().extract(Picture(drawn.image, 0.5))
     (edge,) = found.network.edges
@@ -42,7 +46,7 @@ def test_a_circuit_comes_out_closed_and_in_meters():
     )
 
 
-def test_the_world_has_y_up_and_its_origin_at_the_lower_left():
+def test_the_world_has_y_up_and_its_origin_at_the_lower_left() -> None:
     found = Pixel().extract(Picture(None, 10.0, {"#": "road"}, ("###", "...")))
     (edge,) = found.network.edges
     assert edge.curve.points.tolist() == [[5, 15], [15, 15], [25, 15]]
@@ -57,13 +61,13 @@ def test_the_world_has_y_up_and_its_origin_at_the_lower_left():
         (Pixel(), Picture(np.zeros((9, 9, 3), np.uint8), 1.0, {"gren": "road"}), "RL423"),
     ],
 )
-def test_wrong_pictures_are_explained(kind, picture, code):
+def test_wrong_pictures_are_explained(kind: Any, picture: Any, code: str) -> None:
     with pytest.raises(DiagnosticError) as raised:
         kind.extract(picture)
     assert [d.code for d in raised.value.diagnostics] == [code]
 
 
-def test_a_net_of_ones_own_is_used_like_the_shipped_one(tmp_path):
+def test_a_net_of_ones_own_is_used_like_the_shipped_one(tmp_path: Path) -> None:
     shutil.copy(str(WEIGHTS), tmp_path / "mine.onnx")
     picture = Picture(render_aerial("curve", 902, 256).image, 1.0)
     ours, theirs = (
@@ -75,7 +79,7 @@ def test_a_net_of_ones_own_is_used_like_the_shipped_one(tmp_path):
     assert [edge.length for edge in theirs.network.edges] == pytest.approx(lengths, rel=1e-6)
 
 
-def test_what_is_no_net_is_refused(tmp_path):
+def test_what_is_no_net_is_refused(tmp_path: Path) -> None:
     (tmp_path / "not.onnx").write_bytes(b"not a net at all")
     picture = Picture(np.zeros((64, 64, 3), np.uint8), 1.0)
     with pytest.raises(DiagnosticError) as raised:
@@ -83,7 +87,7 @@ def test_what_is_no_net_is_refused(tmp_path):
     assert raised.value.diagnostics[0].code == "RL424"
 
 
-def test_photos_are_read_once(tmp_path, monkeypatch):
+def test_photos_are_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROADLANG_CACHE", str(tmp_path))
     picture = Picture(render_aerial("curve", 902, 200).image, 1.0)
     first = Aerial().extract(picture)
@@ -97,14 +101,14 @@ def test_photos_are_read_once(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("shape", [(2, 2), (1, 300), (40, 3)])
 @pytest.mark.parametrize("kind", [Auto(), Contour(), Aerial()])
-def test_absurd_pictures_do_no_harm(shape, kind):
+def test_absurd_pictures_do_no_harm(shape: tuple[int, int], kind: Any) -> None:
     rng = np.random.default_rng(1)
     for pixels in (np.zeros((*shape, 3), np.uint8), rng.integers(0, 256, (*shape, 3), np.uint8)):
         kind.extract(Picture(pixels, 1.0))
 
 
 @pytest.mark.parametrize(("share", "code"), [("60%", 0), ("100%", 3)])
-def test_a_requirement_can_ask_for_confidence(tmp_path, share, code):
+def test_a_requirement_can_ask_for_confidence(tmp_path: Path, share: str, code: int) -> None:
     cv2.imwrite(str(tmp_path / "plan.png"), draw_filled("curve", 1, 200).image)
     scene = f"""
 image plan from "plan.png" {{ scale: 1m/px }}

@@ -9,25 +9,25 @@ TOWN = ("..###..", "..#.T#.", ".##..#.", "..####.")
 LEGEND = {"#": "road", "T": "tree"}
 
 
-def test_a_typed_town_is_read_cell_by_cell():
+def test_a_typed_town_is_read_cell_by_cell() -> None:
     found, things = read_text(TOWN, LEGEND)
     assert [(thing.kind, thing.x, thing.y) for thing in things] == [("tree", 4, 1)]
     points = {tuple(p) for road in found.roads for p in road.points}
     assert points == {(x, y) for y, row in enumerate(TOWN) for x, c in enumerate(row) if c == "#"}
 
 
-def test_corners_join_only_where_no_side_does():
+def test_corners_join_only_where_no_side_does() -> None:
     found, _ = read_text(("#..", ".#.", "..#"), LEGEND)
     (road,) = found.roads
     assert road.points.tolist() == [[0, 0], [1, 1], [2, 2]]
 
 
-def test_a_ring_is_a_closed_road():
+def test_a_ring_is_a_closed_road() -> None:
     found, _ = read_text((".##.", "#..#", ".##."), LEGEND)
     assert [road.closed for road in found.roads] == [True]
 
 
-def test_a_drawn_town_has_roads_and_things_of_its_colors():
+def test_a_drawn_town_has_roads_and_things_of_its_colors() -> None:
     image = np.full((60, 80, 3), (50, 120, 40), np.uint8)
     image[27:33] = 255
     image[5:11, 20:30] = (28, 28, 183)

@@ -1,5 +1,9 @@
 """Margins without data: turned orthophotos read as the photos they are."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -12,14 +16,14 @@ from training.rendering.aerial import render_aerial
 from training.rendering.drawings import draw_circuit
 
 
-def turned(image, margin, degrees=37):
+def turned(image: Any, margin: Any, degrees: int = 37) -> Any:
     height, width = image.shape[:2]
     matrix = cv2.getRotationMatrix2D((width / 2, height / 2), degrees, 1)
     return cv2.warpAffine(image, matrix, (width, height), borderValue=(margin,) * 3), matrix
 
 
 @pytest.mark.parametrize("margin", [0, 255])
-def test_the_corners_of_a_turned_photo_are_margins(margin):
+def test_the_corners_of_a_turned_photo_are_margins(margin: int) -> None:
     scene = render_aerial("suburb", 21, size=256).image
     image, matrix = turned(scene, margin)
     inside = cv2.warpAffine(np.ones((256, 256), np.uint8), matrix, (256, 256)) > 0
@@ -28,14 +32,14 @@ def test_the_corners_of_a_turned_photo_are_margins(margin):
     assert picture_kind(image).name == PHOTO
 
 
-def test_what_lies_beyond_the_margin_does_not_change_the_light():
+def test_what_lies_beyond_the_margin_does_not_change_the_light() -> None:
     scene = render_aerial("suburb", 21, size=256).image
     wide = cv2.copyMakeBorder(scene, 64, 64, 64, 64, cv2.BORDER_CONSTANT)
     plain, beside = even_exposure(scene), even_exposure(wide)[64:-64, 64:-64]
     assert np.abs(plain.astype(int) - beside)[64:-64, 64:-64].mean() < 6
 
 
-def test_roads_are_found_between_margins_and_none_in_them():
+def test_roads_are_found_between_margins_and_none_in_them() -> None:
     scene = render_aerial("curve", 904, size=320)
     image, _ = turned(scene.image, 0)
     margin = nodata(image)
@@ -47,12 +51,12 @@ def test_roads_are_found_between_margins_and_none_in_them():
         assert not deep[y, x].any()
 
 
-def test_paper_is_no_margin_of_a_photo():
+def test_paper_is_no_margin_of_a_photo() -> None:
     assert picture_kind(draw_circuit(3, 400).image).drawn
 
 
 @pytest.mark.parametrize("gain", [0.35, 0.6, 1.5])
-def test_a_dim_or_soft_photo_stays_a_photo(gain):
+def test_a_dim_or_soft_photo_stays_a_photo(gain: float) -> None:
     scene = render_aerial("rural", 5, size=200).image
     soft = cv2.resize(scene, None, fx=3, fy=3, interpolation=cv2.INTER_CUBIC)
     dim = np.clip((soft.astype(float) - 128) * gain + 128, 0, 255).astype(np.uint8)

@@ -1,5 +1,9 @@
 """Pictures that our own renderer did not make: bare ground, a painted road, discs of shade."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -12,7 +16,7 @@ SIZE = 400
 PEN = 1.4  # OpenCV draws an anti-aliased line so much wider than it is told
 
 
-def painted(seed, road, ground, width, shaded=0.0):
+def painted(seed: Any, road: Any, ground: Any, width: Any, shaded: float = 0.0) -> Any:
     """A picture (h, w, 3), and the center line (n, 2) of its one road."""
     rng = np.random.default_rng(seed)
     patches = cv2.GaussianBlur(rng.standard_normal((SIZE, SIZE)).astype(np.float32), (0, 0), 20)
@@ -31,7 +35,7 @@ def painted(seed, road, ground, width, shaded=0.0):
     return np.clip(noisy, 0, 255).astype(np.uint8), line
 
 
-def _shade(rng, line, width, share):
+def _shade(rng: Any, line: Any, width: Any, share: Any) -> Any:
     """Discs along the road until so much of it lies under them."""
     shade = np.zeros((SIZE, SIZE), np.float32)
     x, y = line.round().astype(int).T
@@ -46,7 +50,9 @@ GROUNDS = {"meadow": (60, 110, 80), "sand": (140, 170, 180), "night": (50, 70, 5
 
 @pytest.mark.parametrize("ground", GROUNDS)
 @pytest.mark.parametrize("gray", [30, 55, 110, 200])
-def test_a_clear_road_is_found_whether_dark_or_bright(ground, gray, distance_to):
+def test_a_clear_road_is_found_whether_dark_or_bright(
+    ground: str, gray: int, distance_to: Any
+) -> None:
     image, line = painted(gray, (gray,) * 3, GROUNDS[ground], 9)
     roads = checked_roads(image, Request(), road_net()).roads
     away = np.min([distance_to(line, road.points) for road in roads], axis=0)
@@ -54,7 +60,7 @@ def test_a_clear_road_is_found_whether_dark_or_bright(ground, gray, distance_to)
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_road_with_a_third_in_shadow_is_one_road(seed, distance_to):
+def test_a_road_with_a_third_in_shadow_is_one_road(seed: int, distance_to: Any) -> None:
     image, line = painted(seed, (105, 105, 110), GROUNDS["meadow"], 10, shaded=0.33)
     (road,) = checked_roads(image, Request(), road_net()).roads
     away = distance_to(line, road.points)

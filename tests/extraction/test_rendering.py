@@ -1,5 +1,9 @@
 """The renderer of truth: the same seed gives the same bytes, and the truth is what is painted."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,7 +13,7 @@ from training.rendering.layouts.plans import PLANS
 
 
 @pytest.mark.parametrize("plan", PLANS)
-def test_every_plan_renders_and_repeats(plan):
+def test_every_plan_renders_and_repeats(plan: Any) -> None:
     first, again = (render_aerial(plan, 3, size=192, meters_per_pixel=1.5) for _ in range(2))
     assert (first.image == again.image).all()
     assert first.image.shape == (192, 192, 3)
@@ -17,7 +21,7 @@ def test_every_plan_renders_and_repeats(plan):
     assert (render_aerial(plan, 4, size=192, meters_per_pixel=1.5).image != first.image).any()
 
 
-def test_a_ribbon_covers_its_length_times_its_width():
+def test_a_ribbon_covers_its_length_times_its_width() -> None:
     line = np.array([[10.3, 20.0], [80.3, 20.0]])
     _, cover = ribbon(line, 6.4, (40, 100))
     assert cover.sum() == pytest.approx(70 * 6.4, rel=0.03)
@@ -27,12 +31,12 @@ def test_a_ribbon_covers_its_length_times_its_width():
 
 
 @pytest.mark.parametrize("share", [0.1, 0.3])
-def test_as_much_is_hidden_as_is_asked_for(share):
+def test_as_much_is_hidden_as_is_asked_for(share: float) -> None:
     scene = render_aerial("bend", 7, size=256, hidden=share)
     assert scene.truth.hidden_share() == pytest.approx(share, abs=0.1)
 
 
-def test_a_bright_road_is_brighter_where_the_truth_says():
+def test_a_bright_road_is_brighter_where_the_truth_says() -> None:
     scene = render_aerial("curve", 5, size=256, asphalt=0.85)
     road = (scene.truth.mask() > 0) & ~scene.truth.hidden
     gray = scene.image.mean(axis=2)

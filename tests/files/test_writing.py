@@ -9,6 +9,7 @@ import resource
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -35,7 +36,9 @@ def files_of(folder: Path) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("stopped", ["kill", "fail"])
-def test_a_writer_stopped_at_any_moment_leaves_the_old_set_or_the_new_one(stopped, tmp_path):
+def test_a_writer_stopped_at_any_moment_leaves_the_old_set_or_the_new_one(
+    stopped: str, tmp_path: Path
+) -> None:
     done = subprocess.run(
         [sys.executable, str(KILLED), str(tmp_path), stopped], capture_output=True, text=True
     )
@@ -43,7 +46,7 @@ def test_a_writer_stopped_at_any_moment_leaves_the_old_set_or_the_new_one(stoppe
 
 
 @pytest.mark.slow
-def test_a_recovery_that_is_killed_as_well_is_made_good(tmp_path):
+def test_a_recovery_that_is_killed_as_well_is_made_good(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, str(KILLED), str(tmp_path), "kill recovery"],
         capture_output=True,
@@ -52,18 +55,18 @@ def test_a_recovery_that_is_killed_as_well_is_made_good(tmp_path):
     assert done.stdout == "new old\n", done.stderr
 
 
-def test_the_folder_is_made(tmp_path):
+def test_the_folder_is_made(tmp_path: Path) -> None:
     write_all(tmp_path / "a/b", {"x.json": "{}", "y.svg": b"<svg/>"})
     assert files_of(tmp_path / "a/b") == {"x.json": "{}", "y.svg": "<svg/>"}
 
 
-def test_a_folder_that_was_made_for_a_write_that_fails_goes_again(tmp_path):
+def test_a_folder_that_was_made_for_a_write_that_fails_goes_again(tmp_path: Path) -> None:
     with pytest.raises(DiagnosticError, match="RL460"):
         write_all(tmp_path / "a/b", {"n" * 300: ""})
     assert not (tmp_path / "a").exists()
 
 
-def test_files_of_the_older_set_go_and_all_others_stay(tmp_path):
+def test_files_of_the_older_set_go_and_all_others_stay(tmp_path: Path) -> None:
     write(tmp_path, a_json="1", b_json="1", c_json="1")
     (tmp_path / "notes.txt").write_text("mine")
     (tmp_path / "c.json").unlink()
@@ -71,7 +74,7 @@ def test_files_of_the_older_set_go_and_all_others_stay(tmp_path):
     assert files_of(tmp_path) == {"a.json": "2", "marker": '["a.json"]', "notes.txt": "mine"}
 
 
-def test_the_older_set_cannot_name_files_elsewhere(tmp_path):
+def test_the_older_set_cannot_name_files_elsewhere(tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("mine")
     folder = tmp_path / "out"
     write(folder, a_json="1")
@@ -81,7 +84,7 @@ def test_the_older_set_cannot_name_files_elsewhere(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["../a", "a/b", "", "..", "/a"])
-def test_names_are_those_of_files_in_the_folder(name, tmp_path):
+def test_names_are_those_of_files_in_the_folder(name: str, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="not the name of a file"):
         write_all(tmp_path, {name: ""})
 
@@ -99,7 +102,7 @@ def make_link_to_a_folder(path: Path) -> None:
 
 
 @pytest.mark.parametrize("make", [make_folder, make_pipe, make_link_to_a_folder])
-def test_what_is_no_file_is_not_replaced_and_nothing_else_either(make, tmp_path):
+def test_what_is_no_file_is_not_replaced_and_nothing_else_either(make: Any, tmp_path: Path) -> None:
     write(tmp_path, a_json="1", b_json="1")
     before = files_of(tmp_path)
     make(tmp_path / "c.json")
@@ -109,7 +112,7 @@ def test_what_is_no_file_is_not_replaced_and_nothing_else_either(make, tmp_path)
     assert not list(tmp_path.glob(".*"))
 
 
-def test_a_link_is_replaced_and_not_followed(tmp_path):
+def test_a_link_is_replaced_and_not_followed(tmp_path: Path) -> None:
     (tmp_path / "elsewhere").write_text("mine")
     folder = tmp_path / "out"
     folder.mkdir()
@@ -129,7 +132,7 @@ def full_disk(folder: Path, bytes_: int) -> None:
 
 
 @pytest.mark.parametrize("room", [0, 100, 2999])
-def test_a_full_disk_leaves_the_old_set(room, tmp_path):
+def test_a_full_disk_leaves_the_old_set(room: int, tmp_path: Path) -> None:
     write(tmp_path, a_json="1")
     before = files_of(tmp_path)
     child = multiprocessing.get_context("spawn").Process(target=full_disk, args=(tmp_path, room))
@@ -140,7 +143,7 @@ def test_a_full_disk_leaves_the_old_set(room, tmp_path):
     assert not list(tmp_path.glob(".*"))
 
 
-def test_what_killed_writers_left_is_removed(tmp_path):
+def test_what_killed_writers_left_is_removed(tmp_path: Path) -> None:
     (tmp_path / ".roadlang-abc").mkdir()
     (tmp_path / ".roadlang-abc/new-0").write_text("half")
     (tmp_path / ".roadlang-def").write_text("half")
@@ -149,7 +152,7 @@ def test_what_killed_writers_left_is_removed(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["../../secret", "/etc/passwd"])
-def test_a_journal_cannot_name_files_elsewhere(name, tmp_path):
+def test_a_journal_cannot_name_files_elsewhere(name: str, tmp_path: Path) -> None:
     room = tmp_path / "out" / ".roadlang-abc"
     room.mkdir(parents=True)
     (room / "new-0").write_text("wrong")
@@ -160,7 +163,7 @@ def test_a_journal_cannot_name_files_elsewhere(name, tmp_path):
     assert not (tmp_path / "secret").exists()
 
 
-def test_another_file_in_the_place_of_the_marker_is_not_replaced(tmp_path):
+def test_another_file_in_the_place_of_the_marker_is_not_replaced(tmp_path: Path) -> None:
     from roadlang.session.manifest import files_named_in
 
     for text in ('{"name": "my web page"}', "[]", '{"schema": "roadlang.scene/2", "files": []}'):
@@ -176,7 +179,7 @@ def hold_lock(folder: Path, held: multiprocessing.Event, release: multiprocessin
         release.wait()
 
 
-def test_writers_of_one_folder_wait_for_each_other(tmp_path):
+def test_writers_of_one_folder_wait_for_each_other(tmp_path: Path) -> None:
     context = multiprocessing.get_context("spawn")
     held, release = context.Event(), context.Event()
     holder = context.Process(target=hold_lock, args=(tmp_path, held, release))
@@ -193,7 +196,7 @@ def test_writers_of_one_folder_wait_for_each_other(tmp_path):
     assert files_of(tmp_path) == {"a": "x"}
 
 
-def test_a_file_of_the_user_keeps_its_permissions_and_the_links_to_it(tmp_path):
+def test_a_file_of_the_user_keeps_its_permissions_and_the_links_to_it(tmp_path: Path) -> None:
     (tmp_path / "scene.rl").write_text("old")
     (tmp_path / "scene.rl").chmod(0o640)
     (tmp_path / "link.rl").symlink_to("scene.rl")
@@ -205,7 +208,7 @@ def test_a_file_of_the_user_keeps_its_permissions_and_the_links_to_it(tmp_path):
         replace_file(tmp_path / "nope.rl", "")
 
 
-def test_permissions_of_new_files_follow_the_umask(tmp_path):
+def test_permissions_of_new_files_follow_the_umask(tmp_path: Path) -> None:
     before = os.umask(0o027)
     try:
         write_file(tmp_path / "a", "")
@@ -214,7 +217,7 @@ def test_permissions_of_new_files_follow_the_umask(tmp_path):
     assert (tmp_path / "a").stat().st_mode & 0o777 == 0o640
 
 
-def test_recovering_a_clean_folder_changes_nothing(tmp_path):
+def test_recovering_a_clean_folder_changes_nothing(tmp_path: Path) -> None:
     write(tmp_path, a_json="1")
     before = files_of(tmp_path)
     recover(tmp_path)

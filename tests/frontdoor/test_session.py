@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -30,13 +31,13 @@ def file(tmp_path: Path) -> Path:
     return path
 
 
-def test_importing_roadlang_imports_nothing_heavy(tmp_path):
+def test_importing_roadlang_imports_nothing_heavy(tmp_path: Path) -> None:
     code = "import roadlang, sys; print(*{m.partition('.')[0] for m in sys.modules})"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert not set(done.stdout.split()) & {"numpy", "scipy", "cv2", "lark", "click", "pluggy"}
 
 
-def test_every_name_of_the_front_door_is_there():
+def test_every_name_of_the_front_door_is_there() -> None:
     for name in roadlang.__all__:
         assert getattr(roadlang, name)
     assert set(dir(roadlang)) == set(roadlang.__all__)
@@ -44,7 +45,9 @@ def test_every_name_of_the_front_door_is_there():
         _ = roadlang.nonsense
 
 
-def test_scenes_are_those_of_the_command_line(file, tmp_path, monkeypatch):
+def test_scenes_are_those_of_the_command_line(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from roadlang.cli.main import run
 
     monkeypatch.chdir(tmp_path)
@@ -56,7 +59,7 @@ def test_scenes_are_those_of_the_command_line(file, tmp_path, monkeypatch):
     assert scenes[1].to_json() == (tmp_path / "cli/scene-0001.json").read_text()
 
 
-def test_a_road_is_read_only_arrays(file):
+def test_a_road_is_read_only_arrays(file: Path) -> None:
     (scene,) = roadlang.load(file).sample()
     road = scene.roads["bent"]
     count = len(road.stations)
@@ -71,7 +74,7 @@ def test_a_road_is_read_only_arrays(file):
     assert not scene.roads["main"].derived
 
 
-def test_signals_and_robustness_along_the_road(file):
+def test_signals_and_robustness_along_the_road(file: Path) -> None:
     (scene,) = roadlang.load(file).sample()
     away = scene.signals["away"]
     near = scene.robustness["near"]
@@ -81,7 +84,7 @@ def test_signals_and_robustness_along_the_road(file):
     assert away.stations[-1] == pytest.approx(scene.roads["main"].reference_stations[-1])
 
 
-def test_values_along_several_roads_are_told_apart_by_name():
+def test_values_along_several_roads_are_told_apart_by_name() -> None:
     text = '''\
 image town from """
 .......
@@ -103,7 +106,7 @@ require calm: always (turn < 10/m)
     assert set(turn.roads) <= set(scene.roads)
 
 
-def test_params_are_numbers_or_texts_of_the_language(file):
+def test_params_are_numbers_or_texts_of_the_language(file: Path) -> None:
     loaded = roadlang.load(file, reach="2m", turns=3)
     (scene,) = loaded.sample()
     assert (scene.values["reach"], scene.values["turns"]) == (2.0, 3.0)
@@ -126,20 +129,20 @@ def test_params_are_numbers_or_texts_of_the_language(file):
         ([1, 2.5], "[1, 2.5]"),
     ],
 )
-def test_how_a_value_is_written(value, text):
+def test_how_a_value_is_written(value: Any, text: str) -> None:
     from roadlang.session.params import param_texts
 
     assert param_texts({"a": value}) == {"a": text}
 
 
-def test_values_that_the_language_cannot_write_are_refused(file):
+def test_values_that_the_language_cannot_write_are_refused(file: Path) -> None:
     with pytest.raises(ValueError, match="`reach` is nan"):
         roadlang.load(file, reach=float("nan"))
     with pytest.raises(TypeError, match="a dict"):
         roadlang.load(file, reach={})
 
 
-def test_check_tells_all_and_sampling_raises_it_as_text(tmp_path):
+def test_check_tells_all_and_sampling_raises_it_as_text(tmp_path: Path) -> None:
     loaded = roadlang.loads(SCENE.replace("amplitude", "amplitud").replace("< 3m", "< 3s"))
     assert len([found for found in loaded.check() if found.is_error]) == 2
     with pytest.raises(roadlang.DiagnosticError) as caught:
@@ -150,12 +153,12 @@ def test_check_tells_all_and_sampling_raises_it_as_text(tmp_path):
     assert caught.value.diagnostics == loaded.check()
 
 
-def test_a_file_that_is_not_there(tmp_path):
+def test_a_file_that_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(roadlang.DiagnosticError, match="RL920"):
         roadlang.load(tmp_path / "nope.rl")
 
 
-def test_what_cannot_be_satisfied_raises_with_the_statistics():
+def test_what_cannot_be_satisfied_raises_with_the_statistics() -> None:
     with pytest.raises(roadlang.NoSceneError) as caught:
         roadlang.loads(IMPOSSIBLE).sample(3)
     result = caught.value.result
@@ -164,21 +167,21 @@ def test_what_cannot_be_satisfied_raises_with_the_statistics():
     assert "rejected" in str(caught.value)
 
 
-def test_rejections_are_counted(file):
+def test_rejections_are_counted(file: Path) -> None:
     scenes = roadlang.load(file).sample(5, seed=1)
     (row,) = scenes.rejections
     assert (row.name, scenes.candidates - row.rejected) == ("near", 5)
     assert scenes.rejection_table.startswith(f"{scenes.candidates} candidates tried")
 
 
-def test_fewer_scenes_than_asked_for_is_a_warning():
+def test_fewer_scenes_than_asked_for_is_a_warning() -> None:
     text = "param side = choice(1m, 2m)\n" + SCENE + "sample with grid { steps: 2 }\n"
     scenes = roadlang.loads(text.replace("< 3m", "< 1.6m")).sample(50)
     assert 0 < len(scenes) < 50
     assert [found.code for found in scenes.diagnostics if found.code == "RL602"] == ["RL602"]
 
 
-def test_a_set_is_a_sequence_and_a_table(file):
+def test_a_set_is_a_sequence_and_a_table(file: Path) -> None:
     scenes = roadlang.load(file).sample(3)
     assert [scene.index for scene in scenes] == [0, 1, 2]
     assert scenes[-1] is scenes[2]
@@ -190,7 +193,7 @@ def test_a_set_is_a_sequence_and_a_table(file):
     assert "bent/perturb 1/amplitude" in table
 
 
-def test_a_scene_survives_its_json(file, tmp_path):
+def test_a_scene_survives_its_json(file: Path, tmp_path: Path) -> None:
     (scene,) = roadlang.load(file).sample()
     again = roadlang.Scene.from_json(scene.to_json())
     assert again.record == scene.record
@@ -199,19 +202,19 @@ def test_a_scene_survives_its_json(file, tmp_path):
 
 
 @pytest.mark.parametrize("text", ["", "{}", "[]", '{"schema": "roadlang.trace/1"}', "\ud800"])
-def test_what_is_no_scene_is_refused(text):
+def test_what_is_no_scene_is_refused(text: str) -> None:
     with pytest.raises(roadlang.DiagnosticError, match="RL461"):
         roadlang.Scene.from_json(text)
 
 
-def test_notebooks_show_the_figure_and_the_contact_sheet(file):
+def test_notebooks_show_the_figure_and_the_contact_sheet(file: Path) -> None:
     scenes = roadlang.load(file).sample(2)
     assert scenes[0]._repr_svg_().startswith("<svg") or "<svg" in scenes[0].svg()[:200]
     assert 'width="800"' in scenes[0].svg(size=800)
     assert scenes._repr_svg_() != scenes[0].svg()
 
 
-def test_options_of_a_figure_are_checked(file):
+def test_options_of_a_figure_are_checked(file: Path) -> None:
     (scene,) = roadlang.load(file).sample()
     with pytest.raises(roadlang.DiagnosticError, match=r"RL220(.|\n)*did you mean `size`"):
         scene.svg(sizes=800)
@@ -219,19 +222,19 @@ def test_options_of_a_figure_are_checked(file):
         scene.svg(size=-1)
 
 
-def test_emit_takes_kinds(file, tmp_path):
+def test_emit_takes_kinds(file: Path, tmp_path: Path) -> None:
     manifest = roadlang.load(file).sample().emit(tmp_path / "out", ["json"])
     assert [output.path for output in manifest.files] == ["scene-0000.json"]
     assert json.loads((tmp_path / "out/manifest.json").read_text())["scenes"] == 1
 
 
-def test_an_unknown_engine_is_refused(file):
+def test_an_unknown_engine_is_refused(file: Path) -> None:
     (scene,) = roadlang.load(file).sample()
     with pytest.raises(roadlang.DiagnosticError, match="RL930"):
         scene.run("gdot")
 
 
-def test_objects_describe_themselves(file):
+def test_objects_describe_themselves(file: Path) -> None:
     loaded = roadlang.load(file)
     scenes = loaded.sample(2)
     assert repr(loaded) == f"roadlang.load({str(file)!r})"

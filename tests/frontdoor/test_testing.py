@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import ClassVar
+from pathlib import Path
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, testing
 from roadlang.api import Length, Perturber, RoadBatch, option
+from roadlang.session.scene_set import SceneSet
 
 TEXT = """\
 road main { draw with waypoints { points: [(0m, 0m), (100m, 0m)] } }
@@ -25,25 +28,25 @@ class Shift(Perturber):
     is_random: ClassVar[bool] = False
     by: Length = option(help="how far", minimum=0)
 
-    def displacements(self, roads, random):
+    def displacements(self, roads: Any, random: Any) -> Any:
         return np.broadcast_to(self.by, (roads.variants, len(roads.stations)))
 
 
-def test_a_text_can_name_a_kind_under_test():
+def test_a_text_can_name_a_kind_under_test() -> None:
     (scene,) = testing.sample(TEXT, kinds=[Shift])
     np.testing.assert_allclose(scene.roads["moved"].y, 2.0)
     (scene,) = testing.sample(TEXT.replace("with shift", "with tested.shift"), kinds=[Shift])
     assert scene.provenance.plugins["tested"]
 
 
-def test_its_faults_read_as_a_user_would_see_them():
+def test_its_faults_read_as_a_user_would_see_them() -> None:
     found = testing.check(TEXT.replace("by: 2m", "by: -2m"), kinds=[Shift])
     assert [diagnostic.code for diagnostic in found] == ["RL208"]
     with pytest.raises(DiagnosticError, match=r"RL210(.|\n)*shift"):
         testing.sample(TEXT)
 
 
-def test_a_kind_that_no_plugin_could_bring_is_refused():
+def test_a_kind_that_no_plugin_could_bring_is_refused() -> None:
     class Nameless(Perturber):
         pass
 
@@ -51,7 +54,7 @@ def test_a_kind_that_no_plugin_could_bring_is_refused():
         testing.registry_with(Nameless)
 
 
-def test_a_road_to_perturb_by_hand():
+def test_a_road_to_perturb_by_hand() -> None:
     road = testing.road_batch([(0, 0), (100, 0)], variants=3, width=[6.0, 7.0, 8.0])
     assert isinstance(road, RoadBatch)
     assert road.points.shape == (3, len(road.stations), 2)
@@ -60,7 +63,7 @@ def test_a_road_to_perturb_by_hand():
     assert moved.shape == (3, len(road.stations))
 
 
-def test_random_numbers_differ_between_variants_and_repeat():
+def test_random_numbers_differ_between_variants_and_repeat() -> None:
     first = testing.random(4, seed=7).uniform(3)
     assert first.shape == (4, 3)
     assert len(np.unique(first)) == 12
@@ -68,7 +71,9 @@ def test_random_numbers_differ_between_variants_and_repeat():
     assert (first != testing.random(4, seed=8).uniform(3)).all()
 
 
-def test_the_fixture_finds_files_in_the_folder_of_the_test(roadlang_sample, tmp_path):
+def test_the_fixture_finds_files_in_the_folder_of_the_test(
+    roadlang_sample: Callable[..., SceneSet], tmp_path: Path
+) -> None:
     (tmp_path / "line.csv").write_text("x,y\n0,0\n50,0\n100,0\n")
     (scene,) = roadlang_sample('road main from "line.csv"\n')
     assert scene.roads["main"].length == pytest.approx(100.0)

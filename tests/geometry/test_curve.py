@@ -1,5 +1,9 @@
 """Curves by arc length."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import assume, given
@@ -18,7 +22,7 @@ from tests.geometry.geometry_shapes import (
 )
 
 
-def test_two_points_make_a_straight_line():
+def test_two_points_make_a_straight_line() -> None:
     curve = Curve.through([(1.0, 2.0), (4.0, 6.0)])
     assert curve.length == pytest.approx(5.0, rel=1e-15)
     np.testing.assert_allclose(curve.at([0.0, 2.5, 5.0]), [(1, 2), (2.5, 4), (4, 6)], atol=1e-14)
@@ -26,7 +30,7 @@ def test_two_points_make_a_straight_line():
     np.testing.assert_allclose(curve.heading([0.0, 5.0]), np.arctan2(4, 3))
 
 
-def test_a_circle_has_its_circumference_and_curvature():
+def test_a_circle_has_its_circumference_and_curvature() -> None:
     curve = circle(radius=20.0, count=128)
     s = curve.stations(count=777)
     assert curve.length == pytest.approx(40.0 * np.pi, rel=1e-8)
@@ -34,11 +38,11 @@ def test_a_circle_has_its_circumference_and_curvature():
     np.testing.assert_allclose(np.linalg.norm(curve.at(s), axis=1), 20.0, rtol=1e-7)
 
 
-def test_a_circle_run_clockwise_has_negative_curvature():
+def test_a_circle_run_clockwise_has_negative_curvature() -> None:
     assert (circle().reversed().curvature(np.linspace(0, 60, 50)) < -0.09).all()
 
 
-def test_a_closed_curve_goes_round():
+def test_a_closed_curve_goes_round() -> None:
     curve = circle()
     s = np.linspace(-30.0, 130.0, 99)
     np.testing.assert_allclose(curve.at(s + curve.length), curve.at(s), atol=1e-9)
@@ -46,7 +50,7 @@ def test_a_closed_curve_goes_round():
     np.testing.assert_allclose(curve.heading(s + curve.length), curve.heading(s) + 2 * np.pi)
 
 
-def test_an_open_curve_goes_straight_on_beyond_its_ends():
+def test_an_open_curve_goes_straight_on_beyond_its_ends() -> None:
     curve = wave()
     for end, beyond in ((0.0, -7.0), (curve.length, curve.length + 7.0)):
         step = curve.at(beyond) - curve.at(end)
@@ -56,7 +60,7 @@ def test_an_open_curve_goes_straight_on_beyond_its_ends():
 
 
 @given(curves())
-def test_the_parameter_is_the_arc_length(curve):
+def test_the_parameter_is_the_arc_length(curve: Any) -> None:
     s = np.linspace(1.0, curve.length - 1.0, 200)
     fastest = np.linalg.norm(curve.at(s + 1e-4) - curve.at(s - 1e-4), axis=1) / 2e-4
     np.testing.assert_allclose(fastest, 1.0, atol=1e-6)
@@ -66,7 +70,7 @@ def test_the_parameter_is_the_arc_length(curve):
 
 
 @given(walks())
-def test_the_curve_passes_through_its_points_and_ends_exactly_there(points):
+def test_the_curve_passes_through_its_points_and_ends_exactly_there(points: Any) -> None:
     curve = Curve.through(points)
     s, offset = curve.project(points)
     np.testing.assert_allclose(curve.at(s), points, atol=1e-9)
@@ -75,7 +79,7 @@ def test_the_curve_passes_through_its_points_and_ends_exactly_there(points):
 
 
 @given(curves())
-def test_heading_and_curvature_are_the_derivatives_of_position_and_heading(curve):
+def test_heading_and_curvature_are_the_derivatives_of_position_and_heading(curve: Any) -> None:
     s = np.linspace(0.5, curve.length - 0.5, 101)
     h = 1e-4
     chord = (curve.at(s + h) - curve.at(s - h)) / (2 * h)
@@ -87,7 +91,9 @@ def test_heading_and_curvature_are_the_derivatives_of_position_and_heading(curve
 
 
 @given(curves(), angles, shifts)
-def test_turning_and_moving_the_points_turns_and_moves_the_curve(plain, angle, shift):
+def test_turning_and_moving_the_points_turns_and_moves_the_curve(
+    plain: Any, angle: Any, shift: Any
+) -> None:
     moved = Curve.through(plain.points @ rotation(angle).T + shift, plain.closed)
     s = plain.stations(count=50)
     assert moved.length == pytest.approx(plain.length, rel=1e-8)
@@ -96,7 +102,7 @@ def test_turning_and_moving_the_points_turns_and_moves_the_curve(plain, angle, s
 
 
 @given(curves(), st.floats(1e-3, 1e3))
-def test_scaling_scales_lengths_and_divides_curvature(plain, factor):
+def test_scaling_scales_lengths_and_divides_curvature(plain: Any, factor: float) -> None:
     scaled = plain.scaled(factor)
     s = plain.stations(count=50)
     assert scaled.length == pytest.approx(plain.length * factor, rel=1e-9)
@@ -106,7 +112,7 @@ def test_scaling_scales_lengths_and_divides_curvature(plain, factor):
 
 
 @given(curves())
-def test_reversing_twice_changes_nothing(curve):
+def test_reversing_twice_changes_nothing(curve: Any) -> None:
     s = curve.stations(count=40)
     back = curve.reversed()
     np.testing.assert_allclose(back.at(curve.length - s), curve.at(s), atol=1e-8)
@@ -115,7 +121,7 @@ def test_reversing_twice_changes_nothing(curve):
 
 
 @given(curves(), st.floats(0.0, 1.0), st.floats(0.0, 1.0))
-def test_a_part_is_the_same_curve(curve, a, b):
+def test_a_part_is_the_same_curve(curve: Any, a: float, b: float) -> None:
     start, stop = a * curve.length, b * curve.length
     span = (stop - start) % curve.length if curve.closed else stop - start
     assume(0.1 < span < curve.length - 0.1)
@@ -126,7 +132,7 @@ def test_a_part_is_the_same_curve(curve, a, b):
     np.testing.assert_allclose(part.curvature(s[1:-1]), curve.curvature(start + s[1:-1]), atol=1e-6)
 
 
-def test_a_whole_lap_from_any_place_is_an_open_curve():
+def test_a_whole_lap_from_any_place_is_an_open_curve() -> None:
     ring = circle()
     lap = ring.between(0.0, ring.length)
     assert not lap.closed
@@ -134,7 +140,7 @@ def test_a_whole_lap_from_any_place_is_an_open_curve():
     np.testing.assert_allclose(lap.at(lap.length), lap.at(0.0), atol=1e-9)
 
 
-def test_resampling_keeps_the_shape():
+def test_resampling_keeps_the_shape() -> None:
     curve = wave()
     again = curve.resampled(spacing=2.0)
     s = curve.stations(count=99)
@@ -142,20 +148,20 @@ def test_resampling_keeps_the_shape():
     np.testing.assert_allclose(again.at(s), curve.at(s), atol=1e-3)
 
 
-def test_stations_of_an_open_curve_include_both_ends_those_of_a_ring_only_the_start():
+def test_stations_of_an_open_curve_include_both_ends_those_of_a_ring_only_the_start() -> None:
     np.testing.assert_array_equal(line(10.0).stations(spacing=3.0), [0.0, 2.5, 5.0, 7.5, 10.0])
     ring = circle()
     s = ring.stations(count=4)
     np.testing.assert_allclose(s, ring.length * np.array([0.0, 0.25, 0.5, 0.75]))
 
 
-def test_uneven_points_of_a_circle_are_as_good_as_even_ones():
+def test_uneven_points_of_a_circle_are_as_good_as_even_ones() -> None:
     angle = np.cumsum(np.tile([0.05, 0.15], 32)) * np.pi / 3.2
     curve = Curve.through(10 * np.stack([np.cos(angle), np.sin(angle)], axis=1), closed=True)
     np.testing.assert_allclose(curve.curvature(curve.stations(count=500)), 0.1, rtol=3e-3)
 
 
-def test_repeated_points_count_once():
+def test_repeated_points_count_once() -> None:
     once = Curve.through([(0, 0), (5, 1), (9, 4)])
     repeated = Curve.through([(0, 0), (0, 0), (5, 1), (5, 1), (5, 1), (9, 4), (9, 4)])
     np.testing.assert_array_equal(repeated.points, once.points)
@@ -164,7 +170,7 @@ def test_repeated_points_count_once():
 
 
 @pytest.mark.parametrize("size", [1e-9, 1e-6, 1e6])
-def test_tiny_and_huge_curves_are_like_any_other(size):
+def test_tiny_and_huge_curves_are_like_any_other(size: float) -> None:
     curve = circle(radius=size)
     assert curve.length == pytest.approx(2 * np.pi * size, rel=1e-6)
     np.testing.assert_allclose(
@@ -172,7 +178,7 @@ def test_tiny_and_huge_curves_are_like_any_other(size):
     )
 
 
-def test_rough_points_still_make_a_finite_curve():
+def test_rough_points_still_make_a_finite_curve() -> None:
     rng = np.random.default_rng(5)
     for closed in (False, True):
         points = rng.uniform(-10, 10, (40, 2))
@@ -182,7 +188,7 @@ def test_rough_points_still_make_a_finite_curve():
         np.testing.assert_allclose(curve.at(curve.project(points)[0]), points, atol=1e-8)
 
 
-def test_there_and_back_on_a_line_stays_finite():
+def test_there_and_back_on_a_line_stays_finite() -> None:
     curve = Curve.through([(0, 0), (10, 0), (20, 0)], closed=True)
     s = curve.stations(count=101)
     assert np.isfinite(curve.at(s)).all()
@@ -203,12 +209,14 @@ def test_there_and_back_on_a_line_stays_finite():
         ("road", False, "numbers"),
     ],
 )
-def test_what_is_no_curve_is_refused_in_plain_words(points, closed, message):
+def test_what_is_no_curve_is_refused_in_plain_words(
+    points: Any, closed: bool, message: str
+) -> None:
     with pytest.raises(GeometryError, match=message):
         Curve.through(points, closed)
 
 
-def test_refusals_of_the_other_methods():
+def test_refusals_of_the_other_methods() -> None:
     curve = line()
     for call in (
         lambda: curve.at(float("nan")),

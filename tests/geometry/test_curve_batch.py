@@ -1,5 +1,9 @@
 """Many variants of a curve at once."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -18,14 +22,14 @@ from roadlang.geometry import (
 from tests.geometry.geometry_shapes import circle, curves, line, walks, wave
 
 
-def sine(stations, amplitude, wavelength):
+def sine(stations: Any, amplitude: Any, wavelength: Any) -> Any:
     """A displacement and its two derivatives."""
     rate = 2 * np.pi / wavelength
     value = amplitude * np.sin(rate * stations)
     return value, amplitude * rate * np.cos(rate * stations), -(rate**2) * value
 
 
-def test_a_circle_displaced_evenly_is_the_parallel_circle():
+def test_a_circle_displaced_evenly_is_the_parallel_circle() -> None:
     ring = circle(radius=10.0, count=400)
     s = ring.stations(count=200)
     batch = displace(ring, s, np.array([[3.0], [-4.0]]) * np.ones((2, 200)))
@@ -35,7 +39,7 @@ def test_a_circle_displaced_evenly_is_the_parallel_circle():
     np.testing.assert_allclose(batch.length, 2 * np.pi * np.array([7.0, 14.0]), rtol=1e-3)
 
 
-def test_a_sine_on_a_straight_has_the_curvature_of_the_sine():
+def test_a_sine_on_a_straight_has_the_curvature_of_the_sine() -> None:
     road = line(200.0)
     s = road.stations(count=500)
     value, slope, bend = sine(s, 4.0, 60.0)
@@ -47,7 +51,9 @@ def test_a_sine_on_a_straight_has_the_curvature_of_the_sine():
 
 
 @given(walks(smallest=3), st.floats(-2.0, 2.0), st.floats(30.0, 90.0))
-def test_frenet_agrees_with_the_spline_through_the_displaced_points(points, amplitude, wavelength):
+def test_frenet_agrees_with_the_spline_through_the_displaced_points(
+    points: Any, amplitude: float, wavelength: float
+) -> None:
     road = Curve.through(points).resampled(spacing=1.0)
     s = road.stations(spacing=0.25)
     value, slope, bend = sine(s, amplitude, wavelength)
@@ -64,10 +70,10 @@ def test_frenet_agrees_with_the_spline_through_the_displaced_points(points, ampl
 
 
 @pytest.mark.parametrize("closed", [False, True])
-def test_differences_converge_with_the_square_of_the_gap(closed):
+def test_differences_converge_with_the_square_of_the_gap(closed: bool) -> None:
     road = circle(radius=30.0, count=600) if closed else wave()
 
-    def error(count):
+    def error(count: Any) -> Any:
         s = road.stations(count=count)
         wavelength = road.length / 4
         exact = displace(road, s, *sine(s, 2.0, wavelength))
@@ -78,7 +84,7 @@ def test_differences_converge_with_the_square_of_the_gap(closed):
     assert error(200) < 1e-3
 
 
-def test_curvature_from_points_alone_agrees_with_frenet():
+def test_curvature_from_points_alone_agrees_with_frenet() -> None:
     road = wave()
     s = road.stations(count=400)
     exact = displace(road, s, *sine(s, 3.0, 70.0))
@@ -87,7 +93,7 @@ def test_curvature_from_points_alone_agrees_with_frenet():
     np.testing.assert_allclose(points.heading, exact.heading, atol=2e-3)
 
 
-def test_uneven_stations_are_allowed():
+def test_uneven_stations_are_allowed() -> None:
     road = line(100.0)
     s = np.cumsum(np.tile([0.1, 0.3], 200))
     value, _, _ = sine(s, 2.0, 50.0)
@@ -95,7 +101,7 @@ def test_uneven_stations_are_allowed():
     np.testing.assert_allclose(displace(road, s, value).curvature, exact.curvature, atol=5e-3)
 
 
-def test_a_displacement_past_the_center_of_a_bend_is_folded():
+def test_a_displacement_past_the_center_of_a_bend_is_folded() -> None:
     ring = circle(radius=10.0)
     s = ring.stations(count=100)
     moves = np.array([[9.0], [11.0], [-50.0]]) * np.ones((3, 100))
@@ -103,7 +109,7 @@ def test_a_displacement_past_the_center_of_a_bend_is_folded():
 
 
 @given(curves())
-def test_no_displacement_is_the_curve_itself(curve):
+def test_no_displacement_is_the_curve_itself(curve: Any) -> None:
     s = curve.stations(count=60)
     batch = sample(curve, s)
     np.testing.assert_array_equal(batch.points[0], curve.at(s))
@@ -112,14 +118,14 @@ def test_no_displacement_is_the_curve_itself(curve):
     assert not batch.folded.any()
 
 
-def test_displacements_add_up_when_a_batch_is_displaced_again():
+def test_displacements_add_up_when_a_batch_is_displaced_again() -> None:
     road = line(50.0)
     s = road.stations(count=51)
     twice = displace(displace(road, s, np.full((2, 51), 1.0)), s, np.full((2, 51), 2.0))
     np.testing.assert_allclose(twice.points[..., 1], 3.0)
 
 
-def test_taking_variants_keeps_what_is_exact():
+def test_taking_variants_keeps_what_is_exact() -> None:
     road = wave()
     s = road.stations(count=50)
     value, slope, bend = (np.stack([a, 2 * a, 3 * a]) for a in sine(s, 1.0, 50.0))
@@ -129,7 +135,7 @@ def test_taking_variants_keeps_what_is_exact():
     np.testing.assert_array_equal(chosen.curvature, batch.curvature[[0, 2]])
 
 
-def test_rows_do_not_depend_on_their_neighbors():
+def test_rows_do_not_depend_on_their_neighbors() -> None:
     road = wave()
     s = road.stations(count=333)
     moves = np.random.default_rng(0).normal(size=(100, 333))
@@ -139,14 +145,14 @@ def test_rows_do_not_depend_on_their_neighbors():
         np.testing.assert_array_equal(getattr(together, name)[77:78], getattr(alone, name))
 
 
-def test_heading_error_is_wrapped():
+def test_heading_error_is_wrapped() -> None:
     s = line().stations(count=5)
     there = sample(line(), s)
     back = CurveBatch(s, -there.points)
     np.testing.assert_allclose(np.abs(heading_error(there, back)), np.pi)
 
 
-def test_shapes_that_do_not_fit_are_refused():
+def test_shapes_that_do_not_fit_are_refused() -> None:
     road = line()
     s = road.stations(count=10)
     for call in (

@@ -1,5 +1,9 @@
 """Distances between curves, of a curve to itself, and to other roads."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -30,7 +34,7 @@ METRICS = {
 }
 
 
-def three(seed):
+def three(seed: Any) -> Any:
     rng = np.random.default_rng(seed)
     s = np.linspace(0.0, 30.0, 16)
     return (CurveBatch(s, np.cumsum(rng.normal(size=(4, 16, 2)), axis=1)) for _ in range(3))
@@ -38,7 +42,7 @@ def three(seed):
 
 @pytest.mark.parametrize("metric", METRICS.values(), ids=METRICS)
 @given(seed=st.integers(0, 10_000))
-def test_they_are_metrics(metric, seed):
+def test_they_are_metrics(metric: Any, seed: int) -> None:
     a, b, c = three(seed)
     assert (metric(a, a) == 0.0).all()
     assert (metric(a, b) > 0.0).all()
@@ -46,7 +50,7 @@ def test_they_are_metrics(metric, seed):
     assert (metric(a, c) <= metric(a, b) + metric(b, c) + 1e-9).all()
 
 
-def test_parallel_lines():
+def test_parallel_lines() -> None:
     road = line(100.0)
     s = road.stations(count=51)
     beside = displace(road, s, np.array([[3.0], [-4.0]]) * np.ones((2, 51)))
@@ -58,14 +62,14 @@ def test_parallel_lines():
     np.testing.assert_allclose(frechet(beside, root), [3.0, 4.0])
 
 
-def test_on_a_ring_the_integral_goes_all_the_way_round():
+def test_on_a_ring_the_integral_goes_all_the_way_round() -> None:
     ring = circle(radius=10.0)
     s = ring.stations(count=37)
     out = displace(ring, s, np.full((1, 37), -2.0))
     np.testing.assert_allclose(lp_distance(out, sample(ring, s), 1), 2.0 * ring.length)
 
 
-def test_lp_approaches_sup_as_p_grows_and_does_not_overflow():
+def test_lp_approaches_sup_as_p_grows_and_does_not_overflow() -> None:
     road = wave()
     s = road.stations(count=200)
     a = displace(road, s, 1e3 * np.sin(s / 30))
@@ -73,7 +77,7 @@ def test_lp_approaches_sup_as_p_grows_and_does_not_overflow():
     assert lp_distance(a, root, 500.0) == pytest.approx(sup_distance(a, root), rel=0.02)
 
 
-def test_the_trapezoid_is_exact_for_a_displacement_that_grows_evenly():
+def test_the_trapezoid_is_exact_for_a_displacement_that_grows_evenly() -> None:
     road = line(90.0)
     s = np.concatenate([[0.0, 1.0], np.linspace(7.0, 90.0, 9)])
     a = displace(road, s, s / 10)
@@ -81,7 +85,7 @@ def test_the_trapezoid_is_exact_for_a_displacement_that_grows_evenly():
 
 
 @given(curves(), st.integers(0, 99))
-def test_displacements_of_one_root_are_compared_number_by_number(curve, seed):
+def test_displacements_of_one_root_are_compared_number_by_number(curve: Any, seed: int) -> None:
     s = curve.stations(count=30)
     moves = np.random.default_rng(seed).normal(size=(2, 3, 30))
     a, b = (displace(curve, s, move) for move in moves)
@@ -92,7 +96,7 @@ def test_displacements_of_one_root_are_compared_number_by_number(curve, seed):
     np.testing.assert_allclose(deviation(points[0], root), np.abs(moves[0]), atol=1e-9)
 
 
-def exhaustive_frechet(p, q):
+def exhaustive_frechet(p: Any, q: Any) -> Any:
     """Eiter and Mannila's recursion, as printed."""
     gap = np.linalg.norm(p[:, None] - q[None], axis=-1)
     table = np.full(gap.shape, np.inf)
@@ -108,7 +112,7 @@ def exhaustive_frechet(p, q):
 
 
 @given(st.integers(0, 10_000), st.integers(3, 12), st.integers(3, 12))
-def test_frechet_is_the_recursion_of_eiter_and_mannila(seed, rows, columns):
+def test_frechet_is_the_recursion_of_eiter_and_mannila(seed: int, rows: int, columns: int) -> None:
     rng = np.random.default_rng(seed)
     p, q = rng.normal(size=(3, rows, 2)), rng.normal(size=(3, columns, 2))
     a, b = CurveBatch(np.arange(rows), p), CurveBatch(np.arange(columns), q)
@@ -116,7 +120,7 @@ def test_frechet_is_the_recursion_of_eiter_and_mannila(seed, rows, columns):
     np.testing.assert_allclose(frechet(a, b), expected)
 
 
-def test_margin_is_negative_outside_the_box():
+def test_margin_is_negative_outside_the_box() -> None:
     road = line(100.0)
     batch = sample(road, [0.0, 10.0, 50.0, 95.0, 100.0])
     expected = [[-5.0, 5.0, 20.0, 0.0, -5.0]]
@@ -124,7 +128,7 @@ def test_margin_is_negative_outside_the_box():
 
 
 @given(curves())
-def test_a_gentle_curve_is_nowhere_near_itself(curve):
+def test_a_gentle_curve_is_nowhere_near_itself(curve: Any) -> None:
     if curve.closed:
         s = curve.stations(count=100)
         assert (clearance(sample(curve, s)) > 15.0).all()
@@ -133,12 +137,12 @@ def test_a_gentle_curve_is_nowhere_near_itself(curve):
         assert np.isinf(clearance(sample(bent, bent.stations(count=50)))).all()
 
 
-def test_a_ring_is_nowhere_near_itself():
+def test_a_ring_is_nowhere_near_itself() -> None:
     ring = circle()
     assert np.isinf(clearance(sample(ring, ring.stations(count=80)))).all()
 
 
-def test_the_legs_of_a_hairpin_are_its_width_apart():
+def test_the_legs_of_a_hairpin_are_its_width_apart() -> None:
     road = hairpin(radius=5.0, leg=40.0)
     s = road.stations(count=301)
     gaps = clearance(sample(road, s))[0]
@@ -146,13 +150,13 @@ def test_the_legs_of_a_hairpin_are_its_width_apart():
     assert np.isinf(gaps[150])
 
 
-def test_at_a_crossing_the_clearance_is_zero():
+def test_at_a_crossing_the_clearance_is_zero() -> None:
     loop = CurveBatch(np.arange(5.0), [[(0, 0), (40, 0), (40, 30), (13, 30), (13, -20)]])
     assert self_intersects(loop)[0]
     np.testing.assert_array_equal(clearance(loop)[0][[0, 1, 3, 4]], 0.0)
 
 
-def test_clearance_to_another_road():
+def test_clearance_to_another_road() -> None:
     road, beside = line(100.0), line(100.0)
     s = road.stations(count=41)
     other = displace(beside, s, np.array([[7.0], [30.0]]) * np.ones((2, 41)))
@@ -160,7 +164,7 @@ def test_clearance_to_another_road():
     np.testing.assert_allclose(clearance(here, [other]), [[7.0] * 41, [30.0] * 41])
 
 
-def test_roads_that_meet_at_a_junction_are_not_near_each_other_there():
+def test_roads_that_meet_at_a_junction_are_not_near_each_other_there() -> None:
     s = np.linspace(0.0, 50.0, 26)
     east = CurveBatch(s, np.stack([s, 0 * s], axis=-1)[None])
     north = CurveBatch(s, np.stack([0 * s, s], axis=-1)[None])
@@ -170,7 +174,7 @@ def test_roads_that_meet_at_a_junction_are_not_near_each_other_there():
 
 
 @given(st.integers(0, 10_000), st.booleans(), st.integers(10, 60))
-def test_crossings_are_those_of_an_exhaustive_search(seed, closed, count):
+def test_crossings_are_those_of_an_exhaustive_search(seed: int, closed: bool, count: int) -> None:
     rng = np.random.default_rng(seed)
     points = np.cumsum(rng.normal((0.6, 0.0), size=(3, count, 2)), axis=1)
     batch = CurveBatch(np.arange(count), points, closed)
@@ -178,8 +182,8 @@ def test_crossings_are_those_of_an_exhaustive_search(seed, closed, count):
     np.testing.assert_array_equal(self_intersects(batch), expected)
 
 
-def exhaustive_crossing(points, closed):
-    def side(a, b, c):
+def exhaustive_crossing(points: Any, closed: Any) -> bool:
+    def side(a: Any, b: Any, c: Any) -> Any:
         return np.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
     ring = np.concatenate([points, points[:1]]) if closed else points
@@ -194,19 +198,19 @@ def exhaustive_crossing(points, closed):
     return False
 
 
-def test_crossings_of_two_curves_name_their_steps():
+def test_crossings_of_two_curves_name_their_steps() -> None:
     s = np.arange(11.0)
     east = CurveBatch(s, np.stack([s, 0 * s], axis=-1)[None])
     north = CurveBatch(s, np.stack([0 * s + 3.5, s - 6.2], axis=-1)[None])
     assert [index.tolist() for index in crossings(east, north)] == [[0], [3], [6]]
 
 
-def test_a_straight_road_does_not_cross_itself():
+def test_a_straight_road_does_not_cross_itself() -> None:
     for curve in (line(100.0), wave(), circle()):
         assert not self_intersects(sample(curve, curve.stations(count=200))).any()
 
 
-def test_what_cannot_be_compared_is_refused():
+def test_what_cannot_be_compared_is_refused() -> None:
     s = np.linspace(0.0, 10.0, 11)
     a = displace(line(), s, np.zeros((2, 11)))
     b = displace(line(), s, np.zeros((3, 11)))

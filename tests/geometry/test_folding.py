@@ -1,5 +1,9 @@
 """A displaced road never runs backwards: what `folded` refuses, and what holds of all the rest."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -13,14 +17,14 @@ rates = st.sampled_from([0.0, 0.02, 0.1, 0.5, 1.5]) | st.floats(0.0, 1.5)
 heights = st.sampled_from([0.0, -30.0, 30.0]) | st.floats(-30.0, 30.0)
 
 
-def steps_of(batch, row=0):
+def steps_of(batch: Any, row: int = 0) -> Any:
     points = batch.points[row]
     if batch.closed:
         points = np.concatenate([points, points[:2]])
     return np.diff(points, axis=0)
 
 
-def turns_of(batch, row=0):
+def turns_of(batch: Any, row: int = 0) -> Any:
     """Radians from each step to the next."""
     steps = steps_of(batch, row)
     before, after = steps[:-1], steps[1:]
@@ -28,7 +32,7 @@ def turns_of(batch, row=0):
     return np.arctan2(across, (before * after).sum(axis=1))
 
 
-def test_a_bend_pushed_to_its_center_is_folded_before_it_has_no_length_left():
+def test_a_bend_pushed_to_its_center_is_folded_before_it_has_no_length_left() -> None:
     ring = circle(radius=10.0, count=200)
     s = ring.stations(count=100)
     moves = np.array([[9.0], [9.4], [9.6], [10.0], [11.0], [-50.0]]) * np.ones((6, 100))
@@ -37,7 +41,7 @@ def test_a_bend_pushed_to_its_center_is_folded_before_it_has_no_length_left():
     )
 
 
-def test_a_bump_into_the_center_of_a_tight_bend_is_folded():
+def test_a_bump_into_the_center_of_a_tight_bend_is_folded() -> None:
     road = chain([Straight(30.0), Arc(5.0, np.radians(170)), Straight(30.0)], spacing=0.5).curve()
     s = road.stations(count=int(road.length) + 2)
     x = np.clip((s - 37.0) / 30.0, -1.0, 1.0)
@@ -45,7 +49,7 @@ def test_a_bump_into_the_center_of_a_tight_bend_is_folded():
     np.testing.assert_array_equal(displace(road, s, moves).folded, [True, False])
 
 
-def test_a_bend_between_two_stations_counts():
+def test_a_bend_between_two_stations_counts() -> None:
     """At the stations the road is straight; it turns by 80 degrees between two of them."""
     road = chain([Straight(9.75), Arc(0.3, np.radians(80)), Straight(10.0)], spacing=0.01).curve()
     s = np.array([0.0, 3.0, 6.0, 9.0, 12.0, 15.0, 18.0])
@@ -56,7 +60,7 @@ def test_a_bend_between_two_stations_counts():
     )
 
 
-def test_a_zigzag_turns_by_more_than_a_quarter():
+def test_a_zigzag_turns_by_more_than_a_quarter() -> None:
     road = line(20.0)
     s = road.stations(count=21)
     zigzag = np.where(np.arange(21) % 2, 1.0, -1.0)
@@ -65,7 +69,7 @@ def test_a_zigzag_turns_by_more_than_a_quarter():
     np.testing.assert_array_equal(CurveBatch(s, batch.points).folded, [False, True])
 
 
-def test_stations_of_a_line_of_points_must_keep_apart():
+def test_stations_of_a_line_of_points_must_keep_apart() -> None:
     s = np.arange(5.0)
     points = np.stack([np.cumsum([0.0, 1.0, 0.04, 1.0, 1.0]), np.zeros(5)], axis=1)
     assert CurveBatch(s, points[None]).folded.all()
@@ -74,7 +78,7 @@ def test_stations_of_a_line_of_points_must_keep_apart():
 
 
 @pytest.mark.parametrize("closed", [False, True])
-def test_the_seam_of_a_closed_road_counts(closed):
+def test_the_seam_of_a_closed_road_counts(closed: bool) -> None:
     ring = circle(radius=30.0, count=200)
     s = ring.stations(count=100)
     moves = np.zeros((1, 100))
@@ -86,7 +90,9 @@ def test_the_seam_of_a_closed_road_counts(closed):
 
 
 @given(curves(), heights, rates, st.floats(-4.0, 4.0))
-def test_what_is_not_folded_goes_on_and_turns_less_than_a_quarter(curve, height, rate, phase):
+def test_what_is_not_folded_goes_on_and_turns_less_than_a_quarter(
+    curve: Any, height: Any, rate: Any, phase: float
+) -> None:
     s = curve.stations(spacing=1.0)
     moves = height * np.sin(rate * s + phase)
     batch = displace(curve, s, moves)
@@ -100,7 +106,9 @@ def test_what_is_not_folded_goes_on_and_turns_less_than_a_quarter(curve, height,
 
 
 @given(curves(), heights, rates)
-def test_the_quick_test_lets_nothing_pass_that_is_folded(curve, height, rate):
+def test_the_quick_test_lets_nothing_pass_that_is_folded(
+    curve: Any, height: Any, rate: Any
+) -> None:
     s = curve.stations(spacing=1.0)
     frame = Frame.of(curve, s)
     moves = height * np.linspace(0.0, 1.0, 16)[:, None] * np.cos(rate * s)
@@ -110,7 +118,7 @@ def test_the_quick_test_lets_nothing_pass_that_is_folded(curve, height, rate):
 
 
 @given(curves(), st.floats(-8.0, 8.0), rates)
-def test_rows_do_not_depend_on_each_other(curve, height, rate):
+def test_rows_do_not_depend_on_each_other(curve: Any, height: float, rate: Any) -> None:
     s = curve.stations(spacing=1.0)
     moves = height * np.linspace(0.0, 2.0, 9)[:, None] * np.cos(rate * s)
     batch = displace(curve, s, moves)

@@ -1,5 +1,9 @@
 """Networks, ways through them, and keeping them joined."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -21,7 +25,7 @@ from roadlang.geometry import (
 from tests.geometry.geometry_shapes import circle
 
 
-def network(places, roads):
+def network(places: Any, roads: Any) -> Any:
     """Straight roads 8 m wide between `places` {id: (x, y)}."""
     nodes = tuple(Node(id, position) for id, position in places.items())
     edges = tuple(
@@ -31,25 +35,25 @@ def network(places, roads):
     return RoadNetwork(nodes, edges)
 
 
-def tee():
+def tee() -> Any:
     """A road from west to east, one from its middle to the north."""
     places = {1: (0.0, 0.0), 2: (60.0, 0.0), 3: (150.0, 0.0), 4: (60.0, 80.0)}
     return network(places, [(1, 2), (2, 3), (2, 4)])
 
 
-def block():
+def block() -> Any:
     """A square of streets with a street across, 100 m a side."""
     places = {1: (0.0, 0.0), 2: (100.0, 0.0), 3: (100.0, 100.0), 4: (0.0, 100.0)}
     return network(places, [(1, 2), (2, 3), (3, 4), (4, 1)])
 
 
-def ring():
+def ring() -> Any:
     curve = circle(radius=30.0)
     x, y = curve.points[0]
     return RoadNetwork((Node(1, (x, y)),), (Edge(1, 1, 1, curve, np.array([6.0, 8.0])),))
 
 
-def test_degrees_components_length_and_bounds():
+def test_degrees_components_length_and_bounds() -> None:
     town = tee()
     assert [town.degree(node.id) for node in town.nodes] == [1, 3, 1, 1]
     assert town.length == pytest.approx(230.0)
@@ -59,58 +63,58 @@ def test_degrees_components_length_and_bounds():
     assert apart.components == (frozenset({1, 2}), frozenset({3, 4}), frozenset({5}))
 
 
-def test_a_loop_counts_twice_at_its_node():
+def test_a_loop_counts_twice_at_its_node() -> None:
     assert ring().degree(1) == 2
 
 
-def test_the_bounds_of_a_bent_road_include_its_bulge():
+def test_the_bounds_of_a_bent_road_include_its_bulge() -> None:
     bend = chain([Arc(50.0, np.pi)]).curve()
     ends = Node(1, (0.0, 0.0)), Node(2, tuple(bend.points[-1]))
     assert RoadNetwork(ends, (Edge(1, 1, 2, bend, np.array([8.0])),)).bounds[2] > 49.9
 
 
 @given(st.floats(0.01, 100.0))
-def test_scaling_scales_places_lengths_and_widths(factor):
+def test_scaling_scales_places_lengths_and_widths(factor: float) -> None:
     town = tee().scaled(factor)
     assert town.length == pytest.approx(230.0 * factor)
     assert town.node(3).position == pytest.approx((150.0 * factor, 0.0))
     assert float(town.edge(1).width.at(0.0)) == pytest.approx(8.0 * factor)
 
 
-def test_pixels_with_y_down_become_meters_with_y_up():
+def test_pixels_with_y_down_become_meters_with_y_up() -> None:
     town = tee().transformed([[0.5, 0.0], [0.0, -0.5]], (0.0, 40.0), width_factor=0.5)
     assert town.node(4).position == pytest.approx((30.0, 0.0))
     assert town.node(1).position == pytest.approx((0.0, 40.0))
 
 
-def test_the_longest_road_passes_straight_through_a_junction():
+def test_the_longest_road_passes_straight_through_a_junction() -> None:
     path = tee().longest()
     assert set(path.edges) == {2, 3}
     assert path.length == pytest.approx(170.0)
 
 
-def test_the_longest_road_is_not_the_longest_edge_only():
+def test_the_longest_road_is_not_the_longest_edge_only() -> None:
     places = {i: (50.0 * i, 0.0) for i in range(6)}
     assert network(places, [(i, i + 1) for i in range(5)]).longest().length == pytest.approx(250.0)
 
 
-def test_the_longest_road_of_a_block_uses_three_sides():
+def test_the_longest_road_of_a_block_uses_three_sides() -> None:
     assert block().longest().length == pytest.approx(300.0)
 
 
-def test_a_road_does_not_turn_back_sharply_at_a_junction():
+def test_a_road_does_not_turn_back_sharply_at_a_junction() -> None:
     places = {1: (0.0, 0.0), 2: (100.0, 0.0), 3: (0.0, 20.0)}
     assert network(places, [(1, 2), (2, 3)]).longest().edges == (2,)
 
 
-def test_a_ring_is_a_closed_road():
+def test_a_ring_is_a_closed_road() -> None:
     path = ring().longest()
     assert path.curve.closed
     assert path.road().closed
     assert path.curve.length == pytest.approx(60.0 * np.pi, rel=1e-6)
 
 
-def test_the_longest_road_of_a_big_grid_is_found_in_time_and_is_simple():
+def test_the_longest_road_of_a_big_grid_is_found_in_time_and_is_simple() -> None:
     size = 12
     places = {i: (40.0 * (i % size), 40.0 * (i // size)) for i in range(size * size)}
     roads = [(i, i + 1) for i in places if i % size < size - 1]
@@ -120,19 +124,19 @@ def test_the_longest_road_of_a_big_grid_is_found_in_time_and_is_simple():
     assert path.length > 40.0 * 2 * size
 
 
-def test_a_route_takes_the_shorter_way():
+def test_a_route_takes_the_shorter_way() -> None:
     path = block().route((0.0, 70.0), (60.0, 0.0))
     assert path.edges == (4, 1)
     assert path.length == pytest.approx(130.0)
 
 
-def test_a_route_within_one_road_may_run_against_it():
+def test_a_route_within_one_road_may_run_against_it() -> None:
     path = tee().route((140.0, 5.0), (80.0, -3.0))
     assert path.edges == (2,)
     np.testing.assert_allclose(path.curve.at([0.0, path.curve.length]), [(140, 0), (80, 0)])
 
 
-def test_a_route_on_a_ring_goes_the_short_way_round():
+def test_a_route_on_a_ring_goes_the_short_way_round() -> None:
     path = ring().route((0.0, -30.0), (0.0, 30.0))
     assert path.length == pytest.approx(30.0 * np.pi, rel=1e-4)
     short = ring().route((25.0, -10.0), (25.0, 10.0))
@@ -140,7 +144,7 @@ def test_a_route_on_a_ring_goes_the_short_way_round():
     assert len(short.steps) == 2
 
 
-def test_a_route_s_corners_are_rounded_and_the_rest_is_the_roads():
+def test_a_route_s_corners_are_rounded_and_the_rest_is_the_roads() -> None:
     path = tee().route((10.0, 0.0), (60.0, 70.0))
     curve = path.curve
     s = curve.stations(count=2000)
@@ -153,13 +157,13 @@ def test_a_route_s_corners_are_rounded_and_the_rest_is_the_roads():
     assert path.width.at(curve.length / 2) == 8.0
 
 
-def test_without_a_corner_a_path_is_exactly_its_roads():
+def test_without_a_corner_a_path_is_exactly_its_roads() -> None:
     path = network({1: (0, 0), 2: (50, 0), 3: (90, 0)}, [(1, 2), (3, 2)]).longest()
     assert path.curve.length == pytest.approx(90.0, rel=1e-12)
     assert np.abs(path.curve.curvature(path.curve.stations(count=99))).max() < 1e-12
 
 
-def test_widths_follow_the_roads_of_a_path():
+def test_widths_follow_the_roads_of_a_path() -> None:
     plain = network({1: (0, 0), 2: (50, 0), 3: (90, 0)}, [(1, 2), (3, 2)])
     wide = Edge(2, 3, 2, plain.edge(2).curve, np.array([4.0, 6.0]))
     path = RoadNetwork(plain.nodes, (plain.edge(1), wide)).route((0, 0), (90, 0))
@@ -185,19 +189,19 @@ def test_widths_follow_the_roads_of_a_path():
         lambda: RoadNetwork(tee().nodes * 2, tee().edges),
     ],
 )
-def test_what_a_network_cannot_do_is_said(ask):
+def test_what_a_network_cannot_do_is_said(ask: Any) -> None:
     with pytest.raises(GeometryError):
         ask()
 
 
-def displaced(town, rows=5, seed=0):
+def displaced(town: Any, rows: int = 5, seed: int = 0) -> Any:
     rng = np.random.default_rng(seed)
     stations = {edge.id: edge.curve.stations(spacing=1.0) for edge in town.edges}
     moves = {id: rng.normal(size=(rows, 1)) * np.sin(s / 9 + 1) for id, s in stations.items()}
     return stations, moves
 
 
-def assert_joined(town, batch):
+def assert_joined(town: Any, batch: Any) -> None:
     for edge in town.edges:
         points = batch.edges[edge.id].points
         np.testing.assert_array_equal(points[:, 0], batch.nodes[edge.start])
@@ -206,7 +210,7 @@ def assert_joined(town, batch):
 
 
 @given(st.integers(0, 1000), st.floats(1.0, 60.0))
-def test_perturbed_roads_stay_joined_bit_for_bit(seed, reach):
+def test_perturbed_roads_stay_joined_bit_for_bit(seed: int, reach: float) -> None:
     for town in (tee(), block(), ring()):
         batch = perturb_network(town, *displaced(town, seed=seed), reach=reach)
         assert_joined(town, batch)
@@ -215,7 +219,7 @@ def test_perturbed_roads_stay_joined_bit_for_bit(seed, reach):
 
 
 @given(st.tuples(st.floats(-5, 5), st.floats(-5, 5)))
-def test_a_moved_junction_takes_its_roads_along(shift):
+def test_a_moved_junction_takes_its_roads_along(shift: Any) -> None:
     town = tee()
     stations, moves = displaced(town)
     batch = perturb_network(town, stations, moves, shifts={2: shift})
@@ -225,7 +229,7 @@ def test_a_moved_junction_takes_its_roads_along(shift):
     np.testing.assert_array_equal(batch.edges[2].points[:, 20:], still.edges[2].points[:, 20:])
 
 
-def test_headings_at_junctions_stay_and_dead_ends_swing():
+def test_headings_at_junctions_stay_and_dead_ends_swing() -> None:
     town = tee()
     stations, moves = displaced(town)
     batch = perturb_network(town, stations, moves)
@@ -234,14 +238,14 @@ def test_headings_at_junctions_stay_and_dead_ends_swing():
     assert np.abs(batch.nodes[1] - (0.0, 0.0)).max() > 0.1
 
 
-def test_a_ring_by_itself_needs_no_taper():
+def test_a_ring_by_itself_needs_no_taper() -> None:
     town = ring()
     edge = town.edge(1)
     assert anchored_nodes(town) == frozenset()
     assert (junction_window(town, edge, edge.curve.stations(spacing=1.0)).value == 1.0).all()
 
 
-def test_a_variant_is_a_network_again():
+def test_a_variant_is_a_network_again() -> None:
     town = block()
     batch = perturb_network(town, *displaced(town))
     bent = batch.variant(3)
@@ -249,14 +253,14 @@ def test_a_variant_is_a_network_again():
     assert bent.longest().length > 290.0
 
 
-def test_roads_without_a_displacement_stay():
+def test_roads_without_a_displacement_stay() -> None:
     town = tee()
     stations, moves = displaced(town)
     batch = perturb_network(town, stations, {2: moves[2]})
     np.testing.assert_array_equal(batch.edges[1].points[4], town.edge(1).curve.at(stations[1]))
 
 
-def test_a_straight_piece_and_an_arc_make_a_smooth_join():
+def test_a_straight_piece_and_an_arc_make_a_smooth_join() -> None:
     first = chain([Straight(30.0)]).curve()
     second = chain([Arc(20.0, 1.0)], start=(30.0, 0.0)).curve()
     ends = [(0.0, 0.0), (30.0, 0.0), tuple(second.points[-1])]

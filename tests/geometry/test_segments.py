@@ -1,5 +1,9 @@
 """Roads drawn from straights, arcs and clothoids."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -14,20 +18,20 @@ pieces = st.one_of(
 )
 
 
-def test_a_straight_an_arc_and_a_straight_end_where_they_should():
+def test_a_straight_an_arc_and_a_straight_end_where_they_should() -> None:
     road = chain([Straight(10.0), Arc(5.0, np.pi / 2), Straight(10.0)])
     np.testing.assert_allclose(road.points[-1], (15.0, 15.0), atol=1e-13)
     assert road.heading[-1] == pytest.approx(np.pi / 2)
     assert road.stations[-1] == pytest.approx(20.0 + 2.5 * np.pi)
 
 
-def test_a_negative_angle_bends_right():
+def test_a_negative_angle_bends_right() -> None:
     road = chain([Arc(5.0, -np.pi)], start=(1.0, 2.0), heading=np.pi / 2)
     np.testing.assert_allclose(road.points[-1], (11.0, 2.0), atol=1e-13)
     np.testing.assert_allclose(road.curvature, -0.2)
 
 
-def test_a_clothoid_is_the_fresnel_integral():
+def test_a_clothoid_is_the_fresnel_integral() -> None:
     from scipy.special import fresnel
 
     length, curvature = 60.0, 0.08
@@ -39,7 +43,7 @@ def test_a_clothoid_is_the_fresnel_integral():
 
 
 @given(st.lists(pieces, min_size=1, max_size=5), st.floats(-3.0, 3.0))
-def test_length_and_heading_add_up_whatever_the_spacing(segments, heading):
+def test_length_and_heading_add_up_whatever_the_spacing(segments: Any, heading: float) -> None:
     coarse = chain(segments, heading=heading, spacing=20.0)
     fine = chain(segments, heading=heading, spacing=0.5)
     turned = sum(piece.length * sum(piece.curvatures) / 2 for piece in segments)
@@ -49,7 +53,7 @@ def test_length_and_heading_add_up_whatever_the_spacing(segments, heading):
 
 
 @given(st.lists(pieces, min_size=1, max_size=5))
-def test_the_curve_has_the_chain_s_length_headings_and_curvatures(segments):
+def test_the_curve_has_the_chain_s_length_headings_and_curvatures(segments: Any) -> None:
     road = chain(segments)
     curve = road.curve()
     assert curve.length == pytest.approx(road.stations[-1], rel=1e-6)
@@ -65,7 +69,7 @@ def test_the_curve_has_the_chain_s_length_headings_and_curvatures(segments):
     assert (curvature <= between[1] + 2e-3)[~jump].all()
 
 
-def test_a_ring_of_pieces_closes():
+def test_a_ring_of_pieces_closes() -> None:
     oval = [Straight(30.0), Arc(10.0, np.pi), Straight(30.0), Arc(10.0, np.pi)]
     curve = chain(oval).curve(closed=True)
     assert curve.closed
@@ -89,6 +93,6 @@ def test_a_ring_of_pieces_closes():
         [Straight(1e13)],
     ],
 )
-def test_impossible_pieces_are_refused(segments):
+def test_impossible_pieces_are_refused(segments: Any) -> None:
     with pytest.raises(GeometryError):
         chain(segments)

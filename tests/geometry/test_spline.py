@@ -11,7 +11,9 @@ from roadlang.geometry.spline import interpolate
 @pytest.mark.parametrize("closed", [False, True])
 @settings(max_examples=30, deadline=None)
 @given(steps=st.lists(st.floats(0.1, 5.0), min_size=3, max_size=20), seed=st.integers(0, 999))
-def test_it_is_the_not_a_knot_or_the_periodic_spline(closed, steps, seed):
+def test_it_is_the_not_a_knot_or_the_periodic_spline(
+    closed: bool, steps: list[float], seed: int
+) -> None:
     from scipy.interpolate import CubicSpline
 
     knots = np.concatenate([[0.0], np.cumsum(steps)])

@@ -1,12 +1,16 @@
 """Tiles of a grid: which neighbors a cell has, and its shape."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 import pytest
 
 from roadlang.geometry import GeometryError, TileShape, neighbor_mask, tile_shape, tile_shapes
 
 
-def grid(text):
+def grid(text: Any) -> Any:
     return np.array([[cell == "#" for cell in row] for row in text.split()])
 
 
@@ -31,7 +35,7 @@ def grid(text):
         (".#. ### .#.", 15, TileShape("cross", 0)),
     ],
 )
-def test_the_sixteen_shapes(picture, mask, shape):
+def test_the_sixteen_shapes(picture: str, mask: int, shape: Any) -> None:
     cells = grid(picture)
     assert neighbor_mask(cells)[1, 1] == mask
     assert tile_shape(mask) == shape
@@ -39,7 +43,7 @@ def test_the_sixteen_shapes(picture, mask, shape):
     assert tile_shapes(cells)[1, 1] == shape
 
 
-def test_a_turned_picture_has_turned_tiles():
+def test_a_turned_picture_has_turned_tiles() -> None:
     cells = grid("..#.. .##.. ..### ..#..")
     plain, turned = tile_shapes(cells), tile_shapes(np.rot90(cells, -1))
     for (row, column), shape in plain.items():
@@ -49,12 +53,12 @@ def test_a_turned_picture_has_turned_tiles():
         assert other.turns == (shape.turns + 1) % turns
 
 
-def test_neighbors_beyond_the_edge_are_empty_and_empty_cells_have_none():
+def test_neighbors_beyond_the_edge_are_empty_and_empty_cells_have_none() -> None:
     np.testing.assert_array_equal(neighbor_mask(grid("##")), [[2, 8]])
     np.testing.assert_array_equal(neighbor_mask(grid("#.#")), [[0, 0, 0]])
 
 
-def test_what_is_no_grid_is_refused():
+def test_what_is_no_grid_is_refused() -> None:
     for call in (lambda: neighbor_mask([True]), lambda: tile_shape(16), lambda: tile_shape(-1)):
         with pytest.raises(GeometryError):
             call()

@@ -22,14 +22,14 @@ def pip(*arguments: str) -> None:
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory) -> Path:
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
     pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(folder), str(ROOT))
     return next(folder.glob("roadlang-*.whl"))
 
 
 @pytest.fixture(scope="module")
-def site(wheel, tmp_path_factory) -> Path:
+def site(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder that the wheel is installed into, before everything else on the path."""
     folder = tmp_path_factory.mktemp("site")
     pip("install", "--no-deps", "--target", str(folder), str(wheel))
@@ -43,7 +43,7 @@ def run(site: Path, cwd: Path, *arguments: str) -> subprocess.CompletedProcess[s
     )
 
 
-def test_the_wheel_ships_grammar_catalog_templates_and_the_godot_project(wheel):
+def test_the_wheel_ships_grammar_catalog_templates_and_the_godot_project(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     assert {
         "roadlang/_shipped/grammar/roadlang.lark",
@@ -56,31 +56,33 @@ def test_the_wheel_ships_grammar_catalog_templates_and_the_godot_project(wheel):
     } <= names
 
 
-def test_the_wheel_ships_no_caches(wheel):
+def test_the_wheel_ships_no_caches(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     strays = ("__pycache__", ".godot/")
     assert not [name for name in names if any(stray in name for stray in strays)]
 
 
-def test_an_installed_roadlang_is_the_one_that_runs(site, tmp_path):
+def test_an_installed_roadlang_is_the_one_that_runs(site: Path, tmp_path: Path) -> None:
     done = run(site, tmp_path, "-c", "import roadlang; print(roadlang.__file__)")
     assert done.stdout.startswith(str(site))
 
 
-def test_an_installed_roadlang_compiles_in_an_empty_folder(site, tmp_path):
+def test_an_installed_roadlang_compiles_in_an_empty_folder(site: Path, tmp_path: Path) -> None:
     assert run(site, tmp_path, "-m", "roadlang", "init", "scene.rl").returncode == 0
     done = run(site, tmp_path, "-m", "roadlang", "compile", "scene.rl", "-o", "out")
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out/scene-0000.svg").exists()
 
 
-def test_the_grammar_and_the_godot_project_are_found_in_an_install(site, tmp_path):
+def test_the_grammar_and_the_godot_project_are_found_in_an_install(
+    site: Path, tmp_path: Path
+) -> None:
     code = "from roadlang.syntax.parsing.grammar import grammar_path\nprint(grammar_path())\n"
     done = run(site, tmp_path, "-c", code)
     assert done.stdout.strip().startswith(str(site)), done.stdout + done.stderr
 
 
-def test_the_dependencies_are_those_that_are_imported():
+def test_the_dependencies_are_those_that_are_imported() -> None:
     tomllib = pytest.importorskip("tomllib")
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     declared = {re.split(r"[<>=]", name)[0] for name in project["dependencies"]}

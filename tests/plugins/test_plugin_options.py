@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ class Steps(Perturber):
     middle: Point = option()
     named: map_of(Length) = option()
 
-    def displacement(self, road, random):
+    def displacement(self, road: Any, random: Any) -> Any:
         assert self.side in ("left", "right")
         plain = (*self.sizes, *self.middle, *self.named.values())
         assert all(type(number) is float for number in plain)
@@ -53,7 +53,7 @@ class Swell(Perturber):
 
     name: ClassVar[str] = "swell"
 
-    def displacement(self, road, random):
+    def displacement(self, road: Any, random: Any) -> Any:
         return np.sin(np.pi * road.stations / road.length)
 
 
@@ -64,7 +64,7 @@ class Slope(Perturber):
     name: ClassVar[str] = "slope"
     rise: Length = option()
 
-    def displacements(self, roads, random):
+    def displacements(self, roads: Any, random: Any) -> Any:
         return self.rise * roads.stations / 200.0
 
 
@@ -76,7 +76,7 @@ class Milestone(Signal):
     unit: ClassVar[str] = "m"
     road: RoadName = option()
 
-    def values(self):
+    def values(self) -> Any:
         return self.road.stations
 
 
@@ -87,7 +87,7 @@ class Clipped(Signal):
     name: ClassVar[str] = "clipped"
     road: RoadName = option()
 
-    def values(self):
+    def values(self) -> Any:
         return self.road.curvature[:, :-1]
 
 
@@ -98,7 +98,7 @@ class Doubtful(RoadNumber):
     name: ClassVar[str] = "doubtful"
     road: RoadName = option()
 
-    def values(self):
+    def values(self) -> Any:
         return np.array([[np.nan]])
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ class Raising(Perturber):
     name: ClassVar[str] = "raising"
     size: Length = option(1.0)
 
-    def displacements(self, roads, random):
+    def displacements(self, roads: Any, random: Any) -> float:
         return 1 / 0
 
 
@@ -35,7 +35,7 @@ class Infinite(Perturber):
     name: ClassVar[str] = "infinite"
     size: Length = option(1.0)
 
-    def displacements(self, roads, random):
+    def displacements(self, roads: Any, random: Any) -> Any:
         return np.full((1, len(roads.stations)), np.nan)
 
 
@@ -46,7 +46,7 @@ class Short(Perturber):
     name: ClassVar[str] = "short"
     size: Length = option(1.0)
 
-    def displacements(self, roads, random):
+    def displacements(self, roads: Any, random: Any) -> Any:
         return np.zeros((1, 3))
 
 
@@ -57,7 +57,7 @@ class Step(Perturber):
     name: ClassVar[str] = "step"
     size: Length = option()
 
-    def displacement(self, road, random):
+    def displacement(self, road: Any, random: Any) -> Any:
         assert isinstance(self.size, float)
         return np.full(len(road.stations), self.size + random.uniform(0, 1e-3))
 
@@ -69,7 +69,7 @@ class Wild(Monitor):
     name: ClassVar[str] = "wild"
     road: RoadName = option()
 
-    def robustness(self):
+    def robustness(self) -> None:
         raise RuntimeError("no idea")
 
 
@@ -81,7 +81,7 @@ class Reach(Signal):
     unit: ClassVar[str] = "m"
     road: RoadName = option()
 
-    def values(self):
+    def values(self) -> Any:
         return np.hypot(self.road.points[..., 0], self.road.points[..., 1])
 
 
@@ -91,7 +91,7 @@ class Bleach(Adjuster):
 
     name: ClassVar[str] = "bleach"
 
-    def adjust(self, pixels, random):
+    def adjust(self, pixels: Any, random: Any) -> Any:
         return pixels[:5]
 
 

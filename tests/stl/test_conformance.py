@@ -10,7 +10,7 @@ from tests.stl_reference import Reference
 
 
 @pytest.mark.parametrize("seed", range(400))
-def test_traces_equal_the_definitions(seed):
+def test_traces_equal_the_definitions(seed: int) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
     samples = (1, 2, 7, 12, 17)[seed % 5]
     positions, signals = draw_trace(seed, samples, 2, even=seed % 2 == 0)
@@ -28,7 +28,7 @@ def test_traces_equal_the_definitions(seed):
 
 
 @pytest.mark.parametrize("seed", range(200))
-def test_windows_wrap_on_closed_roads(seed):
+def test_windows_wrap_on_closed_roads(seed: int) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 2)
     positions, signals = draw_trace(seed, (1, 2, 7, 9)[seed % 4], 1, even=seed % 2 == 0)
     row = {name: values[0] for name, values in signals.items()}

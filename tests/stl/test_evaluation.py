@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import tracemalloc
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ PHI3 = stl.parse("always (e > 10 implies eventually[5, 20] always[0, 30] (d < 10
 NESTED = stl.parse("(e < 10) until[2, 30] (once[0, 9] (d < 5) and (d > 1 since[3, 40] e > 2))")
 
 
-def _walks(variants, samples):
+def _walks(variants: Any, samples: Any) -> Any:
     rng = np.random.default_rng(3)
     steps = rng.normal(0, 1, (2, variants, samples))
     e, d = np.abs(np.cumsum(steps, axis=2))
@@ -25,7 +26,7 @@ def _walks(variants, samples):
 
 @pytest.mark.parametrize("formula", [PHI3, NESTED])
 @pytest.mark.parametrize(("variants", "samples"), [(1, 700), (3, 700), (700, 300), (2500, 40)])
-def test_a_batch_is_its_variants_one_by_one(formula, variants, samples):
+def test_a_batch_is_its_variants_one_by_one(formula: Any, variants: int, samples: int) -> None:
     positions, signals = _walks(variants, samples)
     trace = formula.robustness(positions, signals)
     start = formula.rho(positions, signals)
@@ -36,7 +37,7 @@ def test_a_batch_is_its_variants_one_by_one(formula, variants, samples):
         np.testing.assert_array_equal(formula.robustness(positions, row), trace[variant])
 
 
-def test_one_trace_has_no_variant_axis():
+def test_one_trace_has_no_variant_axis() -> None:
     positions, signals = _walks(1, 20)
     row = {name: values[0] for name, values in signals.items()}
     assert PHI3.robustness(positions, row).shape == (20,)
@@ -45,7 +46,7 @@ def test_one_trace_has_no_variant_axis():
     assert PHI3.rho(positions, signals).shape == (1,)
 
 
-def test_signals_of_all_shapes_meet():
+def test_signals_of_all_shapes_meet() -> None:
     formula = stl.parse("always (e < limit + offset * bend)")
     signals = {
         "e": np.array([[1, 2, 3], [4, 5, 6]], dtype=np.int32),
@@ -57,14 +58,14 @@ def test_signals_of_all_shapes_meet():
     assert formula.rho([0, 1, 2], {**signals, "e": 1.0}).tolist() == [9, 19]
 
 
-def test_a_formula_without_signals_of_the_batch_still_has_its_shape():
+def test_a_formula_without_signals_of_the_batch_still_has_its_shape() -> None:
     signals = {"e": np.zeros((4, 3)), "x": 1.0}
     assert stl.parse("true").rho([0, 1, 2], signals).tolist() == [np.inf] * 4
     assert stl.parse("x < 3").robustness([0, 1, 2], signals).shape == (4, 3)
     assert stl.parse("always (x < 3)").satisfied([0, 1, 2], signals).tolist() == [True] * 4
 
 
-def test_strictness_matters_to_satisfaction_only():
+def test_strictness_matters_to_satisfaction_only() -> None:
     signals = {"x": [1.0, 2.0]}
     strict, weak = stl.parse("always (x > 1)"), stl.parse("always (x >= 1)")
     assert strict.rho([0, 1], signals) == weak.rho([0, 1], signals) == 0
@@ -90,7 +91,7 @@ def test_strictness_matters_to_satisfaction_only():
         ([0, 1], {"xx": [1, 2]}, "RL304", "no signal `x`"),
     ],
 )
-def test_bad_traces_are_refused(positions, signals, code, told):
+def test_bad_traces_are_refused(positions: Any, signals: Any, code: str, told: str) -> None:
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse("always (x > 0)").rho(positions, signals)
     (found,) = refusal.value.diagnostics
@@ -98,7 +99,7 @@ def test_bad_traces_are_refused(positions, signals, code, told):
     assert told in found.message
 
 
-def test_a_value_that_is_no_number_is_found_in_any_chunk():
+def test_a_value_that_is_no_number_is_found_in_any_chunk() -> None:
     positions, signals = _walks(3000, 100)
     signals["d"][2345, 67] = np.nan
     with pytest.raises(DiagnosticError, match="`d` is nan at position 67 of variant 2345"):
@@ -106,18 +107,18 @@ def test_a_value_that_is_no_number_is_found_in_any_chunk():
 
 
 @pytest.mark.parametrize("text", ["1 / x < 2", "x ^ 0.5 < 2", "always (2 / (x - 1) > 0)"])
-def test_terms_that_are_no_number_are_refused(text):
+def test_terms_that_are_no_number_are_refused(text: str) -> None:
     with pytest.raises(DiagnosticError, match="RL307"):
         stl.parse(text).robustness([0, 1, 2], {"x": [0.0, 1.0, -1.0]})
 
 
 @pytest.mark.parametrize("wrap", [2.0, 1.0, float("nan"), float("inf")])
-def test_a_lap_is_longer_than_its_samples(wrap):
+def test_a_lap_is_longer_than_its_samples(wrap: float) -> None:
     with pytest.raises(DiagnosticError, match="RL306"):
         stl.parse("x > 0").rho([0, 1, 2], {"x": [0, 1, 2]}, wrap=wrap)
 
 
-def test_working_memory_stays_within_a_fifth_of_a_signal():
+def test_working_memory_stays_within_a_fifth_of_a_signal() -> None:
     positions, signals = _walks(8000, 250)
     for formula in (PHI3, NESTED):
         formula.robustness(positions, signals)
@@ -128,7 +129,7 @@ def test_working_memory_stays_within_a_fifth_of_a_signal():
         assert peak - result.nbytes < (0.2 if formula is PHI3 else 0.6) * result.nbytes
 
 
-def test_importing_and_parsing_is_light():
+def test_importing_and_parsing_is_light() -> None:
     code = (
         "import sys, roadlang.stl as stl; stl.parse('always[0, 5] (x < 1)');"
         "print([m for m in ('numpy', 'scipy', 'cv2', 'lark') if m in sys.modules]);"
@@ -139,6 +140,6 @@ def test_importing_and_parsing_is_light():
     assert done.stdout.split("\n")[:2] == ["[]", "[]"]
 
 
-def test_all_public_names_are_there():
+def test_all_public_names_are_there() -> None:
     assert all(getattr(stl, name) is not None for name in stl.__all__)
     assert set(stl.__all__) == set(dir(stl))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from roadlang import stl
@@ -21,7 +23,7 @@ from roadlang.diagnostics import DiagnosticError
         ("ev_[0,1] (hist_[0,2] (x[t] < 1))", "eventually[0, 1] historically[0, 2] (x < 1)"),
     ],
 )
-def test_breach(pasted, formula):
+def test_breach(pasted: str, formula: str) -> None:
     assert str(stl.read_breach(pasted)) == formula
 
 
@@ -47,7 +49,7 @@ def test_breach(pasted, formula):
         (r"\mathsf{always}_{[0,10]} (v \le 30)", "always[0, 10] (v <= 30)"),
     ],
 )  # fmt: skip
-def test_latex(pasted, formula):
+def test_latex(pasted: str, formula: str) -> None:
     assert str(stl.read_latex(pasted)) == formula
 
 
@@ -61,6 +63,6 @@ def test_latex(pasted, formula):
         (stl.read_latex, "", "RL0"),
     ],
 )
-def test_what_cannot_be_read(reader, pasted, code):
+def test_what_cannot_be_read(reader: Any, pasted: str, code: str) -> None:
     with pytest.raises(DiagnosticError, match=code):
         reader(pasted)

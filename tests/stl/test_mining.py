@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -17,7 +19,7 @@ RECORDINGS = [
 WORST = max(float(signals["e"].max()) for _, signals in RECORDINGS)
 
 
-def test_thresholds_from_above_and_below():
+def test_thresholds_from_above_and_below() -> None:
     upper = mine("always (e <= limit)", [Parameter("limit", 0, 20)], RECORDINGS)
     assert WORST <= upper.values["limit"] <= WORST * (1 + 1e-5)
     assert 0 <= upper.rho < 1e-4
@@ -25,7 +27,7 @@ def test_thresholds_from_above_and_below():
     assert lower.values["limit"] == pytest.approx(1.0, abs=1e-3)
 
 
-def test_the_shortest_interval():
+def test_the_shortest_interval() -> None:
     mined = mine("eventually[0, tau] (e < 3.6)", [Parameter("tau", 0, 40)], RECORDINGS)
     assert str(mined.formula) == f"eventually[0, {number_text(mined.values['tau'])}]" \
         " (e < 3.6)"  # fmt: skip
@@ -33,7 +35,7 @@ def test_the_shortest_interval():
     assert mined.values["tau"] == pytest.approx(first, abs=1e-4)
 
 
-def test_the_first_parameter_is_tightest():
+def test_the_first_parameter_is_tightest() -> None:
     text = "always (e > high implies eventually[0, tau] (e < high))"
     mined = mine(text, [Parameter("tau", 0, 50), Parameter("high", 1, 10)], RECORDINGS)
     assert mined.values["tau"] == 0
@@ -41,7 +43,7 @@ def test_the_first_parameter_is_tightest():
     assert mined.values["high"] == pytest.approx(WORST, rel=1e-4)
 
 
-def test_margins():
+def test_margins() -> None:
     mined = mine("always (e < limit)", [Parameter("limit", 0, 20)], RECORDINGS, margin=0.5)
     assert mined.values["limit"] == pytest.approx(WORST + 0.5, rel=1e-5)
 
@@ -56,6 +58,6 @@ def test_margins():
         ("always (x < limit)", Parameter("limit", 0, 1), "RL304"),
     ],
 )
-def test_refusals(text, parameter, code):
+def test_refusals(text: str, parameter: Any, code: str) -> None:
     with pytest.raises(DiagnosticError, match=code):
         mine(text, [parameter], RECORDINGS)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from roadlang.diagnostics import DiagnosticError
 from tests.stl_draws import FormulaDraw, draw_trace
 
 
-def _compare(formula, positions, row, every=1):
+def _compare(formula: Any, positions: Any, row: Any, every: int = 1) -> None:
     monitor = stl.Monitor(formula)
     for k, position in enumerate(positions):
         lo, hi = monitor.push(position, {name: values[k] for name, values in row.items()})
@@ -21,7 +23,7 @@ def _compare(formula, positions, row, every=1):
 
 
 @pytest.mark.parametrize("seed", range(15))
-def test_each_step_equals_the_range_of_the_prefix(seed):
+def test_each_step_equals_the_range_of_the_prefix(seed: int) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 2)
     positions, signals = draw_trace(seed, 9, 1, even=seed % 2 == 0)
     _compare(formula, positions, {name: values[0] for name, values in signals.items()})
@@ -37,20 +39,20 @@ def test_each_step_equals_the_range_of_the_prefix(seed):
         "eventually always (x > -9)",
     ],
 )
-def test_folding_the_past_changes_nothing(text):
+def test_folding_the_past_changes_nothing(text: str) -> None:
     positions, signals = draw_trace(7, 260, 1, even=True)
     row = {name: values[0] for name, values in signals.items()}
     _compare(stl.parse(text), positions, row, every=29)
 
 
-def test_a_step_costs_the_horizon_not_the_past():
+def test_a_step_costs_the_horizon_not_the_past() -> None:
     monitor = stl.Monitor(stl.parse("always (x < 4 or eventually[0, 2] (x < 3))"))
     for k in range(600):
         monitor.push(0.1 * k, {"x": np.sin(k)})
     assert len(monitor._positions) < 200
 
 
-def test_a_wrong_sample_is_refused_and_forgotten():
+def test_a_wrong_sample_is_refused_and_forgotten() -> None:
     monitor = stl.Monitor(stl.parse("always (x < 4)"))
     monitor.push(0, {"x": 1})
     for position, values in [(0, {"x": 1}), (1, {"x": float("nan")}), (1, {"y": 1})]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -44,7 +45,7 @@ def _shown(value: object) -> str:
     return value.word if isinstance(value, Operator) else str(value)
 
 
-def test_every_operator_has_a_class_and_every_class_an_entry():
+def test_every_operator_has_a_class_and_every_class_an_entry() -> None:
     assert set(COMPOUNDS) == set(BY_WORD)
 
 
@@ -53,11 +54,11 @@ def test_every_operator_has_a_class_and_every_class_an_entry():
     [pair for field in ("word", "letter", "signs") for pair in spellings(field)],
     ids=_shown,
 )
-def test_words_letters_and_signs_are_read(operator, spelling):
+def test_words_letters_and_signs_are_read(operator: Any, spelling: Any) -> None:
     assert stl.parse(written(operator, spelling)) == example(operator)
 
 
-def test_the_table_has_every_sign_that_the_grammar_reads():
+def test_the_table_has_every_sign_that_the_grammar_reads() -> None:
     stored = json.loads(Path(tables.__file__).with_name("tables.json").read_text())
     patterns = dict(stored["terminals"])
     for operator in OPERATORS:
@@ -68,26 +69,26 @@ def test_the_table_has_every_sign_that_the_grammar_reads():
 
 
 @pytest.mark.parametrize(("operator", "symbol"), spellings("symbols"), ids=_shown)
-def test_for_a_symbol_the_word_is_suggested(operator, symbol):
+def test_for_a_symbol_the_word_is_suggested(operator: Any, symbol: Any) -> None:
     with pytest.raises(DiagnosticError) as refused:
         stl.parse(written(operator, symbol))
     assert f"write `{operator.word}`" in refused.value.diagnostics[0].help
 
 
 @pytest.mark.parametrize(("operator", "command"), spellings("latex"), ids=_shown)
-def test_latex_commands_are_read(operator, command):
+def test_latex_commands_are_read(operator: Any, command: Any) -> None:
     text = written(operator, f"\\{command} ", "_{[1, 2]}")
     assert stl.read_latex(text) == example(operator)
 
 
 @pytest.mark.parametrize(("operator", "word"), spellings("breach"), ids=_shown)
-def test_words_of_breach_are_read(operator, word):
+def test_words_of_breach_are_read(operator: Any, word: Any) -> None:
     text = written(operator, word, "_[1, 2]").replace("x", "x[t]").replace("y ", "y[t] ")
     assert stl.read_breach(text) == example(operator)
 
 
 @pytest.mark.parametrize("operator", OPERATORS, ids=lambda operator: operator.word)
-def test_every_operator_survives_text_and_json(operator):
+def test_every_operator_survives_text_and_json(operator: Any) -> None:
     formula = example(operator)
     assert stl.parse(str(formula)) == formula
     assert next(iter(formula.to_json())) == operator.json
@@ -95,7 +96,7 @@ def test_every_operator_survives_text_and_json(operator):
 
 
 @pytest.mark.parametrize("operator", OPERATORS, ids=lambda operator: operator.word)
-def test_a_mirror_looks_the_other_way(operator):
+def test_a_mirror_looks_the_other_way(operator: Any) -> None:
     kind = COMPOUNDS[operator.word]
     if not issubclass(kind, TemporalOperator):
         assert not operator.mirror

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from tests.stl.stl_continuations import continuations
 from tests.stl_draws import FormulaDraw, draw_trace
 
 
-def _seen(seed, samples):
+def _seen(seed: Any, samples: Any) -> Any:
     positions, signals = draw_trace(seed, samples, 1, even=seed % 2 == 0)
     return positions, {name: values[0] for name, values in signals.items()}
 
@@ -23,7 +24,7 @@ MANY = [pytest.param(seed, marks=pytest.mark.slow) for seed in range(40, 400)]
 
 
 @pytest.mark.parametrize("seed", [*range(40), *MANY])
-def test_no_continuation_leaves_the_range(seed):
+def test_no_continuation_leaves_the_range(seed: Any) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
     positions, row = _seen(seed, (1, 2, 5, 9, 14)[seed % 5])
     lo, hi = formula.range(positions, row)
@@ -33,7 +34,7 @@ def test_no_continuation_leaves_the_range(seed):
         assert rho.max() <= hi + 1e-9
 
 
-def _reached(seed):
+def _reached(seed: Any) -> Any:
     """Whether random continuations come to both ends (or beyond 1e5 where an end is infinite).
 
     Infinite intervals are left out: only a continuation without end reaches their range.
@@ -49,19 +50,19 @@ def _reached(seed):
 
 
 @pytest.mark.parametrize("seed", range(30))
-def test_continuations_reach_both_ends(seed):
+def test_continuations_reach_both_ends(seed: int) -> None:
     assert _reached(seed)
 
 
 @pytest.mark.slow
-def test_both_ends_are_reached_but_where_luck_fails():
+def test_both_ends_are_reached_but_where_luck_fails() -> None:
     """Some ends need one of many later samples at one instant: random ones may miss it."""
     reached = [_reached(seed) for seed in range(400)]
     assert sum(reached) >= 0.985 * len(reached)
 
 
 @pytest.mark.parametrize("seed", [*range(40), *MANY])
-def test_verdicts_hold_for_every_continuation(seed):
+def test_verdicts_hold_for_every_continuation(seed: Any) -> None:
     """Signals and bounds are whole numbers, so that robustness is often zero."""
     formula = FormulaDraw(seed, bounded=True).formula(1 + seed % 3)
     positions, row = _seen(seed, (1, 3, 6)[seed % 3])
@@ -97,17 +98,17 @@ def test_verdicts_hold_for_every_continuation(seed):
         ("eventually[5, 9] (x ^ 2 < 3 and x * y > 5)", -math.inf, 3),
     ],
 )
-def test_ranges_known_by_hand(text, lo, hi):
+def test_ranges_known_by_hand(text: str, lo: float, hi: float) -> None:
     signals = {"x": [1, 2, 3], "y": [1, 1, 1], "limit": 2}
     assert stl.parse(text).range([0, 1, 2], signals) == pytest.approx((lo, hi))
 
 
-def test_closed_roads_have_no_continuation():
+def test_closed_roads_have_no_continuation() -> None:
     lo, hi = stl.parse("always[0, 90] (x > 0)").range([0, 1, 2], {"x": [1, 2, 3]}, wrap=3)
     assert (lo, hi) == (1, 1)
 
 
-def test_numbers_per_variant_hold_for_later_samples_too():
+def test_numbers_per_variant_hold_for_later_samples_too() -> None:
     formula = stl.parse("eventually[5, 9] (abs(x) < limit)")
     lo, hi = formula.range([0, 1], {"x": np.zeros((3, 2)), "limit": [[1], [2], [3]]})
     assert lo.tolist() == [-math.inf] * 3
@@ -131,13 +132,13 @@ def test_numbers_per_variant_hold_for_later_samples_too():
         ("true", "satisfied"),
     ],
 )
-def test_verdicts(text, verdict):
+def test_verdicts(text: str, verdict: str) -> None:
     formula = stl.parse(text)
     assert formula.verdict([0, 1, 2], {"x": [1.0, 2.0, 2.0]}) == verdict
 
 
 @pytest.mark.parametrize("seed", range(120))
-def test_strengthening_changes_no_robustness(seed):
+def test_strengthening_changes_no_robustness(seed: int) -> None:
     formula = normal_form(FormulaDraw(seed).formula(2 + seed % 2))
     positions, row = _seen(seed, 9)
     np.testing.assert_array_equal(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from tests.stl_draws import FormulaDraw, draw_trace
 SAMPLES = 24
 
 
-def _robustness_by_rtamt(text, positions, row):
+def _robustness_by_rtamt(text: Any, positions: Any, row: Any) -> Any:
     rtamt = pytest.importorskip("rtamt")
     with contextlib.redirect_stdout(io.StringIO()):
         specification = rtamt.StlDiscreteTimeSpecification()
@@ -29,7 +30,7 @@ def _robustness_by_rtamt(text, positions, row):
         return [value for _, value in specification.evaluate(trace)]
 
 
-def _sayable(seed):
+def _sayable(seed: Any) -> bool:
     formula = FormulaDraw(seed, corners=False).formula(1 + seed % 3)
     try:
         formula.to_rtamt()
@@ -39,7 +40,7 @@ def _sayable(seed):
 
 
 @pytest.mark.parametrize("seed", [seed for seed in range(220) if _sayable(seed)])
-def test_full_traces_agree(seed):
+def test_full_traces_agree(seed: Any) -> None:
     formula = FormulaDraw(seed, corners=False).formula(1 + seed % 3)
     positions, signals = draw_trace(seed, SAMPLES, 1, even=True)
     row = {name: values[0] for name, values in signals.items()}
@@ -57,12 +58,12 @@ def test_full_traces_agree(seed):
         ("(a > -1) until[0, 2] (b > 2)", "((a > (0 - 1)) until[0,2] (b > 2))"),
     ],
 )
-def test_text_for_rtamt(text, expected):
+def test_text_for_rtamt(text: str, expected: str) -> None:
     assert stl.parse(text).to_rtamt() == expected
 
 
 @pytest.mark.parametrize("text", ["true", "s > 0", "min(a, b) > 0", "ego.speed > 1",
                                   "(a > 1) until[2, inf] (b > 2)", "a^2 > 1"])  # fmt: skip
-def test_what_rtamt_cannot_say(text):
+def test_what_rtamt_cannot_say(text: str) -> None:
     with pytest.raises(DiagnosticError, match="RL330"):
         stl.parse(text).to_rtamt()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from roadlang.diagnostics import DiagnosticError
 from tests.stl_draws import FormulaDraw, draw_trace
 
 
-def _case(seed):
+def _case(seed: Any) -> Any:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
     positions, signals = draw_trace(seed, 9, 1, even=seed % 2 == 0)
     rng = np.random.default_rng(seed)
@@ -20,7 +22,7 @@ def _case(seed):
 
 @pytest.mark.parametrize("seed", range(80))
 @pytest.mark.parametrize("wrap", [None, 30.0])
-def test_sharp_is_exact(seed, wrap):
+def test_sharp_is_exact(seed: int, wrap: float | None) -> None:
     formula, positions, row = _case(seed)
     exact = formula.rho(positions, row, wrap=wrap)
     smooth = stl.smooth_rho(formula, positions, row, sharpness=1e7, wrap=wrap).rho
@@ -28,7 +30,7 @@ def test_sharp_is_exact(seed, wrap):
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_gradients_are_derivatives(seed):
+def test_gradients_are_derivatives(seed: int) -> None:
     formula, positions, row = _case(seed)
     found = stl.smooth_rho(formula, positions, row, sharpness=3.0)
     if not np.isfinite(found.rho):
@@ -42,14 +44,14 @@ def test_gradients_are_derivatives(seed):
             assert gradient[sample] == pytest.approx((ends[0] - ends[1]) / 2e-6, abs=1e-4)
 
 
-def test_one_number_has_one_derivative():
+def test_one_number_has_one_derivative() -> None:
     formula = stl.parse("always (x < limit)")
     found = stl.smooth_rho(formula, [0, 1, 2], {"x": [1.0, 2.0, 3.0], "limit": 4.0})
     assert found.gradient["limit"].tolist() == pytest.approx([1.0])
     assert found.gradient["x"].sum() == pytest.approx(-1.0)
 
 
-def test_what_has_no_rule_is_refused():
+def test_what_has_no_rule_is_refused() -> None:
     with pytest.raises(DiagnosticError, match="RL343"):
         stl.smooth_rho(stl.parse("x ^ 2 < 4"), [0], {"x": [1.0]})
     with pytest.raises(DiagnosticError, match="RL303"):

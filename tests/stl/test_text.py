@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -28,12 +29,12 @@ from tests.stl_draws import FormulaDraw
         ("a - (b - 1) > -2", "a - (b - 1) > -2"),
     ],
 )
-def test_text_is_read_and_printed_canonically(written, canonical):
+def test_text_is_read_and_printed_canonically(written: str, canonical: str) -> None:
     assert str(stl.parse(written)) == canonical
 
 
 @pytest.mark.parametrize("seed", range(300))
-def test_printed_formulas_read_back(seed):
+def test_printed_formulas_read_back(seed: int) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
     once = stl.parse(str(formula))
     assert stl.parse(str(once)) == once
@@ -60,7 +61,9 @@ def test_printed_formulas_read_back(seed):
         ("always[-9, -1] (e < 1)", "RL305", 7, None),
     ],
 )
-def test_nonsense_is_refused_at_its_place(text, code, column, fix):
+def test_nonsense_is_refused_at_its_place(
+    text: str, code: str, column: int, fix: str | None
+) -> None:
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse(text)
     (found,) = refusal.value.diagnostics
@@ -69,7 +72,7 @@ def test_nonsense_is_refused_at_its_place(text, code, column, fix):
     assert found.help
 
 
-def test_all_faults_are_told_at_once():
+def test_all_faults_are_told_at_once() -> None:
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse("always[2, 1] (x) and abbs(y) < 3mtr")
     assert [found.code for found in refusal.value.diagnostics] == [
@@ -78,7 +81,7 @@ def test_all_faults_are_told_at_once():
 
 
 @pytest.mark.parametrize("bounds", [(2, 1), (-1, 1), (math.inf, math.inf), (math.nan, 1)])
-def test_intervals_are_closed_and_ahead(bounds):
+def test_intervals_are_closed_and_ahead(bounds: tuple[float, ...]) -> None:
     with pytest.raises(DiagnosticError, match="RL305"):
         stl.Interval(*bounds)
 
@@ -87,13 +90,13 @@ def test_intervals_are_closed_and_ahead(bounds):
     "value", [None, 3, "x", {}, {"alway": True}, {"<": ["x"]}, {"not": 1, "and": []},
               {"always": True, "interval": [3, 1]}, {"and": 3}, {"<": ["x", {"sin": ["x"]}]}],
 )  # fmt: skip
-def test_json_that_is_no_formula_is_refused(value):
+def test_json_that_is_no_formula_is_refused(value: Any) -> None:
     with pytest.raises(DiagnosticError, match="RL3"):
         stl.from_json(value)
 
 
 @pytest.mark.parametrize("text", ["alw_[0, 5] (x[t] < 1)", "x[t] < 1", "ev_[0, 2] (x < 1)"])
-def test_formulas_of_breach_are_recognized(text):
+def test_formulas_of_breach_are_recognized(text: str) -> None:
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse(text)
     assert any("read_breach" in hint for hint in refusal.value.diagnostics[0].help)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -20,13 +21,13 @@ from roadlang.stl.formats.trace_files import read_trace
         ("e.json", '[{"s": 0, "x": 1}, {"s": 2, "x": 3}]'),
     ],
 )
-def test_layouts(tmp_path, name, text):
+def test_layouts(tmp_path: Path, name: str, text: str) -> None:
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
     assert read_trace(path) == ("s", [0, 2], {"x": [1, 3]})
 
 
-def test_positions_and_signals(tmp_path):
+def test_positions_and_signals(tmp_path: Path) -> None:
     path = tmp_path / "trace.json"
     path.write_text('{"signals": {"x": [1, null]}, "positions": [0, 2]}')
     axis, positions, signals = read_trace(path)
@@ -51,14 +52,14 @@ def test_positions_and_signals(tmp_path):
         ("a.json", "{}", "no columns"),
     ],
 )
-def test_files_that_are_no_traces(tmp_path, name, text, problem):
+def test_files_that_are_no_traces(tmp_path: Path, name: str, text: str, problem: str) -> None:
     path = tmp_path / name
     path.write_text(text)
     with pytest.raises(DiagnosticError, match=problem):
         read_trace(path)
 
 
-def test_missing_and_binary_files(tmp_path):
+def test_missing_and_binary_files(tmp_path: Path) -> None:
     (tmp_path / "binary.csv").write_bytes(b"\xff\xfe\x00")
     for name in ("missing.csv", "binary.csv"):
         with pytest.raises(DiagnosticError, match="RL340"):

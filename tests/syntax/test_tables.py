@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -21,7 +22,7 @@ def test_tables_are_up_to_date() -> None:
     assert stored == generate(grammar_text()), "run python -m roadlang.syntax.parsing.tables"
 
 
-def test_stale_tables_are_built_anew_with_a_warning(monkeypatch) -> None:
+def test_stale_tables_are_built_anew_with_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
     edited = grammar_text() + "\n// an edit"
     monkeypatch.setattr(tables, "grammar_text", lambda: edited)
     with pytest.warns(RuntimeWarning, match=r"python -m roadlang\.syntax\.parsing\.tables"):
@@ -30,7 +31,7 @@ def test_stale_tables_are_built_anew_with_a_warning(monkeypatch) -> None:
 
 
 @pytest.fixture(scope="module")
-def lark_parser():
+def lark_parser() -> Any:
     lark = pytest.importorskip("lark")
     return lark.Lark(
         grammar_text(),
@@ -43,7 +44,7 @@ def lark_parser():
 
 
 @pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.stem)
-def test_lark_reads_the_samples_with_the_same_grammar(lark_parser, path: Path) -> None:
+def test_lark_reads_the_samples_with_the_same_grammar(lark_parser: Any, path: Path) -> None:
     tree = lark_parser.parse(path.read_text(), start="file")
     assert tree.data == "file"
 
