@@ -10,8 +10,8 @@ import jsonschema
 import numpy as np
 import pytest
 
-from roadlang.ir.encoding import NotFinite, json_schema, scene_from_json, to_json
-from roadlang.ir.scene import Scene
+from roadlang.ir.encoding import NotFinite, scene_from_json, to_json
+from roadlang.ir.scene_schema import scene_schema
 from roadlang.ir.scene_versions import UnknownSceneSchema
 from roadlang_standard.emit_json import Json
 from tests.backends.handmade_scenes import bend, town
@@ -20,7 +20,7 @@ from tests.backends.handmade_scenes import bend, town
 @pytest.mark.parametrize("scene", [bend(), town()], ids=["bend", "town"])
 def test_a_scene_fits_the_published_schema(scene: Any) -> None:
     text = Json().files(scene)["json"]
-    jsonschema.Draft202012Validator(json_schema(Scene)).validate(json.loads(text))
+    jsonschema.Draft202012Validator(scene_schema()).validate(json.loads(text))
 
 
 def test_a_scene_reads_back_exactly() -> None:
@@ -33,7 +33,7 @@ def test_the_schema_refuses_another_version() -> None:
     record = json.loads(to_json(bend()))
     record["schema"] = "roadlang.scene/0"
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(record, json_schema(Scene))
+        jsonschema.validate(record, scene_schema())
 
 
 def test_the_first_member_says_what_the_file_is() -> None:

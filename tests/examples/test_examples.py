@@ -15,8 +15,7 @@ import numpy as np
 import pytest
 
 from roadlang.cli.main import run
-from roadlang.ir.encoding import json_schema
-from roadlang.ir.scene import Scene
+from roadlang.ir.scene_schema import scene_schema
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SCENES = sorted(EXAMPLES.rglob("*.rl"))
@@ -30,7 +29,7 @@ def test_an_example_compiles_to_valid_json_and_svg(path: Any, tmp_path: Path) ->
     scenes = sorted(tmp_path.glob("scene-*.json"))
     assert len(scenes) == 2
     for scene in scenes:
-        jsonschema.validate(json.loads(scene.read_text()), json_schema(Scene))
+        jsonschema.validate(json.loads(scene.read_text()), scene_schema())
         assert scene.with_suffix(".svg").read_text().startswith("<?xml")
 
 

@@ -26,17 +26,18 @@ def command(words: tuple[str, ...]) -> None:
 
 
 def _scene() -> dict[str, Any]:
-    from ..ir.encoding import json_schema
-    from ..ir.scene import Scene
+    from ..ir.scene_schema import scene_schema
+    from ..plugins.json_schema import schema_of_options
+    from ..plugins.options import schema_of
+    from ..semantics.infer.statement_options import WorldOptions
 
-    return json_schema(Scene)
+    return scene_schema(schema_of_options(schema_of(WorldOptions)))
 
 
 def _manifest() -> dict[str, Any]:
-    from ..ir.encoding import json_schema
-    from ..ir.manifest import Manifest
+    from ..ir.scene_schema import manifest_schema
 
-    return json_schema(Manifest)
+    return manifest_schema()
 
 
 def _scenario() -> dict[str, Any]:

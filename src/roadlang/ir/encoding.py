@@ -1,4 +1,4 @@
-"""Scenes as JSON and back, and the JSON Schemas of what roadlang writes."""
+"""Scenes as JSON and back."""
 
 from __future__ import annotations
 
@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .scene import Scene
-
-_DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
 class NotFinite(ValueError):
@@ -46,18 +44,6 @@ def scene_from_json(text: str | bytes) -> Scene:
     from .scene_versions import current
 
     return msgspec.convert(current(msgspec.json.decode(text)), type=Scene)
-
-
-def json_schema(kind: type) -> dict[str, Any]:
-    """The JSON Schema of a dataclass with a `schema` field, `Scene` or `Manifest`."""
-    import msgspec
-
-    version = kind.__dataclass_fields__["schema"].default  # type: ignore[attr-defined]
-    schema = msgspec.json.schema(kind)
-    whole = schema["$defs"][kind.__name__]
-    whole["properties"]["schema"] = {"const": version}
-    whole["required"] = ["schema", *whole.get("required", [])]
-    return {"$schema": _DRAFT, "$id": version, "title": version, **schema}
 
 
 def _plain_number(value: Any) -> Any:

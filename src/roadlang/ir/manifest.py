@@ -13,10 +13,15 @@ class OutputFile:
     """A file beside the manifest. `scene` is None for what was written once for all scenes."""
 
     path: str
+    """beside the manifest"""
     sha256: str
+    """of its contents"""
     bytes: int
+    """its size"""
     backend: str
+    """the kind that wrote it"""
     scene: int | None = None
+    """number of the scene; null for what was written once for all"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +29,13 @@ class RequirementRecord:
     """How often a requirement was tested and refused a candidate."""
 
     name: str
+    """as declared"""
     text: str
+    """the formula"""
     tested: int
+    """candidates tested"""
     rejected: int
+    """candidates that it rejected"""
     best_robustness: float | None = None
     """of the candidates tested; None where none was"""
 
@@ -36,17 +45,30 @@ class Manifest:
     """All of one run of `roadlang compile`. It does not depend on `--jobs`."""
 
     name: str
+    """of the scenario"""
     title: str
+    """of the scenario"""
     roadlang: str
+    """version"""
     source: str
+    """the scene file"""
     seed: int
+    """of the run"""
     scenes: int
+    """made"""
     asked: int
+    """asked for"""
     candidates: int
+    """tried"""
     inputs: Mapping[str, str] = field(default_factory=dict)
     """sha256 by path as written, the scene file and its includes among them"""
     plugins: Mapping[str, str] = field(default_factory=dict)
+    """version by distribution"""
     overrides: Mapping[str, str] = field(default_factory=dict)
+    """params set from outside, as written"""
     requirements: tuple[RequirementRecord, ...] = ()
+    """how each fared"""
     files: tuple[OutputFile, ...] = ()
+    """all that was written"""
     schema: str = MANIFEST_SCHEMA
+    """version of this format"""

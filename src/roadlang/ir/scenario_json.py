@@ -8,19 +8,17 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import types
-import typing
 from collections.abc import Mapping
 from typing import Any
 
 from ..diagnostics import Source, Span
+from ..stl.formats.json_schema import FORMULA, formula_definitions
 from ..stl.formula.formulas import Formula
 from . import values as value_nodes
 from .contained_values import nodes
 from .dimension import Dimension
 from .scenario import SCENARIO_SCHEMA, Scenario
-
-_DRAFT = "https://json-schema.org/draft/2020-12/schema"
+from .schema import DataclassWriter, any_of, array, document, reference
 
 
 def scenario_to_json(scenario: Scenario) -> dict[str, Any]:
@@ -44,36 +42,41 @@ def scenario_from_json(record: Mapping[str, Any]) -> Scenario:
 
 def scenario_schema() -> dict[str, Any]:
     """The JSON Schema of a scenario, derived from the dataclasses."""
-    definitions = {name: _schema_of_node(node) for name, node in sorted(nodes().items())}
-    definitions["Scenario"]["properties"]["schema"] = {"const": SCENARIO_SCHEMA}
-    definitions["Dimension"] = {
+    writer = DataclassWriter(
+        {"Scenario.schema": {"const": SCENARIO_SCHEMA}},
+        special={Formula: FORMULA, Dimension: reference("Dimension"), Span: reference("Span")},
+        tag="is",
+        number=any_of([{"type": "number"}, {"enum": ["inf", "-inf", "nan"]}]),
+    )
+    body = writer.of(Scenario)
+    definitions = {**writer.definitions, **formula_definitions(), **_SPECIAL}
+    return document(SCENARIO_SCHEMA, body, definitions=definitions)
+
+
+_SPECIAL: dict[str, Any] = {
+    "Dimension": {
         "description": "exponents of length, pixel, time, angle and mass",
         "type": "object",
         "properties": {
             "is": {"const": "Dimension"},
             "unit": {"type": "string"},
-            "exponents": {"type": "array", "items": {"type": "number"}, "minItems": 5},
+            "exponents": array({"type": "number"}, 5, 5),
         },
         "required": ["is", "unit", "exponents"],
-    }
-    definitions["Span"] = {
+    },
+    "Span": {
+        "description": "a place in a source file",
         "type": "object",
         "properties": {
             "file": {"type": "string"},
             "line": {"type": "integer", "description": "of the start, counted from 1"},
             "column": {"type": "integer", "description": "of the start, counted from 1"},
-            "start": {"type": "integer"},
-            "end": {"type": "integer"},
+            "start": {"type": "integer", "description": "offset in characters"},
+            "end": {"type": "integer", "description": "offset in characters"},
         },
         "required": ["file", "line", "column", "start", "end"],
-    }
-    return {
-        "$schema": _DRAFT,
-        "$id": SCENARIO_SCHEMA,
-        "title": SCENARIO_SCHEMA,
-        "$ref": "#/$defs/Scenario",
-        "$defs": definitions,
-    }
+    },
+}
 
 
 def _plain(value: Any) -> Any:
@@ -123,36 +126,3 @@ def _revived(value: Any) -> Any:
             for name, member in members.items()
         }
     )
-
-
-def _schema_of_node(node: type) -> dict[str, Any]:
-    hints = typing.get_type_hints(node)
-    properties: dict[str, Any] = {"is": {"const": node.__name__}}
-    for field in dataclasses.fields(node):
-        properties[field.name] = _schema_of_type(hints[field.name])
-    documented = (node.__doc__ or "").strip()
-    shown = {} if documented.startswith(f"{node.__name__}(") else {"description": documented}
-    return {"type": "object", **shown, "properties": properties, "required": list(properties)}
-
-
-def _schema_of_type(hint: Any) -> dict[str, Any]:
-    plain = {
-        str: "string", int: "integer", bool: "boolean", type(None): "null"
-    }  # fmt: skip
-    if hint in plain:
-        return {"type": plain[hint]}
-    if hint is float:
-        return {"anyOf": [{"type": "number"}, {"enum": ["inf", "-inf", "nan"]}]}
-    if hint is Formula:
-        return {"description": "a formula (JSON form of roadlang.stl)"}
-    if hint is Dimension:
-        return {"$ref": "#/$defs/Dimension"}
-    if isinstance(hint, type) and dataclasses.is_dataclass(hint):
-        return {"$ref": f"#/$defs/{hint.__name__}"}
-    arguments = typing.get_args(hint)
-    if typing.get_origin(hint) in (typing.Union, types.UnionType):
-        return {"anyOf": [_schema_of_type(argument) for argument in arguments]}
-    if len(arguments) == 2 and arguments[1] is Ellipsis:
-        return {"type": "array", "items": _schema_of_type(arguments[0])}
-    items = [_schema_of_type(argument) for argument in arguments]
-    return {"type": "array", "prefixItems": items, "minItems": len(items), "maxItems": len(items)}

@@ -13,29 +13,38 @@ SCENE_SCHEMA = "roadlang.scene/2"
 
 @dataclass(frozen=True, slots=True)
 class SceneRoad:
-    """One curve. `stations` is arc length along this road itself; all tuples are as long.
-
-    `reference_stations` is the arc length of the root road at the same points: the positions of
-    the requirements. `base` is the (n, 2) center line of the root road, for the ghost.
-    """
+    """One curve. The tuples have a number for each of its stations."""
 
     name: str
+    """as declared; `town/3` for edge 3 of network `town`"""
     stations: tuple[float, ...]
+    """arc length along this road, meters"""
     reference_stations: tuple[float, ...]
+    """arc length of the root road at the same points, meters: the positions of the requirements"""
     x: tuple[float, ...]
+    """meters east"""
     y: tuple[float, ...]
+    """meters north"""
     heading: tuple[float, ...]
+    """radians, counter-clockwise from east"""
     curvature: tuple[float, ...]
+    """1/m, positive to the left"""
     width: tuple[float, ...]
+    """from edge to edge, meters"""
     lanes: int
+    """how many, both directions together"""
     closed: bool
+    """whether the end joins the start"""
     length: float
+    """meters"""
     root: str
+    """the road that this one was perturbed from; itself, if none"""
     network: str | None = None
-    """the network this is an edge of, else None"""
+    """the network this is an edge of, else null"""
     edge: int | None = None
+    """its number in the network"""
     derived: bool = False
-    """True for the last road of a chain: what is driven, drawn in full and built"""
+    """true for the last road of a chain: what is driven, drawn in full and built"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +52,13 @@ class SceneNode:
     """A point where roads of a network meet or end; x and y in meters."""
 
     id: int
+    """its number in the network"""
     x: float
+    """meters east"""
     y: float
+    """meters north"""
     roads: tuple[str, ...]
+    """names of the roads that end here"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,13 +66,19 @@ class SceneNetwork:
     """Its roads are in `Scene.roads`, named `town/3` for edge 3 of network `town`."""
 
     name: str
+    """as declared"""
     nodes: tuple[SceneNode, ...]
+    """where its roads meet or end"""
     roads: tuple[str, ...]
+    """names of its roads"""
     confidence: float = 1.0
+    """of the extractor, 0 to 1"""
     mask: str | None = None
     """PNG of the road pixels, base64, where the extractor has one (`road: tiles`)"""
     mask_scale: float | None = None
+    """meters for each pixel of the mask"""
     mask_origin: tuple[float, float] = (0.0, 0.0)
+    """x and y of the corner of the mask, meters"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +86,9 @@ class Call(Frozen):
     """A kind with every option concrete, defaults included."""
 
     kind: str
+    """its name, `pure_pursuit`; of another plugin with the plugin's, `acme.mpc`"""
     options: Mapping[str, Any] = field(default_factory=dict)
+    """by name, in SI units and radians"""
     when: Mapping[str, Any] | None = None
     """condition as JSON formula with its signals, where the call has one"""
 
@@ -77,23 +98,37 @@ class SceneActor(Frozen):
     """An agent or object, placed. A group has one for each copy, `name` with `[i]`."""
 
     name: str
+    """`oncoming[2]` is the third of the group `oncoming`"""
     group: str
+    """the name as declared"""
     kind: str
+    """`car`, `tree`, ..."""
     x: float
+    """center of the footprint, meters east"""
     y: float
+    """center of the footprint, meters north"""
     heading: float
+    """radians, counter-clockwise from east"""
     length: float
+    """meters"""
     width: float
+    """meters"""
     height: float
+    """meters"""
     road: str | None = None
+    """the road it stands on, if it stands on one"""
     start: float | None = None
     """arc length along `road`"""
     offset: float | None = None
     """left of the center line, meters"""
     lane: int | None = None
+    """as in OpenDRIVE: -1 first to the right of the center line, 1 first to the left"""
     facing: str = "forward"
+    """`forward` or `back`, along the road"""
     options: Mapping[str, Any] = field(default_factory=dict)
+    """every option of the kind"""
     drive: tuple[Call, ...] = ()
+    """the controllers of an agent, in order"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,8 +136,11 @@ class Stretch:
     """Where a requirement is violated: arc length of the root road, meters."""
 
     road: str
+    """name of the road"""
     start: float
+    """meters"""
     end: float
+    """meters"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +148,9 @@ class RoadPlace:
     """A place on a road: arc length of the root road, meters."""
 
     road: str
+    """name of the road"""
     station: float
+    """meters"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,8 +158,11 @@ class Profile:
     """Values along a road: `stations` is arc length of the root road, as long as `values`."""
 
     road: str
+    """name of the road"""
     stations: tuple[float, ...]
+    """arc length of the root road, meters"""
     values: tuple[float, ...]
+    """one for each station, SI units"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,10 +170,13 @@ class SceneSignal:
     """A `let` that names a signal over roads; of a network, a profile for each of its roads."""
 
     name: str
+    """as declared"""
     text: str
+    """its formula"""
     unit: str
     """SI unit of the values, such as `m` or `1/m`; empty for dimensionless numbers"""
     profiles: tuple[Profile, ...]
+    """its values, for each road"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,12 +184,19 @@ class Verdict(Frozen):
     """A `require` or `expect` of this scene. `robustness` is None for what is judged later."""
 
     name: str
+    """as declared"""
     text: str
+    """the formula as the language writes it, or the kind of monitor"""
     domain: str
+    """`road`, `drive`, or `scene` for numbers alone"""
     robustness: float | None
+    """in the unit of the comparison that decides; null for what a drive decides"""
     satisfied: bool | None
+    """null for what a drive decides"""
     violated: tuple[Stretch, ...] = ()
+    """where along the roads it fails"""
     formula: Mapping[str, Any] | None = None
+    """what a drive must satisfy; null for what is decided here"""
     profiles: tuple[Profile, ...] = ()
     """of `always p` and `eventually p` over roads: the robustness of `p` along each road"""
     tightest: RoadPlace | None = None
@@ -155,14 +208,21 @@ class Provenance(Frozen):
     """What this scene was made from and by. `plugins` maps distribution to version."""
 
     roadlang: str
+    """version"""
     seed: int
+    """of the run"""
     scene: int
+    """number of the scene"""
     attempt: int
+    """which draw of this scene was accepted, from 0"""
     inputs: Mapping[str, str] = field(default_factory=dict)
     """sha256 by path as written"""
     plugins: Mapping[str, str] = field(default_factory=dict)
+    """version by distribution"""
     source: str = ""
+    """the scene file"""
     overrides: Mapping[str, str] = field(default_factory=dict)
+    """params set from outside, as written"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,9 +230,13 @@ class Scene(Frozen):
     """All that a backend gets."""
 
     name: str
+    """of the scenario"""
     title: str
+    """of the scenario"""
     index: int
+    """number of the scene, from 0"""
     provenance: Provenance
+    """what it was made from and by"""
     values: Mapping[str, Any] = field(default_factory=dict)
     """params and lets that are values"""
     draws: Mapping[str, Any] = field(default_factory=dict)
@@ -180,13 +244,22 @@ class Scene(Frozen):
     units: Mapping[str, str] = field(default_factory=dict)
     """SI units of the values and draws that have one, by name and place"""
     networks: tuple[SceneNetwork, ...] = ()
+    """networks, whose roads are among the roads"""
     roads: tuple[SceneRoad, ...] = ()
+    """roads, edges of networks among them"""
     agents: tuple[SceneActor, ...] = ()
+    """what moves"""
     objects: tuple[SceneActor, ...] = ()
+    """what stands still"""
     world: Mapping[str, Any] = field(default_factory=dict)
+    """light, weather and grip; a key is absent where the scene file says nothing of it"""
     signals: tuple[SceneSignal, ...] = ()
     """the `let`s that name signals over roads, with their values"""
     requirements: tuple[Verdict, ...] = ()
+    """what filtered this scene"""
     expectations: tuple[Verdict, ...] = ()
+    """what judges the system under test"""
     simulate: Call | None = None
+    """where the scene is to be driven, with every option"""
     schema: str = SCENE_SCHEMA
+    """version of this format"""
