@@ -8,8 +8,6 @@ from typing import Any
 
 import pytest
 
-import roadlang_godot.plugin
-import roadlang_standard
 from roadlang import LoadedScenario, NoSceneError, testing
 from roadlang.ir.scenario import Scenario
 from roadlang.judging.acceptance import Acceptance
@@ -18,13 +16,11 @@ from roadlang.plugins.registry import Registry
 from roadlang.scenes.sampling import SamplingResult
 from roadlang.world.index import index_scenario
 
-SHIPPED = {"standard": roadlang_standard, "godot": roadlang_godot.plugin}
-
 
 @pytest.fixture(scope="session")
 def registry() -> Registry:
     """The kinds in the wheel, whatever else is installed."""
-    return registry_of(SHIPPED)
+    return registry_of({})
 
 
 def scenario_of(text: str, registry: Registry, folder: Path = Path()) -> Scenario:
@@ -39,7 +35,7 @@ def sample(registry: Registry, tmp_path: Path) -> Callable[..., SamplingResult]:
     def run(text: str, n: int | None = 1, kinds: tuple[type, ...] = (), **more: Any) -> Any:
         known = registry
         if kinds:
-            known = registry_of({**SHIPPED, "acme": testing.plugin_of(*kinds)})
+            known = registry_of({"acme": testing.plugin_of(*kinds)})
         loaded = LoadedScenario(text, tmp_path / "scene.rl", more.pop("overrides", {}), known)
         try:
             return loaded.sample(n, **more).result

@@ -81,14 +81,13 @@ def registry_with(*kinds: type[Kind]) -> Registry:
 
     Raises `TypeError` with the reason where they could not be loaded from a plugin.
     """
-    installed = load_registry()
     if not kinds:
-        return installed
-    found = registry_of({PLUGIN: plugin_of(*kinds)})
-    if found.broken:
-        raise TypeError(found.broken[0].reason)
-    entries = (*installed.entries, *found.entries)
-    return Registry(entries, installed.broken, installed.planned)
+        return load_registry()
+    registry = registry_of({PLUGIN: plugin_of(*kinds)}, installed=True)
+    for broken in registry.broken:
+        if broken.origin.plugin == PLUGIN:
+            raise TypeError(broken.reason)
+    return registry
 
 
 def plugin_of(*kinds: type[Kind]) -> ModuleType:

@@ -23,7 +23,7 @@ from roadlang.ir.values import Condition, Entity, PassCall, SignalBinding
 from roadlang.judging.drives import judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.scenes.sampling import sample_scenes
-from tests.scene_texts import SHIPPED, scenario_of
+from tests.scene_texts import scenario_of
 from tests.stl_draws import NAMES, FormulaDraw
 from tests.stl_reference import Reference
 
@@ -112,7 +112,7 @@ class Driven(Monitor):
 
 
 KINDS = (*map(road_signal, NAMES), *map(drive_signal, NAMES), Settled, Driven)
-REGISTRY = registry_of({**SHIPPED, "acme": testing.plugin_of(*KINDS)})
+REGISTRY = registry_of({"acme": testing.plugin_of(*KINDS)})
 ROAD = """
 road main { draw with waypoints { points: [(0m, 0m), (50m, 0m)] } }
 sample with random { attempts: 1 }

@@ -8,14 +8,29 @@ import sys
 from pathlib import Path
 
 
-def install(folder: Path, name: str, text: str, *, entry: str | None = None) -> None:
-    """What pip leaves behind: `roadlang_NAME.py` and a dist-info with the entry point NAME."""
+def install(
+    folder: Path,
+    name: str,
+    text: str,
+    *,
+    name_of_entry: str | None = None,
+    commands: str = "",
+    requires: str = "",
+) -> None:
+    """What pip leaves behind: `roadlang_NAME.py` and a dist-info with the entry point NAME.
+
+    `commands` are lines of the entry points `roadlang.commands`, `requires` is a requirement.
+    """
     module = f"roadlang_{name}"
     (folder / f"{module}.py").write_text(text)
     info = folder / f"{name}_plugin-1.2.dist-info"
     info.mkdir()
-    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 1.2\n")
-    (info / "entry_points.txt").write_text(f"[roadlang]\n{name} = {entry or module}\n")
+    metadata = f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 1.2\n"
+    metadata += f"Requires-Dist: {requires}\n" if requires else ""
+    (info / "METADATA").write_text(metadata)
+    points = f"[roadlang]\n{name_of_entry or name} = {module}\n"
+    points += f"[roadlang.commands]\n{commands}\n" if commands else ""
+    (info / "entry_points.txt").write_text(points)
 
 
 def start(folder: Path, *arguments: str) -> subprocess.Popen[str]:

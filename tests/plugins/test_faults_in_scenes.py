@@ -72,14 +72,6 @@ def test_a_map_that_names_another_kind(site: Path, key: str, says: str) -> None:
     assert says in fault.message
 
 
-def test_a_name_that_two_plugins_bring_has_to_be_qualified(site: Path) -> None:
-    install(site, "waves", GOOD.format(kind="sine"))
-    [fault] = faults("road bent from main { perturb with sine { amplitude: 3m } }", site)
-    assert fault.code == "RL213"
-    assert fault.help == ("write `standard.sine` or `waves.sine`",)
-    assert faults("road bent from main { perturb with waves.sine { amplitude: 3m } }", site) == []
-
-
 def test_wrong_options_of_a_strangers_kind_are_explained_in_place(site: Path) -> None:
     install(site, "acme", ACME.read_text())
     found = faults(

@@ -155,4 +155,4 @@ def test_a_signal_of_a_plugin_is_one_like_any(sample: Sample) -> None:
 
 def test_the_provenance_names_the_plugins_in_use(sample: Sample) -> None:
     (scene,) = sample(STRAIGHT + bent("step { size: 1m }"), kinds=(Step, Wild)).scenes
-    assert set(scene.provenance.plugins) == {"standard", "acme"}
+    assert set(scene.provenance.plugins) == {"roadlang", "acme"}

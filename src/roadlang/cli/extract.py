@@ -125,17 +125,17 @@ def _extracted(
 
     Raises DiagnosticError RL425 for a kind that is unknown, RL426 for an option that it lacks.
     """
-    import dataclasses
-
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
     from ..ir.picture import Extraction
     from ..plugins.discovery import load_registry
+    from ..plugins.finding import find_entry
     from ..plugins.guard import plugin_guard, wrong_result
+    from ..plugins.options import schema_of
     from ..plugins.registry import UnknownKind
 
     registry = load_registry()
     try:
-        entry = registry.find("extract", given["kind"])
+        entry = find_entry(registry, "extract", given["kind"])
     except UnknownKind:
         names = registry.names("extract")
         known = f"known are {', '.join(names)}"
@@ -149,7 +149,7 @@ def _extracted(
     with plugin_guard(entry, None):
         kind = entry.load()
     options = _options(picture, scale, given)
-    fields = {field.name for field in dataclasses.fields(kind)}
+    fields = {option.name for option in schema_of(kind)}
     unfit = sorted(set(options) - fields - {"resolution"})
     if unfit:
         raise DiagnosticError(

@@ -85,33 +85,28 @@ def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
     ]
     if not entries:
         hints = did_you_mean(name, {entry.name for entry in registry.entries})
-        reasons = [
-            f"plugin `{broken.origin.plugin}` ({broken.origin}) is broken: {broken.reason}"
-            for broken in registry.broken
-        ]
+        hints = hints or registry.hints
         raise DiagnosticError(
-            diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=(*hints, *reasons))
+            diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=hints)
         )
     return entries
 
 
 def _listing(registry: Registry, verb: str | None) -> list[str]:
     lines = []
-    plugins = sorted({entry.origin for entry in registry.entries}, key=_standard_first)
-    for origin in plugins:
+    for broken in registry.broken:
+        what = f"`{broken.kind}` of {broken.origin.plugin}" if broken.kind else broken.origin.plugin
+        head = style(f"{what} ({broken.origin}) is broken", fg="red")
+        lines.append(f"{head}: {broken.reason}")
+    for origin in dict.fromkeys(entry.origin for entry in registry.entries):
         entries = [entry for entry in registry.entries if entry.origin == origin]
         shown = [entry for entry in entries if verb in (None, entry.verb)]
         if shown:
             lines += ["", f"{style(origin.plugin, bold=True)}  ({origin}, {len(entries)} kinds)"]
             lines += [f"  {name:<30} {text}" for name, text in map(_line, shown)]
-    for broken in registry.broken:
-        head = style(f"{broken.origin.plugin}  ({broken.origin}) is broken", fg="red")
-        lines += ["", f"{head}: {broken.reason}"]
-    return lines[1:] or ["no plugins are installed"]
-
-
-def _standard_first(origin: Any) -> tuple[bool, str]:
-    return (origin.plugin != "standard", origin.plugin)
+    if lines and not lines[0]:
+        del lines[0]
+    return lines or ["no plugins are installed"]
 
 
 def _line(entry: KindEntry) -> tuple[str, str]:
@@ -152,6 +147,7 @@ def _record(registry: Registry, verb: str | None) -> dict[str, Any]:
                 "plugin": broken.origin.plugin,
                 "distribution": broken.origin.distribution,
                 "version": broken.origin.version,
+                "kind": broken.kind or None,
                 "reason": broken.reason,
             }
             for broken in registry.broken

@@ -93,6 +93,7 @@ class Code:
     OPTION_NEEDS_ROAD: Final = "RL241"
     TRIVIAL_REQUIREMENT: Final = "RL290"
     FLOAT_EQUALITY: Final = "RL291"
+    SHADOWED_KIND: Final = "RL292"
     EMPTY_TRACE: Final = "RL300"
     INVALID_POSITIONS: Final = "RL301"
     NON_FINITE_SIGNAL: Final = "RL302"

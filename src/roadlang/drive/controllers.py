@@ -6,8 +6,10 @@ import math
 from typing import Any
 
 from ..ir.scene import Scene, SceneActor
+from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Controller
+from ..plugins.kinds import Controller, implements
+from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from .contract import Control, Observation
 
@@ -47,11 +49,11 @@ def _controller(actor: SceneActor, registry: Registry) -> Controller | None:
     steady = [call for call in actor.drive if call.when is None]
     if not steady or not registry.has("drive", steady[-1].kind):
         return None
-    entry = registry.find_recorded("drive", steady[-1].kind)
+    entry = find_entry(registry, "drive", steady[-1].kind)
     with plugin_guard(entry, None):
         kind = entry.load()
-        if not issubclass(kind, Controller) or kind.control is Controller.control:
+        if not issubclass(kind, Controller) or not implements(kind, "control"):
             return None
-        names = kind.__dataclass_fields__
+        names = {option.name for option in schema_of(kind)}
         options = {key: value for key, value in steady[-1].options.items() if key in names}
         return Guarded(kind(**options), entry)

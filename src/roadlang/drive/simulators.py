@@ -9,7 +9,8 @@ from typing import Any
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import Trace
 from ..judging.drives import judge
-from ..plugins.configured import configured, entry_of
+from ..plugins.configured import configured
+from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Simulator
 from ..plugins.registry import KindEntry, Registry

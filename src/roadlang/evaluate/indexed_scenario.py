@@ -11,6 +11,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.contained_values import values_in
 from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
 from ..ir.values import Draw, PassCall, Text, Value
+from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
 from ..plugins.registry import KindEntry, Registry, UnknownKind
@@ -59,7 +60,7 @@ class IndexedScenario:
 
     def _load(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
         try:
-            entry = self.registry.find(call.verb, call.kind)
+            entry = find_entry(self.registry, call.verb, call.kind, call.span)
         except UnknownKind:
             raise DiagnosticError(
                 diagnose(Code.KIND_NOT_INSTALLED, call.span, kind=f"{call.verb} {call.kind}")

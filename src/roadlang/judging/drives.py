@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
+from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import DriveSignal
 from ..plugins.registry import Registry
@@ -92,7 +93,7 @@ class _SignalCall:
     @property
     def kind(self) -> type[DriveSignal]:
         registry = self.condition.registry
-        kind = registry.find_recorded("drive_signal", str(self.call["kind"])).load()
+        kind = entry_of(registry, "drive_signal", str(self.call["kind"])).load()
         assert issubclass(kind, DriveSignal)
         return kind
 
@@ -110,7 +111,7 @@ class _SignalCall:
             agents = group(value, trace) if isinstance(value, str) else ()
             member = chosen[value] if kind.member and agents else None
             options[key] = member if member is not None else agents or value
-        entry = registry.find_recorded("drive_signal", str(self.call["kind"]))
+        entry = entry_of(registry, "drive_signal", str(self.call["kind"]))
         with plugin_guard(entry, None):
             values = np.asarray(kind(**options).values_in(trace), dtype=float)
         if values.shape != trace.time.shape:
@@ -130,7 +131,7 @@ def group(name: str, trace: Trace) -> tuple[AgentTrace, ...]:
 
 
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
-    entry = registry.find("monitor", str(call["monitor"]))
+    entry = entry_of(registry, "monitor", str(call["monitor"]))
     options = {
         key: (group(value, trace) or (value,))[0] if isinstance(value, str) else value
         for key, value in call.get("options", {}).items()

@@ -7,11 +7,10 @@ from typing import Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
 from .describing import bounds_text, value_text
+from .finding import entry_of
 from .guard import plugin_guard
 from .options import OptionSchema
 from .registry import KindEntry, Registry
-
-_NOUNS = {"simulate": "engine", "emit": "backend"}
 
 
 def configured(
@@ -34,16 +33,6 @@ def configured(
         raise DiagnosticError(*faults)
     with plugin_guard(entry, None):
         return entry, entry.load()(**options)
-
-
-def entry_of(registry: Registry, verb: str, name: str) -> KindEntry:
-    """The kind that a scene would record as `name`. Raises `DiagnosticError` RL930."""
-    if not registry.has(verb, name):
-        known = registry.names(verb)
-        hints = did_you_mean(name, known) or (f"there are {', '.join(known)}",)
-        what = _NOUNS.get(verb, f"`{verb}` kind")
-        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what=what, name=name, help=hints))
-    return registry.find_recorded(verb, name)
 
 
 def _unknown(
@@ -79,21 +68,15 @@ def _out_of_bounds(
     faults = []
     for schema in schemas:
         value = options.get(schema.name)
-        if isinstance(value, int | float) and not isinstance(value, bool):
-            limits = schema.constraints
-            fine = (
-                (limits.minimum is None or value >= limits.minimum)
-                and (limits.maximum is None or value <= limits.maximum)
-                and (limits.above is None or value > limits.above)
-                and (limits.below is None or value < limits.below)
-            )
-            if not fine:
-                faults.append(
-                    diagnose(
-                        Code.VALUE_OUT_OF_BOUNDS,
-                        what=f"`{schema.name}`",
-                        expected=f"be {bounds_text(schema)}",
-                        found=f"is {value_text(float(value), schema.type)}",
-                    )
+        if not isinstance(value, int | float) or isinstance(value, bool):
+            continue
+        if not schema.constraints.allow(value):
+            faults.append(
+                diagnose(
+                    Code.VALUE_OUT_OF_BOUNDS,
+                    what=f"`{schema.name}`",
+                    expected=f"be {bounds_text(schema)}",
+                    found=f"is {value_text(float(value), schema.type)}",
                 )
+            )
     return faults

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
-from importlib.metadata import Distribution, EntryPoint, entry_points
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 import pluggy
 
 from . import hookspecs
+from .compatibility import unmet_requirement
 from .guard import PluginFault, attributed
-from .registry import SHIPPED, BrokenPlugin, KindEntry, Origin, Registry, entries_of
+from .kind_checks import KindFault, check_name
+from .registry import BrokenPlugin, KindEntry, Origin, Registry, entries_of
 
 GROUP = "roadlang"
+DISTRIBUTION = "roadlang"
+"""What we are called: kinds of this distribution are the shipped ones."""
 BLOCKED_VARIABLE = "ROADLANG_NO_PLUGINS"
 """Comma-separated entry point names that are not loaded; `all` loads none."""
+_FIRST = "standard"
 
 
 def load_registry(blocked: Iterable[str] = ()) -> Registry:
@@ -23,86 +30,120 @@ def load_registry(blocked: Iterable[str] = ()) -> Registry:
 
     A plugin that fails in any way is left out and listed in `Registry.broken` with the reason.
     """
-    refused = {*blocked, *_blocked_by_environment()}
-    points = [] if "all" in refused else sorted(entry_points(group=GROUP), key=_order)
-    return collect(_Candidate(point.name, point) for point in points if point.name not in refused)
+    return collect(candidates(GROUP, blocked))
 
 
-def registry_of(plugins: dict[str, Any]) -> Registry:
-    """A registry of plugin modules or objects by name, for tests and programs that embed us."""
-    return collect(_Candidate(name, None, plugin) for name, plugin in plugins.items())
+def registry_of(plugins: Mapping[str, Any], *, installed: bool = False) -> Registry:
+    """The shipped kinds and those of plugin modules or objects by name, for tests and programs
+    that embed us. `installed`: also those of all installed plugins."""
+    found = [point for point in candidates(GROUP) if installed or point.origin.is_shipped]
+    given = (Candidate(Origin(name, name, "0"), None, plugin) for name, plugin in plugins.items())
+    return collect([*found, *given])
 
 
-def _blocked_by_environment() -> list[str]:
+def blocked_by_environment() -> frozenset[str]:
+    """The plugins that `--no-plugin` and the environment leave out."""
     words = os.environ.get(BLOCKED_VARIABLE, "").split(",")
-    return [word.strip() for word in words if word.strip()]
+    return frozenset(word.strip() for word in words if word.strip())
 
 
-def _order(point: EntryPoint) -> tuple[int, str]:
-    # What ships comes first in every listing; otherwise order means nothing.
-    place = SHIPPED.index(point.name) if point.name in SHIPPED else len(SHIPPED)
-    return (place, point.name)
+@dataclass(frozen=True)
+class Candidate:
+    """A plugin, or a command of one, that may turn out to be broken."""
 
-
-class _Candidate:
-    """A plugin that may turn out to be broken."""
-
-    def __init__(self, name: str, point: EntryPoint | None, plugin: Any = None) -> None:
-        self.name = name
-        self._point = point
-        self._plugin = plugin
-
-    @property
-    def origin(self) -> Origin:
-        distribution: Distribution | None = self._point.dist if self._point else None
-        if distribution is None:
-            return Origin(self.name, self.name, "0")
-        return Origin(self.name, distribution.metadata["Name"], distribution.version)
+    origin: Origin
+    point: EntryPoint | None
+    plugin: Any = None
 
     def load(self) -> Any:
-        return self._point.load() if self._point is not None else self._plugin
+        """The plugin itself; raises whatever importing it raises."""
+        return self.point.load() if self.point is not None else self.plugin
 
 
-def collect(candidates: Iterable[_Candidate]) -> Registry:
+def candidates(group: str, blocked: Iterable[str] = ()) -> list[Candidate]:
+    """The entry points of a group that nobody has left out, shipped ones first."""
+    refused = {*blocked, *blocked_by_environment()}
+    if "all" in refused:
+        return []
+    found = [Candidate(_origin_of(point), point) for point in entry_points(group=group)]
+    kept = (candidate for candidate in found if candidate.origin.plugin not in refused)
+    return sorted(kept, key=_order)
+
+
+def _order(candidate: Candidate) -> tuple[bool, bool, str, str]:
+    # What ships comes first in every listing; otherwise order means nothing.
+    origin = candidate.origin
+    return not origin.is_shipped, origin.plugin != _FIRST, origin.plugin, origin.distribution
+
+
+def _origin_of(point: EntryPoint) -> Origin:
+    if point.dist is None:
+        return Origin(point.name, point.value, "0")
+    name = point.dist.metadata["Name"]
+    return Origin(point.name, name, point.dist.version, name.lower() == DISTRIBUTION)
+
+
+def collect(found: Iterable[Candidate]) -> Registry:
     """Load each candidate by itself and gather what the healthy ones bring."""
+    found = list(found)
     entries: list[KindEntry] = []
     broken: list[BrokenPlugin] = []
     planned: set[str] = set()
-    for candidate in candidates:
-        origin = candidate.origin
+    for candidate in found:
         try:
+            _check_entry_point(candidate, found)
             with attributed():
-                found, expected = _load(candidate, origin)
-        except PluginFault as fault:
-            broken.append(BrokenPlugin(origin, str(fault)))
+                brought, faults, expected = _load(candidate)
+        except (KindFault, PluginFault) as fault:
+            broken.append(BrokenPlugin(candidate.origin, str(fault)))
         else:
-            entries.extend(found)
+            entries.extend(brought)
+            broken.extend(faults)
             planned.update(expected)
     return Registry(tuple(entries), tuple(broken), frozenset(planned))
 
 
-def _load(candidate: _Candidate, origin: Origin) -> tuple[list[KindEntry], list[str]]:
+def _check_entry_point(candidate: Candidate, found: list[Candidate]) -> None:
+    """Raises `KindFault`: its kinds could not be told from others', or not be written at all."""
+    origin = candidate.origin
+    check_name(origin.plugin, "its entry point")
+    others = [c.origin for c in found if c is not candidate and c.origin.plugin == origin.plugin]
+    if others and not origin.is_shipped:
+        owner = next((other for other in others if other.is_shipped), others[0])
+        raise KindFault(f"its entry point `{origin.plugin}` is also that of {owner}")
+    if candidate.point is not None and candidate.point.dist is not None:
+        unmet = unmet_requirement(candidate.point.dist)
+        if unmet is not None:
+            raise KindFault(unmet)
+
+
+def _load(candidate: Candidate) -> tuple[list[KindEntry], list[BrokenPlugin], list[str]]:
     plugin = candidate.load()
     # A manager for each plugin: one that raises in a hook would take the others' results along.
     manager = pluggy.PluginManager(GROUP)
     manager.add_hookspecs(hookspecs)
-    manager.register(plugin, candidate.name)
+    manager.register(plugin, candidate.origin.plugin)
     manager.check_pending()
     if not manager.get_hookcallers(plugin):
-        raise TypeError("it implements no hook of roadlang (is `@hookimpl` missing?)")
+        raise KindFault("it implements no hook of roadlang (is `@hookimpl` missing?)")
     entries: list[KindEntry] = []
+    broken: list[BrokenPlugin] = []
     for kinds in manager.hook.roadlang_kinds():
-        entries.extend(entries_of(kinds, origin))
-    _refuse_duplicates(entries)
+        good, bad = entries_of(kinds, candidate.origin)
+        entries, broken = [*entries, *good], [*broken, *bad]
+    entries, twice = _once_each(entries, candidate.origin)
+    broken += twice
     planned = [text for texts in manager.hook.roadlang_planned() for text in texts]
-    if not (entries or planned):
-        raise TypeError("its hook `roadlang_kinds` returned no kinds")
-    return entries, planned
+    if not (entries or broken or planned):
+        raise KindFault("its hook `roadlang_kinds` returned no kinds")
+    return entries, broken, planned
 
 
-def _refuse_duplicates(entries: Iterable[KindEntry]) -> None:
-    seen: set[tuple[str, str]] = set()
-    for entry in entries:
-        if (entry.verb, entry.name) in seen:
-            raise TypeError(f"it brings `{entry.verb} {entry.name}` twice")
-        seen.add((entry.verb, entry.name))
+def _once_each(
+    entries: list[KindEntry], origin: Origin
+) -> tuple[list[KindEntry], list[BrokenPlugin]]:
+    """The kinds that a plugin brings once; neither of two of one name is the one that is meant."""
+    counts = Counter((entry.verb, entry.name) for entry in entries)
+    twice = [f"{verb} {name}" for (verb, name), count in counts.items() if count > 1]
+    broken = [BrokenPlugin(origin, f"it brings `{kind}` twice", kind) for kind in twice]
+    return [entry for entry in entries if counts[entry.verb, entry.name] == 1], broken

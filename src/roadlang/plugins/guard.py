@@ -10,6 +10,7 @@ from types import TracebackType
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..geometry.errors import GeometryError
+from .kind_checks import KindFault
 from .kinds import base_of
 from .registry import KindEntry
 from .termination import Terminated, raise_if_terminated
@@ -87,6 +88,8 @@ def wrong_result(entry: KindEntry, span: Span | None, fault: str) -> DiagnosticE
 
 def reason_of(error: BaseException) -> str:
     """An exception in one line, with the place in the plugin that it comes from."""
+    if isinstance(error, KindFault):
+        return str(error)
     if isinstance(error, NotImplementedError) and not str(error):
         return f"it does not implement `{_raised_in(error.__traceback__)}`"
     text = " ".join(str(error).split())

@@ -8,7 +8,6 @@ so that numpy broadcasting over (variants, stations) just works.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
@@ -28,11 +27,10 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
 class Kind:
     """Anything a plugin brings. The class docstring's first line is its help.
 
-    A kind is a frozen dataclass; the bases of the verbs, which have no options, need not be.
+    A kind is a frozen dataclass that derives from the base class of its verb.
     """
 
     verb: ClassVar[str] = ""
@@ -53,6 +51,8 @@ class Kind:
     geometry_is_user_input: ClassVar[bool] = False
     """a `GeometryError` that it raises is about what the scene file asks for (RL472), not a fault
     of the plugin (RL470)"""
+    required_methods: ClassVar[tuple[str, ...]] = ()
+    """a kind implements at least one of these methods of its base"""
 
 
 class Adjuster(Kind):
@@ -60,6 +60,7 @@ class Adjuster(Kind):
     an image of its own."""
 
     verb: ClassVar[str] = "adjust"
+    required_methods: ClassVar[tuple[str, ...]] = ("adjust",)
 
     def adjust(self, pixels: NDArray[np.uint8], random: np.random.Generator) -> NDArray[np.uint8]:
         """(height, width, 3) BGR to the same shape."""
@@ -70,6 +71,7 @@ class Extractor(Kind):
     """`extract with`: image to network."""
 
     verb: ClassVar[str] = "extract"
+    required_methods: ClassVar[tuple[str, ...]] = ("extract",)
 
     def extract(self, picture: Picture) -> Extraction:
         """Find the roads (and, with a legend, the objects) of a picture."""
@@ -80,6 +82,7 @@ class Reader(Kind):
     """`read with`: a file to what the statement declares (`reads`), chosen by `suffixes`."""
 
     verb: ClassVar[str] = "read"
+    required_methods: ClassVar[tuple[str, ...]] = ("read",)
     geometry_is_user_input: ClassVar[bool] = True
     suffixes: ClassVar[tuple[str, ...]] = ()
     reads: ClassVar[tuple[str, ...]] = ("road",)
@@ -93,6 +96,7 @@ class Drawer(Kind):
     """`draw with`: nothing to a curve."""
 
     verb: ClassVar[str] = "draw"
+    required_methods: ClassVar[tuple[str, ...]] = ("draw",)
     geometry_is_user_input: ClassVar[bool] = True
 
     def draw(self, closed: bool) -> Curve:
@@ -104,6 +108,7 @@ class Piece(Kind):
     """A piece of a drawn road, written as a call: `arc(40m, 60deg)`."""
 
     verb: ClassVar[str] = "piece"
+    required_methods: ClassVar[tuple[str, ...]] = ("laid",)
     geometry_is_user_input: ClassVar[bool] = True
 
     def laid(self, curvature: float) -> geometry.Straight | geometry.Arc | geometry.Clothoid:
@@ -115,6 +120,7 @@ class Selector(Kind):
     """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
 
     verb: ClassVar[str] = "select"
+    required_methods: ClassVar[tuple[str, ...]] = ("select",)
     geometry_is_user_input: ClassVar[bool] = True
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
@@ -130,6 +136,7 @@ class Perturber(Kind):
     """
 
     verb: ClassVar[str] = "perturb"
+    required_methods: ClassVar[tuple[str, ...]] = ("displacement", "displacements")
     geometry_is_user_input: ClassVar[bool] = True
     is_random: ClassVar[bool] = True
     """it draws from `random`: set to False where the options alone tell the displacement"""
@@ -168,6 +175,7 @@ class Signal(Kind):
     """
 
     verb: ClassVar[str] = "signal"
+    required_methods: ClassVar[tuple[str, ...]] = ("values",)
     unit: ClassVar[str] = ""
     cost: ClassVar[float] = 20.0
 
@@ -210,6 +218,7 @@ class DriveSignal(Signal):
     """
 
     verb: ClassVar[str] = "drive_signal"
+    required_methods: ClassVar[tuple[str, ...]] = ("values", "values_in")
     domain: ClassVar[str] = "drive"
     member: ClassVar[bool] = True
 
@@ -228,6 +237,10 @@ class Monitor(Kind):
 
     verb: ClassVar[str] = "monitor"
 
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.required_methods = ("judge",) if cls.domain == "drive" else ("robustness",)
+
     def robustness(self) -> Floats:
         """(variants,) positive where satisfied, of a judge of roads (`domain` "road")."""
         raise NotImplementedError
@@ -241,6 +254,7 @@ class Distribution(Kind):
     """A random value, written as a call: `normal(1m, 0.5m)`. Options are those of the call."""
 
     verb: ClassVar[str] = "distribution"
+    required_methods: ClassVar[tuple[str, ...]] = ("quantile",)
 
     def quantile(self, uniform: Floats) -> Any:
         """(variants,) numbers in [0, 1) to values of the same shape."""
@@ -280,6 +294,10 @@ class Sampler(Kind):
     verb: ClassVar[str] = "sample"
     sequential: ClassVar[bool] = True
 
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.required_methods = ("points",) if cls.sequential else ()
+
     def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:
         """(candidates, draws) in [0, 1]; a function of each index alone."""
         raise NotImplementedError
@@ -311,6 +329,7 @@ class Simulator(Kind):
     """`simulate with`: where scenes are driven."""
 
     verb: ClassVar[str] = "simulate"
+    required_methods: ClassVar[tuple[str, ...]] = ("drive", "drive_all")
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """What happened. `controllers` are those written in Python, by the agents they drive."""
@@ -334,6 +353,7 @@ class Backend(Kind):
     """`emit`: a scene to files, or to an engine."""
 
     verb: ClassVar[str] = "emit"
+    required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "send")
 
     def files(self, scene: Scene) -> Mapping[str, bytes | str]:
         """Contents by file ending: `{"json": "..."}` becomes `scene-0000.json`."""
@@ -371,3 +391,9 @@ _BASE_OF = {base.verb: base for base in BASES}
 def base_of(verb: str) -> type[Kind]:
     """The base class of the kinds of a verb."""
     return _BASE_OF[verb]
+
+
+def implements(kind: type[Kind], method: str) -> bool:
+    """Whether a kind has a method of its base by itself, or merely inherits it."""
+    own, inherited = getattr(kind, method), getattr(base_of(kind.verb), method)
+    return getattr(own, "__func__", own) is not getattr(inherited, "__func__", inherited)

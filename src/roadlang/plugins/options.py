@@ -33,6 +33,24 @@ class Constraints:
     below: float | None = None
     words: tuple[str, ...] = ()
 
+    def allow(self, number: float) -> bool:
+        """Whether a number, in SI units, is within the bounds."""
+        # Unit conversion leaves the last digit to chance: `5cm` is 0.05, `0.3ft` is not exact.
+        low, high = self.minimum, self.maximum
+        return (
+            (low is None or number >= low - 1e-12 * abs(low))
+            and (high is None or number <= high + 1e-12 * abs(high))
+            and (self.above is None or number > self.above)
+            and (self.below is None or number < self.below)
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class MutableDefault:
+    """Stands for a default that could be changed in place; `kind` is its type. It is refused."""
+
+    kind: str
+
 
 def option(
     default: Any = REQUIRED,
@@ -53,6 +71,8 @@ def option(
     metadata = {_KEY: Constraints(help, minimum, maximum, above, below, tuple(words))}
     if default is REQUIRED:
         return dataclasses.field(metadata=metadata)
+    if type(default).__hash__ is None:
+        default = MutableDefault(type(default).__name__)
     return dataclasses.field(default=default, metadata=metadata)
 
 
@@ -103,6 +123,8 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
             raise TypeError(f"field `{field.name}` of {name}: {error}") from None
         constraints = field.metadata.get(_KEY, Constraints())
         default = REQUIRED if field.default is dataclasses.MISSING else field.default
+        if field.default_factory is not dataclasses.MISSING:
+            default = MutableDefault("default_factory")
         options.append(OptionSchema(field.name, option_type, default, constraints))
     return tuple(options)
 

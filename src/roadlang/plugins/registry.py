@@ -3,30 +3,29 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from operator import attrgetter
 from typing import Any
 
+from .kind_checks import KindFault, check_kind, check_name
 from .kinds import VERBS, Kind
 from .options import OptionSchema, schema_of
 
-SHIPPED = ("standard", "godot")
-"""The entry points of the kinds that ship in the wheel, in the order of listings."""
+_MOST_HINTS = 3
 
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """The distribution that brings a kind; `plugin` is its entry point, the prefix of its kinds."""
+    """The distribution that brings a kind; `plugin` is its entry point, the prefix of its kinds.
+
+    `is_shipped`: it is roadlang itself, whatever its entry points are called.
+    """
 
     plugin: str
     distribution: str
     version: str
-
-    @property
-    def is_shipped(self) -> bool:
-        """Whether this plugin is part of roadlang's own wheel."""
-        return self.plugin in SHIPPED
+    is_shipped: bool = False
 
     def __str__(self) -> str:
         return f"{self.distribution} {self.version}"
@@ -43,27 +42,25 @@ class KindEntry:
 
     @property
     def qualified(self) -> str:
-        """`plugin.name`, which no two kinds of one verb share."""
+        """`acme.sine`: the name that no other plugin can bring."""
         return f"{self.origin.plugin}.{self.name}"
 
     @property
     def recorded(self) -> str:
-        """The name in scenes and manifests: plain for standard kinds, whatever else there is."""
+        """The name in scenes and manifests: plain for shipped kinds, which plain names mean."""
         return self.name if self.origin.is_shipped else self.qualified
 
     def load(self) -> type[Kind]:
         """The class. Raises what importing raises, and `TypeError` for what is no such kind; the
-        caller blames `origin`."""
+        caller attributes it to `origin`."""
         if not isinstance(self.target, str):
             return self.target
         module, _, attribute = self.target.partition(":")
-        loaded = attrgetter(attribute)(importlib.import_module(module))
-        _check_class(loaded)
+        loaded = check_kind(attrgetter(attribute)(importlib.import_module(module)))
         if (loaded.verb, loaded.name) != (self.verb, self.name):
             found = f"`{loaded.verb} {loaded.name}`"
-            raise TypeError(f"{self.target} is {found}, not `{self.verb} {self.name}`")
-        kind: type[Kind] = loaded
-        return kind
+            raise KindFault(f"it is {found}, not `{self.verb} {self.name}`", loaded)
+        return loaded
 
     def __reduce__(self) -> tuple[Any, ...]:
         # By its name: a process imports only what it uses, and what nobody uses may be anything.
@@ -74,21 +71,26 @@ class KindEntry:
 
     @property
     def options(self) -> tuple[OptionSchema, ...]:
-        """The options of the kind. Loads its class."""
+        """The options of the kind, which is imported for them."""
         return schema_of(self.load())
 
     @property
     def help(self) -> str:
-        """First line of the kind's docstring. Loads its class."""
+        """The first line of the docstring of the kind, which is imported for it."""
         return (self.load().__doc__ or "").strip().split("\n")[0]
 
 
 @dataclass(frozen=True, slots=True)
 class BrokenPlugin:
-    """A plugin that could not be loaded, or a part of it that is no kind."""
+    """A plugin that could not be loaded, or one of its kinds, `kind`, where the others could."""
 
     origin: Origin
     reason: str
+    kind: str = ""
+
+    def __str__(self) -> str:
+        what = f"{self.kind} of {self.origin}" if self.kind else f"the plugin {self.origin}"
+        return f"{what} could not be loaded: {self.reason}"
 
 
 class UnknownKind(KeyError):
@@ -96,7 +98,7 @@ class UnknownKind(KeyError):
 
 
 class AmbiguousKind(KeyError):
-    """Several plugins bring it; `entries` are the candidates."""
+    """Several plugins bring it, none of them shipped; `entries` are the candidates."""
 
     def __init__(self, entries: tuple[KindEntry, ...]) -> None:
         super().__init__(entries[0].name)
@@ -105,7 +107,10 @@ class AmbiguousKind(KeyError):
 
 @dataclass(frozen=True)
 class Registry:
-    """Looked up by verb and name, plain (`sine`) or qualified (`acme.sine`)."""
+    """Looked up by verb and name, plain (`sine`) or qualified (`acme.sine`).
+
+    A plain name means the shipped kind where there is one, whatever else is installed.
+    """
 
     entries: tuple[KindEntry, ...] = ()
     broken: tuple[BrokenPlugin, ...] = ()
@@ -123,28 +128,55 @@ class Registry:
         object.__setattr__(self, "_by_name", by_name)
 
     def find(self, verb: str, name: str) -> KindEntry:
-        """The kind. Raises `UnknownKind`, `AmbiguousKind`."""
+        """The kind that a name means, in a scene file or in a scene. Raises `UnknownKind`, and
+        `AmbiguousKind` where two strangers bring it."""
         found = self._by_name.get((verb, name), ())
         if not found:
             raise UnknownKind(name)
-        if len(found) > 1:
+        meant = [entry for entry in found if entry.origin.is_shipped] or found
+        if len(meant) > 1:
             raise AmbiguousKind(found)
-        return found[0]
+        return meant[0]
 
-    def find_recorded(self, verb: str, name: str) -> KindEntry:
-        """The kind that a scene names (`KindEntry.recorded`). Raises as `find` does."""
-        for plugin in SHIPPED:
-            if self.has(verb, f"{plugin}.{name}"):
-                return self.find(verb, f"{plugin}.{name}")
-        return self.find(verb, name)
+    def shadowed(self, entry: KindEntry) -> tuple[KindEntry, ...]:
+        """The kinds of other plugins that have the plain name of this one."""
+        named = self._by_name.get((entry.verb, entry.name), ())
+        return tuple(other for other in named if other is not entry)
+
+    def shipped_first(self, verbs: Iterable[str], name: str) -> list[str]:
+        """The verbs that have a kind of this name, those of shipped kinds before all others."""
+        having = [verb for verb in verbs if self.has(verb, name)]
+        return sorted(having, key=lambda verb: not self._is_shipped(verb, name))
+
+    def _is_shipped(self, verb: str, name: str) -> bool:
+        return any(entry.origin.is_shipped for entry in self._by_name[verb, name])
 
     def has(self, verb: str, name: str) -> bool:
-        """Whether `verb with name` can be written."""
+        """Whether `find` has something to find."""
         return (verb, name) in self._by_name
 
     def names(self, verb: str) -> tuple[str, ...]:
         """Plain names of all kinds of a verb, in order."""
         return tuple(sorted({entry.name for entry in self.entries if entry.verb == verb}))
+
+    def broken_kind(self, verbs: Iterable[str], name: str) -> BrokenPlugin | None:
+        """The reason why a kind is not there: it, or the whole plugin that it names, is broken."""
+        plugin, dot, plain = name.rpartition(".")
+        for broken in self.broken:
+            if dot and plugin != broken.origin.plugin:
+                continue
+            verb, _, kind = broken.kind.partition(" ")
+            if (verb in verbs and kind == plain) or (dot and not broken.kind):
+                return broken
+        return None
+
+    @property
+    def hints(self) -> tuple[str, ...]:
+        """What to say of broken plugins where something was not found: it may be in one of them."""
+        lines = [str(broken) for broken in self.broken]
+        more = len(lines) - _MOST_HINTS
+        rest = f"{more} more could not be loaded; `roadlang plugins` says why"
+        return tuple(lines[:_MOST_HINTS]) + ((rest,) if more > 0 else ())
 
     def is_planned(self, verb: str, name: str) -> bool:
         """Whether a kind is planned; `planned` holds `"emit gltf"`, `"read opendrive .xodr"`."""
@@ -180,38 +212,43 @@ class Registry:
         return found
 
     def of(self, verb: str) -> Iterator[KindEntry]:
-        """All kinds of a verb."""
+        """The kinds of a verb, shipped ones first."""
         return (entry for entry in self.entries if entry.verb == verb)
 
 
-def entries_of(kinds: Iterable[type] | Mapping[str, str], origin: Origin) -> list[KindEntry]:
-    """The entries of what a `roadlang_kinds` hook returned. Raises `TypeError` with the reason."""
+def entries_of(
+    kinds: Iterable[type] | Mapping[str, str], origin: Origin
+) -> tuple[list[KindEntry], list[BrokenPlugin]]:
+    """The entries of what a `roadlang_kinds` hook returned, and those that are none."""
     if isinstance(kinds, Mapping):
-        return [_entry_of_target(key, target, origin) for key, target in kinds.items()]
-    return [_entry_of_class(kind, origin) for kind in kinds]
+        return _gathered(_entry_of_target, kinds.items(), origin)
+    return _gathered(_entry_of_class, kinds, origin)
 
 
-def _entry_of_target(key: str, target: str, origin: Origin) -> KindEntry:
-    verb, _, name = key.partition(" ")
-    if verb not in VERBS or not name.isidentifier():
-        raise TypeError(f"`{key}` is not a verb and a name, such as `perturb sine`")
+def _gathered(
+    make: Callable[[Any, Origin], KindEntry], items: Iterable[Any], origin: Origin
+) -> tuple[list[KindEntry], list[BrokenPlugin]]:
+    entries: list[KindEntry] = []
+    broken: list[BrokenPlugin] = []
+    for item in items:
+        try:
+            entries.append(make(item, origin))
+        except KindFault as fault:
+            broken.append(BrokenPlugin(origin, str(fault), fault.kind))
+    return entries, broken
+
+
+def _entry_of_target(item: tuple[Any, Any], origin: Origin) -> KindEntry:
+    key, target = item
+    verb, _, name = str(key).partition(" ")
+    if verb not in VERBS:
+        raise KindFault(f"`{key}` is not a verb and a name, such as `perturb sine`")
+    check_name(name)
     if not isinstance(target, str) or target.count(":") != 1:
-        raise TypeError(f"the target of `{key}` is not `module:Class`: {target!r}")
+        raise KindFault(f"the target of `{key}` is not `module:Class`: {target!r}")
     return KindEntry(verb, name, origin, target)
 
 
 def _entry_of_class(kind: object, origin: Origin) -> KindEntry:
-    checked = _check_class(kind)
+    checked = check_kind(kind)
     return KindEntry(checked.verb, checked.name, origin, checked)
-
-
-def _check_class(kind: object) -> type[Kind]:
-    """Raises `TypeError` with what keeps a class from being a kind."""
-    if not (isinstance(kind, type) and issubclass(kind, Kind)):
-        raise TypeError(f"{kind!r} does not derive from a kind of roadlang.api")
-    if not isinstance(kind.name, str) or not kind.name.isidentifier():
-        raise TypeError(f"{kind.__name__} has no `name` that is an identifier")
-    if kind.verb not in VERBS:
-        raise TypeError(f"{kind.__name__} has no verb: derive from `Perturber` or another base")
-    schema_of(kind)
-    return kind

@@ -10,6 +10,7 @@ from ..evaluate.concrete import call_of, concrete
 from ..evaluate.evaluation import build
 from ..ir.scenario import Actor, Network
 from ..ir.scene import SceneActor
+from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 from ..world.networks import network_root
@@ -94,7 +95,7 @@ def _kind_defaults(kind: str, candidates: CandidateBatch) -> dict[str, Any]:
     registry = candidates.scenario.registry
     if not registry.has("object", kind):
         return {}
-    entry = registry.find("object", kind)
+    entry = find_entry(registry, "object", kind)
     with plugin_guard(entry, None):
         schema = schema_of(entry.load())
     return {option.name: option.default for option in schema if not option.required}

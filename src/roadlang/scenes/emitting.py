@@ -16,7 +16,7 @@ from ..ir.picture import Picture
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import Entity, PassCall
-from ..plugins.kinds import Backend
+from ..plugins.kinds import implements
 from ..plugins.registry import Registry
 from ..world.index import index_scenario
 from ..world.pictures import load_picture
@@ -96,7 +96,7 @@ def outputs(
 
 def send(backends: Iterable[KindInstance], scenes: Iterable[Scene]) -> None:
     """Deliver the scenes through the backends that speak to an engine."""
-    live = [backend for backend in backends if type(backend.kind).send is not Backend.send]
+    live = [backend for backend in backends if implements(type(backend.kind), "send")]
     for scene in scenes:
         for backend in live:
             with backend.guarded:

@@ -12,7 +12,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
 from ..ir.values import Draw, PassCall
 from ..plugins.guard import wrong_result
-from ..plugins.kinds import Sampler
+from ..plugins.kinds import implements
 
 Progress = Callable[[int, int], None]
 """Called with how much is done and how much there is to do."""
@@ -30,7 +30,7 @@ def _default_call(scenario: IndexedScenario) -> PassCall:
 
 def is_steering(sampler: KindInstance) -> bool:
     """Whether a sampler proposes candidates from what is known of others."""
-    return type(sampler.kind).steer is not Sampler.steer
+    return implements(type(sampler.kind), "steer")
 
 
 @dataclass(frozen=True)

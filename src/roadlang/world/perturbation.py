@@ -16,7 +16,7 @@ from ..geometry import Window, displace, over
 from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
-from ..plugins.kinds import Perturber
+from ..plugins.kinds import implements
 from .stations import is_still
 
 Floats = NDArray[np.float64]
@@ -60,7 +60,7 @@ def _displacements(
 ) -> Floats:
     kind = built.kind
     stations = len(road.stations)
-    if type(kind).displacements is not Perturber.displacements:
+    if implements(type(kind), "displacements"):
         with built.guarded:
             moves = np.asarray(kind.displacements(road, random), dtype=np.float64)
         if moves.shape == (stations,):  # no option is random: alike in all candidates

@@ -18,7 +18,7 @@ from ..types.dimensions import common_dimension
 from ..types.expression_types import KindCallType, Quantity, SignalType, TypedExpression, unknown
 from .argument_binding import bind_arguments
 from .draws import draw_of
-from .kinds import find_kind
+from .kinds import find_kind, verbs_with
 from .signals import measured
 
 _VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select")
@@ -34,8 +34,7 @@ def infer_call(checker: Checker, call: ast.Call, context: Context) -> TypedExpre
         )
     if name in _COUNTS:
         return _built_in(checker, call, name, context)
-    verbs = [verb for verb in context.verbs if has(checker, verb, name)]
-    verbs = verbs[:1] or [verb for verb in _VERBS if has(checker, verb, name)]
+    verbs = verbs_with(checker, context.verbs, name)[:1] or verbs_with(checker, _VERBS, name)
     if not verbs and context.verbs == () and name in checker.program.declarations:
         checker.use(name, context)
         return checker.report(Code.NOT_A_FUNCTION, call.function.span, name=name)
@@ -61,20 +60,14 @@ def dotted(expression: ast.Expression) -> str | None:
     return None
 
 
-def has(checker: Checker, verb: str, name: str) -> bool:
-    """Whether `verb` has a kind of this name, a planned one included."""
-    return checker.registry.has(verb, name) or checker.registry.is_planned(verb, name)
-
-
 def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) -> TypedExpression:
     span = call.function.span
     if context.verbs:
         find_kind(checker, context.verbs[0], name, span)
         return unknown(call.span)
-    prefix = name.split(".")[0]
-    broken = [found for found in checker.registry.broken if found.origin.plugin == prefix]
-    if broken:
-        plugin, reason = broken[0].origin, broken[0].reason
+    broken = checker.registry.broken_kind(_VERBS, name)
+    if broken is not None:
+        plugin, reason = broken.origin, broken.reason
         checker.report(Code.BROKEN_PLUGIN, span, kind=name, plugin=plugin, reason=reason)
         return unknown(call.span)
     known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)}

@@ -38,7 +38,7 @@ from ..types.expression_types import (
     TypedExpression,
     unknown,
 )
-from .kinds import find_default, find_kind
+from .kinds import find_default, find_kind, verbs_with
 
 _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
 
@@ -240,11 +240,7 @@ def _signal_or_formula(found: TypedExpression, text: str, span: Span) -> TypedEx
 
 def _expected_verb(checker: Checker, text: str, context: Context) -> str | None:
     """The verb of the kind that a bare name means where kinds are expected: `is car`."""
-    registry = checker.registry
-    for verb in context.verbs:
-        if registry.has(verb, text) or registry.is_planned(verb, text):
-            return verb
-    return None
+    return next(iter(verbs_with(checker, context.verbs, text)), None)
 
 
 def _verb_in_definition(checker: Checker, text: str, context: Context) -> str | None:
@@ -252,7 +248,7 @@ def _verb_in_definition(checker: Checker, text: str, context: Context) -> str | 
     declared = checker.program.declarations.get(context.user)
     if declared is None or declared.role not in ("param", "let"):
         return None
-    return next((verb for verb in ("agent", "object") if checker.registry.has(verb, text)), None)
+    return next(iter(checker.registry.shipped_first(("agent", "object"), text)), None)
 
 
 def _unresolved(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:

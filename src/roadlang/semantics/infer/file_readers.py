@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from ...diagnostics import Code, Span
+from ...plugins.registry import KindEntry
 from ..checker import Checker
 from .kinds import display_name, loaded
 
@@ -23,8 +24,11 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
         suffixes.update(found.kind.suffixes)  # type: ignore[attr-defined]
         if suffix in found.kind.suffixes:  # type: ignore[attr-defined]
             fitting.append(entry)
-    if len(fitting) == 1:
-        return fitting[0].qualified
+    shipped = [entry for entry in fitting if entry.origin.is_shipped]
+    if shipped and len(fitting) > 1:
+        _warn_of_others(checker, shipped[0], fitting, suffix, span)
+    if len(shipped or fitting) == 1:
+        return (shipped or fitting)[0].qualified
     if fitting:
         names = " or ".join(f"`read with {entry.qualified}`" for entry in fitting)
         owners = " and ".join(str(entry.origin) for entry in fitting)
@@ -47,3 +51,18 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
     help_ = [f"a {role} can be read from: {known}", "or say how with `read with` in its block"]
     checker.report(Code.NO_READER, span, file=path, suffix=shown, role=role, help=help_)
     return None
+
+
+def _warn_of_others(
+    checker: Checker, chosen: KindEntry, fitting: list[KindEntry], suffix: str, span: Span
+) -> None:
+    for other in fitting:
+        if not other.origin.is_shipped:
+            help_ = f"write `read with {other.qualified}` in its block for that one, or "
+            checker.report(
+                Code.SHADOWED_KIND,
+                span,
+                kind=f"a reader of {suffix} files",
+                other=other.origin,
+                help=f"{help_}`read with {chosen.qualified}` for this one",
+            )

@@ -40,8 +40,22 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> ResolvedKin
         _report_missing(checker, verb, name, span)
         return None
     found = _load(checker, entry, span)
+    if name == entry.name:
+        _warn_of_others(checker, entry, span)
     checker.kinds[key] = found
     return found
+
+
+def _warn_of_others(checker: Checker, entry: KindEntry, span: Span) -> None:
+    """A plain name means the shipped kind: whoever wants that of another plugin writes so."""
+    for other in checker.registry.shadowed(entry):
+        checker.report(
+            Code.SHADOWED_KIND,
+            span,
+            kind=display_name(entry.verb, entry.name),
+            other=other.origin,
+            help=f"write `{other.qualified}` for that, or `{entry.qualified}` for this one",
+        )
 
 
 def find_default(checker: Checker, verb: str, span: Span) -> ResolvedKind | None:
@@ -51,6 +65,14 @@ def find_default(checker: Checker, verb: str, span: Span) -> ResolvedKind | None
     except UnknownKind:
         name = "default"
     return find_kind(checker, verb, name, span)
+
+
+def verbs_with(checker: Checker, verbs: Iterable[str], name: str) -> list[str]:
+    """Those of the verbs that have a kind of this name, a planned one included; those of shipped
+    kinds come first, as a plain name means these."""
+    registry, verbs = checker.registry, tuple(verbs)
+    found = registry.shipped_first(verbs, name)
+    return found + [v for v in verbs if v not in found and registry.is_planned(v, name)]
 
 
 def _load(checker: Checker, entry: KindEntry, span: Span) -> ResolvedKind | None:
@@ -89,24 +111,19 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
         built = _listing(verb, registry.names(verb))
         checker.report(Code.PLANNED_KIND, span, kind=display_name(verb, name), help=built)
         return
-    for broken in registry.broken:
-        if name.split(".")[0] == broken.origin.plugin and "." in name:
-            checker.report(
-                Code.BROKEN_PLUGIN,
-                span,
-                kind=display_name(verb, name),
-                plugin=broken.origin,
-                reason=broken.reason,
-            )
-            return
+    broken = registry.broken_kind([verb], name)
+    if broken is not None:
+        kind, plugin, reason = display_name(verb, name), broken.origin, broken.reason
+        checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=plugin, reason=reason)
+        return
     known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
     meant = nearest(name, qualified if "." in name else known)
     help_ = [] if meant else _elsewhere(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
-    for broken in registry.broken:
-        help_.append(f"the plugin {broken.origin} could not be loaded: {broken.reason}")
+    if not meant:
+        help_ += registry.hints
     noun = _NOUNS.get(verb, f"kind of `{verb}`")
     checker.report(Code.UNKNOWN_KIND, span, name=name, noun=noun, help=help_, meant=meant)
 

@@ -8,8 +8,8 @@ from ..checker import Checker
 from ..context import Context
 from ..types.assignable import check_assignable
 from ..types.expression_types import DeclaredType, TypedExpression, unknown
-from .calls import dotted, has, is_member, of_kind, signature
-from .kinds import find_kind
+from .calls import dotted, is_member, of_kind, signature
+from .kinds import find_kind, verbs_with
 from .option_binding import BoundOptions
 from .signals import measured
 
@@ -47,9 +47,8 @@ def _of_nothing(
     """The first name is not declared: perhaps it is a plugin's."""
     if checker.program.incomplete:
         return unknown(member.span)
-    for verb in (*context.verbs, "agent", "object"):
-        if checker.registry.has(verb, parts):
-            return of_kind(checker, ast.Call(member, (), span=member.span), verb, parts, context)
+    for verb in checker.registry.shipped_first((*context.verbs, "agent", "object"), parts):
+        return of_kind(checker, ast.Call(member, (), span=member.span), verb, parts, context)
     if context.verbs:
         find_kind(checker, context.verbs[0], parts, member.span)
         return unknown(member.span)
@@ -61,7 +60,7 @@ def _of_actor(
     checker: Checker, member: ast.Member, base: str, name: str, owner: TypedExpression
 ) -> TypedExpression:
     place = member.name.span
-    verb = next((verb for verb in _VERBS if has(checker, verb, name)), None)
+    verb = next(iter(verbs_with(checker, _VERBS, name)), None)
     if verb is None:
         known = [entry.name for verb in _VERBS for entry in checker.registry.of(verb)]
         meant = nearest(name, known)

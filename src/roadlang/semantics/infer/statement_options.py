@@ -8,23 +8,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from ...ir.dimension import PURE
 from ...plugins.option_types import (
     Angle,
     CallType,
-    Condition,
     Duration,
     Flag,
     KindNameType,
     Length,
-    ListType,
     MapType,
     Number,
-    QuantityType,
     RecordType,
     Scale,
     Speed,
-    Stretch,
     Whole,
     Word,
 )
@@ -32,7 +27,6 @@ from ...plugins.options import option
 
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
-RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 
 
 @dataclass(frozen=True)
@@ -69,30 +63,6 @@ class RoadOptions:
 
 
 @dataclass(frozen=True)
-class PlacementOptions:
-    """Where an agent or object stands, beside `on` and `at`."""
-
-    offset: Length = option(
-        None,
-        minimum=-1000,
-        maximum=1000,
-        help="left positive, from the center line, or from the lane's; outward with `side`",
-    )
-    lane: Whole = option(
-        None,
-        minimum=-32,
-        maximum=32,
-        help="OpenDRIVE's id: -1 is the first to the right of the center line, 1 to the left",
-    )
-    side: Word = option(None, words=("left", "right"), help="beside the road, from its edge")
-    facing: Word = option(
-        None, words=("forward", "back"), help="along the road or against it; the lane's way"
-    )
-    heading: Angle = option(None, help="counter-clockwise from the road's, or from east")
-    count: Whole = option(1, minimum=0, maximum=100_000, help="how many such")
-
-
-@dataclass(frozen=True)
 class SunOptions:
     """Where the sun stands."""
 
@@ -117,27 +87,3 @@ class WorldOptions:
     visibility: Length = option(None, above=0, help="how far one sees")
     friction: Number = option(None, above=0, maximum=2, help="of the road: 1 is dry, 0.1 is ice")
     sun: Sun = option(None, help="`{ azimuth: 90deg, elevation: 30deg }`")
-
-
-@dataclass(frozen=True)
-class PerturbOptions:
-    """Options that every kind of `perturb` has."""
-
-    over: Stretch = option(None, minimum=0, help="only on this stretch of the road")
-    taper: Length = option(None, minimum=0, help="how long it takes to fade at the stretch's ends")
-
-
-@dataclass(frozen=True)
-class NetworkPerturbOptions(PerturbOptions):
-    """In a network, these roads only."""
-
-    roads: RoadNumbers = option(None, minimum=0, help="numbers of the roads; all of them")
-
-
-@dataclass(frozen=True)
-class DriveOptions:
-    """Options that every kind of `drive` has."""
-
-    when: Condition = option(
-        None, help="takes over once this has come true; the last such is in charge"
-    )

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from ..infer.statement_options import (
+from ...plugins.common_options import (
     DriveOptions,
-    ImageOptions,
-    NetworkOptions,
     NetworkPerturbOptions,
     PerturbOptions,
     PlacementOptions,
-    RoadOptions,
-    WorldOptions,
 )
+from ..infer.statement_options import ImageOptions, NetworkOptions, RoadOptions, WorldOptions
 from ..infer.statement_spec import StatementSpec
 from .actors import lower_actor
 from .constraints import lower_constraint
