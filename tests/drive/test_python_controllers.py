@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from roadlang import testing
 from roadlang.api import Call, Control, Controller, Observation, Scene, SceneActor, Speed, option
 from roadlang.drive.controllers import python_controllers
 from roadlang.ir.scene import Provenance
-from roadlang.plugins.registry import Origin, Registry, entries_of
+from roadlang.plugins.discovery import registry_of
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Elsewhere(Controller):
     name: ClassVar[str] = "elsewhere"
 
 
-REGISTRY = Registry(tuple(entries_of([Steady, Elsewhere], Origin("acme", "acme", "1"))))
+REGISTRY = registry_of({"acme": testing.plugin_of(Steady, Elsewhere)})
 
 
 SEEN = Observation(0, 0.02, "ego", 0, 0, 0, 2.0, 0, 0, 0, 0, 2.7, lambda d: (d, 0, 0, 0))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from roadlang.plugins.discovery import _Candidate, collect, load_registry
+from roadlang.plugins.discovery import registry_of
 from roadlang.plugins.registry import Registry
 from roadlang.semantics import check_file
 from tests.semantics.sample_files import SAMPLES, copy_samples
@@ -24,9 +24,7 @@ def registry() -> Registry:
         import roadlang_acme
     finally:
         sys.path.remove(str(ACME))
-    installed = load_registry()
-    acme = collect([_Candidate("acme", None, roadlang_acme)])
-    return Registry(installed.entries + acme.entries, installed.broken, installed.planned)
+    return registry_of({"acme": roadlang_acme}, installed=True)
 
 
 def test_there_are_samples() -> None:
