@@ -107,43 +107,43 @@ FAULTS = {
     ),
     "a default of a wrong type": (
         options('size: Length = option("seven")'),
-        "the option `size` of Bad has the default 'seven', which is not a length (m)", 9,
+        "the option `size` of Bad has the default 'seven'; expected: length (m)", 9,
     ),
     "a flag of 0": (
         options("loud: Flag = option(0)"),
-        "the option `loud` of Bad has the default 0, which is not true | false", 9,
+        "the option `loud` of Bad has the default 0; expected: true | false", 9,
     ),
     "a number that is a flag": (
         options("size: Length = option(True)"),
-        "the option `size` of Bad has the default True, which is not a length (m)", 9,
+        "the option `size` of Bad has the default True; expected: length (m)", 9,
     ),
     "half of a whole number": (
-        options("count: Whole = option(1.5)"), "which is not a whole number", 9,
+        options("count: Whole = option(1.5)"), "expected: integer", 9,
     ),
     "not a number": (
-        options('size: Length = option(float("nan"))'), "which is not a length (m)", 9,
+        options('size: Length = option(float("nan"))'), "expected: length (m)", 9,
     ),
     "a point of three": (
-        options("at: Point = option((1.0, 2.0, 3.0))"), "which is not a point (m)", 9,
+        options("at: Point = option((1.0, 2.0, 3.0))"), "expected: point (m)", 9,
     ),
     "an interval from high to low": (
-        options("range: Stretch = option((2.0, 1.0))"), "which is not [a, b]", 9,
+        options("range: Stretch = option((2.0, 1.0))"), "expected: interval", 9,
     ),
     "a list of fewer": (
-        options("sizes: list_of(Length, at_least=2) = option((1.0,))"), "which is not a list", 9,
+        options("sizes: list_of(Length, at_least=2) = option((1.0,))"), "expected: list", 9,
     ),
     "a default that names a road": (
-        options('other: RoadName = option("main")'), "which is not the name of a road", 9,
+        options('other: RoadName = option("main")'), "expected: name of a road", 9,
     ),
     "a default below its bounds": (
         options("size: Length = option(-1.0, minimum=0)"),
-        "the option `size` of Bad has the default -1.0, which is not >= 0m", 9,
+        "the option `size` of Bad has the default -1.0; expected: >= 0m", 9,
     ),
     "a default at a bound that is excluded": (
-        options("size: Length = option(0.0, above=0)"), "which is not > 0m", 9,
+        options("size: Length = option(0.0, above=0)"), "expected: > 0m", 9,
     ),
     "an item beyond the bounds": (
-        options("sizes: list_of(Length) = option((1.0, 9.0), maximum=5)"), "which is not <= 5m", 9,
+        options("sizes: list_of(Length) = option((1.0, 9.0), maximum=5)"), "expected: <= 5m", 9,
     ),
     "bounds that leave nothing": (
         options("size: Length = option(minimum=5, maximum=2)"), "allows no value: >= 5m, <= 2m", 9,
@@ -154,7 +154,7 @@ FAULTS = {
     ),
     "a default that is not among the words": (
         options('side: Word = option("up", words=("left", "right"))'),
-        "has the default 'up', which is not left | right", 9,
+        "has the default 'up'; expected: left | right", 9,
     ),
     "a word that cannot be written": (
         options('version: Word = option(words=("1.8",))'),
@@ -183,8 +183,8 @@ FAULTS = {
         kind("AgentKind", "lane: Whole = option(1)"), "every kind of `agent` has", 9,
     ),
     "an option with the name of a method": (
-        options("reach: Length = option(1.0)"),
-        "the option `reach` of Bad has the name of an attribute of Perturber", 9,
+        options("displacement_bound: Length = option(1.0)"),
+        "the option `displacement_bound` of Bad has the name of an attribute of Perturber", 9,
     ),
     "an option called as a word of the language": (
         options("until: Length = option(1.0)"), "`until` of Bad cannot be written", 9,

@@ -39,9 +39,9 @@ def _default_fault(option: OptionSchema) -> str | None:
         instead = "None" if value.kind in ("dict", "set") else "a tuple"
         return f"has a {value.kind} as default, which all uses would share: write {instead}"
     if not _fits(value, option.type):
-        return f"has the default {value!r}, which is not {type_text(option)}"
+        return f"has the default {value!r}; expected: {type_text(option)}"
     if not all(option.constraints.allow(number) for number in _numbers(value)):
-        return f"has the default {value!r}, which is not {bounds_text(option)}"
+        return f"has the default {value!r}; expected: {bounds_text(option)}"
     return None
 
 
