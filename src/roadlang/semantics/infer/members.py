@@ -23,7 +23,7 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
         return checker.report(
             Code.UNDEFINED_SIGNAL, member.name.span, name=member.name.text, given="a call"
         )
-    base, _, name = parts.partition(".")
+    base, name = _split(parts, checker)
     if base in checker.program.spoiled:
         return unknown(member.span)
     if base not in checker.program.declarations:
@@ -39,6 +39,16 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
             Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name
         )
     return _of_actor(checker, member, base, name, owner)
+
+
+def _split(parts: str, checker: Checker) -> tuple[str, str]:
+    """The declared name at the front, which has dots for what is included as a name; the rest."""
+    words = parts.split(".")
+    for count in range(len(words) - 1, 0, -1):
+        base = ".".join(words[:count])
+        if base in checker.program.declarations or base in checker.program.spoiled:
+            return base, ".".join(words[count:])
+    return words[0], ".".join(words[1:])
 
 
 def _of_nothing(

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean
+from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean, nearest
 from ...syntax import parse, parse_formula
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
+from .namespaces import Namespace, resolved
 from .program import Declaration, Program, Setting
 
+MOST_INCLUDES = 200
 BUILT_IN = frozenset({"abs", "min", "max", "fresh", "time", "inf"})
 
 
@@ -20,37 +23,85 @@ def load(path: Path, text: str, overrides: Mapping[str, str]) -> Program:
     source = Source(str(path), text)
     program = Program(path, source)
     loader = _Loader(program)
-    loader.read(source, path, ())
+    loader.read(source, path, (), Namespace())
+    loader.declare_all()
     for name, value in overrides.items():
         loader.override(name, value)
     return program
 
 
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """A statement as it was read; `is_main`: of the main file."""
+
+    statement: ast.Statement
+    folder: Path
+    space: Namespace
+    is_main: bool
+
+
 class _Loader:
+    """Reads all files first: what a name means may be declared in a later one."""
+
     def __init__(self, program: Program) -> None:
         self._program = program
-        self._included: dict[str, Span] = {}
+        self._included: dict[tuple[str, str], Span] = {}
+        self._found: list[_Found] = []
+        self._spaces: dict[str, Namespace] = {}
+        """where the value of each setting stands"""
 
-    def read(self, source: Source, path: Path, chain: tuple[str, ...]) -> set[str]:
+    def read(
+        self, source: Source, path: Path, chain: tuple[str, ...], space: Namespace
+    ) -> set[str]:
         """Add the statements of one file; returns the params that it and its includes have."""
         tree, found = parse(source)
         self._program.diagnostics.extend(found)
-        self._program.spoiled.update(word.text for word in tree.spoiled)
+        self._program.spoiled.update(space.prefix + word.text for word in tree.spoiled)
         self._program.inputs.append(source.path)
+        is_main = not chain
         chain = (*chain, os.path.realpath(path))
         params: set[str] = set()
         for statement in tree.statements:
             if isinstance(statement, ast.Include):
-                params |= self._include(statement, path.parent, chain)
-            elif isinstance(statement, ast.Header):
-                self._header(statement, len(chain) == 1)
-            elif name := getattr(statement, "name", None):
-                self._declare(name, statement, path.parent)
+                params |= self._include(statement, path.parent, chain, space)
+                continue
+            self._found.append(_Found(statement, path.parent, space, is_main))
+            name = getattr(statement, "name", None)
+            if name is not None and not isinstance(statement, ast.Header):
+                space.declared.add(name.text)
                 if isinstance(statement, ast.Param):
                     params.add(name.text)
-            else:
-                self._program.add_unnamed(statement, path.parent)
         return params
+
+    def declare_all(self) -> None:
+        """Declare what was read, each name in full."""
+        settings = self._program.settings
+        for setting, space in self._spaces.items():
+            if setting in settings:
+                value = resolved(settings[setting].value, space, self._report_unknown_member)
+                settings[setting] = replace(settings[setting], value=value)
+        for found in self._found:
+            statement = resolved(found.statement, found.space, self._report_unknown_member)
+            if isinstance(statement, ast.Header):
+                if not found.space.prefix:
+                    self._header(statement, found.is_main)
+            elif name := getattr(statement, "name", None):
+                self._declare(name, statement, found.folder)
+                self._check_alias(name, found.space)
+            elif not found.space.prefix:  # under a name a file gives its declarations alone
+                self._program.add_unnamed(statement, found.folder)
+
+    def _report_unknown_member(self, member: ast.Member, inner: Namespace, alias: str) -> None:
+        name = member.name.text
+        if self._program.incomplete or inner.prefix + name in self._program.spoiled:
+            self._program.spoiled.add(inner.prefix + name)
+            return
+        meant = nearest(name, sorted(inner.declared))
+        self._program.spoiled.add(inner.prefix + name)
+        self._report(
+            Code.UNKNOWN_INCLUDED_NAME, member.name.span, name=name, alias=alias,
+            help=f"did you mean `{alias}.{meant}`?" if meant else _list_of_names(inner),
+        )  # fmt: skip
 
     def override(self, name: str, text: str) -> None:
         """A value from the command line."""
@@ -77,7 +128,7 @@ class _Loader:
 
     def _header(self, header: ast.Header, is_main: bool) -> None:
         headers = self._program.headers
-        same = [found for found in headers if found.span.source == header.span.source]
+        same = [found for found in headers if found.span.source is header.span.source]
         if same:
             self._report(
                 Code.DUPLICATE_STATEMENT,
@@ -103,7 +154,16 @@ class _Loader:
             found = Declaration(statement, folder, name=name)
             self._program.declarations[name.text] = found
 
-    def _include(self, statement: ast.Include, folder: Path, chain: tuple[str, ...]) -> set[str]:
+    def _check_alias(self, name: ast.Word, space: Namespace) -> None:
+        """A name is not that of an included file as well."""
+        alias = space.spans.get(name.text.removeprefix(space.prefix))
+        if alias is not None:
+            labels = [Label(alias, "an included file has this name")]
+            self._report(Code.DUPLICATE_NAME, name.span, labels=labels, name=name.text)
+
+    def _include(
+        self, statement: ast.Include, folder: Path, chain: tuple[str, ...], space: Namespace
+    ) -> set[str]:
         target = folder / statement.path.value
         real = os.path.realpath(target)
         span = statement.path.span
@@ -112,19 +172,26 @@ class _Loader:
             self._report(Code.CIRCULAR_INCLUDE, span, cycle=" includes ".join(names))
             self._program.incomplete = True
             return set()
-        if real in self._included:
-            labels = [Label(self._included[real], "included here first")]
-            self._report(Code.DUPLICATE_INCLUDE, span, labels=labels, file=statement.path.value)
+        inner = self._namespace(statement, real, space)
+        if (real, inner.prefix) in self._included:
+            labels = [Label(self._included[real, inner.prefix], "included here first")]
+            file = statement.path.value
+            self._report(Code.DUPLICATE_INCLUDE, span, labels=labels, file=file)
             return set()
-        self._included[real] = span
+        self._included[real, inner.prefix] = span
+        if len(self._included) > MOST_INCLUDES:
+            self._report(Code.TOO_MANY_INCLUDES, span, most=MOST_INCLUDES)
+            self._program.incomplete = True
+            return set()
         text = self._text(target, statement.path)
-        settings = self._settings(statement)
+        settings = self._settings(statement, inner, space)
         if text is None:
             self._program.incomplete = True
             return set()
-        params = self.read(Source(str(target), text), target, chain)
+        params = self.read(Source(str(target), text), target, chain, inner)
         for key in settings:
-            unsure = self._program.incomplete or key.text in self._program.spoiled
+            whole = inner.prefix + key.text
+            unsure = self._program.incomplete or whole in self._program.spoiled
             if key.text not in params and not unsure:
                 self._report(
                     Code.UNKNOWN_PARAM,
@@ -133,8 +200,28 @@ class _Loader:
                     name=key.text,
                     where=f"`{statement.path.value}`",
                 )
-                self._program.settings.pop(key.text, None)
-        return params
+                self._program.settings.pop(whole, None)
+        if statement.alias is None:
+            return params
+        return {f"{statement.alias.text}.{name}" for name in params}
+
+    def _namespace(self, statement: ast.Include, real: str, space: Namespace) -> Namespace:
+        """The names of the included file: the same as around it, or its own under its alias."""
+        alias = statement.alias
+        if alias is None:
+            return space
+        if alias.text in space.aliases:
+            inner = space.aliases[alias.text]
+            if (real, inner.prefix) not in self._included:
+                labels = [Label(space.spans[alias.text], "first declared here")]
+                self._report(Code.DUPLICATE_NAME, alias.span, labels=labels, name=alias.text)
+            return inner
+        if alias.text in BUILT_IN:
+            self._report(Code.BUILT_IN_NAME, alias.span, name=alias.text)
+        inner = Namespace(f"{space.prefix}{alias.text}.")
+        space.aliases[alias.text] = inner
+        space.spans[alias.text] = alias.span
+        return inner
 
     def _text(self, target: Path, written: ast.String) -> str | None:
         try:
@@ -162,7 +249,9 @@ class _Loader:
             )
         return None
 
-    def _settings(self, statement: ast.Include) -> list[ast.Word]:
+    def _settings(
+        self, statement: ast.Include, inner: Namespace, space: Namespace
+    ) -> list[ast.Word]:
         if statement.block is None:
             return []
         for found in statement.block.passes:
@@ -176,13 +265,22 @@ class _Loader:
                 continue
             keys.append(option.key)
             # The including file is read first: what it sets wins over what its includes set.
-            setting = Setting(option.key.text, option.value, option.value.span)
-            self._program.settings.setdefault(option.key.text, setting)
+            whole = inner.prefix + option.key.text
+            setting = Setting(whole, option.value, option.value.span)
+            self._program.settings.setdefault(whole, setting)
+            self._spaces.setdefault(whole, space)
         return keys
 
     def _report(self, code: str, span: Span, **values: object) -> None:
         found: Diagnostic = diagnose(code, span, **values)  # type: ignore[arg-type]
         self._program.diagnostics.append(found)
+
+
+def _list_of_names(space: Namespace) -> tuple[str, ...]:
+    names = sorted(space.declared)
+    if not names:
+        return ("it declares no names",)
+    return ("it declares " + ", ".join(f"`{name}`" for name in names[:20]),)
 
 
 def _list_of_params(params: list[str]) -> tuple[str, ...]:

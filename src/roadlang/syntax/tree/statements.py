@@ -39,11 +39,12 @@ class Header(Statement):
 
 @dataclass(frozen=True, slots=True)
 class Include(Statement):
-    """`include "file" { param: value }`."""
+    """`include "file" as NAME { param: value }`."""
 
     words = ("include",)
-    layout = "include {path} {block}"
+    layout = "include {path} as {alias} {block}"
     path: String
+    alias: Word | None
     block: Block | None
 
 
