@@ -93,6 +93,7 @@ class Code:
     LANE_AND_SIDE: Final = "RL239"
     START_WITHOUT_ROAD: Final = "RL240"
     OPTION_NEEDS_ROAD: Final = "RL241"
+    TOO_LARGE_WRITTEN_OUT: Final = "RL242"
     TRIVIAL_REQUIREMENT: Final = "RL290"
     FLOAT_EQUALITY: Final = "RL291"
     SHADOWED_KIND: Final = "RL292"

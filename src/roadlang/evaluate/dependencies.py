@@ -10,14 +10,17 @@ from ..ir.values import Draw, Entity, Reference, Value
 
 
 def walk(value: Value | None, named: Mapping[str, Named]) -> Iterator[Value]:
-    """A value and everything inside it, through the names it uses."""
-    if value is None:
-        return
-    yield value
-    if isinstance(value, Reference):
-        yield from walk(named[value.name].value, named)
-    for child in values_in(value):
-        yield from walk(child, named)
+    """A value and everything inside it, through the names it uses: each of these once."""
+    pending = [] if value is None else [value]
+    seen: set[str] = set()
+    while pending:
+        item = pending.pop()
+        yield item
+        inside = list(values_in(item))
+        if isinstance(item, Reference) and item.name not in seen:
+            seen.add(item.name)
+            inside.insert(0, named[item.name].value)
+        pending.extend(reversed(inside))
 
 
 def draws_in(value: Value | None, named: Mapping[str, Named]) -> Iterator[Draw]:

@@ -14,6 +14,7 @@ from .infer.definitions import define
 from .infer.name_warnings import warn
 from .infer.rule_table import RULES
 from .lower.scenario import lower
+from .lower.written_size import report_oversized
 from .names.loading import load
 
 
@@ -50,6 +51,7 @@ def check_text(
     checker = Checker(program, registry, RULES, define)
     try:
         scenario = lower(checker)
+        report_oversized(checker, scenario)
     except RecursionError:
         # The parser refuses deep nesting; what is left are circles of hundreds of definitions.
         checker.report(Code.NESTING_TOO_DEEP, program.source.span(0, 0))
