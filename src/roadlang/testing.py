@@ -118,16 +118,13 @@ def road_batch(
     """
     import numpy as np
 
-    from .geometry import Curve, DisplacedBatch, Frame
-    from .ir.batch import RoadBatch
-    from .world.stations import stations_of
+    from .geometry import Curve, Frame
+    from .world.stations import stations_of, undisplaced_road
 
     curve = Curve.through(points, closed=closed)
     frame = Frame.of(curve, stations_of(curve))
-    zeros = np.zeros((variants, len(frame.stations)))
     widths = np.broadcast_to(np.asarray(width, dtype=float).reshape(-1, 1), (variants, 1))
-    curves = DisplacedBatch(frame, zeros, zeros, zeros)
-    return RoadBatch(name, name, curves, widths, zeros, confidence=1.0)
+    return undisplaced_road(name, name, frame, widths, 1.0, variants)
 
 
 def random(variants: int = 1, seed: int = 0) -> BatchRandom:

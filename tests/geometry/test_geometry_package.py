@@ -1,5 +1,7 @@
 """The package itself: light to import, and true to its list of names."""
 
+from __future__ import annotations
+
 import subprocess
 import sys
 

@@ -1,5 +1,7 @@
 """The spline against scipy's, which is slow to import."""
 
+from __future__ import annotations
+
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -6,10 +6,10 @@ import numpy as np
 
 from roadlang.api import RoadBatch
 from roadlang.geometry import Curve, Frame
-from roadlang.world.stations import still
+from roadlang.world.stations import undisplaced_road
 
 
 def road_of(points: list[tuple[float, float]], closed: bool = False) -> RoadBatch:
     curve = Curve.through(points, closed)
     frame = Frame.of(curve, curve.stations(spacing=1.0))
-    return still("main", "main", frame, np.full((1, 1), 8.0), 1.0)
+    return undisplaced_road("main", "main", frame, np.full((1, 1), 8.0), 1.0)

@@ -28,7 +28,7 @@ KINDS: dict[str, Make] = {
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("shape", ["straight", "ring"])
-def test_nobody_goes_beyond_the_reach(
+def test_displacements_stay_within_their_bound(
     request: pytest.FixtureRequest, random: BatchRandom, kind: str, shape: str
 ) -> None:
     road: RoadBatch = request.getfixturevalue(shape)
@@ -97,9 +97,34 @@ def test_scale_zero_makes_a_bend_straight(random: BatchRandom) -> None:
     assert (same == 0).all()
 
 
-def test_scale_shrinks_a_ring_about_its_middle(ring: RoadBatch, random: BatchRandom) -> None:
-    moves = Scale(0.5).displacements(ring, random)
-    np.testing.assert_allclose(moves, 30.0, atol=0.05)
+@pytest.mark.parametrize("factor", [0.5, 0.816, 1.0, 1.4])
+def test_scale_keeps_the_shape_of_a_loop(random: BatchRandom, factor: float) -> None:
+    """A loop with bends to both sides: along the normals it would get dents."""
+    from roadlang.world.perturbation import displaced
+    from tests.standard.roads_of_points import road_of
+
+    turn = np.linspace(0, 2 * np.pi, 30, endpoint=False)
+    radius = 60 + 18 * np.cos(5 * turn)
+    loop = road_of([*zip(radius * np.cos(turn), radius * np.sin(turn), strict=True)], closed=True)
+    scaled = displaced(loop, Scale(np.array([[factor]])).displacements(loop, random))
+    np.testing.assert_allclose(scaled.curvature * factor, loop.curvature, atol=1e-3, rtol=0.02)
+    np.testing.assert_allclose(scaled.heading, loop.heading, atol=0.01)
+    np.testing.assert_allclose(scaled.length, loop.length * factor)
+    middle = loop.points.mean(axis=1)
+    np.testing.assert_allclose(scaled.points.mean(axis=1), middle, atol=1e-9)
+    assert not scaled.folded.any()
+
+
+def test_scale_moves_an_interval_of_a_loop_along_the_normal(
+    ring: RoadBatch, random: BatchRandom
+) -> None:
+    from dataclasses import replace
+
+    part = replace(ring, interval=(0.0, 60.0))
+    moves = Scale(0.5).displacements(part, random)
+    assert moves.shape == (1, len(ring.stations))
+    sagitta = 60.0 * (1 - np.cos(0.5))
+    assert moves[0, 30] == pytest.approx(0.5 * sagitta, abs=0.02)
 
 
 def test_a_walk_forgets_within_its_correlation(straight: RoadBatch) -> None:

@@ -18,27 +18,35 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Scale(Perturber):
-    """Scale the distance of the road from its chord (closed: from its centroid)."""
+    """Scale a closed road about its centroid; of other roads, the distance from their chord.
+
+    With `over`, and in a network, points move along the normal of the road only.
+    """
 
     name: ClassVar[str] = "scale"
     is_random: ClassVar[bool] = False
-    factor: Number = option(minimum=0, help="1 leaves the road as it is, 0 makes it straight")
+    factor: Number = option(
+        minimum=0, help="1 leaves the road as it is; 0 makes an open road straight"
+    )
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
-        """(factor - 1) times how far each point is from its foot, along the normal."""
+        """Of a closed road (V, S, 2): all of it keeps its shape, and curvatures are divided by
+        the factor. Else (V, S): `factor - 1` times how far each point is from the chord between
+        the ends of the road (or of the interval `over`), along the normal."""
         import numpy as np
 
-        lever = self._from_foot(roads)
-        return np.atleast_2d((self.factor - 1.0) * (lever * roads.normal).sum(axis=-1))
+        if roads.closed and roads.interval is None:
+            lever = roads.points - roads.points.mean(axis=1, keepdims=True)
+            return (np.reshape(self.factor, (-1, 1, 1)) - 1.0) * lever
+        sideways = (self._from_chord(roads) * roads.normal).sum(axis=-1)
+        return np.atleast_2d((self.factor - 1.0) * sideways)
 
-    def _from_foot(self, roads: RoadBatch) -> Floats:
-        """(V, S, 2) from the foot on the chord of the stretch, or the centroid, to the road."""
+    def _from_chord(self, roads: RoadBatch) -> Floats:
+        """(V, S, 2) from the foot on the chord to the road."""
         import numpy as np
 
         points = roads.points
-        if roads.stretch is None and roads.closed:
-            return points - points.mean(axis=1, keepdims=True)
-        low, high = (0.0, roads.stations[-1]) if roads.stretch is None else roads.stretch
+        low, high = (0.0, roads.stations[-1]) if roads.interval is None else roads.interval
         first = np.searchsorted(roads.stations, np.ravel(low)).clip(0, len(roads.stations) - 1)
         last = np.searchsorted(roads.stations, np.ravel(high), "right") - 1
         rows = np.arange(max(len(points), len(first), len(last)))

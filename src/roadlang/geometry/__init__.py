@@ -3,10 +3,12 @@
 Nothing is imported until a name is used.
 
 - curves by arc length: `Curve`; pieces to draw them from: `Straight`, `Arc`, `Clothoid`, `chain`
-- many variants at once: `Frame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`
-- windows that fade a displacement: `Window`, `over`, `fade`, `ease`
+- many variants at once: `Frame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
+  `undisplaced`
+- windows that fade a displacement: `over`, `fade`, `ease`
 - roads: `WidthProfile`, `Road`, `offset` (without folding)
-- networks: `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`, `NetworkBatch`, `perturb_network`
+- networks: `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`, `anchored_nodes`,
+  `junction_window`
 - distances: `pointwise`, `deviation`, `lp_distance`, `sup_distance`, `frechet`, `clearance`,
   `margin`, `self_intersects`
 - tiles: `neighbor_mask`, `TileShape`, `tile_shapes`
@@ -20,16 +22,17 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from .batch import CurveBatch as CurveBatch
-    from .batch import DisplacedBatch as DisplacedBatch
-    from .batch import displace as displace
-    from .batch import heading_error as heading_error
-    from .batch import sample as sample
     from .clearances import clearance as clearance
     from .crossing import crossings as crossings
     from .crossing import self_crossings as self_crossings
     from .crossing import self_intersects as self_intersects
     from .curve import Curve as Curve
     from .discrete_frechet import frechet as frechet
+    from .displacement import DisplacedBatch as DisplacedBatch
+    from .displacement import MovedBatch as MovedBatch
+    from .displacement import displace as displace
+    from .displacement import sample as sample
+    from .displacement import undisplaced as undisplaced
     from .distances import deviation as deviation
     from .distances import lp_distance as lp_distance
     from .distances import margin as margin
@@ -37,10 +40,8 @@ if TYPE_CHECKING:
     from .distances import sup_distance as sup_distance
     from .errors import GeometryError as GeometryError
     from .frame import Frame as Frame
-    from .joints import NetworkBatch as NetworkBatch
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
-    from .joints import perturb_network as perturb_network
     from .network import Edge as Edge
     from .network import Node as Node
     from .network import RoadNetwork as RoadNetwork
@@ -58,7 +59,6 @@ if TYPE_CHECKING:
     from .tiles import tile_shape as tile_shape
     from .tiles import tile_shapes as tile_shapes
     from .width import WidthProfile as WidthProfile
-    from .window import Window as Window
     from .window import ease as ease
     from .window import fade as fade
     from .window import over as over
@@ -73,11 +73,11 @@ _HOMES = {
     "chain": "segments",
     "Frame": "frame",
     "CurveBatch": "batch",
-    "DisplacedBatch": "batch",
-    "displace": "batch",
-    "sample": "batch",
-    "heading_error": "batch",
-    "Window": "window",
+    "DisplacedBatch": "displacement",
+    "MovedBatch": "displacement",
+    "displace": "displacement",
+    "sample": "displacement",
+    "undisplaced": "displacement",
     "over": "window",
     "fade": "window",
     "ease": "window",
@@ -89,8 +89,6 @@ _HOMES = {
     "RoadNetwork": "network",
     "Path": "paths",
     "Step": "paths",
-    "NetworkBatch": "joints",
-    "perturb_network": "joints",
     "anchored_nodes": "joints",
     "junction_window": "joints",
     "pointwise": "distances",

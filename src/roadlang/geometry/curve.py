@@ -16,6 +16,7 @@ from .spline import PiecewiseCubic, frame_of, hermite, interpolate
 
 _REFITS = 12
 _LONGEST_STEP = 1.2
+_SMALLEST_JUMP = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +100,7 @@ class Curve(SharedArrays):
         return self.bending(s)[0]
 
     def bending(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """The curvature (1/m) and its derivative by arc length (1/m^2)."""
+        """The curvature (1/m) and its derivative by arc length (1/m^2), between its jumps."""
         u, beyond, _ = self._parameters(s)
         first, second, third = self.spline.derivatives(u)
         speed = np.maximum(np.hypot(first[..., 0], first[..., 1]), 1e-9)
@@ -108,6 +109,17 @@ class Curve(SharedArrays):
         change = (cross(first, third) / speed**3 - 3.0 * curvature * along) / speed
         inside = np.abs(beyond) <= 1e-9 * self.length
         return np.where(inside, curvature, 0.0), np.where(inside, change, 0.0)
+
+    def curvature_jumps(self) -> tuple[Floats, Floats]:
+        """Arc lengths (n,) where the curvature jumps, and by how much, 1/m (n,).
+
+        None on a spline through points; where pieces of different curvature meet on others.
+        """
+        after, before = self.spline.knot_curvatures(self.closed)
+        jumps = after - before
+        real = np.abs(jumps) > _SMALLEST_JUMP
+        knots = self.spline.knots[:-1] if self.closed else self.spline.knots[1:-1]
+        return self.arc.length_at(knots[real]), jumps[real]
 
     def stations(self, spacing: float | None = None, count: int | None = None) -> Floats:
         """Even arc lengths: `count` of them, or as many as keep them at most `spacing` apart.

@@ -1,24 +1,186 @@
-"""How a displacement along the normal changes a curve, row by row in blocks that fit the cache."""
+"""Curves displaced in many ways at once.
+
+A curve `r(s)` with unit tangent `t`, left normal `n`, speed `v = |r'|` and curvature `k` that is
+displaced by `d(s)` has the velocity `f t + g n` with `f = v + d' t` and `g = d' n`. Hence its speed
+is `w = hypot(f, g)`, its heading turns by `atan2(g, f)` and its curvature is
+`(v k + (f g' - g f') / w^2) / w`. Of a displacement `d = e n` along the normal, `f = v (1 - k e)`
+and `g = e'`. Derivatives of displacements are second-order differences, so that what is computed
+here is accurate to second order in the gap of the stations.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .arrays import Floats
+from .arrays import Booleans, Floats, cached_array, finite
+from .batch import CurveBatch
+from .curve import Curve
+from .differences import derivative
+from .errors import GeometryError
+from .folding import fold_of_points, turns_too_much
+from .frame import Frame
+from .row_blocks import blocks
 
-_BLOCK = 1 << 14
-_SMALLEST = 1e-12
+_SLOWEST = 1e-6
+
+
+class DisplacedBatch(CurveBatch):
+    """One curve displaced in V ways along its normal: `points + displacement * normal`.
+
+    Everything is computed from the frame and the displacement when it is first asked for.
+    """
+
+    def __init__(self, frame: Frame, displacement: Floats) -> None:
+        self.frame = frame
+        self.stations = frame.stations
+        self.closed = frame.closed
+        self.period = frame.period
+        self.displacement = displacement
+        self._share()
+
+    @property
+    def variants(self) -> int:
+        """How many rows."""
+        return int(self.displacement.shape[0])
+
+    @cached_array
+    def points(self) -> Floats:
+        """(V, S, 2) meters."""
+        points = np.empty((*self.displacement.shape, 2))
+        for axis in (0, 1):
+            np.multiply(self.displacement, self.frame.normal[:, axis], out=points[..., axis])
+            points[..., axis] += self.frame.points[:, axis]
+        return points
+
+    @cached_array
+    def slope(self) -> Floats:
+        """(V, S) d(displacement)/ds."""
+        return derivative(self.displacement, self.stations, self.period)
+
+    @cached_array
+    def heading(self) -> Floats:
+        """(V, S) radians, continuous along each curve."""
+        progress = 1.0 - self.frame.curvature * self.displacement
+        return np.asarray(self.frame.heading + np.arctan2(self.slope, progress))
+
+    @cached_array
+    def speed(self) -> Floats:
+        """(V, S) meters along the curve for a meter along the stations."""
+        return np.hypot(1.0 - self.frame.curvature * self.displacement, self.slope)
+
+    @cached_array
+    def curvature(self) -> Floats:
+        """(V, S) 1/m, left positive."""
+        bend = derivative(self.displacement, self.stations, self.period, order=2)
+        return turned_curvature(
+            self.displacement, self.slope, bend, self.frame.curvature, self.frame.curvature_slope
+        )
+
+    @cached_array
+    def folded(self) -> Booleans:
+        """(V,) True where a curve runs backwards or turns by a quarter turn from one station to the
+        next; see `roadlang.geometry.folding`."""
+        surely_smooth = self.frame.steps.surely_smooth(self.displacement)
+        folded = ~surely_smooth
+        if folded.any():
+            doubtful = self.take(folded)
+            folded[folded] = self.frame.steps.folded(doubtful.displacement) | turns_too_much(
+                doubtful.curvature, doubtful.steps, self.closed
+            )
+        return folded
+
+    def take(self, variants: ArrayLike) -> DisplacedBatch:
+        """The variants chosen by index or by mask."""
+        return DisplacedBatch(self.frame, self.displacement[np.asarray(variants)])
+
+
+class MovedBatch(CurveBatch):
+    """Another batch, moved: its points and velocities, `forward` and to the left of the base's.
+
+    `along_base`: whether it follows the base, displaced along its normal, so that it must go
+    forward where the base does.
+    """
+
+    def __init__(
+        self, base: CurveBatch, points: Floats, velocity: tuple[Floats, Floats], along_base: bool
+    ) -> None:
+        super().__init__(base.stations, points, base.closed, base.period)
+        self.base = base
+        self.forward, self.sideways = (np.broadcast_to(part, points.shape[:2]) for part in velocity)
+        self.along_base = along_base
+
+    @cached_array
+    def heading(self) -> Floats:
+        """(V, S) radians, continuous along each curve."""
+        return np.asarray(self.base.heading + np.arctan2(self.sideways, self.forward))
+
+    @cached_array
+    def speed(self) -> Floats:
+        """(V, S) meters along the curve for a meter along the stations."""
+        return np.hypot(self.forward, self.sideways)
+
+    @cached_array
+    def curvature(self) -> Floats:
+        """(V, S) 1/m, left positive."""
+        faster = derivative(self.forward, self.stations, self.period)
+        farther = derivative(self.sideways, self.stations, self.period)
+        speed = np.maximum(self.speed, _SLOWEST)
+        turned = (self.forward * farther - self.sideways * faster) / speed**2
+        return np.asarray((self.base.speed * self.base.curvature + turned) / speed)
+
+    @cached_array
+    def folded(self) -> Booleans:
+        """(V,) True where a curve, or one that it was made from, is folded."""
+        follows = self.base.points if self.along_base else None
+        folded = fold_of_points(self.points, self.gaps, self.closed, follows)
+        folded |= turns_too_much(self.curvature, self.steps, self.closed)
+        return np.asarray(folded | self.base.folded)
+
+    def take(self, variants: ArrayLike) -> MovedBatch:
+        """The variants chosen by index or by mask."""
+        chosen = np.asarray(variants)
+        base = self.base if self.base.variants == 1 else self.base.take(chosen)
+        velocity = self.forward[chosen], self.sideways[chosen]
+        return MovedBatch(base, self.points[chosen], velocity, self.along_base)
+
+
+def displace(
+    base: Curve | Frame | CurveBatch, stations: ArrayLike, displacement: ArrayLike
+) -> CurveBatch:
+    """`base` moved by `displacement`, meters: along its left normal, (V, S) or (S,), or east and
+    north, (V, S, 2).
+
+    A `Frame` as base saves computing it again (its own stations count then); a batch is displaced
+    variant by variant. Raises GeometryError for other shapes and for numbers that are not finite.
+    """
+    if isinstance(base, Curve):
+        base = Frame.of(base, stations)
+    moves = finite(displacement, "a displacement")
+    _check_shape(moves, len(base.stations))
+    if moves.ndim == 3:
+        return _shifted(undisplaced(base) if isinstance(base, Frame) else base, moves)
+    moves = np.atleast_2d(moves)
+    return DisplacedBatch(base, moves) if isinstance(base, Frame) else _pushed(base, moves)
+
+
+def sample(curve: Curve, stations: ArrayLike) -> DisplacedBatch:
+    """The curve itself as a batch of one."""
+    return undisplaced(Frame.of(curve, stations))
+
+
+def undisplaced(frame: Frame) -> DisplacedBatch:
+    """The curve of a frame itself as a batch of one."""
+    return DisplacedBatch(frame, np.zeros((1, len(frame.stations))))
 
 
 def turned_curvature(
     displacement: Floats, slope: Floats, bend: Floats, curvature: Floats, curvature_slope: Floats
 ) -> Floats:
-    """Curvature (V, S) of `r + e n` from e, e', e'' (V, S) and k, k' (S,) of the base r.
+    """Curvature (V, S) of `r + e n` from e, e', e'' (V, S) and k, k' (S,) of the base r, v = 1.
 
-    With a = 1 - k e and v^2 = a^2 + e'^2:
-    (a (a k + e'') + e' (k' e + 2 k e')) / v^3.
+    With f = 1 - k e and w^2 = f^2 + e'^2: (f (f k + e'') + e' (k' e + 2 k e')) / w^3. Row by row
+    in blocks that fit the cache.
     """
     result = np.empty(displacement.shape)
     for rows in blocks(displacement):
@@ -35,15 +197,36 @@ def turned_curvature(
         out += sideways
         forward *= forward
         square += forward
-        np.maximum(square, _SMALLEST, out=square)
+        np.maximum(square, _SLOWEST**2, out=square)
         np.sqrt(square, out=forward)
         square *= forward
         out /= square
     return result
 
 
-def blocks(rows: Floats) -> Iterator[slice]:
-    """Slices of rows of about 128 KiB."""
-    step = max(1, _BLOCK // max(rows.shape[1], 1))
-    for start in range(0, len(rows), step):
-        yield slice(start, start + step)
+def _pushed(base: CurveBatch, displacement: Floats) -> MovedBatch:
+    """Along the normal of a batch."""
+    points = base.points + displacement[..., None] * base.normal
+    forward = base.speed * (1.0 - base.curvature * displacement)
+    sideways = derivative(displacement, base.stations, base.period)
+    return MovedBatch(base, points, (forward, sideways), along_base=True)
+
+
+def _shifted(base: CurveBatch, shift: Floats) -> MovedBatch:
+    """In the plane: the new line need not go where the old one went."""
+    along = derivative(np.moveaxis(shift, -1, 0), base.stations, base.period)
+    change = np.moveaxis(along, 0, -1)
+    tangent = np.stack([base.normal[..., 1], -base.normal[..., 0]], axis=-1)
+    forward = base.speed + (change * tangent).sum(axis=-1)
+    sideways = (change * base.normal).sum(axis=-1)
+    return MovedBatch(base, base.points + shift, (forward, sideways), along_base=False)
+
+
+def _check_shape(moves: Floats, count: int) -> None:
+    if moves.ndim == 3 and moves.shape[1:] == (count, 2):
+        return
+    if moves.ndim not in (1, 2) or moves.shape[-1] != count:
+        raise GeometryError(
+            f"a displacement at {count} stations must have the shape (V, {count}) or "
+            f"(V, {count}, 2), not {moves.shape}"
+        )

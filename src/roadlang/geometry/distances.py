@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arrays import Floats, finite, norm
-from .batch import CurveBatch, DisplacedBatch
+from .batch import CurveBatch
+from .displacement import DisplacedBatch
 from .errors import GeometryError
 
 

@@ -28,7 +28,7 @@ class Frame(SharedArrays):
     curvature: Floats
     """(S,) 1/m, left positive"""
     curvature_slope: Floats
-    """(S,) 1/m^2, its derivative by arc length"""
+    """(S,) 1/m^2, its derivative by arc length; a jump counts at the two stations beside it"""
 
     @classmethod
     def of(cls, curve: Curve, stations: ArrayLike) -> Frame:
@@ -36,7 +36,9 @@ class Frame(SharedArrays):
         s = finite(stations, "stations")
         if s.ndim != 1 or len(s) < 2 or not (np.diff(s) > 0.0).all():
             raise GeometryError("stations must be at least two increasing arc lengths")
-        return cls(curve, s, curve.at(s), curve.heading(s), *curve.bending(s))
+        curvature, slope = curve.bending(s)
+        slope = slope + _spread(*curve.curvature_jumps(), s, curve)
+        return cls(curve, s, curve.at(s), curve.heading(s), curvature, slope)
 
     @property
     def closed(self) -> bool:
@@ -57,10 +59,30 @@ class Frame(SharedArrays):
     def steps(self) -> BaseSteps:
         """The steps from station to station: they tell whether a displacement folds the road."""
         gaps = station_gaps(self.stations, self.period)
-        return BaseSteps.of(self.points, self.normal, self.curvature, gaps, self.closed)
+        bending = self.curvature, self.curvature_slope
+        return BaseSteps.of(self.points, self.normal, bending, gaps, self.closed)
 
     def same_as(self, other: Frame) -> bool:
         """Whether displacements along both can be compared number by number."""
         return self is other or (
             self.curve is other.curve and np.array_equal(self.stations, other.stations)
         )
+
+
+def _spread(places: Floats, jumps: Floats, stations: Floats, curve: Curve) -> Floats:
+    """(S,) what the derivative of steps of height `jumps` is at the stations: each step counts at
+    the two stations beside it, by how near they are, so that its integral is the step."""
+    slope = np.zeros(len(stations))
+    if len(jumps) == 0:
+        return slope
+    period = curve.length if curve.closed else None
+    gaps = station_gaps(stations, period)
+    offset = places - stations[0]
+    offset = np.mod(offset, period) if period is not None else offset
+    left = np.searchsorted(stations - stations[0], offset, side="right") - 1
+    inside = (left >= 0) & (left < len(gaps)) & (offset >= 0.0)
+    left, offset, jumps = left[inside], offset[inside], jumps[inside]
+    share = (offset - (stations[left] - stations[0])) / gaps[left]
+    np.add.at(slope, left, jumps * (1.0 - share) / gaps[left])
+    np.add.at(slope, (left + 1) % len(stations), jumps * share / gaps[left])
+    return slope

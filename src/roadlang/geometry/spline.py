@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Floats, Integers, SharedArrays, left_of, norm, wrapped
+from .arrays import Floats, Integers, SharedArrays, cross, left_of, norm, wrapped
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +47,20 @@ class PiecewiseCubic(SharedArrays):
         c = self.coefficients[piece]
         first = c[..., 1, :] + t * (2.0 * c[..., 2, :] + 3.0 * t * c[..., 3, :])
         return np.hypot(first[..., 0], first[..., 1])
+
+    def knot_curvatures(self, closed: bool) -> tuple[Floats, Floats]:
+        """Curvatures just after and just before each inner knot; the first too if `closed`."""
+        after = self._curvature_of_pieces(np.zeros(len(self.coefficients)))
+        before = self._curvature_of_pieces(np.diff(self.knots))
+        return (after, np.roll(before, 1)) if closed else (after[1:], before[:-1])
+
+    def _curvature_of_pieces(self, local: Floats) -> Floats:
+        """Of each piece, at a parameter within it."""
+        t = local[:, None]
+        c = self.coefficients
+        first = c[:, 1] + t * (2.0 * c[:, 2] + 3.0 * t * c[:, 3])
+        second = 2.0 * c[:, 2] + 6.0 * t * c[:, 3]
+        return np.asarray(cross(first, second) / np.maximum(norm(first), 1e-9) ** 3)
 
     def between(self, start: float, stop: float) -> PiecewiseCubic:
         """The same curve on [start, stop] alone."""

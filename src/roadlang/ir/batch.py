@@ -34,7 +34,7 @@ class RoadBatch(Frozen):
     """(V, S) meters: the sum of all displacements from the root, left positive"""
     confidence: float
     """how sure the extractor is of the road, 0 to 1; 1 of a road that no extractor found"""
-    stretch: tuple[Any, Any] | None = None
+    interval: tuple[Any, Any] | None = None
     """`over: [a, b]` of the pass that perturbs it: arc lengths, or (V, 1) columns of such"""
     others: tuple[RoadBatch, ...] = ()
     """the other roads of the same network, for clearance"""

@@ -129,10 +129,12 @@ class Selector(Kind):
 
 
 class Perturber(Kind):
-    """`perturb with`: a road to itself, displaced along its left normal.
+    """`perturb with`: a road to itself, displaced.
 
     Implement `displacement` (one variant, options are floats) or, for speed, `displacements`
-    (a batch, random options are (variants, 1) columns).
+    (a batch, random options are (variants, 1) columns). Displacements are meters along the left
+    normal, or, with a last axis of two, meters east and north; with `over`, and in a network, the
+    runner keeps of the latter the part along the normal.
     """
 
     verb: ClassVar[str] = "perturb"
@@ -142,11 +144,12 @@ class Perturber(Kind):
     """it draws from `random`: set to False where the options alone tell the displacement"""
 
     def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
-        """(stations,) meters, left positive, of one variant (`road` has one)."""
+        """(stations,) or (stations, 2) meters of one variant (`road` has one)."""
         raise NotImplementedError
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
-        """(variants, stations) meters. The runner loops over `displacement` without it."""
+        """(variants, stations) or (variants, stations, 2) meters; one row where all variants are
+        the same. The runner loops over `displacement` without it."""
         raise NotImplementedError
 
     def displacement_bound(self) -> Floats | float:

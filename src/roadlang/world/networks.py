@@ -23,7 +23,7 @@ from ..ir.values import PassCall
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
-from .stations import stations_of, still
+from .stations import stations_of, undisplaced_road
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,19 +70,19 @@ def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadB
         if isinstance(origin, Network):
             batch = edge_batch(origin, edge, candidates)
         else:
-            batch = _still_edge(network, edge, candidates)
+            batch = _root_edge(network, edge, candidates)
         return _bent(batch, network, edge, candidates)
 
     return candidates.once(("edge", network.name, edge), make)
 
 
-def _still_edge(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+def _root_edge(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
     root = network_root(network, candidates)
     frame = root.frame(edge)
     found = root.network.edge(edge)
     width: WidthProfile = found.width
     name = f"{root.name}/{edge}"
-    return still(name, name, frame, width.at(frame.stations)[None, :], found.confidence)
+    return undisplaced_road(name, name, frame, width.at(frame.stations)[None, :], found.confidence)
 
 
 def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:

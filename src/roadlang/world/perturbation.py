@@ -1,4 +1,4 @@
-"""Runs `perturb` passes on batches of roads, on a stretch where they say so, and checks them."""
+"""Runs `perturb` passes on batches of roads, on an interval where they say so, and checks them."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import KindInstance, row_of_kind
-from ..geometry import Window, displace, over
+from ..geometry import DisplacedBatch, displace, over
 from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
-from .stations import is_still
+from .stations import is_undisplaced
 
 Floats = NDArray[np.float64]
 FARTHEST = 1e6
@@ -29,110 +29,122 @@ def perturbed(
     call: PassCall,
     candidates: CandidateBatch,
     element: int = 0,
-    window: Window | None = None,
+    window: Floats | None = None,
 ) -> RoadBatch:
-    """A road after one pass. `window` fades the displacement at junctions.
+    """A road after one pass. `window` (S,) fades the displacement at junctions.
 
-    Raises RL470, RL474 (plugin_guard the kind) and RL414 for a stretch that is none.
+    In a window, or on an interval, a displacement in the plane keeps its part along the normal.
+    Raises RL470 and RL474 for what the kind does wrong, RL414 for an interval off the road.
     """
     built = build(call, candidates, element)
-    stretch = _stretch(call, candidates, element)
-    seen = before if stretch is None else replace(before, stretch=stretch)
-    moves = _displacements(built, seen, candidates.random(call.place, element), candidates)
-    if stretch is not None:
-        moves = moves * _over(call, stretch, before, candidates, element)
+    interval = _interval(call, candidates, element)
+    road = before if interval is None else replace(before, interval=interval)
+    displacement = _displacement(built, road, candidates.random(call.place, element), candidates)
+    if displacement.ndim == 3 and (interval is not None or window is not None):
+        displacement = _along_normal(displacement, before)
+    if interval is not None:
+        displacement = displacement * _over(call, interval, before, candidates, element)
     if window is not None:
-        moves = window.value * moves
-    return displaced(before, moves)
+        displacement = window * displacement
+    return displaced(before, displacement)
 
 
-def displaced(before: RoadBatch, moves: Floats) -> RoadBatch:
-    """A road moved along its normal by `moves` (V, S)."""
-    if is_still(before):
-        curves = displace(before.curves.frame, before.stations, moves)  # type: ignore[attr-defined]
-        return replace(before, curves=curves, displacement=moves)
-    curves = displace(before.curves, before.stations, moves)
-    return replace(before, curves=curves, displacement=before.displacement + moves)
+def displaced(before: RoadBatch, displacement: Floats) -> RoadBatch:
+    """A road moved by `displacement`: (V, S) along its normal, or (V, S, 2) east and north."""
+    base = before.curves
+    if is_undisplaced(before) and isinstance(base, DisplacedBatch):
+        curves = displace(base.frame, before.stations, displacement)
+    else:
+        curves = displace(base, before.stations, displacement)
+    if displacement.ndim == 3:
+        displacement = _along_normal(displacement, before)
+    total = before.displacement + displacement
+    return replace(before, curves=curves, displacement=total)
 
 
-def _displacements(
+def _along_normal(displacement: Floats, road: RoadBatch) -> Floats:
+    """(V, S) of (V, S, 2): the part to the left of the road."""
+    return np.asarray((displacement * road.normal).sum(axis=-1))
+
+
+def _displacement(
     built: KindInstance, road: RoadBatch, random: BatchRandom, candidates: CandidateBatch
 ) -> Floats:
-    kind = built.kind
-    stations = len(road.stations)
+    """(V, S) or (V, S, 2) meters, V the number of candidates or 1."""
+    kind, count = built.kind, candidates.count
     if implements(type(kind), "displacements"):
         with built.guarded:
-            moves = np.asarray(kind.displacements(road, random), dtype=np.float64)
-        if moves.shape == (stations,):  # no option is random: alike in all candidates
-            moves = moves[None, :]
-        if moves.shape not in ((1, stations), (candidates.count, stations)):
-            fault = (
-                f"gave displacements of shape {moves.shape}, not ({candidates.count}, {stations})"
-            )
-            raise wrong_result(built.entry, built.call.span, fault)
+            found = np.asarray(kind.displacements(road, random), dtype=np.float64)
+        found = _in_shape(built, found, len(road.stations), count)
     else:
-        moves = np.stack([_displacement(built, road, random, i) for i in range(candidates.count)])
-    if not np.isfinite(moves).all():
-        raise wrong_result(
-            built.entry, built.call.span, "gave displacements that are not finite numbers"
-        )
-    _check_size(moves, built, road)
-    return moves
+        rows = [_row(built, road, random, row) for row in range(count)]
+        if len({row.shape for row in rows}) > 1:
+            raise wrong_result(built.entry, built.call.span, "gave displacements of two shapes")
+        found = np.concatenate(rows)
+    _check_size(found, built, road)
+    return found
 
 
-def _check_size(moves: Floats, built: KindInstance, road: RoadBatch) -> None:
-    """Raises RL474 for a displacement beyond what the kind states, or beyond all measure."""
-    farthest = np.abs(moves).max(axis=1, keepdims=True, initial=0.0)
-    if farthest.max(initial=0.0) > FARTHEST:
-        raise wrong_result(
-            built.entry, built.call.span, f"moved `{road.name}` by more than {FARTHEST:g} m"
-        )
+def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch) -> None:
+    """Raises RL474 for what is not finite, beyond what the kind states, or beyond all measure."""
+    sizes = displacement if displacement.ndim == 2 else np.hypot(*np.moveaxis(displacement, -1, 0))
+    greatest = np.maximum(sizes.max(axis=1, initial=0.0), -sizes.min(axis=1, initial=0.0))
+    if not np.isfinite(greatest).all():
+        fault = "gave displacements that are not finite numbers"
+        raise wrong_result(built.entry, built.call.span, fault)
+    if greatest.max(initial=0.0) > FARTHEST:
+        fault = f"moved `{road.name}` by more than {FARTHEST:g} m"
+        raise wrong_result(built.entry, built.call.span, fault)
     with built.guarded:
-        bound = np.asarray(built.kind.displacement_bound(), dtype=np.float64).reshape(-1, 1)
-    beyond = farthest > bound + _ROUNDING * np.maximum(1.0, bound)
+        bound = np.asarray(built.kind.displacement_bound(), dtype=np.float64).reshape(-1)
+    beyond = greatest > bound + _ROUNDING * np.maximum(1.0, bound)
     if beyond.any():
-        row = int(np.flatnonzero(beyond.any(axis=1))[0])
-        stated = float(np.broadcast_to(bound, farthest.shape)[row, 0])
-        fault = f"moved `{road.name}` by {farthest[row, 0]:g} m, beyond its bound of {stated:g} m"
+        row = int(np.argmax(beyond))
+        moved, stated = (float(np.broadcast_to(v, beyond.shape)[row]) for v in (greatest, bound))
+        fault = f"moved `{road.name}` by {moved:g} m, beyond its bound of {stated:g} m"
         raise wrong_result(built.entry, built.call.span, fault)
 
 
-def _displacement(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
-    """(S,) meters of one variant."""
-    one = road.take(np.array([row if road.variants > 1 else 0]))
+def _row(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
+    """(1, S) or (1, S, 2) meters of one candidate."""
+    single = road.take(np.array([row if road.variants > 1 else 0]))
     kind = row_of_kind(built.kind, row)
     with built.guarded:
-        moves = np.asarray(kind.displacement(one, random.generator(row)), dtype=np.float64)
-    stations = len(road.stations)
-    # What is computed of `road.length` or `road.curvature` has the one row of the road.
-    if moves.shape not in ((stations,), (1, stations)):
-        raise wrong_result(
-            built.entry,
-            built.call.span,
-            f"gave displacements of shape {moves.shape}, not ({stations},)",
-        )
-    return moves.reshape(stations)
+        found = np.asarray(kind.displacement(single, random.generator(row)), dtype=np.float64)
+    return _in_shape(built, found, len(road.stations), 1)
 
 
-def _stretch(call: PassCall, candidates: CandidateBatch, element: int) -> tuple[Any, Any] | None:
-    given = dict(call.common).get("over")
-    if given is None:
+def _in_shape(built: KindInstance, found: Floats, stations: int, count: int) -> Floats:
+    """(1 or `count`, S) or (1 or `count`, S, 2): rows may be left out where one is for all."""
+    of_a_row = ((stations,), (stations, 2))
+    if found.shape in of_a_row:
+        found = found[None]
+    if found.shape[:1] not in ((1,), (count,)) or found.shape[1:] not in of_a_row:
+        wanted = f"({count}, {stations})" if count > 1 else f"({stations},)"
+        fault = f"gave displacements of shape {found.shape}, not {wanted}"
+        raise wrong_result(built.entry, built.call.span, fault)
+    return found
+
+
+def _interval(call: PassCall, candidates: CandidateBatch, element: int) -> tuple[Any, Any] | None:
+    over_option = dict(call.common).get("over")
+    if over_option is None:
         return None
-    low, high = evaluate(given, candidates, element)
+    low, high = evaluate(over_option, candidates, element)
     return low, high
 
 
 def _over(
     call: PassCall,
-    stretch: tuple[Any, Any],
+    interval: tuple[Any, Any],
     road: RoadBatch,
     candidates: CandidateBatch,
     element: int,
 ) -> Floats:
-    """(S,) or (V, S): one on the stretch, fading out over `taper` meters inside its ends."""
-    given = dict(call.common).get("taper")
-    taper = 0.0 if given is None else evaluate(given, candidates, element)
-    columns = np.broadcast_arrays(*(np.asarray(item, float) for item in (*stretch, taper)))
+    """(S,) or (V, S): one on the interval, fading out over `taper` meters inside its ends."""
+    option = dict(call.common).get("taper")
+    taper = 0.0 if option is None else evaluate(option, candidates, element)
+    columns = np.broadcast_arrays(*(np.asarray(item, float) for item in (*interval, taper)))
     rows = [
         _window(call, road, *map(float, row)) for row in zip(*map(np.ravel, columns), strict=True)
     ]
@@ -151,4 +163,4 @@ def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: flo
                 length=f"{end:.1f}m",
             )
         )
-    return over(road.stations, low, high, taper, road.period).value
+    return over(road.stations, low, high, taper, road.period)

@@ -25,7 +25,7 @@ from .networks import NetworkRoot, edge_batch, network_root
 from .perturbation import displaced, perturbed
 from .reading import read_file
 from .selection import selected
-from .stations import stations_of, still
+from .stations import stations_of, undisplaced_road
 
 Floats = NDArray[np.float64]
 DEFAULT_WIDTH = 7.0
@@ -109,7 +109,7 @@ def _carried(road: Road, candidates: CandidateBatch) -> RoadBatch:
     width = (
         np.full((1, 1), DEFAULT_WIDTH) if root.width is None else root.width.at(stations)[None, :]
     )
-    batch = still(road.name, root.id, root.frame, width, root.confidence)
+    batch = undisplaced_road(road.name, root.id, root.frame, width, root.confidence)
     network = root.network
     if network is None or root.path is None or not _is_bent(network, candidates.scenario):
         return batch

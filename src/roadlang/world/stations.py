@@ -18,21 +18,24 @@ def stations_of(curve: Curve) -> NDArray[np.float64]:
     return curve.stations(count=count)
 
 
-def still(
-    name: str, root: str, frame: Frame, width: NDArray[np.float64], confidence: float
+def undisplaced_road(
+    name: str,
+    root: str,
+    frame: Frame,
+    width: NDArray[np.float64],
+    confidence: float,
+    variants: int = 1,
 ) -> RoadBatch:
-    """A root road as a batch: one row, not displaced."""
-    zeros = np.zeros((1, len(frame.stations)))
-    curves = DisplacedBatch(frame, zeros, zeros, zeros)
-    return RoadBatch(name, root, curves, width, zeros, confidence)
+    """A root road as a batch of equal rows, not displaced."""
+    zeros = np.zeros((variants, len(frame.stations)))
+    return RoadBatch(name, root, DisplacedBatch(frame, zeros), width, zeros, confidence)
 
 
-def is_still(road: RoadBatch) -> bool:
+def is_undisplaced(road: RoadBatch) -> bool:
     """Whether a road is its root itself, so that its frame is known exactly."""
     curves = road.curves
     return (
         isinstance(curves, DisplacedBatch)
         and curves.variants == 1
-        and not curves.bend.any()
         and not curves.displacement.any()
     )

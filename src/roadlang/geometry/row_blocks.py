@@ -1,0 +1,16 @@
+"""Rows of large arrays in blocks that fit the cache."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .arrays import Floats
+
+_NUMBERS = 1 << 14
+
+
+def blocks(rows: Floats) -> Iterator[slice]:
+    """Slices of the rows of a two-dimensional array, of about 128 KiB each."""
+    step = max(1, _NUMBERS // max(rows.shape[1], 1))
+    for start in range(0, len(rows), step):
+        yield slice(start, start + step)
