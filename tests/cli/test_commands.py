@@ -489,7 +489,10 @@ def test_little_memory_is_said(folder: Path) -> None:
         "sys.exit(run(['compile', 'scene.rl', '-n', '2000']))\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder)
-    assert (done.returncode, "RL933" in done.stderr) == (5, True), done.stderr
+    # Whether the memory ends in code of ours (RL933) or of a plugin (RL470) is chance.
+    assert done.returncode == 5, done.stderr
+    assert "memory" in done.stderr
+    assert "RL933" in done.stderr or "RL470" in done.stderr
     assert not (folder / "out").exists()
 
 
