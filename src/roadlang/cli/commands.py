@@ -15,7 +15,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "check": ("check", "Report every fault of scene files; write nothing."),
     "fmt": ("fmt", "Put scene files into the one layout; comments stay."),
     "init": ("init", "Write a starter scene that compiles."),
-    "explain": ("explain", "Explain a diagnostic code."),
+    "explain": ("explain", "Explain a diagnostic, or a statement and its options."),
     "plugins": ("plugins", "List plugins and their kinds; show a kind's options."),
     "schema": ("schema", "Print a JSON Schema: scene, manifest, scenario, a kind's options."),
     "run": ("run", "Drive scenes and judge their expectations."),

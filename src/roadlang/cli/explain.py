@@ -16,6 +16,7 @@ from ..diagnostics import (
     page,
 )
 from .console import echo, style
+from .option_listing import statement_lines
 
 
 def _complete(
@@ -31,13 +32,19 @@ def _complete(
 @click.command("explain")
 @click.argument("code", required=False, shell_complete=_complete)
 def command(code: str | None) -> None:
-    """Explain a diagnostic: what it means, an example that gives it, and the mended example.
+    """Explain a diagnostic, or a statement of the language and its options.
 
-    CODE is a number or a name: RL206, 206 or wrong-type. Without CODE, list all codes.
+    CODE is a code or the name of a diagnostic (RL206, 206, wrong-type), or a statement (world,
+    road). Without CODE, list all diagnostics.
     """
     if code is None:
         for known in codes():
             echo(f"{style(known, bold=True)} {page(known).name}: {page(known).title}")
+        return
+    from ..semantics.statement_reference import BY_WORD
+
+    if code in BY_WORD:
+        echo("\n".join(statement_lines(BY_WORD[code])))
         return
     echo(_shown(_find(code)))
 

@@ -10,6 +10,7 @@ from click.shell_completion import CompletionItem
 
 from ..diagnostics import Code
 from .console import echo, style
+from .option_listing import option_lines, statement_lines
 
 if TYPE_CHECKING:
     from ..plugins.registry import KindEntry, Registry
@@ -51,10 +52,14 @@ def _complete(
 @click.argument("words", nargs=-1, required=True, metavar="[VERB] NAME", shell_complete=_complete)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def show(words: tuple[str, ...], as_json: bool) -> None:
-    """Show the options of a kind: `roadlang plugins show sine`, `... show emit svg`."""
+    """Show the options of a kind or statement: `show sine`, `show emit svg`, `show world`."""
     from ..plugins.discovery import load_registry
     from ..plugins.guard import plugin_guard
+    from ..semantics.statement_reference import BY_WORD
 
+    if len(words) == 1 and words[0] in BY_WORD and not as_json:
+        echo("\n".join(statement_lines(BY_WORD[words[0]])))
+        return
     entries = _find(load_registry(), words)
     for entry in entries:
         with plugin_guard(entry, None):
@@ -124,16 +129,9 @@ def _help(entry: KindEntry) -> str:
 
 
 def _shown(entry: KindEntry) -> list[str]:
-    from ..plugins.describing import bounds_text, default_text, type_text
-
     lines = [f"{style(f'{entry.verb} {entry.name}', bold=True)}: {_help(entry)}"]
     lines.append(f"  from {entry.origin} (plugin `{entry.origin.plugin}`)")
-    for option in entry.options:
-        default = "required" if option.required else f"default {default_text(option)}"
-        facts = "; ".join(filter(None, [type_text(option), default, bounds_text(option)]))
-        lines.append(f"\n  {style(option.name, bold=True)}: {facts}")
-        if option.help:
-            lines.append(f"      {option.help}")
+    lines += option_lines(entry.options)
     if not entry.options:
         lines.append("  no options")
     return lines

@@ -23,49 +23,82 @@ RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True)
 
 @dataclass(frozen=True)
 class PlacementOptions:
-    """Where an agent or object stands, beside `on` and `at`."""
+    """Options of `agent` and `object`: where it is, relative to `on` and `at`."""
 
     offset: Length = option(
         None,
         minimum=-1000,
         maximum=1000,
-        help="left positive, from the center line, or from the lane's; outward with `side`",
+        help="lateral offset, positive to the left, from the center line or from the center of "
+        "`lane`; with `side`, outward from the road edge",
+        example="0.5m",
     )
     lane: Whole = option(
         None,
         minimum=-32,
         maximum=32,
-        help="OpenDRIVE's id: -1 is the first to the right of the center line, 1 to the left",
+        help="lane id as in OpenDRIVE: -1 is the first lane to the right of the center line, 1 the "
+        "first to the left; by default it is on the center line of the road",
+        example="-1",
     )
-    side: Word = option(None, words=("left", "right"), help="beside the road, from its edge")
+    side: Word = option(
+        None,
+        words=("left", "right"),
+        help="puts it next to the road, on this side",
+        example="right",
+    )
     facing: Word = option(
-        None, words=("forward", "back"), help="along the road or against it; the lane's way"
+        None,
+        words=("forward", "back"),
+        help="along the road or against it; by default the direction of the lane",
+        example="back",
     )
-    heading: Angle = option(None, help="counter-clockwise from the road's, or from east")
-    count: Whole = option(1, minimum=0, maximum=100_000, help="how many such")
+    heading: Angle = option(
+        None,
+        help="heading, counter-clockwise from the direction of the road; without a road, from east",
+        example="30deg",
+    )
+    count: Whole = option(
+        1,
+        minimum=0,
+        maximum=100_000,
+        help="number of copies; each draws its own random values",
+        example="integer(0, 3)",
+    )
 
 
 @dataclass(frozen=True)
 class PerturbOptions:
-    """Options that every kind of `perturb` has."""
+    """Options of every `perturb with`."""
 
-    over: Stretch = option(None, minimum=0, help="only on this stretch of the road")
-    taper: Length = option(None, minimum=0, help="how long it takes to fade at the stretch's ends")
+    over: Stretch = option(
+        None,
+        minimum=0,
+        help="interval of arc length to perturb; by default the whole road",
+        example="[50m, 120m]",
+    )
+    taper: Length = option(
+        None, minimum=0, help="length of the transition at both ends of `over`", example="15m"
+    )
 
 
 @dataclass(frozen=True)
 class NetworkPerturbOptions(PerturbOptions):
-    """In a network, these roads only."""
+    """Options of every `perturb with` in a network."""
 
-    roads: RoadNumbers = option(None, minimum=0, help="numbers of the roads; all of them")
+    roads: RoadNumbers = option(
+        None, minimum=0, help="ids of the roads to perturb; by default all", example="[1, 4]"
+    )
 
 
 @dataclass(frozen=True)
 class DriveOptions:
-    """Options that every kind of `drive` has."""
+    """Options of every `drive with`."""
 
     when: Condition = option(
-        None, help="takes over once this has come true; the last such is in charge"
+        None,
+        help="the controller takes over when this becomes true; the last one to do so is active",
+        example="distance(ego, lead) < 15m",
     )
 
 

@@ -126,7 +126,7 @@ _WORDS: dict[type, Callable[[Any], str]] = {
     types.PointType: lambda t: f"point ({t.dimension.unit})",
     types.EntityType: lambda t: "name of " + " or ".join(map(with_article, t.roles)),
     types.NamesType: lambda t: "name of a requirement or expectation, or a list of names",
-    types.CallType: lambda t: str(t.verb),
+    types.CallType: lambda t: "road selector" if t.verb == "select" else str(t.verb),
     types.KindNameType: lambda t: f"kind of {t.verb}",
     types.RecordType: lambda t: "record { ... }",
     types.MapType: lambda t: f"map to {_plural(t.item)}",

@@ -24,7 +24,7 @@ REQUIRED: Any = _Required()
 
 @dataclass(frozen=True, slots=True)
 class Constraints:
-    """What `option` says beside type and default."""
+    """What `option` says in addition to type and default."""
 
     help: str = ""
     minimum: float | None = None
@@ -32,6 +32,12 @@ class Constraints:
     above: float | None = None
     below: float | None = None
     words: tuple[str, ...] = ()
+    example: str = ""
+
+    @property
+    def usual_unit(self) -> str:
+        """The unit in which the option is usually written, as in its example: `mm/h`."""
+        return self.example.lstrip("0123456789.") if self.example[:1].isdigit() else ""
 
     def allow(self, number: float) -> bool:
         """Whether a number, in SI units, is within the bounds."""
@@ -61,14 +67,16 @@ def option(
     above: float | None = None,
     below: float | None = None,
     words: Iterable[str] = (),
+    example: str = "",
 ) -> Any:
     """A field of a kind that a scene file can set.
 
     `minimum` and `maximum` are allowed values, `above` and `below` are not, all in SI units.
     `words` may be written instead of a value (`auto`); the field then holds the word as a
-    string. A `None` default means "not given".
+    string. A `None` default means "not given". `example` is a value as a scene file has it; its
+    unit is suggested where a number has none.
     """
-    metadata = {_KEY: Constraints(help, minimum, maximum, above, below, tuple(words))}
+    metadata = {_KEY: Constraints(help, minimum, maximum, above, below, tuple(words), example)}
     if default is REQUIRED:
         return dataclasses.field(metadata=metadata)
     if type(default).__hash__ is None:

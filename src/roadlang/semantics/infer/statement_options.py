@@ -31,43 +31,65 @@ Selection = Annotated[Any, CallType("select")]
 
 @dataclass(frozen=True)
 class ImageOptions:
-    """A picture from above."""
+    """Options of `image`."""
 
     scale: Scale = option(
-        None, above=0, maximum=1000, help="meters for each pixel; a world file may say it too"
+        None,
+        above=0,
+        maximum=1000,
+        help="meters per pixel; by default from GeoTIFF tags or a world file",
+        example="0.35m/px",
     )
     legend: Legend = option(
         None,
         words=("road",),
-        help="what a character, or a color such as `white` or `#2e7d32`, stands for",
+        help="meaning of each character of a text image, or of each color of a drawing",
+        example='{ "#": road, "T": tree }',
     )
 
 
 @dataclass(frozen=True)
 class NetworkOptions:
-    """Roads that meet at nodes."""
+    """Options of `network`."""
 
 
 @dataclass(frozen=True)
 class RoadOptions:
-    """One curve."""
+    """Options of `road`."""
 
     select: Selection = option(
         "longest",
         words=("longest", "any"),
-        help="which road of a network; `any` draws one for each scene",
+        help="the longest road of the network, a random one (`any`), `route(p, q)` or `road(id)`",
+        example="route((0m, 0m), (80m, 40m))",
     )
-    width: Length = option(None, above=0, maximum=200, help="from edge to edge; the source's")
-    lanes: Whole = option(2, minimum=1, maximum=32, help="how many, both ways together")
-    closed: Flag = option(None, help="whether the end joins the start; the source's")
+    width: Length = option(
+        None,
+        above=0,
+        maximum=200,
+        help="width from edge to edge; by default that of the source",
+        example="7m",
+    )
+    lanes: Whole = option(
+        2, minimum=1, maximum=32, help="number of lanes, both directions together"
+    )
+    closed: Flag = option(None, help="whether the road is a loop; by default as in the source")
 
 
 @dataclass(frozen=True)
 class SunOptions:
-    """Where the sun stands."""
+    """Position of the sun."""
 
-    azimuth: Angle = option(None, minimum=-7, maximum=7, help="clockwise from north")
-    elevation: Angle = option(None, minimum=-1.5708, maximum=1.5708, help="above the horizon")
+    azimuth: Angle = option(
+        None, minimum=-7, maximum=7, help="azimuth, clockwise from north", example="90deg"
+    )
+    elevation: Angle = option(
+        None,
+        minimum=-1.5708,
+        maximum=1.5708,
+        help="elevation above the horizon",
+        example="30deg",
+    )
 
 
 Sun = Annotated[dict[str, float], RecordType(SunOptions)]
@@ -75,15 +97,26 @@ Sun = Annotated[dict[str, float], RecordType(SunOptions)]
 
 @dataclass(frozen=True)
 class WorldOptions:
-    """Light, weather and grip. A backend says which of them it cannot honor."""
+    """Options of `world`: light, weather and friction. A backend warns of those it ignores."""
 
-    time_of_day: Duration = option(None, minimum=0, maximum=86400, help="since midnight: `14h`")
+    time_of_day: Duration = option(
+        None, minimum=0, maximum=86400, help="time since midnight", example="14h"
+    )
     weather: Word = option(
         None,
         words=("clear", "cloudy", "overcast", "rain", "fog", "snow"),
-        help="what the sky does",
+        help="weather preset",
+        example="rain",
     )
-    rain: Speed = option(None, minimum=0, help="how much, as in `5mm/h`")
-    visibility: Length = option(None, above=0, help="how far one sees")
-    friction: Number = option(None, above=0, maximum=2, help="of the road: 1 is dry, 0.1 is ice")
-    sun: Sun = option(None, help="`{ azimuth: 90deg, elevation: 30deg }`")
+    rain: Speed = option(None, minimum=0, help="rainfall rate", example="5mm/h")
+    visibility: Length = option(None, above=0, help="visibility", example="300m")
+    friction: Number = option(
+        None,
+        above=0,
+        maximum=2,
+        help="friction coefficient of the road: about 1 if dry, 0.5 if wet, 0.1 on ice",
+        example="0.7",
+    )
+    sun: Sun = option(
+        None, help="position of the sun", example="{ azimuth: 90deg, elevation: 30deg }"
+    )

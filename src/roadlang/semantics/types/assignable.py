@@ -16,6 +16,7 @@ from .dimensions import common_dimension, unit_missing
 from .option_limits import check_limits
 
 if TYPE_CHECKING:
+    from ...ir.dimension import Dimension
     from .expression_types import TypedExpression
 
 
@@ -118,6 +119,12 @@ def _matches(typed: TypedExpression, expected: opt.OptionType) -> bool:
             return any(_matches(typed, part) for part in alternatives)
 
 
+def _unit_help(wanted: Dimension, limits: Constraints) -> tuple[str, ...]:
+    if limits.usual_unit:
+        return (f"write a value such as `{limits.example}`",)
+    return (f"{wanted} has a unit such as `{wanted.unit}`",) if wanted.unit else ()
+
+
 def _quantity(
     checker: Checker,
     typed: TypedExpression,
@@ -130,12 +137,12 @@ def _quantity(
         return _mismatch(checker, typed, expected, limits, what)
     if not kind.fits_any and kind.dimension != expected.dimension:
         if kind.bare:
-            unit_missing(checker, typed, expected.dimension)
+            unit_missing(checker, typed, expected.dimension, limits)
         else:
             wanted, found = expected.dimension, kind.dimension
             checker.report(
                 Code.WRONG_DIMENSION, typed.span, what=what, expected=wanted, found=found,
-                help=f"{wanted} has a unit such as `{wanted.unit}`" if wanted.unit else (),
+                help=_unit_help(wanted, limits),
             )  # fmt: skip
         return None
     if expected.whole and not _is_whole(checker, typed, kind, what):

@@ -10,6 +10,7 @@ from ...diagnostics import Code, Fix, Label, nearest
 from ...ir.dimension import ANGLE, Dimension
 from ...ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
 from ...ir.values import Constant
+from ...plugins.options import Constraints
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -85,20 +86,28 @@ def _one_slash(text: str) -> str:
     return f"{above}/{divisor}"
 
 
-def unit_missing(checker: Checker, typed: TypedExpression, expected: Dimension) -> TypedExpression:
+def unit_missing(
+    checker: Checker, typed: TypedExpression, expected: Dimension, limits: Constraints | None = None
+) -> TypedExpression:
     """RL202: a bare number where a unit is expected, with the number in that unit as fix."""
-    unit = "deg" if expected == ANGLE else expected.unit
-    better = _DIGITS.sub(lambda match: match[0] + unit, typed.span.text)
-    if unit.startswith("1/"):
-        better = _DIGITS.sub(lambda match: match[0] + unit[1:], typed.span.text)
+    usual = limits.usual_unit if limits is not None else ""
+    units = ("deg", "rad") if expected == ANGLE else (usual or expected.unit,)
+    readings = [_with_unit(typed.span.text, unit) for unit in units]
+    such = f", such as `{limits.example}`" if limits is not None and usual else ""
     return checker.report(
         Code.MISSING_UNIT,
         typed.span,
         number=typed.span.text,
-        expected=expected,
-        help=f"write `{better}`",
-        fixes=[Fix(typed.span, better)],
+        expected=f"{expected}{such}",
+        help="write " + " or ".join(f"`{reading}`" for reading in readings),
+        fixes=[Fix(typed.span, reading) for reading in readings],
     )
+
+
+def _with_unit(text: str, unit: str) -> str:
+    """Each number in `text` with a unit: `10` becomes `10m`, and `0.1` becomes `0.1/m`."""
+    attached = unit[1:] if unit.startswith("1/") else unit
+    return _DIGITS.sub(lambda match: match[0] + attached, text)
 
 
 def dimension_of(typed: TypedExpression) -> Dimension:
