@@ -137,6 +137,33 @@ def test_emit_on_the_command_line_replaces_the_files(folder: Path) -> None:
     assert sorted(files_of(folder / "out")) == ["manifest.json", "scene-0000.svg"]
 
 
+def test_an_output_on_the_command_line_has_options_as_in_a_file(folder: Path) -> None:
+    words = ("compile", "scene.rl", "-o", "out", "--emit")
+    assert roadlang(*words, "json, svg{size: 300px, labels: false}", cwd=folder).returncode == 0
+    assert 'width="300"' in (folder / "out/scene-0000.svg").read_text()
+    done = roadlang(*words, "svg{size: 300}", cwd=folder)
+    assert (done.returncode, "--emit:1:16" in done.stderr) == (1, True), done.stderr
+    done = roadlang(*words, "svg{size: 300px", cwd=folder)
+    assert (done.returncode, "RL003" in done.stderr) == (1, True), done.stderr
+    done = roadlang(*words, "json road", cwd=folder)
+    assert (done.returncode, "RL900" in done.stderr) == (1, False), done.stderr
+
+
+def test_an_output_that_the_file_has_keeps_its_options(folder: Path) -> None:
+    (folder / "scene.rl").write_text(SCENE.replace("emit svg", "emit svg { size: 300px }"))
+    roadlang("compile", "scene.rl", "-o", "out", "--emit", "svg", cwd=folder)
+    assert set(files_of(folder / "out")) == {"manifest.json", "scene-0000.svg"}
+    assert 'width="300"' in (folder / "out/scene-0000.svg").read_text()
+    roadlang("compile", "scene.rl", "-o", "out", "--emit", "standard.svg", cwd=folder)
+    assert 'width="300"' in (folder / "out/scene-0000.svg").read_text()
+
+
+def test_an_unknown_output_is_said_before_any_search(folder: Path) -> None:
+    done = roadlang("compile", "scene.rl", "--emit", "svgg,json,nope", cwd=folder)
+    assert (done.returncode, done.stderr.count("RL930")) == (2, 2)
+    assert "did you mean `svg`?" in done.stderr
+
+
 def test_a_file_without_emit_gets_json_and_svg(folder: Path) -> None:
     (folder / "scene.rl").write_text(SCENE.replace("emit json\nemit svg\n", ""))
     assert roadlang("compile", "scene.rl", cwd=folder).returncode == 0

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, testing
-from roadlang.api import Length, Perturber, RoadBatch, option
+from roadlang.api import Backend, Length, Perturber, RoadBatch, Scene, option
 from roadlang.session.scene_set import SceneSet
 
 TEXT = """\
@@ -44,6 +44,31 @@ def test_its_faults_read_as_a_user_would_see_them() -> None:
     assert [diagnostic.code for diagnostic in found] == ["RL208"]
     with pytest.raises(DiagnosticError, match=r"RL210(.|\n)*shift"):
         testing.sample(TEXT)
+
+
+@dataclass(frozen=True)
+class Table(Backend):
+    """Positions every so many meters."""
+
+    name: ClassVar[str] = "table"
+    every: Length = option(help="gap between positions", above=0)
+
+    def files(self, scene: Scene) -> dict[str, str]:
+        stations = np.arange(0.0, scene.roads[0].length, self.every)
+        return {"txt": "\n".join(map(str, stations))}
+
+
+def test_an_output_with_a_required_option_can_be_named_from_outside(tmp_path: Path) -> None:
+    loaded = testing.scenario(TEXT, kinds=[Shift, Table])
+    loaded.with_outputs(["table{every: 50m}"]).sample().emit(tmp_path)
+    assert (tmp_path / "scene-0000.txt").read_text() == "0.0\n50.0"
+    (found,) = loaded.with_outputs(["table"]).check()
+    assert (found.code, found.span.text) == ("RL221", "table")
+    assert "`every`: a length; gap between positions" in found.help[0]
+    assert "write `--emit 'table{option: value}'`" in found.help[1]
+    in_file = loaded.with_text(f"{TEXT}emit table {{ every: 40m }}\n")
+    in_file.with_outputs(["table"]).sample().emit(tmp_path)
+    assert (tmp_path / "scene-0000.txt").read_text() == "0.0\n40.0\n80.0"
 
 
 def test_a_kind_that_no_plugin_could_bring_is_refused() -> None:

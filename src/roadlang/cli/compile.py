@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..diagnostics import Diagnostic, DiagnosticError
+from ..session.outputs import parse_outputs
 from ..session.scene_files import parse_overrides
 from . import exit_codes
 from .console import echo, holding, note, report, violations
@@ -39,7 +40,9 @@ if TYPE_CHECKING:
     help="Processes that search for scenes; the scenes are the same.",
 )
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
-@click.option("--emit", metavar="KIND,...", help="Instead of the file's `emit`s: `json,svg`.")
+@click.option(
+    "--emit", metavar="KIND,...", help="Instead of the file's `emit`s: `json,svg{size: 800px}`."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print manifest and diagnostics as JSON.")
 def command(
     file: str,
@@ -61,8 +64,8 @@ def command(
     run = _Compilation(as_json)
     target = Path(folder).absolute()  # a plugin may change the current folder
     try:
-        kinds = None if emit is None else [name.strip() for name in emit.split(",") if name.strip()]
-        run.compile(file, parse_overrides(settings), target, count, seed, jobs, kinds)
+        outputs = None if emit is None else parse_outputs(emit)
+        run.compile(file, parse_overrides(settings), target, count, seed, jobs, outputs)
     except DiagnosticError as error:
         run.found += error.diagnostics
     run.report(folder)
@@ -86,19 +89,19 @@ class _Compilation:
         count: int | None,
         seed: int,
         jobs: int,
-        kinds: Sequence[str] | None,
+        outputs: Sequence[str] | None,
     ) -> None:
         from ..session.loading import load
         from .progress import ProgressBar
 
         loaded = load(file).with_params(overrides)
+        if outputs is not None:
+            loaded = loaded.with_outputs(outputs)
         self.found += loaded.check()
         if any(diagnostic.is_error for diagnostic in self.found):
             return
-        from ..session.emitting import kinds_to_emit
         from ..session.scene_set import NoSceneError
 
-        kinds_to_emit(loaded, kinds)  # what is wrong with them is said before the search
         try:
             with ProgressBar("scenes") as progress:
                 self.scenes = loaded.sample(count, seed=seed, jobs=jobs, progress=progress)
@@ -107,7 +110,7 @@ class _Compilation:
             raise
         self.found += self.scenes.diagnostics
         with ProgressBar("files") as progress:
-            self.manifest = self.scenes.emit(folder, kinds, progress=progress)
+            self.manifest = self.scenes.emit(folder, progress=progress)
 
     @property
     def exit_code(self) -> int:

@@ -35,15 +35,14 @@ class Output:
 
 
 def backends_of(
-    source: Scenario, registry: Registry, names: Sequence[str] | None
+    source: Scenario, registry: Registry, calls: Sequence[PassCall]
 ) -> list[KindInstance]:
-    """The scenario's `emit`s, or those called `names`: with the file's options where it has such.
+    """The backends that `emit`s of a scenario call.
 
     Raises `DiagnosticError` for options that are out of bounds and for kinds that are not there.
     """
     scenario = index_scenario(source, registry)
     fixed = fixed_candidate(scenario)
-    calls = source.emits if names is None else [_call(source, name) for name in names]
 
     def resolve(entity: Entity) -> Any:
         return _picture(entity, scenario) if entity.role == "image" else entity.name
@@ -62,14 +61,7 @@ def _picture(entity: Entity, scenario: IndexedScenario) -> Picture:
     return load_picture(entity.name, fixed_candidate(scenario)).picture
 
 
-def _call(source: Scenario, name: str) -> PassCall:
-    for call in source.emits:
-        if name in (call.kind, call.kind.rpartition(".")[2]):
-            return call
-    return PassCall("emit", name, (), f"--emit {name}")
-
-
-def outputs(
+def outputs_of(
     backends: Sequence[KindInstance],
     scenes: Sequence[Scene],
     progress: Callable[[int, int], None] | None = None,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from ..diagnostics import Code, Diagnostic, diagnose
@@ -16,6 +17,7 @@ from .infer.rule_table import RULES
 from .lower.scenario import lower
 from .lower.written_size import report_oversized
 from .names.loading import load
+from .outputs import add_outputs, select_outputs, with_advice
 
 
 def check_file(
@@ -41,13 +43,19 @@ def check_text(
     path: Path | str = "scene.rl",
     overrides: Mapping[str, str] | None = None,
     registry: Registry | None = None,
+    outputs: Sequence[str] | None = None,
 ) -> tuple[Scenario | None, list[Diagnostic]]:
-    """As `check_file`, of a text that need not be saved; files it names are beside `path`."""
+    """As `check_file`, of a text that need not be saved; files it names are beside `path`.
+
+    `outputs` (`json`, `svg { size: 800px }`) come in the place of the file's `emit`s.
+    """
     if registry is None:
         from ..plugins.discovery import load_registry
 
         registry = load_registry()
     program = load(Path(path), text, overrides or {})
+    if outputs is not None:
+        add_outputs(program, outputs)
     checker = Checker(program, registry, RULES, define)
     try:
         scenario = lower(checker)
@@ -59,6 +67,9 @@ def check_text(
     if not checker.has_errors:
         warn(checker)
     found = in_order(checker.diagnostics)
+    if outputs is not None:
+        scenario = replace(scenario, emits=select_outputs(scenario.emits, outputs))
+        found = [with_advice(diagnostic) for diagnostic in found]
     return (None if checker.has_errors else scenario), found
 
 

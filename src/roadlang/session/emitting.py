@@ -9,56 +9,46 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
 from ..files.writing import write_set
-from ..scenes.emitting import backends_of, outputs, send
+from ..ir.values import PassCall
+from ..scenes.emitting import backends_of, outputs_of, send
 from .manifest import files_named_in, manifest_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
-    from .loading import LoadedScenario
+    from ..plugins.registry import Registry
     from .scene_set import SceneSet
 
 MANIFEST = "manifest.json"
 
 
-def kinds_to_emit(loaded: LoadedScenario, kinds: Sequence[str] | None) -> Sequence[str] | None:
-    """The backends to use instead of the file's; None where the file's are meant.
+MANIFEST = "manifest.json"
+DEFAULT_EMITS = ("json", "svg")
+"""What a file without an `emit` is taken to mean."""
 
-    Raises `DiagnosticError` RL930 for kinds that are not there, RL928 where there are none.
-    """
-    scenario, registry = loaded.scenario, loaded.registry
-    if kinds is None and not scenario.emits:
-        return [entry.qualified for entry in registry.defaults("emit")]
-    faults = []
-    for name in kinds or ():
-        if not registry.has("emit", name):
-            known = registry.names("emit")
-            hints = did_you_mean(name, known) or (f"there are {', '.join(known)}",)
-            faults.append(diagnose(Code.UNKNOWN_CHOICE, what="backend", name=name, help=hints))
-    if kinds is not None and not kinds:
-        faults.append(diagnose(Code.NOTHING_TO_EMIT, help="for instance `--emit json,svg`"))
-    if faults:
-        raise DiagnosticError(*faults)
-    return kinds
+
+def _default_emits(registry: Registry) -> list[PassCall]:
+    entries = [registry.find_recorded("emit", name) for name in DEFAULT_EMITS]
+    return [PassCall("emit", entry.qualified, (), f"emit {entry.name}") for entry in entries]
 
 
 def emit(
     scenes: SceneSet,
     folder: Path,
-    kinds: Sequence[str] | None,
+    outputs: Sequence[str] | None,
     progress: Callable[[int, int], None] | None,
 ) -> Manifest:
     """Write everything, then deliver to the backends that speak to an engine."""
     from ..ir.encoding import to_json
 
     folder = folder.absolute()  # before a plugin can change the current folder
-    loaded = scenes.loaded
-    backends = backends_of(loaded.scenario, loaded.registry, kinds_to_emit(loaded, kinds))
+    loaded = scenes.loaded if outputs is None else scenes.loaded.with_outputs(outputs)
+    scenario, registry = loaded.scenario, loaded.registry
+    backends = backends_of(scenario, registry, scenario.emits or _default_emits(registry))
     records = [scene.record for scene in scenes]
-    written = outputs(backends, records, progress)
+    written = outputs_of(backends, records, progress)
     manifest = manifest_of(
-        loaded.scenario,
+        scenario,
         scenes.result,
         written,
         str(loaded.path),

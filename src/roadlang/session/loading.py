@@ -5,12 +5,13 @@ A facade: a scenario samples a set of scenes, which knows the scenario.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Diagnostic, DiagnosticError
+from .outputs import check_outputs
 from .params import ParamValue, param_texts
 from .scene_files import read_scene_file
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from .scene_set import SceneSet
 
 Progress = Callable[[int, int], None]
+_PARTS = ("text", "path", "params", "registry", "outputs")
 
 
 def load(file: str | Path, /, **params: ParamValue) -> LoadedScenario:
@@ -42,7 +44,7 @@ class LoadedScenario:
     """A scene file with values for its params. It does not change; `with_params` gives another.
 
     `path` is where the file is, or for a text would be; `params` holds the values from outside
-    as texts of the language.
+    as texts of the language, `outputs` what is emitted instead of the file's `emit`s.
     """
 
     def __init__(
@@ -51,10 +53,12 @@ class LoadedScenario:
         path: Path,
         params: Mapping[str, str] | None = None,
         registry: Registry | None = None,
+        outputs: Sequence[str] | None = None,
     ) -> None:
         self.text = text
         self.path = path
         self.params: dict[str, str] = dict(params or {})
+        self.outputs = None if outputs is None else tuple(outputs)
         self._registry = registry
 
     def __repr__(self) -> str:
@@ -75,11 +79,24 @@ class LoadedScenario:
         texts = param_texts({**(params or {}), **more})
         if not texts:
             return self
-        return LoadedScenario(self.text, self.path, {**self.params, **texts}, self.registry)
+        return self._changed(params={**self.params, **texts})
 
     def with_text(self, text: str) -> LoadedScenario:
         """Another text in the place of the file, with the same params."""
-        return LoadedScenario(text, self.path, self.params, self.registry)
+        return self._changed(text=text)
+
+    def with_outputs(self, outputs: Sequence[str]) -> LoadedScenario:
+        """The same file with other outputs than its `emit`s: `["json", "svg { size: 800px }"]`.
+
+        One without options that the file has an `emit` for means that `emit`. Raises
+        `DiagnosticError` RL930 for a kind that is not there, RL928 for none at all.
+        """
+        check_outputs(outputs, self.registry)
+        return self._changed(outputs=outputs)
+
+    def _changed(self, **parts: Any) -> LoadedScenario:
+        same = {name: getattr(self, name) for name in _PARTS}
+        return LoadedScenario(**{**same, **parts})
 
     def check(self) -> tuple[Diagnostic, ...]:
         """Everything that is wrong or doubtful in the file, in the order of the places."""
@@ -123,5 +140,5 @@ class LoadedScenario:
     def _checked(self) -> tuple[Scenario | None, tuple[Diagnostic, ...]]:
         from ..semantics import check_text
 
-        scenario, found = check_text(self.text, self.path, self.params, self.registry)
+        scenario, found = check_text(self.text, self.path, self.params, self.registry, self.outputs)
         return scenario, tuple(found)

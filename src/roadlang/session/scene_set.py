@@ -117,18 +117,19 @@ class SceneSet(Sequence[Scene]):
     def emit(
         self,
         folder: str | Path,
-        kinds: Sequence[str] | None = None,
+        outputs: Sequence[str] | None = None,
         *,
         progress: Progress | None = None,
     ) -> Manifest:
-        """Write the files of the scenario's `emit`s, or of `kinds`, and `manifest.json`.
+        """Write the files of the scenario's `emit`s, and `manifest.json`.
 
-        JSON and SVG where the scenario has no `emit`. Files are written whole, all of them or
-        none. Raises `DiagnosticError` (RL460 where the folder cannot be written).
+        `outputs` come instead of them: `["json", "svg { size: 800px }"]`. JSON and SVG where
+        there is neither. Files are written whole, all of them or none, and those of an earlier
+        run are removed. Raises `DiagnosticError` (RL460 where the folder cannot be written).
         """
         from .emitting import emit
 
-        return emit(self, Path(folder), kinds, progress)
+        return emit(self, Path(folder), outputs, progress)
 
     def run(self, engine: str | None = None, **options: Any) -> DriveSet:
         """Drive every scene in a simulator, all with one engine; see `Scene.run`."""
