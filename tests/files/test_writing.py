@@ -8,6 +8,7 @@ import os
 import resource
 import subprocess
 import sys
+from multiprocessing.synchronize import Event
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,8 @@ KILLED = Path(__file__).with_name("killed_writers.py")
 
 
 def names_in(path: Path) -> list[str]:
-    return json.loads(path.read_text())
+    names: list[str] = json.loads(path.read_text())
+    return names
 
 
 def write(folder: Path, **contents: str) -> None:
@@ -173,7 +175,7 @@ def test_another_file_in_the_place_of_the_marker_is_not_replaced(tmp_path: Path)
         assert (tmp_path / "manifest.json").read_text() == text
 
 
-def hold_lock(folder: Path, held: multiprocessing.Event, release: multiprocessing.Event) -> None:
+def hold_lock(folder: Path, held: Event, release: Event) -> None:
     with folder_lock(folder):
         held.set()
         release.wait()

@@ -139,7 +139,7 @@ def test_values_that_the_language_cannot_write_are_refused(file: Path) -> None:
     with pytest.raises(ValueError, match="`reach` is nan"):
         roadlang.load(file, reach=float("nan"))
     with pytest.raises(TypeError, match="a dict"):
-        roadlang.load(file, reach={})
+        roadlang.load(file, reach={})  # type: ignore[arg-type]
 
 
 def test_check_tells_all_and_sampling_raises_it_as_text(tmp_path: Path) -> None:

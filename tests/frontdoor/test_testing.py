@@ -63,6 +63,7 @@ def test_an_output_with_a_required_option_can_be_named_from_outside(tmp_path: Pa
     loaded.with_outputs(["table{every: 50m}"]).sample().emit(tmp_path)
     assert (tmp_path / "scene-0000.txt").read_text() == "0.0\n50.0"
     (found,) = loaded.with_outputs(["table"]).check()
+    assert found.span is not None
     assert (found.code, found.span.text) == ("RL221", "table")
     assert "`every`: a length; gap between positions" in found.help[0]
     assert "write `--emit 'table{option: value}'`" in found.help[1]

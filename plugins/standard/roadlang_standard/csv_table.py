@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 _SIDES = (("w_tr_left_m", "w_tr_right_m"), ("width_left", "width_right"), ("left", "right"))
-_MOST_ROWS = 1_000_000
+_MOST_ROWS = 200_000
 
 
 @dataclass(frozen=True)

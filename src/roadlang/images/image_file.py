@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
+from ..files.reading import UnreadableFile, read_file
 from .image_header import Header, is_whole, read_header
 from .image_scale import scale_in_file
 
-MOST_BYTES = 400_000_000
 MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
 _SILENT = 0
@@ -52,15 +52,12 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
 def read_input(path: Path, written: str, span: Span | None) -> bytes:
     """The bytes of an input file. Raises DiagnosticError RL400, RL401."""
     try:
-        size = path.stat().st_size
-        if not path.is_file():
-            raise _refusal(Code.UNREADABLE_INPUT, span, written, reason="it is not a file")
-        if size > MOST_BYTES:
-            raise _refusal(Code.FILE_TOO_LARGE, span, written, size=f"{size / 1e6:.0f} MB")
-        content = path.read_bytes()
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise _refusal(Code.UNREADABLE_INPUT, span, written, reason=reason.lower()) from None
+        content = read_file(path)
+    except UnreadableFile as error:
+        if error.size is not None:
+            size = f"{error.size / 1e6:.0f} MB"
+            raise _refusal(Code.FILE_TOO_LARGE, span, written, size=size) from None
+        raise _refusal(Code.UNREADABLE_INPUT, span, written, reason=error.reason) from None
     if not content:
         raise _refusal(Code.UNREADABLE_INPUT, span, written, reason="it is empty")
     return content

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+from ..files.reading import UnreadableFile, read_start
 from .tiff import TiffError, TiffTags
 
 _PIXEL_SCALE, _GEO_KEYS = 33550, 34735
 _MODEL_TYPE, _LINEAR_UNITS = 1024, 3076
 _PROJECTED = 1
+_WORLD_FILE = 1000
+"""bytes of a world file that are looked at: six numbers"""
 _METERS = {9001: 1.0, 9002: 0.3048, 9003: 1200 / 3937}
 """EPSG codes of units of length"""
 _DEGREES_AT_MOST = 1e-3
@@ -47,8 +50,9 @@ def _world_file(path: Path) -> float | None:
     for name in names:
         beside = path.with_suffix(name)
         try:
-            numbers = [float(word) for word in beside.read_text("ascii").split()[:6]]
-        except (OSError, ValueError):
+            text = read_start(beside, _WORLD_FILE).decode("ascii")
+            numbers = [float(word) for word in text.split()[:6]]
+        except (UnreadableFile, ValueError):
             continue
         if len(numbers) == 6:
             area = abs(numbers[0] * numbers[3] - numbers[1] * numbers[2])

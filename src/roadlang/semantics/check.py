@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..diagnostics.render import in_order
+from ..files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
 from .checker import Checker
@@ -30,11 +31,11 @@ def check_file(
     """
     path = Path(path)
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        text = read_file(path, LARGEST_SCENE_FILE).decode("utf-8-sig")
     except UnicodeDecodeError:
         return None, [_unreadable(path, "it is not UTF-8 text")]
-    except (OSError, ValueError) as error:
-        return None, [_unreadable(path, getattr(error, "strerror", None) or str(error))]
+    except UnreadableFile as error:
+        return None, [_unreadable(path, error.reason)]
     return check_text(text, path, overrides, registry)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
@@ -9,6 +10,7 @@ from pathlib import Path
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.kind_instance import KindInstance
+from ..files.reading import UnreadableFile, read_file
 from ..ir.manifest import MANIFEST_SCHEMA, Manifest, OutputFile, RequirementRecord
 from ..ir.scenario import Scenario
 from ..scenes.emitting import Output
@@ -64,8 +66,9 @@ def _scene_file_digests(scenario: Scenario) -> dict[str, str]:
         path = Path(source.path)
         if source.sha256:
             digests[source.path] = source.sha256
-        elif path.is_file():
-            digests[source.path] = hashlib.sha256(path.read_bytes()).hexdigest()
+        else:
+            with contextlib.suppress(UnreadableFile):
+                digests[source.path] = hashlib.sha256(read_file(path)).hexdigest()
     return digests
 
 
@@ -73,12 +76,12 @@ def files_named_in(path: Path) -> list[str]:
     """The files that an earlier manifest names. Raises `DiagnosticError` RL460 for another file
     of this name: what roadlang has not written, it does not replace."""
     try:
-        record = json.loads(path.read_bytes())
+        record = json.loads(read_file(path))
         schema = str(record["schema"])
         if not schema.startswith(MANIFEST_SCHEMA.rpartition("/")[0]):
             raise ValueError(schema)
         return [str(file["path"]) for file in record["files"]]
-    except (ValueError, KeyError, TypeError, RecursionError):
+    except (UnreadableFile, ValueError, KeyError, TypeError, RecursionError):
         reason = "it is there already, and roadlang has not written it"
         raise DiagnosticError(
             diagnose(

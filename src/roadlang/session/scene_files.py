@@ -7,9 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
+from ..files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
 
-LARGEST = 4_000_000
-"""Bytes. A scene file is written by people; what is larger was not meant."""
 STANDARD_INPUT = "-"
 
 
@@ -60,27 +59,33 @@ def _is_name(text: str) -> bool:
 
 
 def _bytes(name: str) -> bytes:
-    if name == STANDARD_INPUT:
-        return sys.stdin.buffer.read()
     path = Path(name)
     try:
-        if path.is_dir():
+        if name == STANDARD_INPUT:
+            data = sys.stdin.buffer.read(LARGEST_SCENE_FILE + 1)
+            size = len(data) if len(data) > LARGEST_SCENE_FILE else None
+        else:
+            data, size = read_file(path, LARGEST_SCENE_FILE), None
+    except UnreadableFile as error:
+        if error.is_folder:
+            folder = diagnose(Code.FOLDER_INSTEAD_OF_FILE, path=name, help=_scenes_in(path))
+            raise DiagnosticError(folder) from None
+        if error.size is None:
+            hints = _near_files(path) if error.is_missing else _pipe_hint(error.reason)
             raise DiagnosticError(
-                diagnose(Code.FOLDER_INSTEAD_OF_FILE, path=name, help=_scenes_in(path))
-            )
-        with path.open("rb") as file:
-            data = file.read(LARGEST + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
+                diagnose(Code.UNREADABLE_FILE, path=name, help=hints, reason=error.reason)
+            ) from None
+        data, size = b"", error.size
+    if size is not None:
+        limit = LARGEST_SCENE_FILE / 1e6
         raise DiagnosticError(
-            diagnose(Code.UNREADABLE_FILE, path=name, help=_near_files(path), reason=reason.lower())
-        ) from None
-    if len(data) > LARGEST:
-        size = path.stat().st_size / 1e6
-        raise DiagnosticError(
-            diagnose(Code.SCENE_FILE_TOO_LARGE, path=name, size=size, limit=LARGEST / 1e6)
+            diagnose(Code.SCENE_FILE_TOO_LARGE, path=name, size=size / 1e6, limit=limit)
         )
     return data
+
+
+def _pipe_hint(reason: str) -> tuple[str, ...]:
+    return ("`-` reads standard input",) if "not a file" in reason else ()
 
 
 def _scenes_in(folder: Path) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
+from ...files.reading import UnreadableFile, read_start
 
 _MAGIC = {
     ".png": (b"\x89PNG\r\n\x1a\n",),
@@ -35,15 +36,11 @@ def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diag
     """What is wrong with a file that the scene names, as far as its first bytes tell."""
     target = folder / written
     try:
-        if target.is_dir():
-            return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is a folder")
-        with target.open("rb") as file:
-            head = file.read(16)
-    except FileNotFoundError:
-        return missing_file(target.parent, target.name, span, written)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=reason)
+        head = read_start(target, 16)
+    except UnreadableFile as error:
+        if error.is_missing:
+            return missing_file(target.parent, target.name, span, written)
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=error.reason)
     if not head:
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is empty")
     if picture and not _looks_like_a_picture(head):

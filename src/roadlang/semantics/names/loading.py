@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean, nearest
+from ...files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
 from ...syntax import parse, parse_formula
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
@@ -225,28 +226,17 @@ class _Loader:
 
     def _text(self, target: Path, written: ast.String) -> str | None:
         try:
-            return target.read_bytes().decode("utf-8-sig")
+            return read_file(target, LARGEST_SCENE_FILE).decode("utf-8-sig")
         except UnicodeDecodeError:
-            self._report(
-                Code.UNREADABLE_INCLUDE,
-                written.span,
-                file=written.value,
-                reason="it is not UTF-8 text",
-            )
-        except OSError as error:
-            if isinstance(error, FileNotFoundError):
+            reason = "it is not UTF-8 text"
+        except UnreadableFile as error:
+            if error.is_missing:
                 self._program.diagnostics.append(
                     missing_file(target.parent, target.name, written.span, written.value)
                 )
-            else:
-                reason = error.strerror or type(error).__name__
-                self._report(
-                    Code.UNREADABLE_INCLUDE, written.span, file=written.value, reason=reason
-                )
-        except ValueError as error:
-            self._report(
-                Code.UNREADABLE_INCLUDE, written.span, file=written.value, reason=str(error)
-            )
+                return None
+            reason = error.reason
+        self._report(Code.UNREADABLE_INCLUDE, written.span, file=written.value, reason=reason)
         return None
 
     def _settings(

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ...diagnostics import Code, DiagnosticError, diagnose
+from ...files.reading import UnreadableFile, read_file
 
 Columns = tuple[str, list[float], dict[str, list[float]]]
 
@@ -23,9 +24,9 @@ def read_trace(path: str | Path) -> Columns:
     """
     path = Path(path)
     try:
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as problem:
-        raise _unreadable(path, problem.strerror or str(problem)) from None
+        text = read_file(path).decode("utf-8-sig")
+    except UnreadableFile as problem:
+        raise _unreadable(path, problem.reason) from None
     except UnicodeDecodeError:
         raise _unreadable(path, "it is not text in UTF-8") from None
     if path.suffix.lower() == ".json":
