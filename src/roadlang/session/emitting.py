@@ -28,7 +28,7 @@ DEFAULT_EMITS = ("json", "svg")
 
 
 def _default_emits(registry: Registry) -> list[PassCall]:
-    entries = [registry.find_recorded("emit", name) for name in DEFAULT_EMITS]
+    entries = [registry.find("emit", name) for name in DEFAULT_EMITS]
     return [PassCall("emit", entry.qualified, (), f"emit {entry.name}") for entry in entries]
 
 

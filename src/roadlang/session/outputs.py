@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..plugins.finding import entry_of
 from ..plugins.registry import Registry
 
 _OPENING, _CLOSING = "{[(", "}])"
@@ -26,13 +27,14 @@ def parse_outputs(text: str) -> list[str]:
 
 def check_outputs(outputs: Sequence[str], registry: Registry) -> None:
     """Raises `DiagnosticError` RL930 for kinds that are not there, RL928 where there are none."""
-    faults = []
+    faults: list[Diagnostic] = []
     for text in outputs:
         name = text.replace("{", " ").split()[0]
-        if not registry.has("emit", name) and not registry.is_planned("emit", name):
-            known = registry.names("emit")
-            hints = did_you_mean(name, known) or (f"there are {', '.join(known)}",)
-            faults.append(diagnose(Code.UNKNOWN_CHOICE, what="backend", name=name, help=hints))
+        try:
+            if not registry.is_planned("emit", name):
+                entry_of(registry, "emit", name)
+        except DiagnosticError as error:
+            faults += error.diagnostics
     if not outputs:
         faults.append(diagnose(Code.NOTHING_TO_EMIT, help="for instance `--emit json,svg`"))
     if faults:
