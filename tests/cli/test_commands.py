@@ -516,7 +516,7 @@ def test_little_memory_leaves_nothing_written(
 
     monkeypatch.setattr(Svg, "files", drawn)
     done = roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
-    assert (done.returncode, "RL933" in done.stderr) == (5, True), done.stderr
+    assert (done.returncode, "too little memory" in done.stderr) == (5, True), done.stderr
     assert not (folder / "out").exists()
 
 
