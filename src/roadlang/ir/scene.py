@@ -17,19 +17,19 @@ class SceneRoad:
 
     name: str
     """as declared; `town/3` for edge 3 of network `town`"""
-    stations: tuple[float, ...]
+    stations: tuple[float, ...] = field(repr=False)
     """arc length along this road, meters"""
-    reference_stations: tuple[float, ...]
+    reference_stations: tuple[float, ...] = field(repr=False)
     """arc length of the root road at the same points, meters: the positions of the requirements"""
-    x: tuple[float, ...]
+    x: tuple[float, ...] = field(repr=False)
     """meters east"""
-    y: tuple[float, ...]
+    y: tuple[float, ...] = field(repr=False)
     """meters north"""
-    heading: tuple[float, ...]
+    heading: tuple[float, ...] = field(repr=False)
     """radians, counter-clockwise from east"""
-    curvature: tuple[float, ...]
+    curvature: tuple[float, ...] = field(repr=False)
     """1/m, positive to the left"""
-    width: tuple[float, ...]
+    width: tuple[float, ...] = field(repr=False)
     """from edge to edge, meters"""
     lanes: int
     """how many, both directions together"""
@@ -159,9 +159,9 @@ class Profile:
 
     road: str
     """name of the road"""
-    stations: tuple[float, ...]
+    stations: tuple[float, ...] = field(repr=False)
     """arc length of the root road, meters"""
-    values: tuple[float, ...]
+    values: tuple[float, ...] = field(repr=False)
     """one for each station, SI units"""
 
 

@@ -170,6 +170,11 @@ class Scene:
         return MappingProxyType(dict(self.record.draws))
 
     @property
+    def units(self) -> Mapping[str, str]:
+        """The SI units of the values and draws that have one, by name and place."""
+        return MappingProxyType(dict(self.record.units))
+
+    @property
     def world(self) -> Mapping[str, Any]:
         """What `world { ... }` says."""
         return MappingProxyType(dict(self.record.world))
