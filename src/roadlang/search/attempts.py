@@ -15,13 +15,17 @@ from .rejection_report import RejectionStats
 
 
 def accepted_attempts(
-    acceptance: Acceptance, sampler: KindInstance, seed: int, scenes: Sequence[int]
+    acceptance: Acceptance,
+    sampler: KindInstance,
+    seed: int,
+    scenes: Sequence[int],
+    first_attempt: int = 0,
 ) -> tuple[list[Accepted], RejectionStats]:
-    """The first accepted attempt of each scene, and the counts up to it."""
+    """The first accepted attempt of each scene from `first_attempt` on, and the counts up to it."""
     attempts = attempts_of(sampler, acceptance)
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: dict[int, int] = {}
-    pending, start = list(scenes), 0
+    pending, start = list(scenes), first_attempt
     while pending and start < attempts:
         width = 1 if acceptance.has_varying_stations else max(1, BATCH // len(pending))
         width = min(width, attempts - start, 4 * start + 4)

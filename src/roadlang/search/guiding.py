@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -21,6 +21,7 @@ from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result
 from .accepted import Accepted
+from .attempts import accepted_attempts
 from .effort import attempts_of
 from .rejection_report import RejectionStats
 from .surrogate import Surrogate
@@ -41,6 +42,11 @@ TURNS, TURNS_WHERE_RARE = 3, 12
 LIKELY, LIKELY_WHERE_RARE = 0.3, 0.08
 RARE = 0.004
 """Guessed acceptance below which more proposals are made, and bolder ones taken."""
+STEERED = 64
+"""Attempts of a scene that are proposed. The next are drawn evenly: a surrogate that guessed wrong
+so often is of no use, and a guess costs more than a candidate."""
+HOPELESS = 1e-6
+"""Guessed chance below which no proposal is worth a guess: nothing that was tried holds."""
 _PILOT = -1
 _PLACE = "sample/guided"
 
@@ -85,6 +91,16 @@ class Pilot:
                 best = proposed[chance.argmax()][None]
         return best
 
+    def best_chance(self, sampler: KindInstance, random: BatchRandom) -> float:
+        """The greatest guessed chance among proposals that are steered, and as many even draws."""
+        assert self.surrogate is not None
+        dimensions = len(self.names)
+        width = _numbers(sampler, dimensions)
+        uniform = random.uniform(PROPOSALS * width).reshape(PROPOSALS, width)
+        steered = _steered(sampler, self.known, uniform)
+        even = random.uniform(PROPOSALS * dimensions, 1).reshape(PROPOSALS, dimensions)
+        return float(self.surrogate.chance(np.concatenate([steered, even])).max())
+
     def round(self, sampler: KindInstance, random: BatchRandom) -> Floats:
         """(ROUND, d) the likeliest of many proposals, for the pilot to measure."""
         assert self.surrogate is not None
@@ -124,8 +140,14 @@ def guided_attempts(
     stats = RejectionStats.empty(len(acceptance.requirements))
     if 0 in scenes:
         stats.add(pilot.stats)
-    found = (first_accepted(acceptance, sampler, pilot, seed, scene, stats) for scene in scenes)
-    return [accepted for accepted in found if accepted is not None], stats
+    steered = STEERED if len(pilot.known) else 0
+    searched = [first_accepted(acceptance, sampler, pilot, seed, s, stats, steered) for s in scenes]
+    found = {accepted.scene: accepted for accepted in searched if accepted is not None}
+    others = [scene for scene in scenes if scene not in found]
+    even, counts = accepted_attempts(acceptance, sampler, seed, others, steered)
+    stats.add(counts)
+    found |= {accepted.scene: accepted for accepted in even}
+    return [found[scene] for scene in scenes if scene in found], stats
 
 
 def run_pilot(acceptance: Acceptance, sampler: KindInstance, seed: int) -> Pilot:
@@ -148,9 +170,10 @@ def run_pilot(acceptance: Acceptance, sampler: KindInstance, seed: int) -> Pilot
             points, values, None if pilot.surrogate is None else pilot.surrogate.lengths
         )
         pilot = Pilot(names, _leaders(points, values, holds), surrogate, stats)
-        if holds.sum() >= ENOUGH or len(points) >= sampler.kind.pilot_size():
-            return pilot
         random = _candidates(acceptance, seed, _PILOT, len(points), 1).random(_PLACE)
+        if holds.sum() >= ENOUGH or len(points) >= sampler.kind.pilot_size():
+            hopeless = not holds.any() and pilot.best_chance(sampler, random) < HOPELESS
+            return replace(pilot, known=pilot.known[:0]) if hopeless else pilot
         proposed = pilot.round(sampler, random)
         given = dict(zip(names, proposed.T, strict=True))
         candidates = _candidates(acceptance, seed, _PILOT, len(points), ROUND, given)
@@ -176,14 +199,14 @@ def first_accepted(
     seed: int,
     scene: int,
     stats: RejectionStats,
+    attempts: int,
 ) -> Accepted | None:
-    """The first accepted attempt of a scene."""
-    for attempt in range(attempts_of(sampler, acceptance)):
-        candidates = _candidates(acceptance, seed, scene, attempt, 1)
-        if len(pilot.known):
-            proposed = pilot.choose(sampler, candidates.random(_PLACE))
-            given = dict(zip(pilot.names, proposed.T, strict=True))
-            candidates = _candidates(acceptance, seed, scene, attempt, 1, given)
+    """The first accepted of the first attempts of a scene, which the pilot proposes."""
+    for attempt in range(min(attempts, attempts_of(sampler, acceptance))):
+        random = _candidates(acceptance, seed, scene, attempt, 1).random(_PLACE)
+        proposed = pilot.choose(sampler, random)
+        given = dict(zip(pilot.names, proposed.T, strict=True))
+        candidates = _candidates(acceptance, seed, scene, attempt, 1, given)
         judged = acceptance.judge(candidates)
         stats.count(judged, np.ones(1, dtype=bool))
         if judged.accepted[0]:
