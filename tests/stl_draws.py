@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +13,16 @@ from roadlang import stl
 from roadlang.stl.formula.formulas import (
     COMPOUNDS,
     BinaryTemporal,
+    ComparisonOperator,
+    Compound,
     Connective,
     Junction,
     Pointwise,
     TemporalOperator,
 )
+from roadlang.stl.formula.terms import ArithmeticOperator
+
+Shape = TypeVar("Shape", bound=Compound)
 
 NAMES = ("x", "y", "z")
 
@@ -51,7 +57,7 @@ class FormulaDraw:
             return stl.Apply("abs", (self.term(depth - 1),))
         if kind == 2:
             return stl.Apply(draw.choice(["min", "max"]), (self.term(depth - 1), self.term(0)))
-        ops = "+-" if self.bounded else "+-*"
+        ops: list[ArithmeticOperator] = ["+", "-"] if self.bounded else ["+", "-", "*"]
         return stl.Arithmetic(draw.choice(ops), self.term(depth - 1), self.term(0))
 
     def interval(self) -> stl.Interval | None:
@@ -69,7 +75,9 @@ class FormulaDraw:
         draw = self.random
         if self.corners and draw.random() < 0.05:
             return stl.Truth(draw.random() < 0.5)
-        ops = ["<", "<=", ">", ">="] + (["==", "!="] if self.corners else [])
+        ops: list[ComparisonOperator] = ["<", "<=", ">", ">="]
+        if self.corners:
+            ops += ["==", "!="]
         right = stl.Constant(float(draw.randint(-2, 2)))
         return stl.Comparison(draw.choice(ops), self.term(), right)
 
@@ -93,7 +101,7 @@ class FormulaDraw:
         return kind.of([self.formula(depth)], self.interval())
 
 
-def _of_shape(shape: type) -> list[type]:
+def _of_shape(shape: type[Shape]) -> list[type[Shape]]:
     return [kind for kind in COMPOUNDS.values() if issubclass(kind, shape)]
 
 
@@ -103,7 +111,7 @@ def draw_trace(
     """Positions (S,) and signals x, y, z (V, S); some values are whole numbers, so ties occur."""
     rng = np.random.default_rng(seed)
     if even:
-        positions = 3.0 + step * np.arange(samples)
+        positions = np.asarray(3.0 + step * np.arange(samples), np.float64)
     else:
         positions = np.cumsum(rng.choice([0.1, 0.25, 0.5, 0.5, 0.7, 2.0], size=samples))
     signals = {name: rng.normal(0, 2, size=(variants, samples)) for name in NAMES}

@@ -8,6 +8,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from roadlang import stl
 
 Row = Mapping[str, Sequence[float]]
@@ -16,7 +19,12 @@ Row = Mapping[str, Sequence[float]]
 class Reference:
     """Evaluates formulas over one trace. `wrap` repeats it for ever, in both directions."""
 
-    def __init__(self, positions: Sequence[float], signals: Row, wrap: float | None = None) -> None:
+    def __init__(
+        self,
+        positions: Sequence[float] | NDArray[np.float64],
+        signals: Row,
+        wrap: float | None = None,
+    ) -> None:
         self.positions = [float(position) for position in positions]
         self.signals = signals
         self.wrap = wrap
@@ -118,8 +126,14 @@ class Reference:
                         "max": lambda: max(values)}[function]()  # fmt: skip
             case stl.Arithmetic(op, left, right):
                 x, y = self._term(left, k), self._term(right, k)
-                return {"+": lambda: x + y, "-": lambda: x - y, "*": lambda: x * y,
-                        "/": lambda: x / y, "^": lambda: x**y}[op]()  # fmt: skip
+                operators: dict[str, Callable[[], float]] = {
+                    "+": lambda: x + y,
+                    "-": lambda: x - y,
+                    "*": lambda: x * y,
+                    "/": lambda: x / y,
+                    "^": lambda: float(x**y),
+                }
+                return operators[op]()
         raise TypeError(term)
 
 

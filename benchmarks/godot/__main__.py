@@ -127,8 +127,9 @@ def grip() -> None:
     bent = bends()
     with engine.start(fixed_fps=60) as running, running.connect() as session:
         for kind in ("pure_pursuit", "stanley", "lane_follow", "car_follow"):
-            ahead = {"lookahead": 1.0, "lookahead_time": 0.4} if kind == "pure_pursuit" else {}
-            ego = car("ego", bent, 5.0, call(kind, speed=15.0, **ahead))
+            pursuit = call(kind, speed=15.0, lookahead=1.0, lookahead_time=0.4)
+            chosen = pursuit if kind == "pure_pursuit" else call(kind, speed=15.0)
+            ego = car("ego", bent, 5.0, chosen)
             trace = drive_in(session, scene(bent, agents=[ego]), Settings(duration=80), {})
             worst = np.abs(trace.agents["ego"].cross_track).max()
             print(f"{kind} at 15 m/s, R 37 m: cross-track error {worst:.2f} m")

@@ -102,7 +102,7 @@ class House:
     @cached_property
     def rooms(self) -> dict[str, Room]:
         """The table of the page, from the bottom to the top."""
-        table = {}
+        table: dict[str, Room] = {}
         for line in self.page.splitlines():
             cells = [cell.strip() for cell in line.strip("|").split("|")]
             if len(cells) == 4 and re.fullmatch(r"`\w+/`", cells[0]):

@@ -105,8 +105,9 @@ def private_names_stay_in_their_file(house: House) -> Iterator[str]:
                 yield _at(file, found.line, f"imports the private {last}")
             modules.add(last.split(".")[-1])
         for node in ast.walk(file.tree):
-            is_private = isinstance(node, ast.Attribute) and re.match(r"_[a-z]", node.attr)
-            if is_private and dotted(node.value) in modules:
+            if not (isinstance(node, ast.Attribute) and re.match(r"_[a-z]", node.attr)):
+                continue
+            if dotted(node.value) in modules:
                 yield _at(file, node.lineno, f"uses the private {dotted(node)}")
 
 
@@ -257,10 +258,11 @@ def _shipped_kinds(house: House) -> frozenset[str]:
     names = set()
     for file in house.plugins:
         for node in ast.walk(file.tree):
-            is_name = isinstance(node, ast.AnnAssign) and dotted(node.target) == "name"
-            if is_name and isinstance(node.value, ast.Constant) and node.value.value:
+            if not (isinstance(node, ast.AnnAssign) and dotted(node.target) == "name"):
+                continue
+            if isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
                 names.add(node.value.value)
-    return frozenset(names) - _ORDINARY
+    return frozenset(names) - _ORDINARY - {""}
 
 
 def _circles(graph: Mapping[str, set[str]]) -> list[set[str]]:

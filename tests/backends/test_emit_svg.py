@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from roadlang.api import Picture
-from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
+from roadlang.ir.scene import Profile, RoadPlace, Scene, SceneSignal
 from roadlang_standard.emit_svg import Svg
 from tests.backends.handmade_scenes import actor, bend, road, town
 
@@ -22,8 +22,27 @@ def drawn(scene: Any, **options: Any) -> ElementTree.Element:
     return ElementTree.fromstring(Svg(**options).files(scene)["svg"])
 
 
-def group(root: ElementTree.Element, name: str) -> ElementTree.Element | None:
+def found(root: ElementTree.Element, name: str) -> ElementTree.Element | None:
+    """The group of a class, if there is one."""
     return next((g for g in root.iter(f"{SVG}g") if g.get("class") == name), None)
+
+
+def group(root: ElementTree.Element, name: str) -> ElementTree.Element:
+    element = found(root, name)
+    assert element is not None, f"no group of class {name}"
+    return element
+
+
+def child(element: ElementTree.Element, name: str) -> ElementTree.Element:
+    node = element.find(name)
+    assert node is not None, f"no {name}"
+    return node
+
+
+def attribute(element: ElementTree.Element, name: str) -> str:
+    value = element.get(name)
+    assert value is not None, f"no attribute {name}"
+    return value
 
 
 def texts(root: ElementTree.Element) -> list[str]:
@@ -33,7 +52,7 @@ def texts(root: ElementTree.Element) -> list[str]:
 def test_a_figure_has_road_markings_ghost_agents_objects_scale_and_north() -> None:
     root = drawn(bend())
     for name in ("roads", "markings", "ghosts", "agents", "objects", "scale-bar", "north"):
-        assert group(root, name) is not None, name
+        assert found(root, name) is not None, name
 
 
 def test_the_size_option_is_the_width_in_pixels() -> None:
@@ -44,16 +63,16 @@ def test_the_size_option_is_the_width_in_pixels() -> None:
 def test_letters_have_one_size_whatever_the_scene_measures(scale: float) -> None:
     legend = group(drawn(bend(scale)), "legend")
     assert legend is not None
-    assert float(legend.get("font-size")) == pytest.approx(1024 / 78, abs=0.01)
+    assert float(attribute(legend, "font-size")) == pytest.approx(1024 / 78, abs=0.01)
 
 
 @pytest.mark.parametrize("scale", [0.2, 1.0, 20.0])
 def test_every_point_of_the_roads_lies_in_the_map(scale: float) -> None:
     root = drawn(bend(scale))
-    _, _, width, height = map(float, root.get("viewBox").split())
+    _, _, width, height = map(float, attribute(root, "viewBox").split())
     roads = group(root, "roads")
     for path in roads.iter(f"{SVG}path"):
-        for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d")):
+        for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", attribute(path, "d")):
             assert 0 <= float(x) <= width
             assert 0 <= float(y) <= height
 
@@ -65,9 +84,9 @@ def test_the_scale_bar_has_a_round_length(scale: float, label: str) -> None:
     value, unit = texts(bar)[-1].split()
     meters = float(value) * (1000 if unit == "km" else 1)
     assert texts(bar)[-1] == label
-    original = re.findall(r"(-?[\d.]+) -?[\d.]+", group(root, "ghost-lines")[0].get("d"))
+    original = re.findall(r"(-?[\d.]+) -?[\d.]+", attribute(group(root, "ghost-lines")[0], "d"))
     pixels_per_meter = (float(original[-1]) - float(original[0])) / (240.0 * scale)
-    length = float(bar.findall(f"{SVG}rect")[2].get("width"))
+    length = float(attribute(bar.findall(f"{SVG}rect")[2], "width"))
     assert length == pytest.approx(meters * pixels_per_meter, rel=0.01)
 
 
@@ -76,7 +95,7 @@ def test_violated_stretches_are_marked_where_they_are() -> None:
     marks = group(drawn(scene), "violations")
     titles = [node.text for node in marks.iter(f"{SVG}title")]
     assert titles == ["calm violated: 30.0 m to 62.0 m", "calm violated: 150.0 m to 171.0 m"]
-    assert group(drawn(replace(scene, expectations=())), "violations") is None
+    assert found(drawn(replace(scene, expectations=())), "violations") is None
 
 
 def test_the_legend_says_how_each_requirement_came_out() -> None:
@@ -88,10 +107,10 @@ def test_the_legend_says_how_each_requirement_came_out() -> None:
 
 def test_a_ghost_is_drawn_only_where_the_road_was_changed() -> None:
     scene = bend()
-    assert group(drawn(scene, ghost=False), "ghosts") is None
+    assert found(drawn(scene, ghost=False), "ghosts") is None
     unchanged = replace(scene.roads[0], name="bent", root="main", derived=True)
     same = replace(scene, roads=(scene.roads[0], unchanged))
-    assert group(drawn(same), "ghosts") is None
+    assert found(drawn(same), "ghosts") is None
 
 
 def test_a_long_formula_is_written_whole_in_several_lines() -> None:
@@ -119,8 +138,8 @@ def test_signals_and_robustness_are_plotted_over_arc_length() -> None:
     shown = texts(group(root, "profiles"))
     assert {"e1", "up to 3.97 m", "phi1", "arc length"} <= set(shown)
     assert texts(group(root, "tightest")) == ["phi1"]
-    assert group(drawn(bend(), profiles=True), "profiles") is None
-    assert group(drawn(replace(bend(), signals=(e1,)), profiles=False), "profiles") is None
+    assert found(drawn(bend(), profiles=True), "profiles") is None
+    assert found(drawn(replace(bend(), signals=(e1,)), profiles=False), "profiles") is None
 
 
 def test_the_place_where_a_constraint_is_tight_is_marked_on_the_road() -> None:
@@ -128,10 +147,12 @@ def test_the_place_where_a_constraint_is_tight_is_marked_on_the_road() -> None:
     at = scene.roads[1].stations[200]
     phi1 = replace(scene.requirements[0], tightest=RoadPlace("bent", at))
     pin = group(drawn(replace(scene, requirements=(phi1,))), "tightest")
-    foot = pin.find(f".//{SVG}circle")
-    center = re.findall(r"(-?[\d.]+) (-?[\d.]+)", group(drawn(scene), "ghost-lines")[0].get("d"))
+    foot = child(pin, f".//{SVG}circle")
+    center = re.findall(
+        r"(-?[\d.]+) (-?[\d.]+)", attribute(group(drawn(scene), "ghost-lines")[0], "d")
+    )
     middle = center[len(center) // 2]
-    assert abs(float(foot.get("cx")) - float(middle[0])) < 40
+    assert abs(float(attribute(foot, "cx")) - float(middle[0])) < 40
 
 
 def test_the_world_is_said_in_a_corner() -> None:
@@ -143,11 +164,11 @@ def test_the_photo_lies_under_the_roads_where_it_was_taken() -> None:
     pixels = np.full((120, 480, 3), 90, np.uint8)
     scene = bend()
     root = drawn(scene, photo=Picture(pixels, 0.5), fade=0.5)
-    picture = root.find(f".//{SVG}image")
+    picture = child(root, f".//{SVG}image")
     bar = group(root, "scale-bar")
     meters = float(texts(bar)[-1].split()[0])
-    per_meter = float(bar.findall(f"{SVG}rect")[2].get("width")) / meters
-    assert float(picture.get("width")) == pytest.approx(240 * per_meter, rel=0.01)
+    per_meter = float(attribute(bar.findall(f"{SVG}rect")[2], "width")) / meters
+    assert float(attribute(picture, "width")) == pytest.approx(240 * per_meter, rel=0.01)
     assert picture.get("opacity") == "0.5"
 
 
@@ -158,8 +179,8 @@ def test_junctions_are_covered_so_that_no_edge_line_crosses_them() -> None:
 
 
 def test_agents_stay_visible_in_a_scene_of_five_kilometers() -> None:
-    body = group(drawn(bend(20.0)), "agents").find(f".//{SVG}rect")
-    assert float(body.get("width")) >= 15.0
+    body = child(group(drawn(bend(20.0)), "agents"), f".//{SVG}rect")
+    assert float(attribute(body, "width")) >= 15.0
 
 
 def test_a_group_of_many_has_one_label() -> None:
@@ -178,7 +199,7 @@ def test_names_that_look_like_markup_are_text() -> None:
 
 def test_a_kind_without_a_drawing_of_its_own_is_drawn_as_its_outline() -> None:
     scene = replace(bend(), objects=(actor("hole", "acme.pothole", 20, 0),))
-    assert group(drawn(scene), "objects").find(f".//{SVG}rect") is not None
+    assert child(group(drawn(scene), "objects"), f".//{SVG}rect") is not None
 
 
 def test_a_color_is_a_color_and_nothing_else() -> None:
@@ -188,7 +209,7 @@ def test_a_color_is_a_color_and_nothing_else() -> None:
 
 def test_an_empty_scene_is_a_figure_too() -> None:
     scene = replace(bend(), roads=(), agents=(), objects=(), requirements=(), expectations=())
-    assert group(drawn(scene), "scale-bar") is not None
+    assert found(drawn(scene), "scale-bar") is not None
 
 
 def test_a_closed_road_is_closed() -> None:
@@ -202,7 +223,7 @@ def test_a_closed_road_is_closed() -> None:
 
     ring = through("ring", points, closed=True, length=2 * math.pi * 50, derived=True)
     scene = replace(bend(), roads=(ring,), agents=(), expectations=())
-    marking = group(drawn(scene), "markings").find(f"{SVG}path").get("d")
+    marking = attribute(child(group(drawn(scene), "markings"), f"{SVG}path"), "d")
     numbers = re.findall(r"-?[\d.]+ -?[\d.]+", marking)
     assert numbers[0] == numbers[-1]
 
@@ -222,7 +243,7 @@ def test_a_contact_sheet_shows_every_scene_at_one_scale() -> None:
 
 
 def test_a_contact_sheet_shows_the_draws_that_differ() -> None:
-    def scene(index: int) -> object:
+    def scene(index: int) -> Scene:
         draws = {"bent/perturb 1/amplitude": 1.5 + index, "bent/perturb 1/phase": 0.25}
         units = {"bent/perturb 1/amplitude": "m", "bent/perturb 1/phase": "rad"}
         return replace(bend(index=index), draws=draws, units=units)
@@ -236,7 +257,7 @@ def test_a_contact_sheet_shows_the_draws_that_differ() -> None:
 
 
 def test_draws_of_one_name_are_told_apart_by_their_place() -> None:
-    def scene(index: int) -> object:
+    def scene(index: int) -> Scene:
         draws = {"left/amplitude": 1.0 + index, "right/amplitude": 2.0 + index}
         return replace(bend(index=index), draws=draws)
 
@@ -256,22 +277,12 @@ def test_one_scene_needs_no_contact_sheet() -> None:
 
 def test_a_road_of_two_points_is_drawn() -> None:
     line = road("line", lambda x: 0.0, derived=True)
-    short = replace(
-        line,
-        **{
-            name: (getattr(line, name)[0], getattr(line, name)[-1])
-            for name in (
-                "stations",
-                "reference_stations",
-                "x",
-                "y",
-                "heading",
-                "curvature",
-                "width",
-            )
-        },
-    )
-    assert group(drawn(replace(bend(), roads=(short,), expectations=())), "roads") is not None
+    columns = ("stations", "reference_stations", "x", "y", "heading", "curvature", "width")
+    ends: dict[str, Any] = {
+        name: (getattr(line, name)[0], getattr(line, name)[-1]) for name in columns
+    }
+    short = replace(line, **ends)
+    assert found(drawn(replace(bend(), roads=(short,), expectations=())), "roads") is not None
 
 
 def test_versions_of_one_road_are_told_apart_by_color_and_name() -> None:

@@ -16,8 +16,8 @@ class Terminal(io.StringIO):
 
 def shown_on(stream: io.StringIO, monkeypatch: pytest.MonkeyPatch, seconds: float) -> str:
     clock = iter([0.0, seconds, seconds + 1, seconds + 2])
-    monkeypatch.setattr(progress.time, "monotonic", lambda: next(clock))
-    monkeypatch.setattr(progress.sys, "stderr", stream)
+    monkeypatch.setattr("roadlang.cli.progress.time.monotonic", lambda: next(clock))
+    monkeypatch.setattr("roadlang.cli.progress.sys.stderr", stream)
     with progress.ProgressBar("scenes") as bar:
         bar(1, 2)
         bar(2, 2)
@@ -32,9 +32,9 @@ def test_a_terminal_sees_how_far_the_work_is(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_quick_work_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = iter([0.0, 0.1, 0.2])
-    monkeypatch.setattr(progress.time, "monotonic", lambda: next(clock))
+    monkeypatch.setattr("roadlang.cli.progress.time.monotonic", lambda: next(clock))
     stream = Terminal()
-    monkeypatch.setattr(progress.sys, "stderr", stream)
+    monkeypatch.setattr("roadlang.cli.progress.sys.stderr", stream)
     with progress.ProgressBar("scenes") as bar:
         bar(1, 2)
     assert stream.getvalue() == ""

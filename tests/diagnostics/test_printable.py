@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 import sys
 import unicodedata
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -44,24 +47,24 @@ def unsafe(text: str) -> set[str]:
 
 
 @pytest.mark.parametrize("text", NASTY)
-def test_unsafe_characters_are_shown_as_their_code_points(text):
+def test_unsafe_characters_are_shown_as_their_code_points(text: str) -> None:
     assert unsafe(printable(text)) == set()
     assert f"U+{ord(next(iter(sorted(unsafe(text))))):04X}" in printable(text)
 
 
-def test_ordinary_text_of_any_script_stays_as_it_is():
+def test_ordinary_text_of_any_script_stays_as_it_is() -> None:
     for text in ("road", "straße", "道路 дорога", "e\u0301", "🚗"):
         assert printable(text) == text
 
 
 @given(st.text(max_size=30))
-def test_printable_text_has_no_unsafe_character(text):
+def test_printable_text_has_no_unsafe_character(text: str) -> None:
     assert unsafe(printable(text)) == set()
 
 
 @pytest.mark.parametrize("text", NASTY)
 @pytest.mark.parametrize("color", [False, True])
-def test_a_rendered_diagnostic_is_safe_wherever_the_text_comes_from(text, color):
+def test_a_rendered_diagnostic_is_safe_wherever_the_text_comes_from(text: str, color: bool) -> None:
     source = Source(f"{text}.rl", f"road {text} here {text}")
     start = source.text.index("here")
     span = source.span(start, start + 4)
@@ -74,14 +77,14 @@ def test_a_rendered_diagnostic_is_safe_wherever_the_text_comes_from(text, color)
 
 
 @pytest.mark.parametrize("text", [text for text in NASTY if "\n" not in text])
-def test_the_underline_stays_below_its_place(text):
+def test_the_underline_stays_below_its_place(text: Any) -> None:
     source = Source("x.rl", f"{text} here")
     start = source.text.index("here")
     lines = render(Diagnostic("RL001", "error", "", source.span(start, start + 4))).splitlines()
     assert lines[-1].index("^^^^") == lines[-2].index("here")
 
 
-def test_the_underline_stays_below_its_place_behind_wide_and_combining_characters():
+def test_the_underline_stays_below_its_place_behind_wide_and_combining_characters() -> None:
     source = Source("x.rl", "道路 e\u0301 here")
     start = source.text.index("here")
     *_, line, underline = render(
@@ -112,7 +115,7 @@ ROAD = "road main { draw with waypoints { points: [(0m, 0m), (90m, 20m)] }, widt
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
     (tmp_path / "roadlang_evil.py").write_text(PLUGIN)
@@ -148,7 +151,9 @@ def folder(tmp_path, monkeypatch):
     ],
 )
 @pytest.mark.parametrize("color", ["never", "always"])
-def test_no_command_prints_control_characters(folder, capsys, scene, command, color):
+def test_no_command_prints_control_characters(
+    folder: Any, capsys: pytest.CaptureFixture[str], scene: str, command: str, color: str
+) -> None:
     (folder / "scene.rl").write_text(scene, encoding="utf-8")
     run(["--color", color, *command.split(" ")])
     printed = capsys.readouterr()

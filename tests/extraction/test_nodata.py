@@ -43,6 +43,7 @@ def test_roads_are_found_between_margins_and_none_in_them() -> None:
     scene = render_aerial("curve", 904, size=320)
     image, _ = turned(scene.image, 0)
     margin = nodata(image)
+    assert margin is not None
     deep = cv2.erode(margin.astype(np.uint8), np.ones((25, 25), np.uint8)) > 0
     found = roads_of_photo(image)
     assert sum(road.length for road in found.roads) > 150

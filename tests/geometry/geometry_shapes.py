@@ -51,7 +51,8 @@ def walks(smallest: int = 1, largest: int = 12) -> st.SearchStrategy[np.ndarray]
 
 def _ring(radii: list[float]) -> np.ndarray:
     angle = np.linspace(0.0, 2.0 * np.pi, len(radii), endpoint=False)
-    return np.array(radii)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    return np.asarray(np.array(radii)[:, None] * circle)
 
 
 def rings() -> st.SearchStrategy[np.ndarray]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -215,12 +216,13 @@ def test_what_cannot_be_compared_is_refused() -> None:
     a = displace(line(), s, np.zeros((2, 11)))
     b = displace(line(), s, np.zeros((3, 11)))
     c = sample(wave(), s[:5])
-    for call in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: pointwise(CurveBatch(s, a.points), b),
         lambda: pointwise(a, c),
         lambda: frechet(a, b),
         lambda: lp_distance(a, a, 0.5),
         lambda: margin(a, (0.0, 0.0), (1.0, 1.0, 1.0)),
-    ):
+    )
+    for call in calls:
         with pytest.raises(GeometryError):
             call()

@@ -70,7 +70,8 @@ def test_the_curve_has_the_chain_s_length_headings_and_curvatures(segments: Any)
 
 
 def test_a_ring_of_pieces_closes() -> None:
-    oval = [Straight(30.0), Arc(10.0, np.pi), Straight(30.0), Arc(10.0, np.pi)]
+    half: list[Straight | Arc] = [Straight(30.0), Arc(10.0, np.pi)]
+    oval = half + half
     curve = chain(oval).curve(closed=True)
     assert curve.closed
     assert curve.length == pytest.approx(60.0 + 20.0 * np.pi, rel=1e-8)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.api import Control, DiagnosticError, Observation, Scene, SceneActor, SceneRoad, Trace
+from roadlang.ir.scene import Call
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_batch, drive_in
 from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
@@ -19,15 +20,15 @@ def driven(session: Session, made: Scene, duration: float = 70.0) -> Trace:
     return drive_in(session, made, Settings(duration=duration), {})
 
 
-def pursuit(speed: float) -> object:
+def pursuit(speed: float) -> Call:
     return call("pure_pursuit", speed=speed, lookahead=1.0, lookahead_time=0.4)
 
 
 @pytest.mark.parametrize("kind", ["pure_pursuit", "stanley", "lane_follow", "car_follow"])
 def test_a_car_at_15_m_s_stays_within_30_cm_on_bends_of_37_m(session: Session, kind: str) -> None:
-    options = {"lookahead": 1.0, "lookahead_time": 0.4} if kind == "pure_pursuit" else {}
     bent = bends()
-    ego = car("ego", bent, 5.0, call(kind, speed=15.0, **options))
+    chosen = pursuit(15.0) if kind == "pure_pursuit" else call(kind, speed=15.0)
+    ego = car("ego", bent, 5.0, chosen)
     trace = driven(session, scene(bent, agents=[ego], world={"friction": 1.0}))
     assert trace.agents["ego"].progress[-1] == 1.0  # so that `ego.progress >= 100%` is reached
     assert trace.agents["ego"].speed.max() == pytest.approx(15.0, abs=0.3)
@@ -36,7 +37,7 @@ def test_a_car_at_15_m_s_stays_within_30_cm_on_bends_of_37_m(session: Session, k
 
 def circle(friction: float, speed: float) -> tuple[Scene, SceneRoad]:
     ring = road("ring", pieces(straight(160), bend(60, 350)), width=9.0)
-    ego = car("ego", ring, 3.0, pursuit(speed))  # type: ignore[arg-type]
+    ego = car("ego", ring, 3.0, pursuit(speed))
     return scene(ring, agents=[ego], world={"friction": friction}), ring
 
 

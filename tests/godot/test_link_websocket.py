@@ -5,9 +5,10 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 import pytest
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import Server, ServerConnection, serve
 
 from roadlang_godot import engine
@@ -28,6 +29,12 @@ def server(handler: Callable[[ServerConnection], None]) -> Iterator[int]:
         thread.join()
 
 
+def silence(connection: ServerConnection) -> None:
+    """Wait until the client leaves."""
+    with suppress(ConnectionClosed):
+        connection.recv()
+
+
 def received(link: WebSocketLink, count: int) -> list[bytes]:
     messages: list[bytes] = []
     while len(messages) < count:
@@ -37,7 +44,12 @@ def received(link: WebSocketLink, count: int) -> list[bytes]:
 
 def test_messages_come_back_whole_and_in_order() -> None:
     sent = [bytes([number]) * size for number, size in enumerate((0, 1, 125, 126, 1200, 8192))]
-    with server(lambda connection: [connection.send(m) for m in connection] and None) as port:
+
+    def echo(connection: ServerConnection) -> None:
+        for message in connection:
+            connection.send(message)
+
+    with server(echo) as port:
         link = WebSocketLink("127.0.0.1", port)
         for message in sent:
             link.send(message)
@@ -48,7 +60,7 @@ def test_messages_come_back_whole_and_in_order() -> None:
 def test_a_message_in_fragments_is_one_message() -> None:
     def fragments(connection: ServerConnection) -> None:
         connection.send([b"one ", b"mess", b"age"])
-        connection.recv()
+        silence(connection)
 
     with server(fragments) as port:
         link = WebSocketLink("127.0.0.1", port)
@@ -57,7 +69,7 @@ def test_a_message_in_fragments_is_one_message() -> None:
 
 
 def test_nothing_to_receive_is_an_empty_list() -> None:
-    with server(lambda connection: connection.recv() and None) as port:
+    with server(silence) as port:
         link = WebSocketLink("127.0.0.1", port)
         assert link.receive(timeout=0.0) == []
         link.close()

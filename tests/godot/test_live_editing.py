@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 import pytest
@@ -36,13 +37,17 @@ def raised(height: float) -> Thing:
     return strip_thing("main", strip, s, 2, 1, SURFACE_MARKED)
 
 
+def probes(session: Session, height: object) -> bool:
+    return session.probe(50.0, 0.0) == height
+
+
 def test_physics_feels_every_change(live_session: Session) -> None:
     live_session.begin({"name": "live", "extent": 200.0}, clear=True)
     live_session.update([raised(0.0)])
     for height in (0.3, 0.1, 2.0):
         live_session.update([raised(height)])
         felt = pytest.approx(height, abs=1e-3)
-        until(lambda felt=felt: live_session.probe(50.0, 0.0) == felt)
+        until(partial(probes, live_session, felt))
 
 
 def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
@@ -61,7 +66,7 @@ def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
 
     live = LiveScene(live_session, shifted(0.0))
     for step in range(1, 6):
-        until(lambda step=step: driven() > 5.0 + step)
+        until(partial(lambda goal: driven() > goal, 5.0 + step))
         assert live.change(shifted(0.4 * step)) < 12
     until(lambda: driven() > 15.0)
     trace = live.trace()

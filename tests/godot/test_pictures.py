@@ -43,7 +43,7 @@ def test_a_top_view_shows_the_road_where_it_is(drawing_engine: Engine) -> None:
     def colors(at: np.ndarray) -> np.ndarray:
         column = np.round((at[:, 0] - frame.x) / scale + 319.5).astype(int)
         row = np.round((frame.y - at[:, 1]) / scale + 319.5).astype(int)
-        return picture[row, column].astype(int)
+        return np.asarray(picture[row, column], int)
 
     asphalt = colors(points + 1.5 * side)
     grass = colors(points + 6.0 * side)

@@ -22,6 +22,7 @@ from roadlang.api import (
     option,
 )
 from roadlang.diagnostics import DiagnosticError
+from roadlang.plugins.kinds import Kind
 from roadlang.scenes.sampling import SamplingResult
 from tests.straight_road import STRAIGHT
 
@@ -35,9 +36,9 @@ class Steps(Perturber):
 
     name: ClassVar[str] = "steps"
     side: Word = option(words=("left", "right"))
-    sizes: list_of(Length) = option()
+    sizes: list_of(Length) = option()  # type: ignore[valid-type]
     middle: Point = option()
-    named: map_of(Length) = option()
+    named: map_of(Length) = option()  # type: ignore[valid-type]
 
     def displacement(self, road: Any, random: Any) -> Any:
         assert self.side in ("left", "right")
@@ -141,7 +142,7 @@ def test_a_signal_that_is_alike_in_all_variants_needs_no_rows(sample: Sample) ->
     ],
 )
 def test_signals_that_do_not_fit_are_blamed(
-    sample: Sample, formula: str, kind: type, says: str
+    sample: Sample, formula: str, kind: type[Kind], says: str
 ) -> None:
     with pytest.raises(DiagnosticError) as caught:
         sample(STRAIGHT + f"require fits: {formula}\n", kinds=(kind,))

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from roadlang.api import Adjuster, Length, Monitor, Perturber, RoadName, Signal, option
-from roadlang.diagnostics import DiagnosticError
+from roadlang.diagnostics import Diagnostic, DiagnosticError
+from roadlang.plugins.kinds import Kind
 from roadlang.scenes.sampling import SamplingResult
 from tests.straight_road import STRAIGHT
 
@@ -24,7 +25,7 @@ class Raising(Perturber):
     name: ClassVar[str] = "raising"
     size: Length = option(1.0)
 
-    def displacements(self, roads: Any, random: Any) -> float:
+    def displacements(self, roads: Any, random: Any) -> Any:
         return 1 / 0
 
 
@@ -69,7 +70,7 @@ class Wild(Monitor):
     name: ClassVar[str] = "wild"
     road: RoadName = option()
 
-    def robustness(self) -> None:
+    def robustness(self, **signals: Any) -> Any:
         raise RuntimeError("no idea")
 
 
@@ -95,7 +96,7 @@ class Bleach(Adjuster):
         return pixels[:5]
 
 
-def failure(sample: Sample, text: str, kind: type) -> object:
+def failure(sample: Sample, text: str, kind: type[Kind]) -> Diagnostic:
     with pytest.raises(DiagnosticError) as caught:
         sample(STRAIGHT + text, kinds=(kind,))
     return caught.value.diagnostics[0]
@@ -115,7 +116,7 @@ def test_one_that_raises_is_named_with_its_reason(sample: Sample) -> None:
 
 
 @pytest.mark.parametrize(("kind", "says"), [(Infinite, "not finite"), (Short, "(1, 3)")])
-def test_wrong_results_are_blamed_on_the_pass(sample: Sample, kind: type, says: str) -> None:
+def test_wrong_results_are_blamed_on_the_pass(sample: Sample, kind: type[Kind], says: str) -> None:
     found = failure(sample, bent(kind.name), kind)
     assert found.code == "RL474"
     assert says in found.message

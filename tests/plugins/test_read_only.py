@@ -119,8 +119,8 @@ class Halving(Perturber):
 
     name: ClassVar[str] = "halving"
     size: Length = option(0.0)
-    sizes: list_of(Length) = option(())
-    named: map_of(Length) = option(None)
+    sizes: list_of(Length) = option(())  # type: ignore[valid-type]
+    named: map_of(Length) = option(None)  # type: ignore[valid-type]
 
     def displacements(self, roads: Any, random: Any) -> Any:
         for size in (self.size, *self.sizes, *(self.named or {}).values()):
@@ -278,8 +278,10 @@ def test_all_that_a_scene_holds_is_read_only(sample: Sample) -> None:
 
 
 def agent(name: str) -> AgentTrace:
-    columns = [field.name for field in dataclasses.fields(AgentTrace)[1:-2]]
-    return AgentTrace(name=name, **{column: np.zeros(3) for column in columns})
+    columns: dict[str, Any] = {
+        field.name: np.zeros(3) for field in dataclasses.fields(AgentTrace)[1:-2]
+    }
+    return AgentTrace(name=name, **columns)
 
 
 def test_all_that_a_trace_holds_is_read_only() -> None:
@@ -289,8 +291,9 @@ def test_all_that_a_trace_holds_is_read_only() -> None:
 
 
 def test_the_others_that_a_controller_sees_are_read_only() -> None:
-    numbers = {field.name: 0.0 for field in dataclasses.fields(Observation)[:-1]}
-    lone = Observation(**{**numbers, "line_ahead": lambda d: (d, 0.0, 0.0, 0.0)})
+    values: dict[str, Any] = {f.name: 0.0 for f in dataclasses.fields(Observation)[:-1]}
+    values["line_ahead"] = lambda d: (d, 0.0, 0.0, 0.0)
+    lone = Observation(**values)
     assert_read_only(dataclasses.replace(lone, others={"ego": lone}))
 
 
@@ -303,10 +306,15 @@ def test_a_copy_of_what_is_read_only_can_be_changed() -> None:
     assert value == {"a": [1, {"b": 2}], "c": (3,)}
 
 
+def in_place(name: str, value: Any, other: object) -> None:
+    """`value |= other` and its like, named as in `operator`."""
+    getattr(operator, name)(value, other)
+
+
 CHANGES: dict[str, Callable[[Any], Any]] = {
     "m[key] = value": lambda m: operator.setitem(m, "x", 1),
     "del m[key]": lambda m: operator.delitem(m, "a"),
-    "m |= other": lambda m: operator.ior(m, {"x": 1}),
+    "m |= other": lambda m: in_place("ior", m, {"x": 1}),
     "m.update": lambda m: m.update(x=1),
     "m.setdefault": lambda m: m.setdefault("x", 1),
     "m.pop": lambda m: m.pop("a"),
@@ -315,8 +323,8 @@ CHANGES: dict[str, Callable[[Any], Any]] = {
     "l[0] = value": lambda m: operator.setitem(m["a"], 0, 2),
     "l[:] = values": lambda m: operator.setitem(m["a"], slice(None), []),
     "del l[0]": lambda m: operator.delitem(m["a"], 0),
-    "l += values": lambda m: operator.iadd(m["a"], [1]),
-    "l *= 2": lambda m: operator.imul(m["a"], 2),
+    "l += values": lambda m: in_place("iadd", m["a"], [1]),
+    "l *= 2": lambda m: in_place("imul", m["a"], 2),
     "l.append": lambda m: m["a"].append(1),
     "l.extend": lambda m: m["a"].extend([1]),
     "l.insert": lambda m: m["a"].insert(0, 1),

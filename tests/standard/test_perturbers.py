@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.api import BatchRandom, RoadBatch
+from roadlang.api import BatchRandom, Perturber, RoadBatch
 from roadlang_standard.perturb_bump import Bump
 from roadlang_standard.perturb_harmonics import Harmonics
 from roadlang_standard.perturb_random_walk import RandomWalk
 from roadlang_standard.perturb_scale import Scale
 from roadlang_standard.perturb_sine import Sine
 
-Make = Callable[[np.ndarray], object]
+Make = Callable[[Any], Perturber]
 COLUMN = np.linspace(1.0, 8.0, 8)[:, None]
 KINDS: dict[str, Make] = {
     "sine": lambda size: Sine(size, 70.0, 0.3),

@@ -17,7 +17,8 @@ RING = [(50 * np.cos(a), 50 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 40, 
 def read(folder: Path, text: str, **options: str) -> Curve | Road:
     path = folder / "road.csv"
     path.write_text(text)
-    return Csv(**options).read(path)
+    drawn: Curve | Road = Csv(**options).read(path)
+    return drawn
 
 
 @pytest.mark.parametrize(

@@ -36,4 +36,5 @@ def test_windows_wrap_on_closed_roads(seed: int) -> None:
 
     trace = formula.robustness(positions, row, wrap=wrap)
 
-    np.testing.assert_allclose(trace, Reference(positions, row, wrap).rho(formula), atol=1e-9)
+    expected = np.array(Reference(positions, row, wrap).rho(formula))
+    np.testing.assert_allclose(trace, expected, atol=1e-9)

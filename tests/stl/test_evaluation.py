@@ -48,7 +48,7 @@ def test_one_trace_has_no_variant_axis() -> None:
 
 def test_signals_of_all_shapes_meet() -> None:
     formula = stl.parse("always (e < limit + offset * bend)")
-    signals = {
+    signals: dict[str, Any] = {
         "e": np.array([[1, 2, 3], [4, 5, 6]], dtype=np.int32),
         "limit": np.array([[10.0], [20.0]]),
         "bend": np.array([0.0, 1.0, 0.0], dtype=np.float32),
@@ -59,7 +59,7 @@ def test_signals_of_all_shapes_meet() -> None:
 
 
 def test_a_formula_without_signals_of_the_batch_still_has_its_shape() -> None:
-    signals = {"e": np.zeros((4, 3)), "x": 1.0}
+    signals: dict[str, Any] = {"e": np.zeros((4, 3)), "x": 1.0}
     assert stl.parse("true").rho([0, 1, 2], signals).tolist() == [np.inf] * 4
     assert stl.parse("x < 3").robustness([0, 1, 2], signals).shape == (4, 3)
     assert stl.parse("always (x < 3)").satisfied([0, 1, 2], signals).tolist() == [True] * 4

@@ -113,7 +113,8 @@ def test_infinite_ends_stand_for_bounds_that_are_not_known() -> None:
 
 @given(st.lists(st.tuples(INTERVALS, INTERVALS), min_size=1, max_size=5), st.sampled_from("+-*/"))
 def test_arrays_are_computed_row_by_row(rows: list[Any], sign: str) -> None:
-    a, b = (tuple(np.array([row[side][end] for row in rows]) for end in (0, 1)) for side in (0, 1))
+    (a_low, a_high), (b_low, b_high) = np.array(rows).transpose(1, 2, 0)
+    a, b = (a_low, a_high), (b_low, b_high)
     found = ia.arithmetic(sign, a, b)
     alone = [ia.arithmetic(sign, *row) for row in rows]
     assert [tuple(ends) for ends in zip(*found, strict=True)] == alone

@@ -55,7 +55,9 @@ def test_a_step_costs_the_horizon_not_the_past() -> None:
 def test_a_wrong_sample_is_refused_and_forgotten() -> None:
     monitor = stl.Monitor(stl.parse("always (x < 4)"))
     monitor.push(0, {"x": 1})
-    for position, values in [(0, {"x": 1}), (1, {"x": float("nan")}), (1, {"y": 1})]:
+    wrong: list[tuple[float, dict[str, float]]]
+    wrong = [(0, {"x": 1}), (1, {"x": float("nan")}), (1, {"y": 1})]
+    for position, values in wrong:
         with pytest.raises(DiagnosticError):
             monitor.push(position, values)
     assert monitor.push(1, {"x": 2}) == (-np.inf, 2)

@@ -34,7 +34,7 @@ def written(operator: Operator, spelling: str, interval: str = "[1, 2]") -> str:
 
 
 def spellings(field: str) -> list[tuple[Operator, str]]:
-    found = []
+    found: list[tuple[Operator, str]] = []
     for operator in OPERATORS:
         value = getattr(operator, field)
         found.extend((operator, text) for text in ([value] if isinstance(value, str) else value))

@@ -27,7 +27,7 @@ MANY = [pytest.param(seed, marks=pytest.mark.slow) for seed in range(40, 400)]
 def test_no_continuation_leaves_the_range(seed: Any) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
     positions, row = _seen(seed, (1, 2, 5, 9, 14)[seed % 5])
-    lo, hi = formula.range(positions, row)
+    lo, hi = (float(end) for end in formula.range(positions, row))
     for later, signals in continuations(seed, positions, row, choices=12, variants=60):
         rho = formula.rho(later, signals)
         assert lo - 1e-9 <= rho.min()
@@ -41,12 +41,12 @@ def _reached(seed: Any) -> Any:
     """
     formula = FormulaDraw(seed, bounded=True, past=seed % 3 == 0).formula(1 + seed % 3)
     positions, row = _seen(seed, (1, 2, 5, 9, 14)[seed % 5])
-    lo, hi = formula.range(positions, row)
+    lo, hi = (float(end) for end in formula.range(positions, row))
     least, greatest = math.inf, -math.inf
     for later, signals in continuations(seed, positions, row, choices=40, variants=150):
-        rho = formula.rho(later, signals)
-        least, greatest = min(least, rho.min()), max(greatest, rho.max())
-    return least <= max(lo + 1e-9, -1e5) and greatest >= min(hi - 1e-9, 1e5)
+        rho = np.asarray(formula.rho(later, signals))
+        least, greatest = min(least, float(rho.min())), max(greatest, float(rho.max()))
+    return bool(least <= max(lo + 1e-9, -1e5) and greatest >= min(hi - 1e-9, 1e5))
 
 
 @pytest.mark.parametrize("seed", range(30))
@@ -99,13 +99,13 @@ def test_verdicts_hold_for_every_continuation(seed: Any) -> None:
     ],
 )
 def test_ranges_known_by_hand(text: str, lo: float, hi: float) -> None:
-    signals = {"x": [1, 2, 3], "y": [1, 1, 1], "limit": 2}
+    signals: dict[str, Any] = {"x": [1, 2, 3], "y": [1, 1, 1], "limit": 2}
     assert stl.parse(text).range([0, 1, 2], signals) == pytest.approx((lo, hi))
 
 
 def test_closed_roads_have_no_continuation() -> None:
     lo, hi = stl.parse("always[0, 90] (x > 0)").range([0, 1, 2], {"x": [1, 2, 3]}, wrap=3)
-    assert (lo, hi) == (1, 1)
+    assert (float(lo), float(hi)) == (1, 1)
 
 
 def test_numbers_per_variant_hold_for_later_samples_too() -> None:

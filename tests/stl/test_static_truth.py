@@ -17,6 +17,11 @@ KNOWN = {"x": (-1.0, 2.0), "low": (0.0, 1.0), "high": (1.0, 3.0), "one": (1.0, 1
 ALWAYS, NEVER, OPEN = StaticTruth(True, True), StaticTruth(False, False), StaticTruth(False, True)
 
 
+def drawn_bounds(draw: random.Random) -> dict[str, tuple[float, float]]:
+    pairs = {name: sorted(draw.choices(EDGES, k=2)) for name in NAMES}
+    return {name: (low, high) for name, (low, high) in pairs.items()}
+
+
 def truth(text: str) -> StaticTruth:
     return static_truth(stl.parse(text), KNOWN)
 
@@ -25,7 +30,7 @@ def truth(text: str) -> StaticTruth:
 def test_no_trace_within_the_bounds_contradicts_it(seed: int) -> None:
     draw = random.Random(seed)
     formula = FormulaDraw(seed).formula(seed % 4)
-    bounds = {name: tuple(sorted(draw.choices(EDGES, k=2))) for name in NAMES}
+    bounds = drawn_bounds(draw)
     found = static_truth(formula, bounds)
     for samples in (1, 2, 5, 5):
         signals = {name: draw.choices(ends, k=samples) for name, ends in bounds.items()}
@@ -39,9 +44,10 @@ def test_no_trace_within_the_bounds_contradicts_it(seed: int) -> None:
 def test_arrays_of_bounds_are_looked_at_row_by_row(seed: int) -> None:
     draw = random.Random(seed)
     formula = FormulaDraw(seed).formula(3)
-    rows = [{n: tuple(sorted(draw.choices(EDGES, k=2))) for n in NAMES} for _ in range(3)]
+    rows = [drawn_bounds(draw) for _ in range(3)]
     columns = {
-        name: tuple(np.array([row[name][end] for row in rows]) for end in (0, 1)) for name in NAMES
+        name: (np.array([row[name][0] for row in rows]), np.array([row[name][1] for row in rows]))
+        for name in NAMES
     }
     together = static_truth(formula, columns)
     for index, row in enumerate(rows):

@@ -67,6 +67,7 @@ def test_nonsense_is_refused_at_its_place(
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse(text)
     (found,) = refusal.value.diagnostics
+    assert found.span is not None
     assert (found.code, found.span.column) == (code, column)
     assert [edit.replacement for edit in found.fixes] == ([fix] if fix else [])
     assert found.help

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 from hypothesis import strategies as st
 
@@ -18,6 +18,7 @@ from roadlang.syntax.tree import nodes as ast
 from roadlang.syntax.tree.strings import dedented
 from roadlang.syntax.words import CONNECTIVES, RESERVED, STATEMENTS
 
+T = TypeVar("T")
 NOWHERE = Span(Source("generated", ""), 0, 0)
 _LETTERS_OF_THE_LITERATURE = letters("temporal", "binding")
 _ANY_WORD = [*STATEMENTS, *CONNECTIVES]
@@ -43,8 +44,9 @@ class _Grower:
     def __init__(self, draw: Callable[[st.SearchStrategy[Any]], Any]) -> None:
         self.draw = draw
 
-    def one_of(self, *makers: Callable[[int], Any]) -> Callable[[int], Any]:
-        return makers[self.draw(st.integers(0, len(makers) - 1))]
+    def one_of(self, *makers: Callable[[int], T]) -> Callable[[int], T]:
+        index: int = self.draw(st.integers(0, len(makers) - 1))
+        return makers[index]
 
     def pick(self, words: str) -> str:
         return str(self.draw(st.sampled_from(words.split())))
@@ -195,7 +197,8 @@ class _Grower:
         return ast.MapValue(self.some(self.entry, depth - 1, 0, 3), span=NOWHERE)
 
     def entry(self, depth: int) -> ast.MapEntry:
-        key = self.one_of(self.key, self.string)(0)
+        makers: tuple[Callable[[int], ast.Word | ast.String], ...] = (self.key, self.string)
+        key = self.one_of(*makers)(0)
         return ast.MapEntry(key, self.value(depth), span=NOWHERE)
 
     def source(self, depth: int) -> ast.Expression:
@@ -224,11 +227,16 @@ class _Grower:
         if node is ast.Constraint:  # a formula, or a kind with its block
             left_out = self.one_of(lambda _: ["formula"], lambda _: ["kind", "block"])(0)
             values |= dict.fromkeys(left_out)
-        return node(**values, span=NOWHERE)
+        made: ast.Statement = node(**values, span=NOWHERE)
+        return made
 
     def field(self, node: type[ast.Statement], name: str, hint: str, depth: int) -> Any:
         """The value of one field of a statement, by its type and its name."""
-        expressions = {"value": self.value, "at": self.formula, "formula": self.formula}
+        expressions: dict[str, Callable[[int], Any]] = {
+            "value": self.value,
+            "at": self.formula,
+            "formula": self.formula,
+        }
         if name == "source":
             expressions["source"] = self.one_of(self.source, self.text)
         make = {

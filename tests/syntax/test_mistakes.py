@@ -10,6 +10,7 @@ import pytest
 
 from roadlang.diagnostics import Source
 from roadlang.syntax import parse
+from roadlang.syntax.tree import statements as ast
 
 SAMPLES = Path(__file__).parent / "samples"
 
@@ -139,7 +140,10 @@ def test_several_faults_within_one_block_are_all_reported() -> None:
         ("RL021", 5),
         ("RL003", 5),
     ]
-    block = tree.statements[0].block
+    (road,) = tree.statements
+    assert isinstance(road, ast.Geometry)
+    block = road.block
+    assert block is not None
     assert [option.key.text for option in block.options] == ["width", "lanes"]
     assert [call.block.complete for call in block.passes] == [False, False]
 
@@ -147,13 +151,17 @@ def test_several_faults_within_one_block_are_all_reported() -> None:
 def test_a_misspelled_statement_still_declares_its_name() -> None:
     tree, found = parse(Source("raod.rl", "raod main from town\n"))
     assert found[0].fixes[0].replacement == "road"
-    assert tree.statements[0].name.text == "main"
+    (road,) = tree.statements
+    assert isinstance(road, ast.Geometry)
+    assert road.name.text == "main"
 
 
 def test_an_unreadable_statement_leaves_its_name() -> None:
     tree, _ = parse(Source("let.rl", "let e1 = deviation(\nlet e2 = 3m\n"))
     assert [word.text for word in tree.spoiled] == ["e1"]
-    assert [statement.name.text for statement in tree.statements] == ["e2"]
+    (let,) = tree.statements
+    assert isinstance(let, ast.Let)
+    assert let.name.text == "e2"
 
 
 def test_both_readings_are_offered_as_fixes() -> None:

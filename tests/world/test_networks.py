@@ -100,7 +100,9 @@ def test_a_road_of_a_bent_network_is_bent_as_its_edges_are(sample: Sample) -> No
     roads = {road.name: road for road in scene.roads}
     assert roads["street"].x == pytest.approx(roads["bent/1"].x)
     assert roads["before"].x == pytest.approx(roads["town/1"].x)
-    assert scene.requirements[0].robustness < 2.5
+    robustness = scene.requirements[0].robustness
+    assert robustness is not None
+    assert robustness < 2.5
 
 
 def test_a_route_goes_through_the_junction(sample: Sample) -> None:
@@ -141,7 +143,9 @@ def test_an_image_needs_a_scale(sample: Sample, tmp_path: Path) -> None:
     with pytest.raises(DiagnosticError) as caught:
         sample('image a from "flat.png"\nnetwork town from a\n')
     assert caught.value.diagnostics[0].code == "RL406"
-    assert caught.value.diagnostics[0].span.line == 1
+    span = caught.value.diagnostics[0].span
+    assert span is not None
+    assert span.line == 1
 
 
 def test_an_adjusted_picture_with_noise_is_one_of_its_scene(sample: Sample, tmp_path: Path) -> None:

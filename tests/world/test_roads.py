@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
+from roadlang.ir.scene import SceneRoad
 from roadlang.scenes.sampling import SamplingResult
 from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 
 
-def last_road(sample: Sample, text: str) -> object:
+def last_road(sample: Sample, text: str) -> SceneRoad:
     return sample(text).scenes[0].roads[-1]
 
 

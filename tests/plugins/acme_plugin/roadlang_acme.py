@@ -15,6 +15,8 @@ from roadlang.api import (
     Jerk,
     Monitor,
     Number,
+    Observation,
+    Trace,
     hookimpl,
     list_of,
     option,
@@ -27,13 +29,13 @@ class Mpc(Controller):
 
     name: ClassVar[str] = "mpc"
     horizon: Duration = option(2.0, above=0, maximum=20, help="how far ahead it plans")
-    weights: list_of(Number, at_least=3) = option(
+    weights: list_of(Number, at_least=3) = option(  # type: ignore[valid-type]
         (1.0, 0.5, 20.0), minimum=0, help="of cross-track error, heading error and effort"
     )
     model: File = option(None, help="a network that predicts the vehicle")
     verbose: Flag = option(False, help="say what it does")
 
-    def control(self, observation):
+    def control(self, observation: Observation) -> Control:
         """One step of the plan: the error decays over the horizon."""
         error, heading, effort = self.weights[:3]
         pull = error * observation.cross_track / max(observation.speed * self.horizon, 1.0)
@@ -49,14 +51,14 @@ class RideComfort(Monitor):
     agent: AgentName = option(help="whose ride")
     limit: Jerk = option(2.5, above=0, help="greatest jerk that is still comfortable")
 
-    def judge(self, trace):
+    def judge(self, trace: Trace) -> float:
         """The limit minus the greatest jerk."""
-        ride = trace.agents[getattr(self.agent, "name", self.agent)]
+        ride = trace.agents[getattr(self.agent, "name", str(self.agent))]
         jerk = np.gradient(ride.acceleration, trace.time)
         return float(self.limit - np.abs(jerk).max())
 
 
 @hookimpl
-def roadlang_kinds():
+def roadlang_kinds() -> list[type]:
     """What this plugin brings."""
     return [Mpc, RideComfort]
