@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -63,10 +64,11 @@ def test_ease_goes_from_zero_to_one() -> None:
 
 def test_impossible_windows_are_refused() -> None:
     s = np.linspace(0.0, 10.0, 11)
-    for call in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: over(s, 5.0, 2.0),
         lambda: over(s, 0.0, 5.0, taper=-1.0),
         lambda: fade(s, 10.0, taper=0.0),
-    ):
+    )
+    for call in calls:
         with pytest.raises(GeometryError):
             call()

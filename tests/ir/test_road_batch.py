@@ -27,11 +27,10 @@ def road_batches(draw: st.DrawFn, depth: int = 1) -> RoadBatch:
         return np.repeat(np.array(numbers, float)[:, None], columns, axis=1)
 
     displacement = rows(21)
-    zeros = np.zeros_like(displacement)
     values = {
         "name": "wavy",
         "root": "main",
-        "curves": DisplacedBatch(FRAME, displacement, zeros, zeros),
+        "curves": DisplacedBatch(FRAME, displacement),
         "width": 8.0 + rows(1),
         "displacement": displacement,
         "confidence": draw(st.sampled_from([0.0, 0.25, 1.0])),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+from typing import Any
 
 import jsonschema
 import pytest
@@ -28,7 +29,7 @@ world { time_of_day: 14h, sun: { azimuth: 90deg, elevation: 30deg } }
 
 
 @pytest.mark.parametrize("schema", [scene_schema(), manifest_schema()], ids=["scene", "manifest"])
-def test_every_member_is_described(schema):
+def test_every_member_is_described(schema: Any) -> None:
     jsonschema.Draft202012Validator.check_schema(schema)
     for name, definition in schema["$defs"].items():
         assert definition["description"], name
@@ -38,7 +39,7 @@ def test_every_member_is_described(schema):
             )
 
 
-def test_a_scene_fits_and_one_with_a_wrong_member_does_not():
+def test_a_scene_fits_and_one_with_a_wrong_member_does_not() -> None:
     record = json.loads(roadlang.loads(SCENE).sample()[0].to_json())
     validator = jsonschema.Draft202012Validator(scene_schema())
     validator.validate(record)
@@ -61,7 +62,7 @@ def test_a_scene_fits_and_one_with_a_wrong_member_does_not():
     ["always[0, 5] (x > -y)", "true or x + 1 < 2", "(x > 1) until[2, inf] (min(x, y) != 3)",
      "not (x ^ 2 > 1) iff y < 0 and x > 0"],
 )  # fmt: skip
-def test_json_formulas_fit_the_schema_of_formulas(text):
+def test_json_formulas_fit_the_schema_of_formulas(text: str) -> None:
     schema = {**FORMULA, "$defs": formula_definitions()}
     jsonschema.validate(stl.parse(text).to_json(), schema)
 
@@ -69,14 +70,14 @@ def test_json_formulas_fit_the_schema_of_formulas(text):
 @pytest.mark.parametrize(
     "formula", [3, {"alway": True}, {"and": True}, {"<": [1]}, {"not": [True]}, {"implies": [True]}]
 )
-def test_what_is_no_formula_does_not_fit(formula):
+def test_what_is_no_formula_does_not_fit(formula: Any) -> None:
     schema = {**FORMULA, "$defs": formula_definitions()}
     assert not jsonschema.Draft202012Validator(schema).is_valid(formula)
     with pytest.raises(DiagnosticError, match="RL310"):
         stl.from_json(formula)
 
 
-def test_the_schema_of_scenarios_knows_formulas():
+def test_the_schema_of_scenarios_knows_formulas() -> None:
     definitions = scenario_schema()["$defs"]
     assert definitions["Condition"]["properties"]["formula"]["$ref"] == FORMULA["$ref"]
     assert "Formula" in definitions

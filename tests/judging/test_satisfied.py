@@ -23,6 +23,7 @@ from roadlang.ir.values import Condition, Entity, PassCall, SignalBinding
 from roadlang.judging.drives import judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.scenes.sampling import sample_scenes
+from roadlang.stl.formula.formulas import ComparisonOperator
 from tests.scene_texts import scenario_of
 from tests.stl_draws import NAMES, FormulaDraw
 from tests.stl_reference import Reference
@@ -54,7 +55,8 @@ class EdgeDraw(FormulaDraw):
         return None if self.random.random() < 0.3 else stl.Interval(low, high)
 
     def _leaf(self) -> stl.Formula:
-        op = self.random.choice(["<", "<=", ">", ">=", "==", "!="])
+        ops: list[ComparisonOperator] = ["<", "<=", ">", ">=", "==", "!="]
+        op = self.random.choice(ops)
         return stl.Comparison(op, self.term(), stl.Constant(self.random.choice(EDGES)))
 
     def signals(self) -> dict[str, list[float]]:

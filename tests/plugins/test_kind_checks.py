@@ -6,7 +6,7 @@ import json
 import textwrap
 from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import pytest
 
@@ -333,7 +333,7 @@ def test_what_a_plugin_may_do() -> None:
         def helper(self) -> float:
             return self.double
 
-        def displacements(self, *given, **named):
+        def displacements(self, *given: Any, **named: Any) -> Any:
             return self.helper()
 
     @dataclass(frozen=True)
@@ -348,7 +348,7 @@ def test_what_a_plugin_may_do() -> None:
 
         name: ClassVar[str] = "sends"
 
-        def send(self, scene):
+        def send(self, scene: Any) -> None:
             return None
 
     for good in (Fine, Inherits, Sends):

@@ -47,7 +47,7 @@ def kind(base: type, method: str, gives: Any, **members: Any) -> type:
             raise gives
         return gives
 
-    still = {
+    still: dict[type, dict[str, Any]] = {
         Perturber: {"displacement": lambda self, road, random: 0.0 * road.stations},
         Sampler: {"points": lambda self, indices, draws, seed: np.zeros((len(indices), 0))},
     }

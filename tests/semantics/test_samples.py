@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 from pathlib import Path
 
@@ -21,10 +22,10 @@ def registry() -> Registry:
     """All that is installed, and the plugin that the samples use."""
     sys.path.insert(0, str(ACME))
     try:
-        import roadlang_acme
+        acme_module = importlib.import_module("roadlang_acme")
     finally:
         sys.path.remove(str(ACME))
-    return registry_of({"acme": roadlang_acme}, installed=True)
+    return registry_of({"acme": acme_module}, installed=True)
 
 
 def test_there_are_samples() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roadlang.stl import And, Comparison, Constant, Iff, Not, Variable, parse
+from roadlang.stl import And, Comparison, Constant, Formula, Iff, Not, Variable, parse
 from roadlang.stl.formula.size import written_out_size
 
 P = Comparison("<", Variable("x"), Constant(1.0))
@@ -25,7 +25,8 @@ def test_every_operator_variable_and_number_counts(text: str, size: int) -> None
 
 
 def test_what_is_shared_counts_each_time_but_costs_once() -> None:
-    doubled, either = P, P
+    doubled: Formula = P
+    either: Formula = P
     for _ in range(60):
         doubled = And((doubled, doubled))
         either = Iff(either, Not(either))
