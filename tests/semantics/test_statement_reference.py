@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -36,19 +37,19 @@ def errors(text: str, folder: Path) -> list[str]:
     return [diagnostic.message for diagnostic in found if diagnostic.is_error]
 
 
-def test_every_statement_is_in_the_reference():
+def test_every_statement_is_in_the_reference() -> None:
     assert set(BY_WORD) == set(STATEMENTS)
 
 
 @pytest.mark.parametrize("statement", REFERENCE, ids=lambda statement: statement.word)
-def test_a_statement_has_a_meaning_and_a_valid_example(statement, tmp_path):
+def test_a_statement_has_a_meaning_and_a_valid_example(statement: Any, tmp_path: Path) -> None:
     assert statement.form.startswith(statement.word)
     assert statement.help.endswith(".")
     assert errors(statement.example, tmp_path) == []
 
 
 @pytest.mark.parametrize("statement", REFERENCE, ids=lambda statement: statement.word)
-def test_every_option_has_help(statement):
+def test_every_option_has_help(statement: Any) -> None:
     passes = [option for options in statement.passes.values() for option in options]
     for option in (*statement.options, *passes):
         assert len(option.help.split()) >= 1, option.name
@@ -56,7 +57,7 @@ def test_every_option_has_help(statement):
 
 
 @pytest.mark.parametrize(("word", "option"), OPTIONS, ids=lambda part: getattr(part, "name", part))
-def test_the_example_of_an_option_is_valid(word, option, tmp_path):
+def test_the_example_of_an_option_is_valid(word: Any, option: Any, tmp_path: Path) -> None:
     example = option.constraints.example
     if not example:
         return
@@ -69,19 +70,21 @@ def test_the_example_of_an_option_is_valid(word, option, tmp_path):
 
 
 @pytest.mark.parametrize("command", [["explain", "world"], ["plugins", "show", "world"]])
-def test_the_commands_show_the_options_of_a_statement(command, capsys):
+def test_the_commands_show_the_options_of_a_statement(
+    command: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
     assert run(command) == 0
     printed = capsys.readouterr().out
     assert "rain: speed (m/s); optional; >= 0m/s; for example 5mm/h" in printed
     assert "rainfall rate" in printed
 
 
-def test_a_bare_number_gets_the_usual_unit_of_the_option(tmp_path):
+def test_a_bare_number_gets_the_usual_unit_of_the_option(tmp_path: Path) -> None:
     text = "world { rain: 4, time_of_day: 14 }"
     _, found = check_text(text, tmp_path / "scene.rl")
     assert [fix.replacement for each in found for fix in each.fixes] == ["4mm/h", "14h"]
 
 
-def test_a_bare_angle_may_mean_degrees_or_radians(tmp_path):
+def test_a_bare_angle_may_mean_degrees_or_radians(tmp_path: Path) -> None:
     _, found = check_text("world { sun: { azimuth: 3 } }", tmp_path / "scene.rl")
     assert found[0].help == ("write `3deg` or `3rad`",)
