@@ -17,10 +17,10 @@ from pathlib import Path
 from roadlang import api
 from roadlang.diagnostics import Page, codes, page
 from roadlang.plugins import hookspecs
+from roadlang.plugins.annotations import type_of
 from roadlang.plugins.describing import bounds_text, default_text, type_text
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.kinds import BASES
-from roadlang.plugins.option_types import type_of
 from roadlang.plugins.options import Constraints, OptionSchema
 from roadlang.plugins.registry import KindEntry
 from roadlang.semantics.statement_reference import REFERENCE

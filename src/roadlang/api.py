@@ -28,6 +28,45 @@ from .ir.dimension import (
     TIME,
     Dimension,
 )
+from .plugins.annotations import (
+    Acceleration,
+    AgentName,
+    AgentOrObject,
+    Angle,
+    Anything,
+    Between,
+    Condition,
+    ConstraintNames,
+    Curvature,
+    Duration,
+    File,
+    Flag,
+    ImageName,
+    Jerk,
+    Length,
+    LengthInterval,
+    Like,
+    ListOf,
+    Mass,
+    Number,
+    PixelPoint,
+    Pixels,
+    Point,
+    RoadName,
+    RoadOrNetwork,
+    Scale,
+    Speed,
+    String,
+    Whole,
+    Word,
+    call_of,
+    kind_of,
+    list_of,
+    map_of,
+    one_of,
+    quantity,
+    record_of,
+)
 from .plugins.hookspecs import hookimpl
 from .plugins.kinds import (
     Adjuster,
@@ -52,49 +91,11 @@ from .plugins.kinds import (
     Signal,
     Simulator,
 )
-from .plugins.option_types import (
-    Acceleration,
-    AgentName,
-    AgentOrObject,
-    Angle,
-    Anything,
-    Between,
-    Condition,
-    ConstraintNames,
-    Curvature,
-    Duration,
-    File,
-    Flag,
-    ImageName,
-    Jerk,
-    Length,
-    Like,
-    Mass,
-    Number,
-    PixelPoint,
-    Pixels,
-    Point,
-    RoadName,
-    RoadOrNetwork,
-    Scale,
-    Speed,
-    Stretch,
-    String,
-    Whole,
-    Word,
-    call_of,
-    kind_of,
-    list_of,
-    map_of,
-    one_of,
-    quantity,
-    record_of,
-)
 from .plugins.options import option
 
 if TYPE_CHECKING:
-    from .drive.contract import Control, Observation
     from .ir.batch import BatchRandom, RoadBatch
+    from .ir.control import Control, Observation
     from .ir.encoding import to_json
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.road_bounds import RoadBounds
@@ -102,7 +103,7 @@ if TYPE_CHECKING:
     from .ir.trace import AgentTrace, Trace
 
 _LATER = {
-    ".drive.contract": "Control Observation",
+    ".ir.control": "Control Observation",
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.encoding": "to_json",
     ".ir.road_bounds": "RoadBounds",
@@ -162,7 +163,9 @@ __all__ = [
     "Jerk",
     "Kind",
     "Length",
+    "LengthInterval",
     "Like",
+    "ListOf",
     "Mass",
     "Monitor",
     "Number",
@@ -192,7 +195,6 @@ __all__ = [
     "Signal",
     "Simulator",
     "Speed",
-    "Stretch",
     "String",
     "Trace",
     "Verdict",

@@ -127,7 +127,7 @@ FAULTS = {
         options("at: Point = option((1.0, 2.0, 3.0))"), "expected: point (m)", 9,
     ),
     "an interval from high to low": (
-        options("range: Stretch = option((2.0, 1.0))"), "expected: interval", 9,
+        options("range: LengthInterval = option((2.0, 1.0))"), "expected: interval", 9,
     ),
     "a list of fewer": (
         options("sizes: list_of(Length, at_least=2) = option((1.0,))"), "expected: list", 9,

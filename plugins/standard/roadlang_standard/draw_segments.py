@@ -28,6 +28,6 @@ class Segments(Drawer):
         laid: list[Any] = []
         curvature = 0.0
         for piece in self.pieces:
-            laid.append(piece.laid(curvature))
+            laid.append(piece.to_segment(curvature))
             curvature = laid[-1].curvatures[1]
         return laid

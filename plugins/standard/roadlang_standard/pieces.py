@@ -18,7 +18,7 @@ class Straight(Piece):
     name: ClassVar[str] = "straight"
     length: Length = option(above=0, maximum=1e5, help="arc length")
 
-    def laid(self, curvature: float) -> Any:
+    def to_segment(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
         return geometry.Straight(self.length)
 
@@ -33,7 +33,7 @@ class Arc(Piece):
         minimum=-MOST_TURN, maximum=MOST_TURN, help="angle of the turn, positive to the left"
     )
 
-    def laid(self, curvature: float) -> Any:
+    def to_segment(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
         return geometry.Arc(self.radius, self.angle)
 
@@ -54,7 +54,7 @@ class Clothoid(Piece):
         help="curvature at the start; by default that of the piece before",
     )
 
-    def laid(self, curvature: float) -> Any:
+    def to_segment(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
         return geometry.Clothoid(
             self.length, curvature if self.start is None else self.start, self.to

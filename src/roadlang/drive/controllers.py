@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ..ir.control import Control, Observation
 from ..ir.scene import Scene, SceneActor
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, implements
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
-from .contract import Control, Observation
 
 
 class Guarded(Controller):

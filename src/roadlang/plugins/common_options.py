@@ -6,16 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from ..ir.dimension import PURE
-from .option_types import (
-    Angle,
-    Condition,
-    Length,
-    ListType,
-    QuantityType,
-    Stretch,
-    Whole,
-    Word,
-)
+from .annotations import Angle, Condition, Length, LengthInterval, Whole, Word
+from .option_types import ListType, QuantityType
 from .options import OptionSchema, option, schema_of
 
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
@@ -71,7 +63,7 @@ class PlacementOptions:
 class PerturbOptions:
     """Options of every `perturb with`."""
 
-    over: Stretch = option(
+    over: LengthInterval = option(
         None,
         minimum=0,
         help="interval of arc length to perturb; by default the whole road",

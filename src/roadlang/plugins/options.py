@@ -5,11 +5,12 @@ from __future__ import annotations
 import dataclasses
 import typing
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-from .option_types import OptionType, type_of
+from .annotations import read_annotation
+from .option_types import ListType, OptionType
 
 _KEY = "roadlang"
 
@@ -33,6 +34,7 @@ class Constraints:
     below: float | None = None
     words: tuple[str, ...] = ()
     example: str = ""
+    at_least: int = 0
 
     @property
     def usual_unit(self) -> str:
@@ -68,15 +70,17 @@ def option(
     below: float | None = None,
     words: Iterable[str] = (),
     example: str = "",
+    at_least: int = 0,
 ) -> Any:
     """A field of a kind that a scene file can set.
 
     `minimum` and `maximum` are allowed values, `above` and `below` are not, all in SI units.
     `words` may be written instead of a value (`auto`); the field then holds the word as a
-    string. A `None` default means "not given". `example` is a value as a scene file has it; its
-    unit is suggested where a number has none.
+    string. A list has `at_least` so many items. A `None` default means "not given". `example` is a
+    value as a scene file has it; its unit is suggested where a number has none.
     """
-    metadata = {_KEY: Constraints(help, minimum, maximum, above, below, tuple(words), example)}
+    constraints = Constraints(help, minimum, maximum, above, below, tuple(words), example, at_least)
+    metadata = {_KEY: constraints}
     if default is REQUIRED:
         return dataclasses.field(metadata=metadata)
     if type(default).__hash__ is None:
@@ -126,14 +130,18 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
     options = []
     for field in dataclasses.fields(kind):
         try:
-            option_type = type_of(hints[field.name])
+            said = read_annotation(hints[field.name])
         except TypeError as error:
             raise TypeError(f"field `{field.name}` of {name}: {error}") from None
         constraints = field.metadata.get(_KEY, Constraints())
+        constraints = replace(constraints, words=(*constraints.words, *said.words))
+        type_ = said.type
+        if constraints.at_least and isinstance(type_, ListType):
+            type_ = ListType(type_.item, constraints.at_least)
         default = REQUIRED if field.default is dataclasses.MISSING else field.default
         if field.default_factory is not dataclasses.MISSING:
             default = MutableDefault("default_factory")
-        options.append(OptionSchema(field.name, option_type, default, constraints))
+        options.append(OptionSchema(field.name, type_, default, constraints))
     return tuple(options)
 
 

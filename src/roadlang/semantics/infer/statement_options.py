@@ -8,21 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from ...plugins.option_types import (
-    Angle,
-    CallType,
-    Duration,
-    Flag,
-    KindNameType,
-    Length,
-    MapType,
-    Number,
-    RecordType,
-    Scale,
-    Speed,
-    Whole,
-    Word,
-)
+from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Whole, Word
+from ...plugins.option_types import CallType, KindNameType, MapType, RecordType
 from ...plugins.options import option
 
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ..ir.read_only import Frozen
+from .read_only import Frozen
 
 
 @dataclass(frozen=True, slots=True)

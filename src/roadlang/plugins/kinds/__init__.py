@@ -1,0 +1,64 @@
+"""The base classes of kinds. A kind is a frozen dataclass; its fields are its options.
+
+A kind of a verb derives from the verb's base class, sets `name`, declares its options as
+fields and implements one method. Random options reach batch methods as columns (variants, 1),
+so that numpy broadcasting over (variants, stations) just works.
+"""
+
+from __future__ import annotations
+
+from .base import Kind
+from .drives import Controller, Simulator
+from .outputs import AgentKind, Backend, ObjectKind
+from .pictures import Adjuster, Extractor, Reader
+from .roads import Drawer, Perturber, Piece, Selector
+from .sampling import Distribution, DrawnValue, Sampler, Searcher
+from .signals import DriveSignal, Monitor, RoadNumber, Signal
+
+BASES: tuple[type[Kind], ...] = (
+    Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
+    Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
+    Simulator, Searcher, Backend, AgentKind, ObjectKind,
+)  # fmt: skip
+VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)
+_BASE_OF = {base.verb: base for base in BASES}
+
+
+def base_of(verb: str) -> type[Kind]:
+    """The base class of the kinds of a verb."""
+    return _BASE_OF[verb]
+
+
+def implements(kind: type[Kind], method: str) -> bool:
+    """Whether a kind has a method of its base by itself, or merely inherits it."""
+    own, inherited = getattr(kind, method), getattr(base_of(kind.verb), method)
+    return getattr(own, "__func__", own) is not getattr(inherited, "__func__", inherited)
+
+
+__all__ = [
+    "BASES",
+    "VERBS",
+    "Adjuster",
+    "AgentKind",
+    "Backend",
+    "Controller",
+    "Distribution",
+    "Drawer",
+    "DrawnValue",
+    "DriveSignal",
+    "Extractor",
+    "Kind",
+    "Monitor",
+    "ObjectKind",
+    "Perturber",
+    "Piece",
+    "Reader",
+    "RoadNumber",
+    "Sampler",
+    "Searcher",
+    "Selector",
+    "Signal",
+    "Simulator",
+    "base_of",
+    "implements",
+]

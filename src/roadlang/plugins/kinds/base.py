@@ -1,0 +1,36 @@
+"""The class that all kinds derive from."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+
+class Kind:
+    """Anything a plugin brings. The class docstring's first line is its help.
+
+    A kind is a frozen dataclass that derives from the base class of its verb.
+    """
+
+    verb: ClassVar[str] = ""
+    """set by the base class"""
+    name: ClassVar[str] = ""
+    """what scene files write: letters, digits and `_`, and no word of the language"""
+    rest: ClassVar[str] = ""
+    """of a kind that is written as a call: the list option that takes all arguments without a name,
+    as `items` of `choice(1m, 2m, 3m)`"""
+    is_default: ClassVar[bool] = False
+    """of kinds in the wheel: what a file means that names no kind of the verb, such as the
+    distribution of `1m..2m` (its options are `low` and `high`) or what draws without `sample`"""
+    is_random: ClassVar[bool] = False
+    """it draws random numbers other than its options, so that each candidate differs"""
+    cost: ClassVar[float] = 0.0
+    """work for a station, where that of a displacement is 1: cheap requirements are tried first"""
+    member: ClassVar[bool] = False
+    """a number or signal of an agent or object, written `ego.speed` instead of `speed(ego)`"""
+    domain: ClassVar[str] = "road"
+    """whether it is about roads ("road") or about drives ("drive")"""
+    geometry_is_user_input: ClassVar[bool] = False
+    """a `GeometryError` that it raises is about what the scene file asks for (RL472), not a fault
+    of the plugin (RL470)"""
+    required_methods: ClassVar[tuple[str, ...]] = ()
+    """a kind implements at least one of these methods of its base"""

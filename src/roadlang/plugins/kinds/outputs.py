@@ -1,0 +1,53 @@
+"""Kinds that write scenes (`emit`), and the kinds of agents and objects in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, ClassVar
+
+from .base import Kind
+
+if TYPE_CHECKING:
+    from ...ir.scene import Scene
+
+
+class Backend(Kind):
+    """`emit`: scenes to files, or to an engine. What one returns another cannot see."""
+
+    verb: ClassVar[str] = "emit"
+    required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "send")
+
+    def files(self, scene: Scene) -> Mapping[str, bytes | str]:
+        """The files of one scene.
+
+        Returns contents by file ending: `{"json": "..."}` becomes `scene-0000.json`. Text is
+        written as UTF-8. Endings are letters, digits, `_`, `-` and `.`; anything else is RL474.
+        """
+        return {}
+
+    def collection(self, scenes: Iterable[Scene]) -> Mapping[str, bytes | str]:
+        """The files that are written once for all scenes.
+
+        Returns contents by file name, as `files` does by ending; `manifest.json` is roadlang's.
+        """
+        return {}
+
+    def send(self, scene: Scene) -> None:
+        """Deliver to an engine, after all files are written. Raise `DiagnosticError` where it
+        cannot be reached."""
+
+
+class AgentKind(Kind):
+    """What may follow `agent N is`.
+
+    Its fields are its size and looks: `length`, `width` and `height` in meters, by which it is
+    placed and drawn, and whatever engines make of the others.
+    """
+
+    verb: ClassVar[str] = "agent"
+
+
+class ObjectKind(Kind):
+    """What may follow `object N is`, and stand in a legend. Fields are those of `AgentKind`."""
+
+    verb: ClassVar[str] = "object"

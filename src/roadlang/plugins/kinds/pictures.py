@@ -1,0 +1,72 @@
+"""Kinds that make roads of pictures and files: `adjust`, `extract`, `read`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
+
+from .base import Kind
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ...geometry import Curve, Road, RoadNetwork
+    from ...ir.picture import Extraction, Picture
+
+
+class Adjuster(Kind):
+    """`adjust with`: image to image. Set `is_random` where it draws from `random`, so that each
+    scene has an image of its own."""
+
+    verb: ClassVar[str] = "adjust"
+    required_methods: ClassVar[tuple[str, ...]] = ("adjust",)
+
+    def adjust(self, pixels: NDArray[np.uint8], random: np.random.Generator) -> NDArray[np.uint8]:
+        """The image after the change.
+
+        `pixels` is (height, width, 3) uint8 in OpenCV's order blue, green, red; it is a copy that
+        may be changed in place. Returns an array of the same shape and type; another is RL474.
+        """
+        raise NotImplementedError
+
+
+class Extractor(Kind):
+    """`extract with`: image to network."""
+
+    verb: ClassVar[str] = "extract"
+    required_methods: ClassVar[tuple[str, ...]] = ("extract",)
+
+    def extract(self, picture: Picture) -> Extraction:
+        """Find the roads and, with a legend, the objects of a picture.
+
+        Returns an `Extraction`: `picture.network(polylines, width)` makes one of polylines in image
+        coordinates. One without roads is RL412 at the statement, with its `remarks` as help. Raise
+        `DiagnosticError` for what is wrong with the picture.
+        """
+        raise NotImplementedError
+
+
+class Reader(Kind):
+    """`read with`: a file to what the statement declares.
+
+    A file without `read with` is read by the kind whose `suffixes` has the ending of its name.
+    """
+
+    verb: ClassVar[str] = "read"
+    required_methods: ClassVar[tuple[str, ...]] = ("read",)
+    geometry_is_user_input: ClassVar[bool] = True
+    suffixes: ClassVar[tuple[str, ...]] = ()
+    """endings of file names in lower case, with the dot: `(".geojson", ".json")`"""
+    reads: ClassVar[tuple[str, ...]] = ("road",)
+    """the statements that it reads for: "image", "network", "road" or several"""
+
+    def read(self, path: Path) -> Curve | Road | RoadNetwork | Extraction | NDArray[np.uint8]:
+        """What the file at `path` holds; roadlang has seen to it that it is there and readable.
+
+        For `road` a `geometry.Curve`, or a `geometry.Road` that has a width and lanes as well; for
+        `network` a `geometry.RoadNetwork` (`network_of_polylines` makes one) or an `Extraction`;
+        for `image` an array (height, width, 3) or (height, width) of uint8. Anything else is RL474.
+        Raise `DiagnosticError` or `geometry.GeometryError` for what is wrong with the file.
+        """
+        raise NotImplementedError

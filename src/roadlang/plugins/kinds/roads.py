@@ -1,0 +1,103 @@
+"""Kinds that make and change roads: `draw`, its pieces, `select`, `perturb`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+from .base import Kind
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ... import geometry
+    from ...ir.batch import BatchRandom, RoadBatch
+
+    Floats = NDArray[np.float64]
+
+
+class Drawer(Kind):
+    """`draw with`: nothing to a curve."""
+
+    verb: ClassVar[str] = "draw"
+    required_methods: ClassVar[tuple[str, ...]] = ("draw",)
+    geometry_is_user_input: ClassVar[bool] = True
+
+    def draw(self, closed: bool) -> geometry.Curve:
+        """The center line in meters; `closed` is the road's option.
+
+        Returns a `geometry.Curve`, as `Curve.through(points, closed)` makes it of (n, 2) points; of
+        finite length below 10,000 km. Anything else is RL474.
+        """
+        raise NotImplementedError
+
+
+class Piece(Kind):
+    """A piece of a drawn road, written as a call: `arc(40m, 60deg)`."""
+
+    verb: ClassVar[str] = "piece"
+    required_methods: ClassVar[tuple[str, ...]] = ("to_segment",)
+    geometry_is_user_input: ClassVar[bool] = True
+
+    def to_segment(self, curvature: float) -> geometry.Straight | geometry.Arc | geometry.Clothoid:
+        """The piece as it goes on from a road that ends with this curvature (1/m, left positive).
+
+        Returns a `geometry.Straight`, `geometry.Arc` or `geometry.Clothoid`.
+        """
+        raise NotImplementedError
+
+
+class Selector(Kind):
+    """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
+
+    verb: ClassVar[str] = "select"
+    required_methods: ClassVar[tuple[str, ...]] = ("select",)
+    geometry_is_user_input: ClassVar[bool] = True
+
+    def select(self, network: geometry.RoadNetwork) -> geometry.Path:
+        """The way through the network.
+
+        Returns a `geometry.Path` of it: what `network.route`, `network.longest` and `network.loop`
+        return, or `Path(network, steps)` of steps that follow each other. Anything else is RL474.
+        """
+        raise NotImplementedError
+
+
+class Perturber(Kind):
+    """`perturb with`: a road to itself, displaced.
+
+    Implement `displacement` (one variant, options are plain numbers) or, for speed,
+    `displacements` (a batch, random options are (variants, 1) columns). Displacements are meters
+    along the left normal, or, with a last axis of two, meters east and north; with `over`, and in a
+    network, of the latter only the part along the normal counts.
+    """
+
+    verb: ClassVar[str] = "perturb"
+    required_methods: ClassVar[tuple[str, ...]] = ("displacement", "displacements")
+    geometry_is_user_input: ClassVar[bool] = True
+    is_random: ClassVar[bool] = True
+    """it draws from `random`: set to False where the options alone decide the displacement"""
+
+    def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
+        """The displacement of one variant; the arrays of `road` have one row.
+
+        Returns (stations,) or (stations, 2) finite real meters, at most 1,000 km; anything else is
+        RL474. `over` and `taper` are applied to it afterwards.
+        """
+        raise NotImplementedError
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        """The displacements of a batch of variants; without it, `displacement` is called for each.
+
+        Returns (variants, stations) or (variants, stations, 2) meters as `displacement` does, with
+        one row or without that axis where all variants are equal.
+        """
+        raise NotImplementedError
+
+    def displacement_bound(self) -> Floats | float:
+        """The greatest displacement, meters, that the options allow: a number, or (variants, 1).
+
+        Requirements that it decides need no geometry. It must be monotonic in every option;
+        without it nothing is known. A displacement beyond it is RL474.
+        """
+        return float("inf")

@@ -1,0 +1,112 @@
+"""Kinds that draw: distributions of values, samplers of candidates, searches."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+
+from .base import Kind
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+class Distribution(Kind):
+    """A random value, written as a call: `normal(1m, 0.5m)`. Options are those of the call."""
+
+    verb: ClassVar[str] = "distribution"
+    required_methods: ClassVar[tuple[str, ...]] = ("quantile",)
+
+    def quantile(self, uniform: Floats) -> Any:
+        """Values of the distribution, by inversion.
+
+        `uniform` is (variants, 1) in [0, 1). Returns an array of the same shape, or of (variants,):
+        finite numbers in SI units, or for distributions of other things an array of objects. NaN is
+        RL474.
+        """
+        raise NotImplementedError
+
+    def support(self) -> tuple[float, float] | None:
+        """Least and greatest value, for bounds; None when not known. Options are plain numbers.
+
+        Where options are drawn themselves it is evaluated at all ends of their ranges, so both must
+        be monotonic in every option. A value beyond it is RL474.
+        """
+        return None
+
+    def levels(self, steps: int) -> Iterable[float]:
+        """Numbers in [0, 1] at which `quantile` gives the values that `sample with grid` visits:
+        `steps` of them where it is continuous, the middle of each step by default."""
+        return [(step + 0.5) / steps for step in range(steps)]
+
+
+class DrawnValue(Protocol):
+    """A random value of the scenario, as samplers see it."""
+
+    @property
+    def place(self) -> str:
+        """Where in the scenario it is drawn: `bent/perturb 1/amplitude`."""
+        ...
+
+    def levels(self, steps: int) -> Sequence[float]:
+        """Numbers in [0, 1] that a grid visits, as `Distribution.levels` says."""
+        ...
+
+
+class Sampler(Kind):
+    """`sample with`: which points of the unit cube of all draws are tried.
+
+    A sampler without methods draws at random. `points` chooses candidates by their index; `steer`
+    chooses them by what is known of others.
+    """
+
+    verb: ClassVar[str] = "sample"
+    sequential: ClassVar[bool] = True
+    """candidates are one stream, and scene i is the i-th accepted of it; otherwise each scene has
+    a stream of attempts of its own"""
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.required_methods = ("points",) if cls.sequential else ()
+
+    def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:
+        """The candidates at `indices` (n,) of the stream; each depends on its index alone.
+
+        Returns (n, draws) numbers in [0, 1]; anything else is RL474.
+        """
+        raise NotImplementedError
+
+    def size(self, draws: Sequence[DrawnValue]) -> int | None:
+        """How many candidates the stream has; None: without end."""
+        return None
+
+    def limit(self) -> int | None:
+        """How many candidates are tried before a scene is given up; None: as many as take about
+        five seconds."""
+        return None
+
+    def steer(self, known: Floats, uniform: Floats) -> Floats:
+        """Proposals for candidates: a sampler that has this learns where the requirements hold.
+
+        `known` (n, d) are points of the unit cube near which they do, `uniform` (V, `numbers(d)`)
+        random numbers in [0, 1). Returns (V, d) numbers in [0, 1); anything else is RL474.
+        """
+        raise NotImplementedError
+
+    def pilot_size(self) -> int:
+        """How many candidates are measured at most before scenes are steered."""
+        return 20_000
+
+    def numbers(self, dimensions: int) -> int:
+        """How many random numbers `steer` needs for a proposal, at least `dimensions`."""
+        return dimensions
+
+
+class Searcher(Kind):
+    """`falsify with`: how scenes that violate an `expect` are searched. Planned: it has no methods
+    yet, and no command runs it."""
+
+    verb: ClassVar[str] = "falsify"

@@ -1,0 +1,121 @@
+"""Kinds that measure and judge: signals over roads and drives, numbers of roads, monitors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from ...ir.dimension import Dimension
+from .base import Kind
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ...ir.trace import Trace
+
+    Floats = NDArray[np.float64]
+
+
+class Signal(Kind):
+    """A road signal over arc length, written as a call: `curvature(bent)`.
+
+    A field that names a road holds a `RoadBatch` of all variants.
+    """
+
+    verb: ClassVar[str] = "signal"
+    required_methods: ClassVar[tuple[str, ...]] = ("values",)
+    unit: ClassVar[str] = ""
+    """of the values, in SI units: `1/m`, `m/s^2`; empty for pure numbers. Where it depends on the
+    options, override `dimension_of` instead"""
+    cost: ClassVar[float] = 20.0
+
+    def values(self) -> Floats:
+        """The values in SI units.
+
+        Returns (variants, stations) finite numbers, or (1, stations) or (stations,) where all
+        variants are equal; anything else is RL474.
+        """
+        raise NotImplementedError
+
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        """Least and greatest value that the options allow: numbers, or (variants, 1) columns.
+
+        Requirements that they decide need no geometry; without them nothing is known. `options`
+        holds all options by name: a `RoadBounds` for each road, and numbers, or columns
+        (variants, 1). It must be monotonic in every number. A value beyond the range is RL474.
+        """
+        return float("-inf"), float("inf")
+
+    @classmethod
+    def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
+        """The `Dimension` of the values; `options` has the constant options by name. By default
+        that of `unit`."""
+        from ...ir.units import parse_unit
+
+        return parse_unit(cls.unit).dimension
+
+
+class RoadNumber(Signal):
+    """A number of a road, written as a call: `length(bent)`.
+
+    `values` returns (variants, 1) or (1, 1). `member`: a number of an agent or object on a road,
+    written `ego.start`. A field that names a network holds the whole of it.
+    """
+
+    verb: ClassVar[str] = "number"
+
+
+class DriveSignal(Signal):
+    """A drive signal over time, written `ego.speed`; as a call, `gap(ego, lead)`, if `member` is
+    False.
+
+    A field that names an agent holds its `AgentTrace`; of a signal that is written as a call, a
+    tuple of them, since the name may stand for a group.
+    """
+
+    verb: ClassVar[str] = "drive_signal"
+    required_methods: ClassVar[tuple[str, ...]] = ("values", "values_in")
+    domain: ClassVar[str] = "drive"
+    member: ClassVar[bool] = True
+
+    def values(self) -> Floats:
+        """The values in SI units.
+
+        Returns (steps,) finite numbers, one for each time of the trace; another shape is RL474.
+        What is NaN was not recorded by the engine, and a formula that needs it is RL701.
+        """
+        raise NotImplementedError
+
+    def values_in(self, trace: Trace) -> Floats:
+        """As `values`, of a signal that needs more of the drive than the agents in its fields, such
+        as its time axis; `values` is then not called."""
+        return self.values()
+
+
+class Monitor(Kind):
+    """`require N with` or `expect N with`: a judge of roads or of drives, instead of a formula."""
+
+    verb: ClassVar[str] = "monitor"
+    domain: ClassVar[str] = "road"
+    """ "road": `robustness` judges candidates; "drive": `judge` judges a drive"""
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.required_methods = ("judge",) if cls.domain == "drive" else ("robustness",)
+
+    def robustness(self) -> Floats:
+        """Of a judge of roads: how well each candidate satisfies it.
+
+        Returns (variants,) or (1,) numbers: positive or 0 where satisfied, negative where not, and
+        greater the farther from the limit. NaN is RL474.
+        """
+        raise NotImplementedError
+
+    def judge(self, trace: Trace) -> float:
+        """Of a judge of drives: how well the drive satisfies it.
+
+        Returns a number as `robustness` does. A field that names an agent holds its `AgentTrace`.
+        """
+        raise NotImplementedError
