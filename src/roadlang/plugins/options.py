@@ -60,7 +60,7 @@ class MutableDefault:
     kind: str
 
 
-def option(
+def option(  # noqa: PLR0913 - the words with which authors of plugins describe an option
     default: Any = REQUIRED,
     *,
     help: str = "",
