@@ -13,6 +13,7 @@ import pytest
 from roadlang import testing
 from roadlang.api import (
     FREQUENCY,
+    PURE,
     AgentName,
     Angle,
     Length,
@@ -73,7 +74,7 @@ def test_two_forms_of_one_type(annotation: Any, meaning: Any) -> None:
     ("annotation", "meaning"),
     [
         (float, Annotation(type_of(float))),
-        (int, Annotation(QuantityType(type_of(float).dimension, whole=True))),
+        (int, Annotation(QuantityType(PURE, whole=True))),
         (bool, Annotation(FlagType())),
         (str, Annotation(TextType())),
         (Literal["left", "right"], Annotation(WordType(), ("left", "right"))),
@@ -175,6 +176,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import (
     FREQUENCY,
+    PURE,
     AgentName,
     BatchRandom,
     Control,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -26,7 +28,7 @@ def test_uniform_keeps_its_ends() -> None:
 
 
 def test_bounds_may_be_drawn_themselves() -> None:
-    high = np.linspace(1, 2, 20_000)[:, None]
+    high: Any = np.linspace(1, 2, 20_000)[:, None]  # a column, as batches have it
     assert (Uniform(0.0, high).quantile(EVEN) <= high).all()
 
 
