@@ -94,7 +94,7 @@ class Follower:
 
     def _scene(self, text: str, code: str) -> str:
         (self._folder / "scene.rl").write_text(text, encoding="utf-8")
-        _, found = check_text(text, self._folder / "scene.rl")
+        _, found = check_text(text, self._folder / "scene.rl", {}, load_registry())
         if any(diagnostic.is_error or diagnostic.code == code for diagnostic in found):
             return render_all(found)
         return render_all(found) + "\n" + self._roadlang("compile scene.rl -o out")

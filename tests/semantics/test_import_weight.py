@@ -8,6 +8,7 @@ import sys
 _SCRIPT = """
 import sys
 from pathlib import Path
+from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 text = '''
 road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }
@@ -20,7 +21,7 @@ sample with grid { steps: 5 }
 emit json
 emit svg
 '''
-scenario, found = check_text(text, Path("scene.rl"))
+scenario, found = check_text(text, Path("scene.rl"), {}, load_registry())
 assert scenario is not None, found
 heavy = {"numpy", "scipy", "cv2", "lark", "yaml", "msgspec"} & set(sys.modules)
 assert not heavy, heavy

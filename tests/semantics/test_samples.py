@@ -10,7 +10,7 @@ import pytest
 
 from roadlang.plugins.discovery import registry_of
 from roadlang.plugins.registry import Registry
-from roadlang.semantics import check_file
+from roadlang.semantics import check_text
 from tests.semantics.sample_files import SAMPLES, copy_samples
 
 NAMES = [path.name for path in sorted(SAMPLES.glob("*.rl"))]
@@ -35,7 +35,7 @@ def test_there_are_samples() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_sample(name: str, registry: Registry, tmp_path: Path) -> None:
     copy_samples(tmp_path)
-    scenario, found = check_file(tmp_path / name, {}, registry)
+    scenario, found = check_text((tmp_path / name).read_text(), tmp_path / name, {}, registry)
     unbuilt = [diagnostic for diagnostic in found if diagnostic.code == "RL212"]
     assert found == unbuilt, [diagnostic.message for diagnostic in found]
     assert (scenario is not None) == (not unbuilt)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .check import check_file, check_text
+    from .check import check_text
 
-__all__ = ["check_file", "check_text"]
+__all__ = ["check_text"]
 
 
 def __getattr__(name: str) -> Any:

@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..diagnostics import Code, Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic
 from ..diagnostics.render import in_order
-from ..files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
 from .checker import Checker
@@ -21,40 +20,20 @@ from .names.loading import load
 from .outputs import add_outputs, select_outputs, with_advice
 
 
-def check_file(
-    path: Path | str, overrides: Mapping[str, str] | None = None, registry: Registry | None = None
+def check_text(
+    text: str,
+    path: Path,
+    overrides: Mapping[str, str],
+    registry: Registry,
+    outputs: Sequence[str] | None = None,
 ) -> tuple[Scenario | None, list[Diagnostic]]:
     """The scenario of a scene file, or None where there are errors, and all diagnostics in order.
 
-    `overrides` are values of params by name, as written behind `--set name=`. Without a
-    `registry` all installed plugins are loaded.
+    The text need not be saved; files that it names are beside `path`. `overrides` are values of
+    params by name, as written after `--set name=`. `outputs` (`json`, `svg { size: 800px }`) come
+    in the place of the file's `emit`s.
     """
-    path = Path(path)
-    try:
-        text = read_file(path, LARGEST_SCENE_FILE).decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return None, [_unreadable(path, "it is not UTF-8 text")]
-    except UnreadableFile as error:
-        return None, [_unreadable(path, error.reason)]
-    return check_text(text, path, overrides, registry)
-
-
-def check_text(
-    text: str,
-    path: Path | str = "scene.rl",
-    overrides: Mapping[str, str] | None = None,
-    registry: Registry | None = None,
-    outputs: Sequence[str] | None = None,
-) -> tuple[Scenario | None, list[Diagnostic]]:
-    """As `check_file`, of a text that need not be saved; files it names are beside `path`.
-
-    `outputs` (`json`, `svg { size: 800px }`) come in the place of the file's `emit`s.
-    """
-    if registry is None:
-        from ..plugins.discovery import load_registry
-
-        registry = load_registry()
-    program = load(Path(path), text, overrides or {})
+    program = load(path, text, overrides)
     if outputs is not None:
         add_outputs(program, outputs)
     checker = Checker(program, registry, RULES, define)
@@ -72,7 +51,3 @@ def check_text(
         scenario = replace(scenario, emits=select_outputs(scenario.emits, outputs))
         found = [with_advice(diagnostic) for diagnostic in found]
     return (None if checker.has_errors else scenario), found
-
-
-def _unreadable(path: Path, reason: str) -> Diagnostic:
-    return diagnose(Code.UNREADABLE_INCLUDE, path=str(path), file=path, reason=reason)
