@@ -30,6 +30,7 @@ import pytest
 from roadlang.cli.main import run
 from roadlang.diagnostics import DiagnosticError, page
 from roadlang.diagnostics.render import render_all
+from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

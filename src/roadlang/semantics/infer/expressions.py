@@ -16,9 +16,12 @@ from ...ir.values import (
     Operation,
     PassCall,
     Reference,
+    SignalBinding,
     Text,
 )
 from ...stl.evaluate.interval_arithmetic import negated as negated_bounds
+from ...stl.formula.formulas import Truth
+from ...stl.formula.terms import Variable
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -30,6 +33,7 @@ from ..types.expression_types import (
     ConstraintType,
     CoordinatesType,
     DeclaredType,
+    Evidence,
     MappingType,
     Quantity,
     SequenceType,
@@ -52,8 +56,6 @@ def infer_string(
 
 def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> TypedExpression:
     """`true` or `false`, as a flag and as a formula."""
-    from ...stl import Truth
-
     return TypedExpression(
         boolean.span, BooleanType(), Flag(boolean.value), formula=Truth(boolean.value)
     )
@@ -228,14 +230,12 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
 
 def _signal_or_formula(found: TypedExpression, text: str, span: Span) -> TypedExpression:
     """What a `let` names; a signal by itself is a variable of that name in formulas."""
-    from ...stl import Variable
-
-    evidence = replace(found.evidence, span=span, text=text) if found.evidence else None
-    found = replace(found, span=span, evidence=evidence)
-    if isinstance(found.term, Variable) and len(found.signals) == 1:
-        signals = (replace(found.signals[0], variable=text),)
-        return replace(found, term=Variable(text), signals=signals)
-    return found
+    evidence = Evidence(found.evidence.domain, span, text) if found.evidence else None
+    if not isinstance(found.term, Variable) or len(found.signals) != 1:
+        return replace(found, span=span, evidence=evidence)
+    signal = found.signals[0]
+    signals = (SignalBinding(text, signal.call, signal.dimension),)
+    return replace(found, span=span, evidence=evidence, term=Variable(text), signals=signals)
 
 
 def _expected_verb(checker: Checker, text: str, context: Context) -> str | None:

@@ -6,12 +6,14 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ...diagnostics import Code, Span
 from ...ir.dimension import LENGTH, TIME
 from ...ir.values import Condition, NumberBinding, Reference
-from ...stl.formula.formulas import compound
+from ...stl.formula.formulas import And, Comparison, Formula, Not, Truth, compound
+from ...stl.formula.interval import Interval
+from ...stl.formula.terms import Constant, Variable
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -26,17 +28,13 @@ from ..types.expression_types import (
     TypedExpression,
     unknown,
 )
-
-if TYPE_CHECKING:
-    from ...stl import Formula, Interval
+from ..types.number_terms import distinct
 
 _COMMENT = re.compile(r"#[^\n]*")
 
 
 def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -> TypedExpression:
     """`a < b`, or a chain: each operator holds."""
-    from ...stl import And, Comparison
-
     parts = [checker.infer(operand, context) for operand in node.operands]
     if any(part.is_unknown for part in parts):
         return unknown(node.span)
@@ -75,7 +73,7 @@ def _formula(
     numbers: tuple[NumberBinding, ...],
 ) -> TypedExpression:
     domain = evidence.domain if evidence else "scene"
-    signals = tuple(dict.fromkeys(signal for part in parts for signal in part.signals))
+    signals = distinct(signal for part in parts for signal in part.signals)
     return TypedExpression(
         span,
         FormulaType(domain),
@@ -89,8 +87,6 @@ def _formula(
 
 def infer_not(checker: Checker, node: ast.Not, context: Context) -> TypedExpression:
     """`not f` of a formula."""
-    from ...stl import Not
-
     operand = _operand(checker, node.operand, context, "`not`")
     if operand.formula is None:
         return unknown(node.span)
@@ -113,7 +109,7 @@ def _joined(
     evidence = common_domain(checker, parts)
     if isinstance(evidence, TypedExpression):
         return evidence
-    numbers = tuple(dict.fromkeys(number for part in parts for number in part.numbers))
+    numbers = distinct(number for part in parts for number in part.numbers)
     return _formula(span, make(), evidence, parts, numbers)
 
 
@@ -173,8 +169,6 @@ def as_formula(checker: Checker, typed: TypedExpression, what: str) -> TypedExpr
 
 
 def _flag(value: Reference) -> dict[str, Any]:
-    from ...stl import Comparison, Constant, Variable
-
     # A flag counts as 1 or 0 where the pipeline computes with it.
     formula = Comparison(">", Variable(value.name), Constant(0.5))
     return {"formula": formula, "numbers": (NumberBinding(value.name, value),)}
@@ -212,8 +206,6 @@ def _interval(
     evidence: Evidence | None,
 ) -> Interval | TypedExpression | None:
     """The interval in the unit of the formula's domain; unknown, reported, where it is not."""
-    from ...stl import Interval
-
     if evidence is None:
         return checker.report(Code.TEMPORAL_OVER_CONSTANTS, node.word_span, word=node.word)
     if not ends:
@@ -260,8 +252,6 @@ def _wrong_unit(
 
 def condition_of(typed: TypedExpression) -> Condition:
     """The IR of a formula."""
-    from ...stl import Truth
-
     domain = typed.evidence.domain if typed.evidence else "scene"
     formula = typed.formula if typed.formula is not None else Truth(True)
     # A color in a formula cannot be: a `#` begins a comment here.

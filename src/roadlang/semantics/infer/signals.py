@@ -6,6 +6,7 @@ from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
 from ...plugins.guard import PluginFault, attributed
+from ...stl.formula.terms import Variable
 from ..checker import Checker, ResolvedKind
 from ..types.expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
 from ..types.number_terms import call_text
@@ -33,8 +34,6 @@ def measured(
     call = PassCall(verb, found.entry.qualified, bound.values, text, span)
     if verb == "number":
         return TypedExpression(span, Quantity(dimension), Measure(call), random=True)
-    from ...stl import Variable
-
     domain = _DOMAINS[verb]
     return TypedExpression(
         span,

@@ -12,21 +12,20 @@ from ...diagnostics import Code, Label, Span
 from ...ir.dimension import PURE, Dimension
 from ...ir.values import Constant, NumberBinding, Operation, Value
 from ...stl.evaluate.interval_arithmetic import arithmetic, of_function
+from ...stl.formula import terms as t
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from .dimensions import common_dimension, dimension_of
 from .expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
-from .number_terms import term_of
+from .number_terms import distinct, term_of
 
 _OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": ops.pow}
 
 
 def signal_negation(operand: TypedExpression, span: Span) -> TypedExpression:
     """`-signal`."""
-    from ...stl import Negate
-
     assert operand.term is not None
-    return replace(operand, span=span, term=Negate(operand.term))
+    return replace(operand, span=span, term=t.Negate(operand.term))
 
 
 def signal_arithmetic(
@@ -122,15 +121,13 @@ def _of_signals(
     sides: tuple[TypedExpression, TypedExpression],
     dimension: Dimension,
 ) -> TypedExpression:
-    from ...stl import Arithmetic
-
     evidence = common_domain(checker, sides)
     if isinstance(evidence, TypedExpression):
         return evidence
     assert evidence is not None
     terms, numbers = terms_of(sides)
-    signals = tuple(dict.fromkeys(s for side in sides for s in side.signals))
-    term = Arithmetic(node.operator, terms[0], terms[1])  # type: ignore[arg-type]
+    signals = distinct(signal for side in sides for signal in side.signals)
+    term = t.Arithmetic(node.operator, terms[0], terms[1])  # type: ignore[arg-type]
     kind = SignalType(evidence.domain, dimension)
     return TypedExpression(
         node.span, kind, term=term, evidence=evidence, signals=signals, numbers=numbers
@@ -152,13 +149,11 @@ def terms_of(sides: Sequence[TypedExpression]) -> tuple[list[Any], tuple[NumberB
             term, found = term_of(side.value)
             terms.append(term)
             numbers.extend(found)
-    return terms, tuple(dict.fromkeys(numbers))
+    return terms, distinct(numbers)
 
 
 def _constant(value: float) -> Any:
-    from ...stl import Constant as ConstantTerm
-
-    return ConstantTerm(value)
+    return t.Constant(value)
 
 
 def common_domain(
@@ -214,8 +209,6 @@ def signal_of_functions(
     dimension: Dimension,
 ) -> TypedExpression:
     """`abs`, `min` or `max` where at least one argument is a signal."""
-    from ...stl import Apply
-
     evidence = common_domain(checker, arguments)
     if evidence is None or isinstance(evidence, TypedExpression):
         return unknown(span)
@@ -223,8 +216,8 @@ def signal_of_functions(
     return TypedExpression(
         span,
         SignalType(evidence.domain, dimension),
-        term=Apply(name, tuple(terms)),  # type: ignore[arg-type]
+        term=t.Apply(name, tuple(terms)),  # type: ignore[arg-type]
         evidence=evidence,
-        signals=tuple(dict.fromkeys(s for argument in arguments for s in argument.signals)),
+        signals=distinct(signal for argument in arguments for signal in argument.signals),
         numbers=numbers,
     )

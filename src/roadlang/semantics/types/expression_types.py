@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from ...diagnostics import Span
 from ...ir.dimension import PURE, Dimension
 from ...ir.values import NumberBinding, SignalBinding, Value
 from ...stl.evaluate.interval_arithmetic import UNKNOWN, Bounds
-
-if TYPE_CHECKING:
-    from ...stl import Formula, Term
+from ...stl.formula.formulas import Formula
+from ...stl.formula.terms import Term
 
 
 @dataclass(frozen=True, slots=True)

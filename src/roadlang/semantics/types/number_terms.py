@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable
+from typing import TypeVar
 
 from ...ir.values import (
     Constant,
@@ -16,28 +17,38 @@ from ...ir.values import (
     Operation,
     PassCall,
     Reference,
+    SignalBinding,
     Text,
     Value,
 )
+from ...stl.formula import terms as t
+
+B = TypeVar("B", SignalBinding, NumberBinding)
 
 
-def term_of(value: Value) -> tuple[Any, tuple[NumberBinding, ...]]:
+def term_of(value: Value) -> tuple[t.Term, tuple[NumberBinding, ...]]:
     """The term of a number, with a variable for each thing in it that a scene decides."""
-    from ... import stl
-
     if isinstance(value, Constant):
-        return stl.Constant(value.value), ()
+        return t.Constant(value.value), ()
     if not isinstance(value, Operation):
         variable = text_of(value)
-        return stl.Variable(variable), (NumberBinding(variable, value),)
+        return t.Variable(variable), (NumberBinding(variable, value),)
     parts = [term_of(operand) for operand in value.operands]
     terms = [term for term, _ in parts]
-    bindings = tuple(dict.fromkeys(binding for _, found in parts for binding in found))
+    bindings = distinct(binding for _, found in parts for binding in found)
     if value.operator == "negate":
-        return stl.Negate(terms[0]), bindings
+        return t.Negate(terms[0]), bindings
     if value.operator in ("abs", "min", "max"):
-        return stl.Apply(value.operator, tuple(terms)), bindings  # type: ignore[arg-type]
-    return stl.Arithmetic(value.operator, terms[0], terms[1]), bindings  # type: ignore[arg-type]
+        return t.Apply(value.operator, tuple(terms)), bindings  # type: ignore[arg-type]
+    return t.Arithmetic(value.operator, terms[0], terms[1]), bindings  # type: ignore[arg-type]
+
+
+def distinct(bindings: Iterable[B]) -> tuple[B, ...]:
+    """The bindings without repeats; a variable stands for one thing."""
+    by_variable: dict[str, B] = {}
+    for binding in bindings:
+        by_variable.setdefault(binding.variable, binding)
+    return tuple(by_variable.values())
 
 
 def text_of(value: Value | None) -> str:

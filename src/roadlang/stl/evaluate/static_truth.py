@@ -46,7 +46,7 @@ def static_truth(formula: f.Formula, variables: Mapping[str, Bounds]) -> StaticT
                 return _COMPARISONS[op](*sides)
             case f.Not(operand):
                 return _negated(of(operand))
-            case f.Connective():
+            case f.Derived():
                 return of(part.expanded())
             case f.Junction(operands):
                 join = _both if part.least else _either
