@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from roadlang.cli.main import run
+from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 from roadlang.semantics.statement_reference import BY_WORD, REFERENCE
 from roadlang.syntax.words import STATEMENTS
@@ -33,7 +34,7 @@ OPTIONS = [(statement.word, option) for statement in REFERENCE for option in sta
 def errors(text: str, folder: Path) -> list[str]:
     for name in ("town.png", "street.rl", "hairpin.jpg"):
         shutil.copy(EXAMPLES / name, folder)
-    _, found = check_text(text, folder / "scene.rl")
+    _, found = check_text(text, folder / "scene.rl", {}, load_registry())
     return [diagnostic.message for diagnostic in found if diagnostic.is_error]
 
 
@@ -81,10 +82,12 @@ def test_the_commands_show_the_options_of_a_statement(
 
 def test_a_bare_number_gets_the_usual_unit_of_the_option(tmp_path: Path) -> None:
     text = "world { rain: 4, time_of_day: 14 }"
-    _, found = check_text(text, tmp_path / "scene.rl")
+    _, found = check_text(text, tmp_path / "scene.rl", {}, load_registry())
     assert [fix.replacement for each in found for fix in each.fixes] == ["4mm/h", "14h"]
 
 
 def test_a_bare_angle_may_mean_degrees_or_radians(tmp_path: Path) -> None:
-    _, found = check_text("world { sun: { azimuth: 3 } }", tmp_path / "scene.rl")
+    _, found = check_text(
+        "world { sun: { azimuth: 3 } }", tmp_path / "scene.rl", {}, load_registry()
+    )
     assert found[0].help == ("write `3deg` or `3rad`",)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from roadlang.diagnostics import Diagnostic
+from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (50m, 5m), (100m, 0m)] } }\n"
@@ -18,8 +22,12 @@ def doubled(name: str, form: str, times: int) -> str:
     return "".join(lines)
 
 
+def _found(text: str) -> list[Diagnostic]:
+    return check_text(text, Path("scene.rl"), {}, load_registry())[1]
+
+
 def codes_of(text: str) -> list[str]:
-    return [diagnostic.code for diagnostic in check_text(text)[1] if diagnostic.is_error]
+    return [diagnostic.code for diagnostic in _found(text) if diagnostic.is_error]
 
 
 @pytest.mark.parametrize(
@@ -39,7 +47,7 @@ def test_23_doubled_signals_and_lists_are_refused() -> None:
 
 def test_the_place_is_the_statement_that_first_grows_too_large() -> None:
     lists = ROAD + "let l0 = [1, 2]\n" + doubled("l", "[{}, {}, {}, {}, {}, {}]", 23)
-    (found,) = [diagnostic for diagnostic in check_text(lists)[1] if diagnostic.is_error]
+    (found,) = [diagnostic for diagnostic in _found(lists) if diagnostic.is_error]
     assert found.message.startswith("`l6` ")
     assert found.span is not None
     assert found.span.line == 8
