@@ -23,6 +23,7 @@ agent lead is car on main at 20m
 """
 PLACES = {
     "image": 'image IT from "town.png" {{ scale: 1m/px, {} }}',
+    "network": "network IT from plan {{ {} }}",
     "road": "road IT from town {{ {} }}",
     "agent": "agent ego is car on main at 5m {{ {} }}",
     "object": "object IT is tree on main at 5m {{ {} }}",

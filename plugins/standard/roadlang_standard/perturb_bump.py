@@ -38,3 +38,7 @@ class Bump(Perturber):
 
     def displacement_bound(self) -> Floats | float:
         return abs(self.height)
+
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float:
+        """The bump itself."""
+        return self.length

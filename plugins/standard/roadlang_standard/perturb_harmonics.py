@@ -50,3 +50,7 @@ class Harmonics(Perturber):
 
     def displacement_bound(self) -> Floats | float:
         return self.amplitude
+
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float:
+        """One period of the wave of the highest order."""
+        return (length if closed else 2.0 * length) / self.modes

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 
+MOST_KNOTS = 20_000
+"""Of a road; closer ones, more than the stations of a road can show, would be a waste of memory."""
+
+
 @dataclass(frozen=True)
 class RandomWalk(Perturber):
     """Let the road wander at random, smoothly, never beyond `amplitude`."""
@@ -37,7 +41,7 @@ class RandomWalk(Perturber):
         count = len(random.keys)
         length = roads.period if roads.period is not None else float(roads.stations[-1])
         gap = np.broadcast_to(np.asarray(self.correlation, float).reshape(-1, 1), (count, 1))
-        gap = np.maximum(gap, length / 4000.0)
+        gap = np.maximum(gap, length / MOST_KNOTS)
         if roads.period is not None:
             gap = length / np.maximum(np.rint(length / gap), 3.0)
         knots = int(np.ceil(length / gap.min() - 1e-9)) + 4
@@ -65,3 +69,7 @@ class RandomWalk(Perturber):
 
     def displacement_bound(self) -> Floats | float:
         return self.amplitude
+
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float:
+        """A wave between neighboring knots."""
+        return 2.0 * self.correlation

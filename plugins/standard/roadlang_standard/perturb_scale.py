@@ -41,6 +41,10 @@ class Scale(Perturber):
         sideways = (self._from_chord(roads) * roads.normal).sum(axis=-1)
         return np.atleast_2d((self.factor - 1.0) * sideways)
 
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float:
+        """None but those of the road."""
+        return float("inf")
+
     def _from_chord(self, roads: RoadBatch) -> Floats:
         """(V, S, 2) from the foot on the chord to the road."""
         import numpy as np

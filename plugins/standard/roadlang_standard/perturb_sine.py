@@ -41,3 +41,7 @@ class Sine(Perturber):
 
     def displacement_bound(self) -> Floats | float:
         return abs(self.amplitude)
+
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float:
+        """One period."""
+        return self.wavelength

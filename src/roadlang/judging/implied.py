@@ -1,4 +1,5 @@
-"""Requirements that no file writes: agents begin on their roads, and roads do not fold."""
+"""Requirements that no file writes: agents begin on their roads, roads do not fold, and no
+perturbation is too short for the stations."""
 
 from __future__ import annotations
 
@@ -14,7 +15,9 @@ from ..ir.scenario import Actor, Network, Road
 from ..ir.values import Draw
 from ..world.networks import edge_batch, network_root
 from ..world.placement import room
-from ..world.roads import road_batch
+from ..world.roads import road_batch, road_root
+from ..world.shortest_features import features_of_candidates
+from ..world.stations import STATIONS_PER_FEATURE, unknown_features
 from .influences import draws_of_start, draws_of_thing, names_of_actor
 from .requirement import Requirement
 
@@ -69,3 +72,43 @@ def _unfolded(name: str, candidates: CandidateBatch) -> Floats:
     for batch in batches:
         folded |= batch.folded
     return np.where(folded, -1.0, 1.0)
+
+
+def hidden_perturbations(scenario: IndexedScenario) -> list[str]:
+    """The roads and networks whose draws may make a wave too short for their stations."""
+    things: tuple[Road | Network, ...] = (*scenario.roads.values(), *scenario.networks.values())
+    return [thing.name for thing in things if unknown_features(thing, scenario)]
+
+
+def is_shown_by_stations(name: str, scenario: IndexedScenario) -> Requirement:
+    """No wave or bump of a road is too short for its stations."""
+    return Requirement(
+        name=name,
+        text=f"`{name}` has no wave or bump shorter than {STATIONS_PER_FEATURE} stations",
+        rho=partial(_room_for_stations, name),
+        cost=2.0,
+        names=frozenset([name]),
+        draws=frozenset(draws_of_thing(name, scenario)),
+        implied=True,
+        span=scenario.thing(name).span,
+    )
+
+
+def _room_for_stations(name: str, candidates: CandidateBatch) -> Floats:
+    """(V,) meters that the shortest wave or bump is longer than the stations need."""
+    scenario = candidates.scenario
+    thing = scenario.thing(name)
+    assert isinstance(thing, Road | Network)
+    if isinstance(thing, Road):
+        frames = {0: road_root(name, candidates).frame}
+    else:
+        root = network_root(thing, candidates)
+        frames = {edge.id: root.frame(edge.id) for edge in root.edges}
+    room = np.full(candidates.count, np.inf)
+    for element, frame in frames.items():
+        needed = STATIONS_PER_FEATURE * float(np.diff(frame.stations).max())
+        for call in unknown_features(thing, scenario):
+            length, closed = frame.curve.length, frame.closed
+            feature = features_of_candidates(call, candidates, element, length, closed)
+            room = np.minimum(room, feature - needed * (1.0 - 1e-9))
+    return room

@@ -10,7 +10,13 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Constraint
 from ..ir.values import Condition
 from .cost import cost_of
-from .implied import begins_on_road, does_not_fold, perturbed_names
+from .implied import (
+    begins_on_road,
+    does_not_fold,
+    hidden_perturbations,
+    is_shown_by_stations,
+    perturbed_names,
+)
 from .influences import influences, names_in
 from .requirement import Floats, Mask, Requirement
 from .road_conditions import condition_rho, condition_truth
@@ -25,6 +31,7 @@ def requirements_of(scenario: IndexedScenario) -> tuple[Requirement, ...]:
         for actor in scenario.actors.values()
         if actor.on is not None
     ]
+    found += [is_shown_by_stations(name, scenario) for name in hidden_perturbations(scenario)]
     found += [does_not_fold(name, scenario) for name in perturbed_names(scenario)]
     return tuple(sorted(found, key=lambda requirement: requirement.cost))
 

@@ -23,7 +23,8 @@ from ..ir.values import PassCall
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
-from .stations import stations_of, undisplaced_road
+from .root_roads import undisplaced_road
+from .stations import StationSpacing, station_spacing
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +34,7 @@ class NetworkRoot:
 
     name: str
     network: RoadNetwork
+    spacing: StationSpacing
     objects: tuple[FoundObject, ...] = ()
     confidence: float = 1.0
     remarks: tuple[str, ...] = ()
@@ -45,7 +47,7 @@ class NetworkRoot:
         """The frame of an edge at its stations; always the same object."""
         if edge not in self._frames:
             curve = self.network.edge(edge).curve
-            self._frames[edge] = Frame.of(curve, stations_of(curve))
+            self._frames[edge] = Frame.of(curve, self.spacing.stations(curve))
         return self._frames[edge]
 
     @cached_property
@@ -146,17 +148,23 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
 def _from_file(network: Network, source: FileSource, scenario: IndexedScenario) -> NetworkRoot:
     content = read_file(source, "network", network.passes, scenario, network.span)
     found: Extraction | RoadNetwork = content.value
+    spacing = station_spacing(network, scenario)
     if isinstance(found, RoadNetwork):
-        return NetworkRoot(network.name, found, inputs=(content.input,))
-    return _root_of(network.name, found, None, (content.input,))
+        return NetworkRoot(network.name, found, spacing, inputs=(content.input,))
+    return _root_of(network.name, found, spacing, None, (content.input,))
 
 
 def _root_of(
-    name: str, found: Extraction, scale: float | None, inputs: tuple[Input, ...]
+    name: str,
+    found: Extraction,
+    spacing: StationSpacing,
+    scale: float | None,
+    inputs: tuple[Input, ...],
 ) -> NetworkRoot:
     return NetworkRoot(
         name,
         found.network,
+        spacing,
         found.objects,
         found.confidence,
         found.remarks,
@@ -182,7 +190,8 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
                 fault=f"gave a {type(found).__name__}, not an Extraction",
             )
         )
-    return _root_of(network.name, found, loaded.picture.scale, loaded.inputs)
+    spacing = station_spacing(network, candidates.scenario)
+    return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)
 
 
 def _check_finite(root: NetworkRoot, network: Network) -> None:

@@ -17,7 +17,7 @@ from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
-from .stations import is_undisplaced
+from .root_roads import is_undisplaced
 
 Floats = NDArray[np.float64]
 FARTHEST = 1e6

@@ -24,8 +24,9 @@ from ..plugins.guard import wrong_result
 from .networks import NetworkRoot, edge_batch, network_root
 from .perturbation import displaced, perturbed
 from .reading import read_file
+from .root_roads import undisplaced_road
 from .selection import selected
-from .stations import stations_of, undisplaced_road
+from .stations import station_spacing
 
 Floats = NDArray[np.float64]
 DEFAULT_WIDTH = 7.0
@@ -157,7 +158,7 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
     scenario = candidates.scenario
     if road.source is None:
         curve = _drawn(road, candidates)
-        return RoadRoot(road.name, Frame.of(curve, stations_of(curve)))
+        return RoadRoot(road.name, _frame(curve, road, scenario))
     if isinstance(road.source, FileSource):
         return _from_file(road, road.source, candidates)
     network = scenario.source_of(road)
@@ -180,12 +181,16 @@ def _way(root: NetworkRoot, path: Path, network: Network, candidates: CandidateB
     keeper = candidates if candidates.scenario.is_varying(network.name) else candidates.scenario
 
     def frame() -> Frame:
-        return Frame.of(path.curve, stations_of(path.curve))
+        return _frame(path.curve, network, candidates.scenario)
 
     id = f"{root.name}/{steps}"
     shared = keeper.once(("way", id), frame)
     width = path.width
     return RoadRoot(id, shared, width, None, path, network, root.inputs, root.confidence)
+
+
+def _frame(curve: Curve, thing: Road | Network, scenario: IndexedScenario) -> Frame:
+    return Frame.of(curve, station_spacing(thing, scenario).stations(curve))
 
 
 def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
@@ -214,7 +219,7 @@ def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> Ro
         width = None if width is None else WidthProfile.even(width.widths, curve.length)
     reading = [call for call in road.passes if call.verb == "read"]
     curve = _checked(curve, road, reading[0] if reading else None)
-    frame = Frame.of(curve, stations_of(curve))
+    frame = _frame(curve, road, candidates.scenario)
     return RoadRoot(road.name, frame, width, lanes, inputs=(content.input,))
 
 

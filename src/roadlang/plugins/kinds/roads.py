@@ -101,3 +101,12 @@ class Perturber(Kind):
         without it nothing is known. A displacement beyond it is RL474.
         """
         return float("inf")
+
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float | None:
+        """The shortest wave (one period) or bump (end to end) that the options allow on a road of
+        `length` meters: meters along the road, a number or (variants, 1), infinite for none.
+
+        The road is sampled closely enough to show it. It must be monotonic in every option; without
+        it nothing is known, and a displacement that the stations do not show is remarked on.
+        """
+        return None

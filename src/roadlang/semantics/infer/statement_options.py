@@ -16,6 +16,12 @@ Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
 
 
+_STATION_SPACING = (
+    "stations are at most this far apart, also those of roads derived from this one; "
+    "by default 1m, of a road beyond 2 km a 2,000th of its length"
+)
+
+
 @dataclass(frozen=True)
 class ImageOptions:
     """Options of `image`."""
@@ -39,6 +45,10 @@ class ImageOptions:
 class NetworkOptions:
     """Options of `network`."""
 
+    station_spacing: Length = option(
+        None, minimum=0.01, maximum=100, help=_STATION_SPACING, example="0.5m"
+    )
+
 
 @dataclass(frozen=True)
 class RoadOptions:
@@ -61,6 +71,9 @@ class RoadOptions:
         2, minimum=1, maximum=32, help="number of lanes, both directions together"
     )
     closed: Flag = option(None, help="whether the road is a loop; by default as in the source")
+    station_spacing: Length = option(
+        None, minimum=0.01, maximum=100, help=_STATION_SPACING, example="0.5m"
+    )
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from typing import Any
 
 from ...diagnostics import Code
 from ...ir import scenario as ir
-from ...ir.values import Entity, PassCall
+from ...ir.values import Entity, PassCall, Value
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -20,6 +20,7 @@ from ..infer.statement_spec import StatementSpec
 from ..names.file_checks import file_fault
 from ..names.program import Declaration
 from ..types.expression_types import DeclaredType
+from .randomness import is_random
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
 _MAKERS: dict[str, Any] = {"image": ir.Image, "network": ir.Network, "road": ir.Road}
@@ -50,6 +51,8 @@ def lower_geometry(
         return None
     if statement.block is not None and not statement.block.complete:
         return None
+    if not _spacing_is_fixed(checker, statement, bound.values):
+        return None
     if not _belongs_together(checker, statement, source.source, passes):
         return None
     made = _with_default(checker, statement, source.source, passes)
@@ -61,6 +64,23 @@ def lower_geometry(
         name, source.source, bound.values, made, statement.span
     )
     return lowered
+
+
+def _spacing_is_fixed(
+    checker: Checker, statement: ast.Geometry, options: tuple[tuple[str, Value], ...]
+) -> bool:
+    """Stations are shared by all candidates, so that these can be evaluated together."""
+    value = dict(options).get("station_spacing")
+    if value is None or statement.block is None or not is_random(checker, value):
+        return True
+    span = next(o.value.span for o in statement.block.options if o.key.text == "station_spacing")
+    checker.report(
+        Code.MUST_NOT_BE_RANDOM,
+        span,
+        what="`station_spacing`",
+        expected="the same in every scene",
+    )
+    return False
 
 
 def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Context) -> _Source:

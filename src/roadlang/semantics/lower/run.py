@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Span
-from ...ir.contained_values import values_in
-from ...ir.values import Draw, Measure, PassCall, Reference, Value
+from ...ir.values import PassCall
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -12,6 +11,7 @@ from ..infer.blocks import lower_call
 from ..infer.kinds import display_name, find_kind
 from ..infer.statement_spec import StatementSpec
 from ..names.program import PlacedStatement
+from .randomness import is_random
 
 
 def lower_run_step(
@@ -53,7 +53,8 @@ def _run_call(
     block = statement.block
     call = lower_call(checker, found, block, (), context, owner, span, statement.span)
     for option in block.options if call is not None and block is not None else ():
-        if _is_random(checker, call, option.key.text):
+        value = call.option(option.key.text) if call is not None else None
+        if value is not None and is_random(checker, value):
             what = f"`{option.key.text}`"
             checker.report(
                 Code.MUST_NOT_BE_RANDOM,
@@ -64,17 +65,3 @@ def _run_call(
             call = None
             break
     return call
-
-
-def _is_random(checker: Checker, call: PassCall | None, option: str) -> bool:
-    """Whether the value of an option differs between scenes."""
-    value = call.option(option) if call is not None else None
-    return value is not None and _differs(checker, value)
-
-
-def _differs(checker: Checker, value: Value) -> bool:
-    if isinstance(value, Draw | Measure):
-        return True
-    if isinstance(value, Reference):
-        return checker.definition(value.name).random
-    return any(_differs(checker, part) for part in values_in(value))
