@@ -192,6 +192,28 @@ def test_a_displacement_beyond_its_bound(sample: Sample) -> None:
 
 
 @dataclass(frozen=True)
+class Nudge(Perturber):
+    """Written for one variant: its options are plain numbers, also where it states its bound."""
+
+    name: ClassVar[str] = "nudge"
+    left: Length
+    right: Length
+
+    def displacement(self, road: Any, random: Any) -> Any:
+        return np.linspace(self.left, -self.right, len(road.stations))
+
+    def displacement_bound(self) -> float:
+        return max(abs(self.left), abs(self.right))
+
+
+def test_a_bound_of_a_kind_written_for_one_variant(sample: Sample) -> None:
+    text = STRAIGHT + "road bent from main { perturb with nudge { left: 1m..3m, right: 0.5m } }\n"
+    text += "require near: always (deviation(bent, main) < 2m)\n"
+    result = sample(text, 6, kinds=(Nudge,))
+    assert tried(result, "near") == result.candidates - 6  # those that are rejected
+
+
+@dataclass(frozen=True)
 class Wide(Distribution):
     """Gives ten times what it states."""
 

@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import Span
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import walk
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.kind_instance import KindInstance
 from ..ir.road_bounds import RoadBounds
 from ..ir.scenario import Road
 from ..ir.values import Condition, Entity, Measure, PassCall, Value
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Kind, Signal
+from ..plugins.kinds import Kind, Signal, implements
 from ..plugins.options import schema_of
-from ..plugins.registry import KindEntry
 from ..plugins.stated_bounds import corners
 from ..plugins.value_bounds import ValueBounds
 from ..stl.evaluate.interval_arithmetic import UNKNOWN, Bounds, hull
+from ..world.displacement_bound import displacement_bound
 from ..world.signals import call_key
 
 Floats = NDArray[np.float64]
@@ -48,7 +47,7 @@ class VariableBounds:
         """What the kind of a road signal, or of a number of a road, states. Raises RL474."""
         entry, kind = self.scenario.kind(call)
         assert issubclass(kind, Signal)
-        options = self.options(call, kind) if states_range(kind) else None
+        options = self.options(call, kind) if implements(kind, "range") else None
         combinations = None if options is None else corners(kind, options)
         if combinations is None:
             return UNKNOWN
@@ -104,13 +103,6 @@ class VariableBounds:
     def _fits(self, *ends: Floats) -> bool:
         return all(end.size in (1, self.count) for end in ends)
 
-    def _displacement_of(self, kind: Any, entry: KindEntry, span: Span | None) -> Floats:
-        with plugin_guard(entry, span):
-            bound = _column(kind.displacement_bound())
-        if not (self._fits(bound) and (bound >= 0.0).all()):
-            raise wrong_result(entry, span, f"gave a displacement bound that is none: {bound[:3]}")
-        return bound[:, None]
-
 
 class CandidateBounds(VariableBounds):
     """Bounds for candidates whose draws are known."""
@@ -132,8 +124,7 @@ class CandidateBounds(VariableBounds):
 
     def displacement(self, call: PassCall) -> Floats:
         """(V, 1) or (1, 1) bounds of the displacement of a pass. Raises RL474 for what is none."""
-        built = build(call, self.candidates)
-        return self._displacement_of(built.kind, built.entry, call.span)
+        return displacement_bound(build(call, self.candidates), self.count)[:, None]
 
     @property
     def count(self) -> int:
@@ -167,21 +158,13 @@ class ScenarioBounds(VariableBounds):
         greatest = np.full((1, 1), math.inf if combinations is None else 0.0)
         for fields in combinations or ():
             with plugin_guard(entry, call.span):
-                made = kind(**fields)
-            greatest = np.maximum(greatest, self._displacement_of(made, entry, call.span))
+                instance = kind(**fields)
+            bound = displacement_bound(KindInstance(instance, entry, call), 1)
+            greatest = np.maximum(greatest, bound)
         return greatest
 
     def _known(self, value: Value) -> Bounds | None:
         return self.signal(value.call) if isinstance(value, Measure) else None
-
-
-def states_range(kind: type[Signal]) -> bool:
-    """Whether a kind says between which values a signal is."""
-    return _function(kind.range) is not _function(Signal.range)
-
-
-def _function(method: Callable[..., Any]) -> Any:
-    return getattr(method, "__func__", method)
 
 
 def is_geometric(value: Value, scenario: IndexedScenario) -> bool:

@@ -40,19 +40,19 @@ def stated_support(
     for fields in combinations:
         try:
             with plugin_guard(entry, span):
-                made = kind(**fields)
+                instance = kind(**fields)
         except DiagnosticError:  # a corner that is never drawn, as `low` above `high`
             return OptionRange(-math.inf, math.inf)
-        stated.append(_support(made, entry, span))
+        stated.append(_support(instance, entry, span))
     if len(stated) == 1:
         return stated[0]
     ends = [end for found in stated for end in found]
     return OptionRange(min(ends), max(ends))
 
 
-def _support(made: Any, entry: KindEntry, span: Span | None) -> OptionRange:
+def _support(instance: Any, entry: KindEntry, span: Span | None) -> OptionRange:
     with plugin_guard(entry, span):
-        support = made.support()
+        support = instance.support()
         if support is None:
             return OptionRange(-math.inf, math.inf)
         low, high = map(float, support)

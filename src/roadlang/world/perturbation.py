@@ -17,6 +17,7 @@ from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
+from .displacement_bound import displacement_bound
 from .root_roads import is_undisplaced
 
 Floats = NDArray[np.float64]
@@ -81,11 +82,11 @@ def _displacement(
         if len({row.shape for row in rows}) > 1:
             raise wrong_result(built.entry, built.call.span, "gave displacements of two shapes")
         found = np.concatenate(rows)
-    _check_size(found, built, road)
+    _check_size(found, built, road, count)
     return found
 
 
-def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch) -> None:
+def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch, count: int) -> None:
     """Raises RL474 for what is not finite, beyond what the kind states, or beyond all measure."""
     sizes = displacement if displacement.ndim == 2 else np.hypot(*np.moveaxis(displacement, -1, 0))
     greatest = np.maximum(sizes.max(axis=1, initial=0.0), -sizes.min(axis=1, initial=0.0))
@@ -95,8 +96,7 @@ def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch) -> N
     if greatest.max(initial=0.0) > FARTHEST:
         fault = f"moved `{road.name}` by more than {FARTHEST:g} m"
         raise wrong_result(built.entry, built.call.span, fault)
-    with built.guarded:
-        bound = np.asarray(built.kind.displacement_bound(), dtype=np.float64).reshape(-1)
+    bound = displacement_bound(built, count)
     beyond = greatest > bound + _ROUNDING * np.maximum(1.0, bound)
     if beyond.any():
         row = int(np.argmax(beyond))

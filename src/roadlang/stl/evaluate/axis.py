@@ -84,49 +84,49 @@ class Axis:
     def windows(
         self,
         interval: Interval | None,
-        asked: tuple[int, int],
+        targets: tuple[int, int],
         *,
         past: bool,
-        whole: bool = False,
+        path: bool = False,
     ) -> Windows | None:
-        """Windows of the samples `asked` (first, last), or None if all of them are empty.
+        """Windows of the samples `targets` (first, last), or None if all of them are empty.
 
-        `whole` extends the operand's span to the samples asked about, as until needs.
+        `path` extends the operand's span to the samples asked about, as until needs.
         """
         interval = interval or UNBOUNDED
         laps = 1
         if self.wrap is not None:
-            interval = _unrolled(interval, self.wrap, keep_lead=whole)
+            interval = _unrolled(interval, self.wrap, keep_lead=path)
             laps = 1 + math.ceil((interval.hi - TOLERANCE) / self.wrap)
         lows, highs = self.positions, self.positions if self.ends is None else self.ends
         if past:
             lows, highs = -highs[::-1], -lows[::-1]
-            asked = (self.size - 1 - asked[1], self.size - 1 - asked[0])
+            targets = (self.size - 1 - targets[1], self.size - 1 - targets[0])
         if laps > 1 and self.wrap is not None:
             lows = highs = (lows + self.wrap * np.arange(laps)[:, None]).ravel()
-        starts, ends = _bounds(lows, highs, interval, asked)
+        starts, ends = _bounds(lows, highs, interval, targets)
         if (ends < starts).all():
             return None
-        return self._relative(starts, ends, asked, laps, past, whole)
+        return self._relative(starts, ends, targets, laps, past, path)
 
     def _relative(
         self,
         starts: IntArray,
         ends: IntArray,
-        asked: tuple[int, int],
+        targets: tuple[int, int],
         laps: int,
         past: bool,
-        whole: bool,
+        path: bool,
     ) -> Windows:
         held = ends >= starts
-        low = asked[0] if whole else int(starts[held].min())
+        low = targets[0] if path else int(starts[held].min())
         low, high = (0, self.size - 1) if laps > 1 else (low, int(ends.max()))
         span = (self.size - 1 - high, self.size - 1 - low) if past else (low, high)
         limit = (high - low + 1) * laps
         return Windows(
             starts=np.clip(starts - low, 0, limit),
             ends=np.clip(ends - low, -1, limit - 1),
-            first=asked[0] - low,
+            first=targets[0] - low,
             span=span,
             flipped=past,
             laps=laps,
@@ -134,10 +134,10 @@ class Axis:
 
 
 def _bounds(
-    lows: FloatArray, highs: FloatArray, interval: Interval, asked: tuple[int, int]
+    lows: FloatArray, highs: FloatArray, interval: Interval, targets: tuple[int, int]
 ) -> tuple[IntArray, IntArray]:
     """First and last sample that meets the window of each sample asked about."""
-    indices = np.arange(asked[0], asked[1] + 1)
+    indices = np.arange(targets[0], targets[1] + 1)
     near = lows[indices] + interval.lo
     starts = np.maximum(np.searchsorted(highs, near - _slack(near), "left"), indices)
     if math.isinf(interval.hi):

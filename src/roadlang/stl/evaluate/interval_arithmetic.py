@@ -106,13 +106,13 @@ def _power(a: Bounds, b: Bounds) -> Bounds:
     exponent = b[0]
     if not (isinstance(exponent, float | int) and exponent == b[1] and math.isfinite(exponent)):
         return UNKNOWN
-    whole, negative = float(exponent).is_integer(), exponent < 0
+    is_whole, negative = float(exponent).is_integer(), exponent < 0
     undefined = _contains_zero(a) if negative else False
-    if not whole:
+    if not is_whole:
         undefined = undefined | (a[0] < 0)
     low, high = (_raised(_where(undefined, 1.0, end), exponent) for end in a)
     found = _least(low, high), _greatest(low, high)
-    if whole and not negative and exponent % 2 == 0 and exponent > 0:
+    if is_whole and not negative and exponent % 2 == 0 and exponent > 0:
         found = _where(_contains_zero(a), 0.0, found[0]), found[1]
     return _unless(undefined, found)
 
@@ -142,7 +142,13 @@ def _product(x: End, y: End) -> End:
 def _quotient(x: End, y: End) -> End:
     """x / y; 0 where y is infinite or 0, which the caller sorts out."""
     defined = (y != 0) & (abs(y) != math.inf)
-    return _where(defined, x / _where(defined, y, 1.0), 0.0)
+    divisor = _where(defined, y, 1.0)
+    if isinstance(x, float | int) and isinstance(divisor, float | int):
+        return x / divisor if defined else 0.0
+    import numpy as np
+
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.where(defined, np.divide(x, divisor), 0.0)
 
 
 def _contains_zero(a: Bounds) -> Any:

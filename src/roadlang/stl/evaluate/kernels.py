@@ -45,13 +45,13 @@ def _slide_even(
     samples = len(values)
     width = min(width, samples)
     if width == samples and values.shape[1] == 1:
-        table, reach = extreme.ufunc.accumulate(values[::-1], axis=0)[::-1], width
+        table, covered = extreme.ufunc.accumulate(values[::-1], axis=0)[::-1], width
     else:
-        table, reach = _doubled(values, width, extreme)
+        table, covered = _doubled(values, width, extreme)
     result = np.empty((count, values.shape[1]))
     near = max(0, min(count, samples - offset))
-    far = max(0, min(near, samples - offset - (width - reach)))
-    shifted = table[offset + width - reach : offset + width - reach + far]
+    far = max(0, min(near, samples - offset - (width - covered)))
+    shifted = table[offset + width - covered : offset + width - covered + far]
     extreme.ufunc(table[offset : offset + far], shifted, out=result[:far])
     result[far:near] = table[offset + far : offset + near]
     result[near:] = extreme.identity
@@ -59,15 +59,15 @@ def _slide_even(
 
 
 def _doubled(values: FloatArray, width: int, extreme: Extreme) -> tuple[FloatArray, int]:
-    """Extremes of windows [k, k + reach), reach the greatest power of two <= width."""
-    table, spare, reach = values, np.empty(0), 1
-    while 2 * reach <= width:
+    """Extremes of windows [k, k + covered), covered the greatest power of two <= width."""
+    table, spare, covered = values, np.empty(0), 1
+    while 2 * covered <= width:
         out = np.empty_like(values) if spare.size == 0 else spare
-        extreme.ufunc(table[:-reach], table[reach:], out=out[:-reach])
-        out[-reach:] = table[-reach:]
+        extreme.ufunc(table[:-covered], table[covered:], out=out[:-covered])
+        out[-covered:] = table[-covered:]
         spare = table if table is not values else np.empty(0)
-        table, reach = out, 2 * reach
-    return table, reach
+        table, covered = out, 2 * covered
+    return table, covered
 
 
 def slide_between(
@@ -78,15 +78,15 @@ def slide_between(
     widths = ends - starts + 1
     levels = np.frexp(np.maximum(widths, 1))[1] - 1
     levels[widths < 1] = -1
-    table, reach = values, 1
+    table, covered = values, 1
     for level in range(int(levels.max()) + 1):
         chosen = np.flatnonzero(levels == level)
         if chosen.size:
-            near, far = table[starts[chosen]], table[ends[chosen] - reach + 1]
+            near, far = table[starts[chosen]], table[ends[chosen] - covered + 1]
             result[chosen] = extreme.ufunc(near, far)
-        if len(table) > reach:
-            table = extreme.ufunc(table[:-reach], table[reach:])
-        reach *= 2
+        if len(table) > covered:
+            table = extreme.ufunc(table[:-covered], table[covered:])
+        covered *= 2
     return result
 
 
@@ -96,7 +96,7 @@ def until(left: FloatArray, right: FloatArray, windows: Windows) -> FloatArray:
     Donze, Ferrere, Maler (CAV 2013) split it: left before the window, right inside it, and the
     unbounded until at its start; an uneven grid changes nothing in their argument.
     """
-    own = windows.first + np.arange(windows.count)
+    present = windows.first + np.arange(windows.count)
     starts, ends = windows.starts, windows.ends
     held = ends >= starts
     if windows.count == 1:
@@ -107,8 +107,8 @@ def until(left: FloatArray, right: FloatArray, windows: Windows) -> FloatArray:
     result = scanned[np.clip(starts - low, 0, len(scanned) - 1)]
     if (ends < last).any():
         np.minimum(slide(right, windows, GREATEST), result, out=result)
-    if (starts > own).any():
-        before = Windows(own, np.minimum(starts, last + 1) - 1, 0, (0, last), False, 1)
+    if (starts > present).any():
+        before = Windows(present, np.minimum(starts, last + 1) - 1, 0, (0, last), False, 1)
         np.minimum(slide(left, before, LEAST), result, out=result)
     result[~held] = -np.inf
     return result

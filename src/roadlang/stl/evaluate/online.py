@@ -71,8 +71,8 @@ class Monitor:
         """Settle the samples whose windows have ended, many at a time."""
         assert isinstance(self.formula, f.UnaryTemporal)
         body = self.formula.operand
-        reach = horizon(body)
-        settled = int(np.searchsorted(trace.positions, trace.positions[-1] - reach * (1 + 1e-6)))
+        ahead = horizon(body)
+        settled = int(np.searchsorted(trace.positions, trace.positions[-1] - ahead * (1 + 1e-6)))
         if settled < _SETTLED_AT_ONCE:
             return
         signals = {name: np.asarray(self._values[name]) for name in self._names}
@@ -81,8 +81,8 @@ class Monitor:
         least = self.formula.least
         known = () if self._settled is None else (self._settled,)
         self._settled = min(*known, *rho.tolist()) if least else max(*known, *rho.tolist())
-        told = () if self._settled_truth is None else (self._settled_truth,)
-        self._settled_truth = all((*told, *truth)) if least else any((*told, *truth))
+        truths = () if self._settled_truth is None else (self._settled_truth,)
+        self._settled_truth = all((*truths, *truth)) if least else any((*truths, *truth))
         del self._positions[:settled]
         for column in self._values.values():
             del column[:settled]

@@ -36,6 +36,7 @@ from .operations import (
     least,
     negative,
 )
+from .static_truth import static_truth
 from .trace import FloatArray, Trace
 from .unseen import unseen_range
 
@@ -61,7 +62,7 @@ def _bound_at_start(
 ) -> FloatArray:
     graph = BoundGraph(trace, leaves)
     graph.bound(formula, side, False)
-    extended = replace(trace, signals={**trace.signals, **graph.given})
+    extended = replace(trace, signals={**trace.signals, **graph.supplied})
     return run_at_start(graph, extended, extended_axis(formula, trace.positions))
 
 
@@ -71,7 +72,7 @@ class BoundGraph(Graph):
     def __init__(self, trace: Trace, leaves: Mapping[str, Function]) -> None:
         super().__init__(leaves)
         self.seen = trace.samples
-        self.given: dict[str, FloatArray] = {}
+        self.supplied: dict[str, FloatArray] = {}
         self._constants = {
             name: np.asarray(trace.signals[name][:, 0], dtype=np.float64)
             for name in trace.constants
@@ -139,10 +140,11 @@ class BoundGraph(Graph):
     def _unseen(self, formula: f.Formula, side: Side) -> int:
         lowest, highest = unseen_range(formula, self._constants)
         if self.leaves is BOOLEAN:
-            lowest = np.where(lowest <= 0, -1.0, 1.0)
-            highest = np.where(highest >= 0, 1.0, -1.0)
+            truth = static_truth(formula, {name: (c, c) for name, c in self._constants.items()})
+            lowest = np.where((lowest > 0) | truth.certain, 1.0, -1.0)
+            highest = np.where((highest >= 0) & truth.possible, 1.0, -1.0)
         name = f"{side} of {formula} at an unseen sample"
-        self.given[name] = (lowest if side == "lower" else highest)[:, None]
+        self.supplied[name] = (lowest if side == "lower" else highest)[:, None]
         return self.add(Given(name))
 
 

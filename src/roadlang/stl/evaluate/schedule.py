@@ -38,9 +38,9 @@ class Plan:
     time_major: bool
 
     @classmethod
-    def of(cls, graph: Graph, axis: Axis, asked: Span) -> Plan:
-        """Schedule the last node of `graph` over the samples `asked` (first, last)."""
-        needed: dict[int, Span] = {len(graph.nodes) - 1: asked}
+    def of(cls, graph: Graph, axis: Axis, targets: Span) -> Plan:
+        """Schedule the last node of `graph` over the samples `targets` (first, last)."""
+        needed: dict[int, Span] = {len(graph.nodes) - 1: targets}
         steps: list[Step | None] = [None] * len(graph.nodes)
         for index in range(len(graph.nodes) - 1, -1, -1):
             if index not in needed:
@@ -62,7 +62,7 @@ class Plan:
         return max(step.span[1] - step.span[0] + 1 for step in self.steps if step is not None)
 
     def run(self, trace: Trace, first: int, last: int) -> FloatArray:
-        """The result for variants first..last-1, shape (samples asked, rows)."""
+        """The result for variants first..last-1, shape (targets, rows)."""
         values: list[FloatArray | None] = []
         for step, spent in zip(self.steps, self.spent, strict=True):
             values.append(None if step is None else self._compute(step, values, trace, first, last))
@@ -141,18 +141,18 @@ def _derived(step: Step, inputs: list[FloatArray]) -> FloatArray:
     raise TypeError(f"not an operation: {step.node.operation!r}")
 
 
-def _step(node: Node, axis: Axis, asked: Span) -> Step:
+def _step(node: Node, axis: Axis, targets: Span) -> Step:
     match node.operation:
         case Sliding(_, interval, past) | Reaching(interval, past):
-            whole = isinstance(node.operation, Reaching)
-            windows = axis.windows(interval, asked, past=past, whole=whole)
+            path = isinstance(node.operation, Reaching)
+            windows = axis.windows(interval, targets, past=past, path=path)
             span = None if windows is None else windows.span
-            return Step(node, asked, (span,) * len(node.inputs), windows)
+            return Step(node, targets, (span,) * len(node.inputs), windows)
         case Extend(seen):
-            return Step(node, asked, (_before(asked, seen), _behind(asked, seen)))
+            return Step(node, targets, (_before(targets, seen), _behind(targets, seen)))
         case AtUnseen(seen):
-            return Step(node, asked, (asked, _behind(asked, seen)))
-    return Step(node, asked, (asked,) * len(node.inputs))
+            return Step(node, targets, (targets, _behind(targets, seen)))
+    return Step(node, targets, (targets,) * len(node.inputs))
 
 
 def _before(span: Span, seen: int) -> Span | None:

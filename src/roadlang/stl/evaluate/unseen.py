@@ -2,9 +2,9 @@
 
 Its signals may then have any values, but the same ones throughout the formula. Robustness is a
 maximum of minima of affine functions of them, abs, min and max included (a product of signals is
-taken for one more signal). How high a minimum of affine functions rises is a linear program,
-solved here through its dual by enumeration: the dual's corners have at most one function more
-than there are signals.
+taken for one more signal, within the bounds of interval arithmetic). How high a minimum of affine
+functions rises is a linear program, solved here through its dual by enumeration: the dual's corners
+have at most one function more than there are signals.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import numpy as np
 
 from ..formula import formulas as f
 from ..formula import terms as t
+from .interval_arithmetic import term_bounds
 from .trace import FloatArray
 
 _MOST_PIECES = 256
@@ -127,17 +128,18 @@ def _term_pieces(term: t.Term, constants: Constants) -> Pieces:
             return _scaled(_term_pieces(other, constants), scale)
         case t.Arithmetic("/", other, t.Constant(divisor)) if divisor:
             return _scaled(_term_pieces(other, constants), 1.0 / divisor)
-    unknown: Pieces = ((Affine(((str(term), 1.0),), np.zeros(1)),),)
-    return _greatest([unknown, ((Affine((), np.zeros(1)),),)]) if _is_square(term) else unknown
+    return _unknown(term, constants)
 
 
-def _is_square(term: t.Term) -> bool:
-    match term:
-        case t.Arithmetic("*", left, right):
-            return left == right
-        case t.Arithmetic("^", _, t.Constant(exponent)):
-            return exponent % 2 == 0 and exponent > 0
-    return False
+def _unknown(term: t.Term, constants: Constants) -> Pieces:
+    """A term that is not affine: one more signal, within bounds that hold for all variants."""
+    low, high = term_bounds(term, {name: (value, value) for name, value in constants.items()})
+    pieces: Pieces = ((Affine(((str(term), 1.0),), np.zeros(1)),),)
+    if np.isfinite(low).all():
+        pieces = _greatest([pieces, ((Affine((), np.atleast_1d(low)),),)])
+    if np.isfinite(high).all():
+        pieces = _least([pieces, ((Affine((), np.atleast_1d(high)),),)])
+    return pieces
 
 
 def _sum(left: Pieces, right: Pieces) -> Pieces:

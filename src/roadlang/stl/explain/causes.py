@@ -67,29 +67,34 @@ class _Blame:
             case f.Not(operand):
                 self.spread(operand, asked, not holding)
             case f.BinaryTemporal(interval, left, right):
-                self.spread(left, self._reached(formula, interval, asked, whole=True), holding)
-                self.spread(right, self._reached(formula, interval, asked, whole=False), holding)
+                self.spread(left, self._reached(formula, interval, asked, path=True), holding)
+                self.spread(right, self._reached(formula, interval, asked, path=False), holding)
             case f.UnaryTemporal():
-                reached = self._reached(formula, formula.interval, asked, whole=False)
+                reached = self._reached(formula, formula.interval, asked, path=False)
                 self.spread(formula.operand, reached, holding)
             case _:
                 for part in formula.parts:
                     self.spread(part, asked, holding)
 
     def _reached(
-        self, formula: f.TemporalOperator, interval: Interval | None, asked: Mask, *, whole: bool
+        self,
+        formula: f.TemporalOperator,
+        interval: Interval | None,
+        asked: Mask,
+        *,
+        path: bool,
     ) -> Mask:
-        """The samples in the windows of `asked`; `whole`: and those on the way to them."""
+        """The samples in the windows of `asked`; `path`: and those on the way to them."""
         past = formula.past
         reached = np.zeros(self.trace.samples, dtype=bool)
-        windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, whole=whole)
+        windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, path=path)
         if windows is None:
             return reached
         samples = self.trace.samples
         for sample in np.flatnonzero(asked).tolist():
             window = samples - 1 - sample if past else sample
             reached[windows.samples(window)] = True
-            if whole:
+            if path:
                 held = int(windows.ends[window] - windows.starts[window] + 1)
                 reached[windows.before(window, held)] = True
         return reached

@@ -169,7 +169,7 @@ class _Finder:
     def _decider(self, formula: f.BinaryTemporal, sample: int) -> tuple[f.Formula, int] | None:
         """The best witness, and whether it or a sample on the way to it decides."""
         span = (sample, sample)
-        windows = self.axis.windows(formula.interval, span, past=formula.past, whole=True)
+        windows = self.axis.windows(formula.interval, span, past=formula.past, path=True)
         if windows is None:
             return None
         held = windows.samples(0)
