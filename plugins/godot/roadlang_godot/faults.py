@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from roadlang.api import DiagnosticError, diagnose
 
@@ -14,6 +15,6 @@ class EngineError(DiagnosticError):
     """The engine, or the way to it, failed."""
 
 
-def fault(code: str, help: str | Iterable[str] = (), **values: object) -> EngineError:
+def fault(code: str, help: str | Iterable[str] = (), **values: Any) -> EngineError:
     """The error to raise for a catalog page."""
     return EngineError(diagnose(code, help=help, **values))

@@ -44,7 +44,7 @@ def object_things(objects: Iterable[Placed], frame: Frame, first_id: int = 1) ->
     groups: dict[tuple[str, str, bool, str], list[Placed]] = {}
     for one in objects:
         groups.setdefault((one.sort, one.color, one.solid, one.name), []).append(one)
-    things = []
+    things: list[Any] = []
     for (sort, color, solid, _), members in groups.items():
         most = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8 - len(sort) - len(color)) // _RECORD_BYTES
         for at in range(0, len(members), most):
@@ -64,7 +64,7 @@ def path_things(line: Line, path: int, frame: Frame) -> list[Thing]:
     rows[:, 1] = rows[:, 2]
     rows[:, 2] = width / 2
     pieces = -(-len(rows) // _POINTS_A_PIECE)
-    things = []
+    things: list[Any] = []
     for piece in range(pieces):
         part = rows[piece * _POINTS_A_PIECE : (piece + 1) * _POINTS_A_PIECE].tobytes()
         head = struct.pack("<BHH", int(line.closed), pieces, len(part) // 12)

@@ -26,7 +26,7 @@ def neighbor_masks(road: NDArray[np.bool_]) -> NDArray[np.uint8]:
         + padded[2:, 1:-1] * SOUTH
         + padded[1:-1, :-2] * WEST
     )
-    return masks.astype(np.uint8)
+    return np.asarray(masks, np.uint8)
 
 
 def coarsened(road: NDArray[np.bool_], factor: int) -> NDArray[np.bool_]:

@@ -47,4 +47,4 @@ def records(payload: bytes) -> Records:
 
 def of_agent(trace: Records, agent: int, world: int = 0) -> Records:
     """One agent's records, in order of time."""
-    return trace[(trace["agent"] == agent) & (trace["world"] == world)]
+    return np.asarray(trace[(trace["agent"] == agent) & (trace["world"] == world)])

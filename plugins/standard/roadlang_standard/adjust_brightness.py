@@ -24,4 +24,4 @@ class Brightness(Adjuster):
     def adjust(self, pixels: Picture, random: np.random.Generator) -> Picture:
         import numpy as np
 
-        return np.rint(np.clip(pixels * self.factor, 0, 255)).astype(np.uint8)
+        return np.asarray(np.rint(np.clip(pixels * self.factor, 0, 255)), np.uint8)

@@ -25,4 +25,4 @@ class Contrast(Adjuster):
         import numpy as np
 
         mean = float(pixels.mean())
-        return np.rint(np.clip((pixels - mean) * self.factor + mean, 0, 255)).astype(np.uint8)
+        return np.asarray(np.rint(np.clip((pixels - mean) * self.factor + mean, 0, 255)), np.uint8)

@@ -41,4 +41,4 @@ class Shadows(Adjuster):
         if self.softness > 0:
             shade = cv2.GaussianBlur(shade, (0, 0), max(0.5, self.softness * self.size))
         light = 1.0 - self.darkness * shade[..., None]
-        return np.rint(np.clip(pixels * light, 0, 255)).astype(np.uint8)
+        return np.asarray(np.rint(np.clip(pixels * light, 0, 255)), np.uint8)

@@ -29,4 +29,4 @@ class Sharpness(Adjuster):
 
         smooth = cv2.blur(pixels, (3, 3)).astype(np.float32)
         mixed = smooth + (pixels - smooth) * self.factor
-        return np.rint(np.clip(mixed, 0, 255)).astype(np.uint8)
+        return np.asarray(np.rint(np.clip(mixed, 0, 255)), np.uint8)

@@ -10,9 +10,9 @@ from roadlang.api import (
     Code,
     DiagnosticError,
     Distribution,
+    ListOf,
     Number,
     diagnose,
-    list_of,
     option,
 )
 
@@ -29,8 +29,8 @@ class Choice(Distribution):
 
     name: ClassVar[str] = "choice"
     rest: ClassVar[str] = "items"
-    items: list_of(Anything, at_least=1) = option(help="the values to choose from")
-    weights: list_of(Number) = option(
+    items: ListOf[Anything] = option(at_least=1, help="the values to choose from")
+    weights: ListOf[Number] = option(
         None, help="relative probability of each value; equal by default"
     )
 
@@ -84,4 +84,4 @@ class Choice(Distribution):
 def _pick(columns: list[Floats], index: Any) -> Floats:
     import numpy as np
 
-    return np.take_along_axis(np.stack(columns), index[None], axis=0)[0]
+    return np.asarray(np.take_along_axis(np.stack(columns), index[None], axis=0)[0])

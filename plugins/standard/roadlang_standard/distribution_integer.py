@@ -26,7 +26,7 @@ class Integer(Distribution):
         import numpy as np
 
         count = np.asarray(self.high) - self.low + 1
-        return self.low + np.minimum(np.floor(uniform * count), count - 1)
+        return np.asarray(self.low + np.minimum(np.floor(uniform * count), count - 1))
 
     def support(self) -> tuple[float, float] | None:
         return self.low, self.high

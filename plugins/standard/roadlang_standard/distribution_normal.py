@@ -40,7 +40,7 @@ class Normal(Distribution):
         most = ndtr(sign * (far - self.mean) / sd)
         share = np.where(sign > 0, uniform, 1.0 - uniform)
         value = self.mean + sign * sd * ndtri(np.maximum(least + (most - least) * share, 1e-300))
-        return np.clip(value, low, high)
+        return np.asarray(np.clip(value, low, high))
 
     def support(self) -> tuple[float, float] | None:
         return None if self.within is None else (self.within[0], self.within[1])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Drawer, Point, geometry, list_of, option
+from roadlang.api import Drawer, ListOf, Point, geometry, option
 
 
 @dataclass(frozen=True)
@@ -13,7 +13,7 @@ class Waypoints(Drawer):
     """A cubic spline through the points."""
 
     name: ClassVar[str] = "waypoints"
-    points: list_of(Point, at_least=2) = option(help="points on the center line, in driving order")
+    points: ListOf[Point] = option(at_least=2, help="points on the center line, in driving order")
 
     def draw(self, closed: bool) -> geometry.Curve:
         """A cubic spline by arc length; a closed road goes back to the first point."""

@@ -24,7 +24,7 @@ class Svg(Backend):
     legend: Flag = option(True, help="list requirements and expectations below the map")
     stations: Flag = option(True, help="mark arc length along the road")
     profiles: Flag = option(True, help="plot signals and robustness over arc length")
-    photo: ImageName = option(None, help="image to show under the roads")
+    photo: ImageName | None = option(None, help="image to show under the roads")
     fade: Number = option(
         0.35, minimum=0, maximum=1, help="how much the photo is faded: 0 not at all, 1 to white"
     )

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from roadlang.api import Extractor, Flag, Length, Number, PixelPoint, Scale, Word, list_of, option
+from roadlang.api import Extractor, Flag, Length, ListOf, Number, PixelPoint, Scale, list_of, option
 
 from .extract_contour import in_pixels
 
@@ -14,34 +14,37 @@ if TYPE_CHECKING:
 
     from .extraction.evidence import Net
 
+Box = Annotated[ListOf[PixelPoint], list_of(PixelPoint, at_least=2)]
+"""Two opposite corners."""
+
 
 @dataclass(frozen=True)
 class Aerial(Extractor):
     """Aerial photos: segment with a small neural network, trace, bridge gaps, find junctions."""
 
     name: ClassVar[str] = "aerial"
-    threshold: Number = option(
-        "auto", words=("auto",), above=0, below=1, help="minimum probability of road"
+    threshold: Number | Literal["auto"] = option(
+        "auto", above=0, below=1, help="minimum probability of road"
     )
-    width: Length = option(None, above=0, help="road width; measured in the image by default")
-    through: list_of(PixelPoint) = option(  # type: ignore[valid-type]
+    width: Length | None = option(
+        None, above=0, help="road width; measured in the image by default"
+    )
+    through: ListOf[PixelPoint] = option(
         (), help="pixels that a road passes through, in order along it"
     )
-    leave_out: list_of(list_of(PixelPoint, at_least=2)) = option(  # type: ignore[valid-type]
+    leave_out: ListOf[Box] = option(
         (), help="boxes without roads, each given by two opposite corners"
     )
     only_through: Flag = option(False, help="keep only roads that contain a `through` point")
-    min_length: Length = option(
+    min_length: Length | None = option(
         None, minimum=0, help="minimum length of a dead end; shorter ones are dropped"
     )
-    method: Word = option(
+    method: Literal["learned", "classical"] = option(
         "learned",
-        words=("learned", "classical"),
         help="the bundled neural network, or classical ribbon filters",
     )
-    resolution: Scale = option(
+    resolution: Scale | Literal["auto", "unknown"] = option(
         "auto",
-        words=("auto", "unknown"),
         above=0,
         help="assumed ground resolution; `auto` is the scale of the image",
     )

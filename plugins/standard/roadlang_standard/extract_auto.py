@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal
 
-from roadlang.api import Extractor, Flag, Length, Number, PixelPoint, Scale, list_of, option
+from roadlang.api import Extractor, Flag, Length, ListOf, Number, PixelPoint, Scale, option
+
+from .extract_aerial import Box
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
@@ -19,20 +21,19 @@ class Auto(Extractor):
 
     name: ClassVar[str] = "auto"
     is_default: ClassVar[bool] = True
-    threshold: Number = option(
-        "auto", words=("auto",), above=0, below=1, help="threshold of `aerial` or `contour`"
+    threshold: Number | Literal["auto"] = option(
+        "auto", above=0, below=1, help="threshold of `aerial` or `contour`"
     )
-    width: Length = option(None, above=0, help="road width; measured in the image by default")
-    through: list_of(PixelPoint) = option(  # type: ignore[valid-type]
-        (), help="pixels that a road passes through (photos only)"
+    width: Length | None = option(
+        None, above=0, help="road width; measured in the image by default"
     )
-    leave_out: list_of(list_of(PixelPoint, at_least=2)) = option(  # type: ignore[valid-type]
+    through: ListOf[PixelPoint] = option((), help="pixels that a road passes through (photos only)")
+    leave_out: ListOf[Box] = option(
         (), help="boxes without roads, each given by two opposite corners (photos only)"
     )
     only_through: Flag = option(False, help="keep only roads that contain a `through` point")
-    resolution: Scale = option(
+    resolution: Scale | Literal["auto", "unknown"] = option(
         "auto",
-        words=("auto", "unknown"),
         above=0,
         help="assumed ground resolution of a photo; `auto` is the scale of the image",
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from roadlang.api import Extractor, Flag, Length, Number, Pixels, Word, option
 
@@ -19,9 +19,8 @@ class Contour(Extractor):
     blur: Pixels = option(
         0.0, minimum=0, maximum=100, help="standard deviation of the Gaussian blur, the first step"
     )
-    threshold: Number = option(
+    threshold: Number | Literal["auto"] = option(
         "auto",
-        words=("auto",),
         above=0,
         below=1,
         help="gray level that separates the road from the background",
@@ -33,8 +32,10 @@ class Contour(Extractor):
     )
     edges: Flag = option(True, help="read two edge lines as the road between them")
     spline: Flag = option(True, help="fit a smoothing spline to the center lines")
-    width: Length = option(None, above=0, help="road width; measured in the image by default")
-    min_length: Length = option(
+    width: Length | None = option(
+        None, above=0, help="road width; measured in the image by default"
+    )
+    min_length: Length | None = option(
         None, minimum=0, help="minimum length of a dead end; by default about the road width"
     )
 

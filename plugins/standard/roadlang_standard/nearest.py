@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     import numpy as np
     from numpy.typing import NDArray
 
@@ -36,10 +38,10 @@ def nearest_lp_distance(road: RoadBatch, other: RoadBatch, p: float) -> Floats:
 
     gaps = nearest_distance(road, other)
     integral = np.trapezoid(gaps**p, road.stations, axis=1)
-    return integral[:, None] ** (1.0 / p)
+    return np.asarray(integral)[:, None] ** (1.0 / p)
 
 
-def _projected(road: RoadBatch, other: RoadBatch):  # type: ignore[no-untyped-def]
+def _projected(road: RoadBatch, other: RoadBatch) -> Iterator[tuple[int, Floats, Floats, Floats]]:
     """Row, points (S, 2), their places along the other road and beside it, for each variant."""
     count = max(road.variants, other.variants)
     for row in range(count):

@@ -28,7 +28,7 @@ class LpDistance(RoadNumber):
 
     @classmethod
     def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
-        return LENGTH ** (1 + 1 / options.get("p", 1))
+        return LENGTH ** (1 + 1 / float(options.get("p", 1)))
 
     def values(self) -> Floats:
         if self.road.root == self.other.root:

@@ -25,4 +25,5 @@ class Start(RoadNumber):
     actor: AgentOrObject = option(help="who, or what")
 
     def values(self) -> Floats:
-        return self.actor
+        start: Floats = self.actor
+        return start

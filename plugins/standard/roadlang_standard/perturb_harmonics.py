@@ -46,7 +46,7 @@ class Harmonics(Perturber):
         total += np.einsum("vk,ks->vs", cosines, np.cos(angle))
         bound = np.sqrt(sines**2 + cosines**2).sum(axis=1, keepdims=True)
         size = random.uniform(1, stream=1)
-        return self.amplitude * size * total / np.maximum(bound, 1e-12)
+        return np.asarray(self.amplitude * size * total / np.maximum(bound, 1e-12))
 
     def displacement_bound(self) -> Floats | float:
         return self.amplitude

@@ -37,7 +37,7 @@ class Scale(Perturber):
 
         if roads.closed and roads.interval is None:
             lever = roads.points - roads.points.mean(axis=1, keepdims=True)
-            return (np.reshape(self.factor, (-1, 1, 1)) - 1.0) * lever
+            return np.asarray((np.reshape(self.factor, (-1, 1, 1)) - 1.0) * lever)
         sideways = (self._from_chord(roads) * roads.normal).sum(axis=-1)
         return np.atleast_2d((self.factor - 1.0) * sideways)
 
@@ -59,4 +59,4 @@ class Scale(Perturber):
         chord = many[rows, np.broadcast_to(last, rows.shape)][:, None] - start
         square = np.maximum((chord * chord).sum(axis=-1, keepdims=True), 1e-12)
         share = ((many - start) * chord).sum(axis=-1, keepdims=True) / square
-        return many - (start + share * chord)
+        return np.asarray(many - (start + share * chord))

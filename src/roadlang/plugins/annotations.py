@@ -39,9 +39,10 @@ from .option_types import (
 
 if TYPE_CHECKING:
     from ..ir.batch import RoadBatch
+    from ..ir.picture import Picture
     from ..ir.trace import AgentTrace
 else:
-    RoadBatch = AgentTrace = Any
+    RoadBatch = AgentTrace = Picture = Any
 
 Item = TypeVar("Item")
 
@@ -76,7 +77,7 @@ RoadName = Annotated[RoadBatch, EntityType(("road",))]
 RoadOrNetwork = Annotated[RoadBatch, EntityType(("road", "network"))]
 AgentName = Annotated[AgentTrace, EntityType(("agent",))]
 AgentOrObject = Annotated[Any, EntityType(("agent", "object"))]
-ImageName = Annotated[str, EntityType(("image",))]
+ImageName = Annotated[Picture, EntityType(("image",))]
 ConstraintNames = Annotated[tuple[str, ...], NamesType()]
 Condition = Annotated[Any, ConditionType()]
 Anything = Annotated[Any, AnyType()]

@@ -11,14 +11,16 @@ hookimpl = pluggy.HookimplMarker("roadlang")
 
 
 @hookspec
-def roadlang_kinds() -> Iterable[type] | Mapping[str, str]:  # type: ignore[empty-body]
+def roadlang_kinds() -> Iterable[type] | Mapping[str, str]:
     """The kinds of the plugin.
 
     A list of classes, or, to have each imported only when it is used, a map such as
     `{"perturb sine": "my_package.perturb_sine:Sine"}`.
     """
+    return ()
 
 
 @hookspec
-def roadlang_planned() -> Iterable[str]:  # type: ignore[empty-body]
+def roadlang_planned() -> Iterable[str]:
     """Kinds that are planned and do not exist yet (`"emit gltf"`), so that the error says so."""
+    return ()

@@ -11,6 +11,7 @@ import zipfile
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -61,7 +62,7 @@ def _folder() -> Path | None:
 def _digest(image: Image, request: Request, net: Net, checked: bool) -> str:
     makers = f"{net.digest} {checked} {_code()} {cv2.__version__}"
     whole = hashlib.sha256(f"{image.shape} {request} {makers}".encode())
-    whole.update(memoryview(image).cast("B") if image.flags.c_contiguous else image.tobytes())
+    whole.update(np.ascontiguousarray(image).data)
     return whole.hexdigest()
 
 
@@ -81,7 +82,8 @@ def _read(place: Path) -> FoundNetwork | None:
 
 def _write(place: Path, found: FoundNetwork) -> None:
     buffer = io.BytesIO()
-    np.savez_compressed(buffer, **_packed(found))
+    arrays: dict[str, Any] = _packed(found)
+    np.savez_compressed(buffer, **arrays)
     with contextlib.suppress(OSError):
         place.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=place.parent)

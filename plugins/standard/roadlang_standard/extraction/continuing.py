@@ -104,7 +104,7 @@ class _Faint:
 
 
 def _tip(line: Line, side: int) -> Floats:
-    return line.points[0] if side == 0 else line.points[-1]
+    return np.asarray(line.points[0] if side == 0 else line.points[-1])
 
 
 def _added(graph: Graph, onward: Onward) -> DeadEnd:

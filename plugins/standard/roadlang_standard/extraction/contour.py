@@ -47,7 +47,7 @@ def roads_by_contour(image: Image, chain: Chain) -> FoundNetwork:
 
 def _gray(image: Image, chain: Chain) -> Layer:
     """Gray; or, where no threshold is given and gray parts no tones, distance to the paper."""
-    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.float32)
+    gray: Layer = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.float32)
     if chain.threshold is not None or chain.road != "auto":
         return gray
     plan = tones(image)

@@ -159,7 +159,7 @@ def _attached(piece: Floats, start: Floats, end: Floats, blend: float = 12.0) ->
     fade_out = np.clip(1 - (station[-1] - station) / reach, 0, 1)[:, None]
     moved = piece + fade_in * (start - piece[0]) + fade_out * (end - piece[-1])
     moved[0], moved[-1] = start, end
-    return moved
+    return np.asarray(moved)
 
 
 def _road(

@@ -68,7 +68,7 @@ def likeness(surface: Layer) -> float:
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & mask]
     width = 2 * float(np.quantile(ridge, 0.9))
     length = float(mask.sum()) / max(width, 1.0)
-    return min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape))
+    return float(min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape)))
 
 
 def between_lines(ink: Mask) -> Layer | None:
@@ -166,4 +166,4 @@ def _surface(ribbons: list[Ribbon], ink: Mask, pen: float) -> Layer:
     outside = cv2.distanceTransform(1 - union, cv2.DIST_L2, 5)
     inside = cv2.distanceTransform(union, cv2.DIST_L2, 5)
     signed = np.where(union > 0, inside - 0.5, 0.5 - outside) + pen / 2
-    return np.clip(0.5 + signed, 0, 1).astype(np.float32)
+    return np.asarray(np.clip(0.5 + signed, 0, 1), np.float32)

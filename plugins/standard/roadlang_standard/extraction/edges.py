@@ -53,7 +53,7 @@ def normals(points: Floats) -> Floats:
     """Unit normals (n, 2) of a polyline."""
     tangent = np.gradient(points, axis=0)
     tangent /= np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
-    return np.c_[-tangent[:, 1], tangent[:, 0]]
+    return np.column_stack([-tangent[:, 1], tangent[:, 0]])
 
 
 def _sampled(

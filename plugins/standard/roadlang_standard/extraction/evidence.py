@@ -113,7 +113,7 @@ def _tiled(image: Image, net: Net) -> NDArray[np.float32]:
             )
             total[(slice(None), *here)] += maps * fade
             weight[here] += fade
-    return total / weight
+    return np.asarray(total / weight)
 
 
 def _predicted(tile: Image, net: Net) -> NDArray[np.float32]:

@@ -16,7 +16,8 @@ def roads_of_cells(road: NDArray[np.bool_], thickness: float = 1.0) -> FoundNetw
     """The network of a boolean grid (h, w): neighbors join by sides, else by corners."""
     links = _links(road)
     ends = {cell for cell, near in links.items() if len(near) != 2}
-    roads, used = [], set()
+    roads = []
+    used: set[tuple[Cell, Cell]] = set()
     for start in sorted(ends):
         for step in links[start]:
             if (start, step) not in used:

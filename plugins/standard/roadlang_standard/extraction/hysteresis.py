@@ -14,4 +14,4 @@ def hysteresis(score: NDArray[np.float32], high: float, low: float) -> NDArray[n
     strong = np.zeros(count, bool)
     strong[np.unique(labels[score > high])] = True
     strong[0] = False
-    return strong[labels]
+    return np.asarray(strong[labels])

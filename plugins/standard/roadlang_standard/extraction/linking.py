@@ -195,7 +195,7 @@ def _ahead(ahead: Floats) -> NDArray[np.bool_]:
 def _near_own(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
     """The line's own pixels near its end: it may meet itself only after a long way round."""
     own = there == index + 1
-    return own if line.length < 6 * _RADIUS * step else own & _close(own)
+    return np.asarray(own if line.length < 6 * _RADIUS * step else own & _close(own))
 
 
 def _close(own: NDArray[np.bool_]) -> NDArray[np.bool_]:

@@ -20,7 +20,7 @@ def start_scale(image: Image, meters_per_pixel: float | None = None) -> float:
         wanted = meters_per_pixel / _GROUND
         return float(np.clip(wanted if wanted < 0.72 else 1.0, max(0.1, smallest), 1.0))
     enlarged = fine_share(image) < _ENLARGED
-    return max(1 / 3 if enlarged else 1.0, smallest)
+    return max(1 / 3 if enlarged else 1.0, float(smallest))
 
 
 def fine_share(image: Image) -> float:

@@ -51,7 +51,7 @@ def _alive(
     pixels = pixels[flat[pixels] > 0]
     order = np.arange(len(pixels), dtype=np.int32)
     stamp[pixels] = order
-    return pixels[stamp[pixels] == order]
+    return np.asarray(pixels[stamp[pixels] == order])
 
 
 @cache

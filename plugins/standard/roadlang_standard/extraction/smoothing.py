@@ -18,12 +18,13 @@ def resample(points: Floats, step: float = 1.0) -> Floats:
     station = stations(points)
     count = max(2, round(station[-1] / step) + 1)
     at = np.linspace(0, station[-1], count)
-    return np.c_[np.interp(at, station, points[:, 0]), np.interp(at, station, points[:, 1])]
+    x, y = points.T
+    return np.column_stack([np.interp(at, station, x), np.interp(at, station, y)])
 
 
 def stations(points: Floats) -> Floats:
     """Length along the polyline at each point."""
-    return np.r_[0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))]
+    return np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
 
 
 def smooth(
@@ -68,7 +69,7 @@ def curvature(points: Floats, closed: bool = False) -> Floats:
     second = np.gradient(first, axis=0)
     cross = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
     bend = cross / np.maximum(np.hypot(*first.T), 1e-9) ** 3
-    return bend[2:-2] if closed else bend
+    return np.asarray(bend[2:-2] if closed else bend)
 
 
 def smooth_values(

@@ -26,7 +26,8 @@ def extraction(
     from roadlang.geometry import Edge, Node, RoadNetwork
 
     where = picture.to_world(found.nodes) if len(found.nodes) else found.nodes
-    edges, errors = [], []
+    edges: list[Edge] = []
+    errors: list[float] = []
     for road in found.roads:
         curve = _curve(picture, road, where, cells=found.method == "cells")
         if curve is not None:

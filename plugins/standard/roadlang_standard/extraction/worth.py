@@ -53,7 +53,8 @@ def prune_by_worth(graph: Graph, score: Layer, least: float, floor: float) -> No
 
 def _apart(graph: Graph, doomed: list[tuple[float, int]]) -> set[int]:
     """The least worthy dead ends, one a node: what goes on through the node is judged anew."""
-    chosen, touched = set(), set()
+    chosen: set[int] = set()
+    touched: set[int] = set()
     for _, index in sorted(doomed):
         line = graph.lines[index]
         if not {line.start, line.end} & touched:

@@ -13,6 +13,8 @@ from .markup import element, group, number, path_data, rho, text
 if TYPE_CHECKING:
     from roadlang.api import Profile, Scene
 
+    from .viewport import Floats
+
 _ROW = 3.1
 _PLOT = 2.1
 _MOST_ROWS = 8
@@ -100,7 +102,7 @@ def _row(
                   fill=color if row.signal else palette.TIGHT)  # fmt: skip
 
 
-def _filled(across: object, down: object, zero: float) -> Iterator[str]:
+def _filled(across: Floats, down: Floats, zero: float) -> Iterator[str]:
     """The area to zero: green where the robustness is positive, red where it is negative."""
     import numpy as np
 
@@ -112,11 +114,11 @@ def _filled(across: object, down: object, zero: float) -> Iterator[str]:
             yield element("path", d=path_data(outline, closed=True), fill=color, fill_opacity=0.16)
 
 
-def _thinned(across: object, down: object) -> object:
+def _thinned(across: Floats, down: Floats) -> Floats:
     """At most a point a pixel, extremes kept: (n, 2)."""
     import numpy as np
 
-    line = np.column_stack([across, down])  # type: ignore[list-item]
+    line = np.column_stack([across, down])
     most = 1200
     if len(line) <= most:
         return line

@@ -57,7 +57,7 @@ class Ribbon:
         places = np.clip(places, axis[0], axis[-1])
 
         def at(values: Floats) -> Floats:
-            return np.interp(places, axis, values)
+            return np.asarray(np.interp(places, axis, values))
 
         def both(values: Floats) -> Floats:
             return np.stack([at(values[:, 0]), at(values[:, 1])], axis=-1)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from roadlang.api import Scene
 
     from .ribbon import Ribbon
-    from .viewport import Viewport
+    from .viewport import Floats, Viewport
 
 _CASING = 1.1
 _DASH, _GAP = 3.0, 4.5
@@ -73,7 +73,7 @@ def _end_half(ribbon: Ribbon, x: float, y: float) -> float:
     at_start = abs(first - (x, y)).sum() <= abs(last - (x, y)).sum()
     # What was extracted at a junction may be the width of the whole crossing.
     usual = sorted(ribbon.half.tolist())[len(ribbon.half) // 2]
-    return min(float(ribbon.half[0 if at_start else -1]), 1.2 * usual)
+    return min(float(ribbon.half[0 if at_start else -1]), 1.2 * float(usual))
 
 
 def _markings(
@@ -110,10 +110,10 @@ def _dash(pixels_per_meter: float) -> str:
     return f"{_DASH * scale:.2f} {_GAP * scale:.2f}"
 
 
-def _stroke(points: object, width: float, dash: str | None = None) -> str:
+def _stroke(points: Floats, width: float, dash: str | None = None) -> str:
     return element(
         "path",
-        d=path_data(points),  # type: ignore[arg-type]
+        d=path_data(points),
         fill="none",
         stroke=palette.MARKING,
         stroke_width=width,

@@ -70,7 +70,8 @@ def _pin_of(verdict: Verdict, ribbons: Mapping[str, Ribbon]) -> Pin | None:
     part = ribbons[place.road].part(place.station, place.station + 1e-3, by_reference=True)
     away = part.left[0]
     x, y = (part.line(1.0)[0] + 3.0 * away).tolist()
-    return Pin(x, y, *away.tolist(), [verdict]) if math.isfinite(x + y) else None
+    dx, dy = away.tolist()
+    return Pin(x, y, dx, dy, [verdict]) if math.isfinite(x + y) else None
 
 
 def _drawn(pin: Pin, size: float) -> Iterator[str]:

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     import numpy as np
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from roadlang.api import Scene
 
@@ -63,14 +63,14 @@ class Viewport:
     def pixels_per_meter(self) -> float:
         return self.width / self.box.width
 
-    def place(self, points: Floats) -> Floats:
+    def place(self, points: ArrayLike) -> Floats:
         """(..., 2) meters to pixels."""
         import numpy as np
 
-        points = np.asarray(points, dtype=float)
+        meters = np.asarray(points, dtype=float)
         scale = self.pixels_per_meter
-        east = self.x + (points[..., 0] - self.box.left) * scale
-        south = self.y + (self.box.top - points[..., 1]) * scale
+        east = self.x + (meters[..., 0] - self.box.left) * scale
+        south = self.y + (self.box.top - meters[..., 1]) * scale
         return np.stack([east, south], axis=-1)
 
 

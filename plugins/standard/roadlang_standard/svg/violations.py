@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from roadlang.api import Scene, Verdict
 
     from .ribbon import Ribbon
+    from .viewport import Floats
 
 _BAND = 4.0
 _SHORTEST = 2.0
@@ -63,7 +64,7 @@ def _named(name: str, ribbons: Mapping[str, Ribbon]) -> list[Ribbon]:
     return [ribbon for key, ribbon in ribbons.items() if key.startswith(f"{name}/")]
 
 
-def _visible(part: Ribbon, shift: float) -> object:
+def _visible(part: Ribbon, shift: float) -> Floats:
     """The band's line; a single station gets a short dash along the road."""
     import numpy as np
 

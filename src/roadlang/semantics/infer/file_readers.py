@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from ...diagnostics import Code, Span
+from ...plugins.kinds import Reader
 from ...plugins.registry import KindEntry
 from ..checker import Checker
 from .kinds import display_name, loaded
@@ -13,16 +14,19 @@ from .kinds import display_name, loaded
 def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
     """The qualified name of the reader of a file, or None, reported."""
     suffix = PurePath(path).suffix.lower()
-    fitting, suffixes, broken = [], set(), []
+    fitting: list[KindEntry] = []
+    broken: list[tuple[KindEntry, str]] = []
+    suffixes: set[str] = set()
     for entry in checker.registry.of("read"):
         found = loaded(entry)
         if isinstance(found, str):  # it may not be the reader that is wanted
             broken.append((entry, found))
             continue
-        if role not in found.kind.reads:  # type: ignore[attr-defined]
+        reader = found.kind
+        if not issubclass(reader, Reader) or role not in reader.reads:
             continue
-        suffixes.update(found.kind.suffixes)  # type: ignore[attr-defined]
-        if suffix in found.kind.suffixes:  # type: ignore[attr-defined]
+        suffixes.update(reader.suffixes)
+        if suffix in reader.suffixes:
             fitting.append(entry)
     shipped = [entry for entry in fitting if entry.origin.is_shipped]
     if shipped and len(fitting) > 1:

@@ -6,6 +6,7 @@ from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
 from ...plugins.guard import PluginFault, attributed
+from ...plugins.kinds import Signal
 from ...stl.formula.terms import Variable
 from ..checker import Checker, ResolvedKind
 from ..types.expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
@@ -55,7 +56,8 @@ def _dimension(
             given.setdefault(option.name, option.default)
     try:
         with attributed():
-            dimension = found.kind.dimension_of(given)  # type: ignore[attr-defined]
+            assert issubclass(found.kind, Signal)
+            dimension = found.kind.dimension_of(given)
             if not isinstance(dimension, Dimension):
                 raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
     except PluginFault as fault:
