@@ -104,9 +104,15 @@ def test_who_would_stand_beyond_the_end_is_drawn_again(sample: Sample) -> None:
 
 
 def test_beyond_the_end_for_certain_is_impossible(sample: Sample) -> None:
-    assert sample(STRAIGHT + "agent ego is car on main at 300m\n").impossible == (
-        "`ego` begins on `main`",
+    bent = "road bent from main { perturb with bump { at: 50m, height: 1m, length: 20m } }\n"
+    assert sample(STRAIGHT + bent + "agent ego is car on bent at 300m\n").impossible == (
+        "`ego` begins on `bent`",
     )
+
+
+def test_beyond_the_end_of_a_road_without_draws_is_an_error(sample: Sample) -> None:
+    with pytest.raises(DiagnosticError, match="RL615"):
+        sample(STRAIGHT + "agent ego is car on main at 300m\n")
 
 
 def test_a_lane_that_is_not_there_is_refused(sample: Sample) -> None:

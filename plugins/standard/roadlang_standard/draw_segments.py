@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -22,6 +23,10 @@ class Segments(Drawer):
     def draw(self, closed: bool) -> geometry.Curve:
         """Exact arcs and clothoids, sampled half a meter apart."""
         return geometry.chain(self._segments(), self.start, self.heading, spacing=0.5).curve(closed)
+
+    def least_length(self) -> float:
+        """That of the pieces, less what sampling them half a meter apart may lose."""
+        return 0.999 * math.fsum(piece.least_length() for piece in self.pieces)
 
     def _segments(self) -> list[geometry.Straight | geometry.Arc | geometry.Clothoid]:
         """The pieces as geometry has them; a clothoid begins with the curvature before it."""

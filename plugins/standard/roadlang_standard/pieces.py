@@ -22,6 +22,10 @@ class Straight(Piece):
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
         return geometry.Straight(self.length)
 
+    def least_length(self) -> float:
+        """Its length."""
+        return self.length
+
 
 @dataclass(frozen=True)
 class Arc(Piece):
@@ -36,6 +40,10 @@ class Arc(Piece):
     def to_segment(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""
         return geometry.Arc(self.radius, self.angle)
+
+    def least_length(self) -> float:
+        """Its length."""
+        return self.radius * abs(self.angle)
 
 
 @dataclass(frozen=True)
@@ -59,3 +67,7 @@ class Clothoid(Piece):
         return geometry.Clothoid(
             self.length, curvature if self.start is None else self.start, self.to
         )
+
+    def least_length(self) -> float:
+        """Its length."""
+        return self.length

@@ -188,6 +188,7 @@ class Code:
     COUNT_OUT_OF_BOUNDS: Final = "RL612"
     UNKNOWN_LANE: Final = "RL613"
     GRID_TOO_LARGE: Final = "RL614"
+    POSITION_OFF_ROAD: Final = "RL615"
     NO_AGENTS: Final = "RL700"
     SIGNAL_NOT_RECORDED: Final = "RL701"
     INTERNAL_ERROR: Final = "RL900"

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from .arrays import Floats
 from .curve import Curve
 from .errors import GeometryError
+from .lanes import lane_ids
 from .offsetting import offset
 from .width import WidthProfile
 
@@ -43,8 +44,7 @@ class Road:
     @property
     def lane_ids(self) -> tuple[int, ...]:
         """From the left edge to the right."""
-        left = self.lanes // 2
-        return (*range(left, 0, -1), *range(-1, left - self.lanes - 1, -1))
+        return lane_ids(self.lanes)
 
     def lane_width(self, s: ArrayLike) -> Floats:
         """Meters, at each arc length."""

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.lanes import DEFAULT_LANES
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Network, Road
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..world.networks import NetworkRoot, edge_batch, network_root
-from ..world.roads import DEFAULT_LANES, lanes_of, road_batch, road_root
+from ..world.roads import lanes_of, road_batch, road_root
 
 
 def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:

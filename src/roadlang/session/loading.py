@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Diagnostic, DiagnosticError
+from ..diagnostics.render import in_order
 from .outputs import check_outputs
 from .params import ParamValue, param_texts
 from .scene_files import read_scene_file
@@ -141,4 +142,10 @@ class LoadedScenario:
         from ..semantics import check_text
 
         scenario, found = check_text(self.text, self.path, self.params, self.registry, self.outputs)
+        if scenario is not None:
+            from .fixed_faults import fixed_faults
+
+            faults = fixed_faults(scenario, self.registry)
+            if faults:
+                return None, tuple(in_order([*found, *faults]))
         return scenario, tuple(found)

@@ -20,6 +20,7 @@ from ..ir.picture import Picture
 from ..ir.scenario import FileSource, Image, Input, TextSource
 from ..ir.values import PassCall, Value
 from ..plugins.registry import KindEntry
+from .placement_faults import missing_scale
 from .reading import read_file
 
 LEAST_SCALE, GREATEST_SCALE = 1e-4, 1e4
@@ -47,14 +48,7 @@ def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
     image = candidates.scenario.images[name]
     draft = _draft(image, candidates)
     if draft.scale is None:
-        raise DiagnosticError(
-            diagnose(
-                Code.MISSING_SCALE,
-                image.span,
-                name=name,
-                help="add `scale: 0.35m/px` with the true number",
-            )
-        )
+        raise DiagnosticError(missing_scale(image))
     if not LEAST_SCALE <= draft.scale <= GREATEST_SCALE or not math.isfinite(draft.scale):
         raise DiagnosticError(
             diagnose(Code.IMPLAUSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")

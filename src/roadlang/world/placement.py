@@ -14,9 +14,11 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.dependencies import draws_in, entities_in
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
+from ..geometry.lanes import lane_ids
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Actor
 from ..ir.values import Condition, PassCall
+from .placement_faults import unknown_lane
 from .roads import lanes_of, road_batch
 
 Floats = NDArray[np.float64]
@@ -171,19 +173,10 @@ def _offset(
 
 def lane_middle(actor: Actor, lane: int, lanes: int, width: float) -> float:
     """Offset of the middle of a lane (ids as in OpenDRIVE). Raises RL613."""
-    left = lanes // 2
-    ids = [*range(left, 0, -1), *range(-1, left - lanes - 1, -1)]
-    if lane not in ids:
-        known = ", ".join(map(str, ids))
-        raise DiagnosticError(
-            diagnose(
-                Code.UNKNOWN_LANE,
-                actor.span,
-                road=actor.on,
-                lane=lane,
-                help=f"its lanes are {known}",
-            )
-        )
+    fault = unknown_lane(actor, lane, lanes)
+    if fault is not None:
+        raise DiagnosticError(fault)
+    ids = lane_ids(lanes)
     return width * (0.5 - (ids.index(lane) + 0.5) / lanes)
 
 

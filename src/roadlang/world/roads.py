@@ -17,6 +17,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import Curve, Frame, Path, WidthProfile
 from ..geometry import Road as RoadShape
+from ..geometry.lanes import DEFAULT_LANES
 from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, Input, Network, Road
 from ..ir.values import PassCall
@@ -30,7 +31,6 @@ from .stations import station_spacing
 
 Floats = NDArray[np.float64]
 DEFAULT_WIDTH = 7.0
-DEFAULT_LANES = 2
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,190 @@
+"""Faults that no draw can mend: `check` finds them, before anything is sampled.
+
+What can be told from the scenario alone is told without numpy. Only where a position may be beyond
+the end of a road is the road drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..evaluate.indexed_scenario import IndexedScenario
+from ..files.reading import UnreadableFile, read_file, read_start
+from ..geometry.lanes import DEFAULT_LANES
+from ..images.image_header import read_header
+from ..images.image_scale import scale_in_file
+from ..ir.scenario import Actor, FileSource, Image, Road, Scenario
+from ..ir.values import Flag, PassCall
+from ..plugins.guard import plugin_guard
+from ..plugins.kinds import Drawer
+from ..plugins.registry import Registry
+from ..plugins.stated_bounds import OptionRange, corners
+from ..world.placement_faults import missing_scale, unknown_lane
+
+_ROUNDING = 1e-9
+
+
+def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
+    """Images without scale, lanes that are not there, positions beyond their roads.
+
+    Of roads from pictures nothing is said: they are read when scenes are made.
+    """
+    scenario = IndexedScenario(source, registry, _nothing_measured)
+    found = list(_missing_scales(scenario))
+    for actor in (*source.agents, *source.objects):
+        if actor.on in scenario.roads:
+            fault = _lane_fault(actor, scenario) or _position_fault(actor, scenario)
+            found += [fault] if fault is not None else []
+    return found
+
+
+def _nothing_measured(call: PassCall, candidates: Any, element: int) -> Any:
+    raise NotImplementedError
+
+
+def _missing_scales(scenario: IndexedScenario) -> Iterator[Diagnostic]:
+    for network in scenario.networks.values():
+        image = scenario.source_of(network)
+        if isinstance(image, Image) and not _has_scale(image, scenario):
+            yield missing_scale(image)
+
+
+def _has_scale(image: Image, scenario: IndexedScenario) -> bool:
+    chain = [link for link in scenario.chain(image) if isinstance(link, Image)]
+    if any("scale" in dict(link.options) for link in chain):
+        return True
+    root = chain[-1]
+    has_reader = any(call.verb == "read" for call in root.passes)
+    return isinstance(root.source, FileSource) and not has_reader and _file_has_scale(root.source)
+
+
+def _file_has_scale(source: FileSource) -> bool:
+    path = Path(source.resolved)
+    try:
+        start = read_start(path, 64)
+        is_tiff = start[:4] in (b"II*\x00", b"MM\x00*")
+        content = read_file(path) if is_tiff else start
+    except UnreadableFile:
+        return True  # what is wrong with the file is said where it is read
+    header = read_header(content) if is_tiff else None
+    return scale_in_file(path, content, header.format if header else "") is not None
+
+
+def _lane_fault(actor: Actor, scenario: IndexedScenario) -> Diagnostic | None:
+    lane = dict(actor.options).get("lane")
+    lanes = _lanes(actor, scenario)
+    if lane is None or lanes is None:
+        return None
+    low, high = scenario.value_bounds.of(lane)
+    return unknown_lane(actor, round(low), lanes) if low == high else None
+
+
+def _lanes(actor: Actor, scenario: IndexedScenario) -> int | None:
+    """How many lanes the road of an agent or object has; None where that is not known yet."""
+    for road in _roads(actor, scenario):
+        lanes = dict(road.options).get("lanes")
+        if lanes is not None:
+            low, high = scenario.value_bounds.of(lanes)
+            return round(low) if low == high else None
+    return DEFAULT_LANES if _drawer(actor, scenario) is not None else None
+
+
+def _position_fault(actor: Actor, scenario: IndexedScenario) -> Diagnostic | None:
+    call = _drawer(actor, scenario)
+    if call is None or _may_be_closed(actor, scenario):
+        return None
+    low, high = scenario.value_bounds.of(actor.at)
+    if actor.at_fraction:
+        off = low > 1 + _ROUNDING or high < -_ROUNDING
+        return _off_road(actor, f"{100 * (low if low > 1 else high):g}%") if off else None
+    if high < -_ROUNDING:
+        return _off_road(actor, f"{high:g}m")
+    is_perturbed = any(c.verb == "perturb" for r in _roads(actor, scenario) for c in r.passes)
+    if is_perturbed or low <= _least_length(call, scenario):
+        return None
+    length = _length(actor, scenario)
+    if length is None or low <= length * (1 + _ROUNDING):
+        return None
+    return _off_road(actor, f"{low:g}m", f"`{actor.on}` is {length:.6g}m long")
+
+
+def _off_road(actor: Actor, position: str, help_: str = "") -> Diagnostic:
+    return diagnose(
+        Code.POSITION_OFF_ROAD,
+        actor.span,
+        name=actor.name,
+        position=position,
+        road=actor.on,
+        help=help_ or "positions count from the start of the road, 0m or 0%, to its end, 100%",
+    )
+
+
+def _roads(actor: Actor, scenario: IndexedScenario) -> Iterator[Road]:
+    """The road of an agent or object, the one that it is made from, and so on."""
+    road = scenario.roads[str(actor.on)]
+    return (link for link in scenario.chain(road) if isinstance(link, Road))
+
+
+def _drawer(actor: Actor, scenario: IndexedScenario) -> PassCall | None:
+    """The `draw with` that the road goes back to; None where it comes from a file or network."""
+    bottom = list(_roads(actor, scenario))[-1]
+    drawn = [call for call in bottom.passes if call.verb == "draw"]
+    return drawn[0] if drawn and bottom.source is None else None
+
+
+def _may_be_closed(actor: Actor, scenario: IndexedScenario) -> bool:
+    values = [dict(road.options).get("closed") for road in _roads(actor, scenario)]
+    return any(value not in (None, Flag(False)) for value in values)
+
+
+def _least_length(call: PassCall, scenario: IndexedScenario) -> float:
+    """What the drawer says; 0 where its options are drawn, or it says nothing."""
+    built = _constant_kind(call, scenario)
+    if not isinstance(built, Drawer):
+        return 0.0
+    with plugin_guard(scenario.kind(call)[0], call.span):
+        return float(built.least_length())
+
+
+def _constant_kind(call: PassCall, scenario: IndexedScenario) -> Any:
+    """A kind with its options, where all of them are constant; None elsewhere."""
+    entry, kind = scenario.kind(call)
+    bounds = scenario.value_bounds
+    calls = {name: _constant_calls(value, scenario) for name, value in call.options}
+    options = {
+        name: calls[name] if calls[name] is not None else bounds.option(value)
+        for name, value in call.options
+    }
+    combinations = corners(kind, options)
+    if combinations is None or len(combinations) != 1:
+        return None
+    with plugin_guard(entry, call.span):
+        return kind(**combinations[0])
+
+
+def _constant_calls(value: Any, scenario: IndexedScenario) -> Any:
+    """A list of calls as a tuple of kinds; None for anything else."""
+    items = getattr(value, "items", ())
+    if not items or not all(isinstance(item, PassCall) for item in items):
+        return None
+    kinds = tuple(_constant_kind(item, scenario) for item in items)
+    return kinds if None not in kinds else OptionRange(float("-inf"), float("inf"))
+
+
+def _length(actor: Actor, scenario: IndexedScenario) -> float | None:
+    """Meters; None where it differs between scenes, or cannot be told."""
+    if any(scenario.is_varying(road.name) for road in _roads(actor, scenario)):
+        return None
+    from ..evaluate.candidates import fixed_candidate
+    from ..world.index import index_scenario
+    from ..world.roads import road_batch
+
+    indexed = index_scenario(scenario.source, scenario.registry)
+    try:
+        batch = road_batch(str(actor.on), fixed_candidate(indexed))
+    except DiagnosticError:
+        return None  # what is wrong with the road is said where it is made
+    return float(batch.length[0, 0])

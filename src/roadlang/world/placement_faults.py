@@ -1,0 +1,22 @@
+"""Faults that need no geometry to be found. Imports no numpy: files are checked without it."""
+
+from __future__ import annotations
+
+from ..diagnostics import Code, Diagnostic, diagnose
+from ..geometry.lanes import lane_ids
+from ..ir.scenario import Actor, Image
+
+
+def missing_scale(image: Image) -> Diagnostic:
+    """RL406: neither the image nor its file says how large a pixel is."""
+    help_ = "add `scale: 0.35m/px` with the true number"
+    return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
+
+
+def unknown_lane(actor: Actor, lane: int, lanes: int) -> Diagnostic | None:
+    """RL613, where a road of so many lanes has none of this number."""
+    known = lane_ids(lanes)
+    if lane in known:
+        return None
+    help_ = f"its lanes are {', '.join(map(str, known))}"
+    return diagnose(Code.UNKNOWN_LANE, actor.span, road=actor.on, lane=lane, help=help_)

@@ -1,0 +1,171 @@
+"""`check` finds what no draw can mend, all of it in one run, and stays light."""
+
+from __future__ import annotations
+
+import shutil
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import roadlang
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+STRAIGHT = "road main {{ draw with segments {{ pieces: [straight(100m)] }}{0} }}\n"
+WAYS = "road main {{ draw with waypoints {{ points: [(0m, 0m), (60m, 30m), (100m, 0m)] }}{0} }}\n"
+
+
+def faults(text: str, folder: Path | str = ".") -> list[tuple[str, int]]:
+    """Code and line of each error."""
+    found = roadlang.loads(text, folder=folder).check()
+    return [(d.code, d.span.line if d.span else 0) for d in found if d.is_error]
+
+
+def test_everything_is_found_in_one_run() -> None:
+    text = (
+        STRAIGHT.format(", lanes: 3")
+        + "agent a is car on main at 5m { lane: 2 }\n"
+        + "agent b is car on main at 101m { lane: -2 }\n"
+        + "object c is tree on main at -1m { side: left }\n"
+        + "object d is tree on main at 101% { side: left }\n"
+        + "object e is tree on main at 100m { side: left }\n"
+        + "agent f is car on main at 5m { lane: -3 }\n"
+    )
+    assert faults(text) == [
+        ("RL613", 2), ("RL615", 3), ("RL615", 4), ("RL615", 5), ("RL613", 7)
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("road", [STRAIGHT, WAYS])
+@pytest.mark.parametrize(
+    ("more", "at", "wrong"),
+    [
+        ("", "99m", False),
+        ("", "130m..140m", True),
+        ("", "90m..140m", False),
+        ("", "-2m..-1m", True),
+        ("", "0%", False),
+        ("", "100%", False),
+        (", perturb with sine { amplitude: 1m, wavelength: 50m }", "400m", False),
+        (", perturb with sine { amplitude: 1m, wavelength: 50m }", "120%", True),
+    ],
+)
+def test_where_a_position_is_on_the_road(road: str, more: str, at: str, wrong: bool) -> None:
+    if "perturb" in more:
+        more = more.replace(", perturb", " perturb")
+    text = road.format(more) + f"object e is tree on main at {at} {{ side: left }}\n"
+    assert faults(text) == ([("RL615", 2)] if wrong else [])
+
+
+def test_a_closed_road_goes_on_at_its_start() -> None:
+    text = WAYS.format(", closed: true") + "object e is tree on main at 400m { side: left }\n"
+    assert faults(text) == []
+
+
+@given(st.floats(0.0, 200.0))
+def test_check_and_compile_agree_on_positions(at: float) -> None:
+    text = WAYS.format("") + f"object e is tree on main at {at:.6f}m {{ side: left }}\n"
+    length = roadlang.loads(WAYS.format("")).sample()[0].roads["main"].length
+    if abs(at - length) > 1e-3:
+        assert bool(faults(text)) == (at > length)
+
+
+@pytest.mark.parametrize(
+    "piece", ["straight(90m)", "arc(20m, -270deg)", "clothoid(90m, to: 0.05/m, start: 0/m)"]
+)
+def test_a_piece_is_at_least_as_long_as_it_says(piece: str) -> None:
+    text = f"road main {{ draw with segments {{ pieces: [{piece}, straight(5m)] }} }}\n"
+    length = roadlang.loads(text).sample()[0].roads["main"].length
+    beyond = f"object e is tree on main at {length + 0.01}m {{ side: left }}\n"
+    before = f"object e is tree on main at {length - 0.01}m {{ side: left }}\n"
+    assert faults(text + beyond) == [("RL615", 2)]
+    assert faults(text + before) == []
+
+
+def test_lanes_are_those_of_the_road_that_has_them() -> None:
+    text = (
+        STRAIGHT.format(", lanes: 4")
+        + "road moved from main { perturb with bump { at: 50m, height: 1m, length: 20m } }\n"
+        + "road narrow from moved { lanes: 1 }\n"
+        + "agent a is car on moved at 5m { lane: 2 }\n"
+        + "agent b is car on narrow at 5m { lane: 1 }\n"
+    )
+    assert faults(text) == [("RL613", 5)]
+
+
+def test_lanes_that_are_drawn_are_not_judged_before() -> None:
+    text = STRAIGHT.format(", lanes: choice(2, 4)") + "agent a is car on main at 5m { lane: 2 }\n"
+    assert faults(text) == []
+
+
+@pytest.fixture
+def pictures(tmp_path: Path) -> Path:
+    shutil.copy(EXAMPLES / "town.png", tmp_path)
+    return tmp_path
+
+
+NETWORK = (
+    'image plan from "town.png" {0}\nimage worse from plan {1}\nnetwork town from worse {{}}\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "wrong"),
+    [
+        ("{}", "{}", True),
+        ("{ scale: 1m/px }", "{}", False),
+        ("{}", "{ scale: 1m/px }", False),
+    ],
+)
+def test_an_image_without_scale_is_found_without_opening_it(
+    first: str, second: str, wrong: bool, pictures: Path
+) -> None:
+    expected = [("RL406", 2)] if wrong else []
+    assert faults(NETWORK.format(first, second), pictures) == expected
+
+
+def test_an_image_that_no_network_is_made_from_needs_no_scale(pictures: Path) -> None:
+    assert faults('image plan from "town.png"\n' + STRAIGHT.format(""), pictures) == []
+
+
+def test_a_world_file_gives_the_scale(pictures: Path) -> None:
+    (pictures / "town.pgw").write_text("0.5\n0\n0\n-0.5\n0\n0\n")
+    assert faults(NETWORK.format("{}", "{}"), pictures) == []
+
+
+def test_the_tags_of_a_geotiff_give_the_scale(tmp_path: Path) -> None:
+    scale = struct.pack("<3d", 0.5, 0.5, 0.0)
+    entries = [(256, 3, 1, 8), (257, 3, 1, 8), (33550, 12, 3, 8 + 2 + 3 * 12 + 4)]
+    tags = b"".join(struct.pack("<HHII", *entry) for entry in entries)
+    head = b"II*\0" + struct.pack("<I", 8) + struct.pack("<H", len(entries))
+    (tmp_path / "town.png").write_bytes(head + tags + bytes(4) + scale)
+    assert faults(NETWORK.format("{}", "{}"), tmp_path) == []
+    (tmp_path / "town.png").write_bytes(head[:8] + struct.pack("<H", 2) + tags[:24] + bytes(64))
+    assert faults(NETWORK.format("{}", "{}"), tmp_path) == [("RL406", 2)]
+
+
+@pytest.mark.parametrize(
+    ("text", "imports"),
+    [
+        (WAYS.format("") + "agent a is car on main at 50m { lane: -1 }\n", False),
+        (WAYS.format("") + "agent a is car on main at 2 * 20m { lane: 1 }\n", False),
+        (WAYS.format("") + "agent a is car on main at 500m { lane: -1 }\n", True),
+        (NETWORK.format("{}", "{}"), False),
+    ],
+)
+def test_numpy_is_imported_only_to_draw_a_road_that_may_be_too_short(
+    text: str, imports: bool, pictures: Path
+) -> None:
+    (pictures / "scene.rl").write_text(text)
+    code = (
+        "import sys\nfrom roadlang.cli.main import run\nrun(['check', 'scene.rl'])\n"
+        "print('numpy' in sys.modules, 'cv2' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=pictures
+    )
+    assert done.stdout.split() == [str(imports), str(imports)]
