@@ -31,6 +31,13 @@ class Drawer(Kind):
         """
         raise NotImplementedError
 
+    def least_length(self) -> float:
+        """Meters that the road has at least, computed without numpy; 0 where that is not known.
+
+        `check` draws a road to find positions beyond its end only where they are beyond this.
+        """
+        return 0.0
+
 
 class Piece(Kind):
     """A piece of a drawn road, written as a call: `arc(40m, 60deg)`."""
@@ -45,6 +52,10 @@ class Piece(Kind):
         Returns a `geometry.Straight`, `geometry.Arc` or `geometry.Clothoid`.
         """
         raise NotImplementedError
+
+    def least_length(self) -> float:
+        """Meters that the piece has at least, computed without numpy; 0 where not known."""
+        return 0.0
 
 
 class Selector(Kind):
