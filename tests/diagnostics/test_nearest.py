@@ -24,6 +24,8 @@ words = st.text("abcde", min_size=0, max_size=8)
         ("curve", ["curvature", "length"], "curvature"),
         ("xyz", ["main", "bent"], None),
         ("color", ["speed", "closed"], None),
+        ("bended", ["main", "bent", "ego"], "bent"),
+        ("contour", ["cone", "bent"], None),
         ("x", ["y"], None),
         ("anything", [], None),
     ],

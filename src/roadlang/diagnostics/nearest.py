@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from difflib import SequenceMatcher, get_close_matches
 from functools import cached_property, lru_cache
 from heapq import nsmallest
+from itertools import takewhile
 
 MANY = 64
 """Up to so many known names a word is compared with each of them, letter by letter."""
@@ -105,7 +106,21 @@ def _most_alike(word: str, candidates: list[str]) -> str | None:
     if alike:
         return alike[0]
     starts = [name for name in candidates if name.startswith(word) or word.startswith(name)]
-    return starts[0] if len(word) >= 3 and len(starts) == 1 and len(starts[0]) >= 3 else None
+    if len(word) >= 3 and len(starts) == 1 and len(starts[0]) >= 3:
+        return starts[0]
+    return _same_stem(word, candidates)
+
+
+def _same_stem(word: str, candidates: list[str]) -> str | None:
+    """The only name that starts as the word does and has another ending: `bended`, `bent`."""
+    found = []
+    for name in candidates:
+        pairs = zip(word, name, strict=False)
+        shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+        most, least = max(len(word), len(name)), min(len(word), len(name))
+        if shared >= 3 and least > 3 and most - least <= 2 and most - shared <= 3:
+            found.append(name)
+    return found[0] if len(found) == 1 else None
 
 
 def _likeness_to(word: str) -> Callable[[str], float]:

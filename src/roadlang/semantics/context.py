@@ -31,11 +31,20 @@ class Context:
     drive_time: bool = False
     strings: bool = False
     """A bare name that means nothing else is a string, as in `--set weather=rain`."""
+    example: str = ""
+    """A value of the option, as its help shows it."""
 
-    def for_option(self, name: str, option: OptionType, words: tuple[str, ...]) -> Context:
+    def for_option(
+        self, name: str, option: OptionType, words: tuple[str, ...], example: str = ""
+    ) -> Context:
         """The context of an option's value."""
         return replace(
-            self, place=f"{self.place}/{name}", words=words, verbs=verbs_in(option), strings=False
+            self,
+            place=f"{self.place}/{name}",
+            words=words,
+            verbs=verbs_in(option),
+            strings=False,
+            example=example,
         )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ...diagnostics import Code, nearest
-from ...ir.values import PassCall
+from ...ir.values import Entity, PassCall
 from ...plugins.option_types import EntityType as EntityOption
 from ...plugins.option_types import UnionType
 from ...plugins.options import OptionSchema
@@ -18,7 +18,9 @@ from ..types.dimensions import common_dimension
 from ..types.expression_types import KindCallType, Quantity, SignalType, TypedExpression, unknown
 from .argument_binding import bind_arguments
 from .draws import draw_of
+from .habits import function_help
 from .kinds import find_kind, verbs_with
+from .option_binding import BoundOptions
 from .signals import measured
 
 _VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select")
@@ -70,6 +72,9 @@ def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) 
         plugin, reason = broken.origin, broken.reason
         checker.report(Code.BROKEN_PLUGIN, span, kind=name, plugin=plugin, reason=reason)
         return unknown(call.span)
+    habit = function_help(call, name)
+    if habit is not None:
+        return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=habit[0], fixes=habit[1])
     known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)}
     checker.report(
         Code.UNKNOWN_FUNCTION, span, name=name, meant=nearest(name, known | set(_COUNTS))
@@ -152,11 +157,19 @@ def of_kind(
         return unknown(call.span)
     if verb == "distribution":
         return draw_of(checker, call, found, bound, context)
+    if verb == "drive_signal" and (operand := _named_twice(bound)):
+        return checker.report(Code.COMPARED_WITH_ITSELF, call.span, name=name, operand=operand)
     if verb in ("signal", "drive_signal", "number"):
         return measured(checker, call.span, found, bound, name)
     random = any(typed.random for typed in bound.given.values())
     value = PassCall(verb, found.entry.qualified, bound.values, name, call.span)
     return TypedExpression(call.span, KindCallType(verb), value, random)
+
+
+def _named_twice(bound: BoundOptions) -> str | None:
+    """The agent or object that two options name."""
+    names = [typed.value.name for typed in bound.given.values() if isinstance(typed.value, Entity)]
+    return next((name for name in names if names.count(name) > 1), None)
 
 
 def _overloaded(
@@ -203,6 +216,11 @@ def _takes(schema: tuple[OptionSchema, ...], roles: list[str | None]) -> bool:
         if (role is not None or expected) and role not in expected:
             return False
     return True
+
+
+def takes_role(option: OptionSchema, role: str) -> bool:
+    """Whether an option may name something of this role."""
+    return role in _roles_of(option)
 
 
 def _roles_of(option: OptionSchema) -> Iterable[str]:

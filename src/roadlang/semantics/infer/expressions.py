@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from ...diagnostics import Code, Span, nearest
+from ...diagnostics import Code, Span
 from ...ir.values import (
     Constant,
     Draw,
@@ -42,9 +42,8 @@ from ..types.expression_types import (
     TypedExpression,
     unknown,
 )
-from .kinds import find_default, find_kind, verbs_with
-
-_FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
+from .kinds import find_default, verbs_with
+from .unresolved_names import report_unresolved
 
 
 def infer_string(
@@ -202,7 +201,7 @@ def infer_name(checker: Checker, name: ast.Name, context: Context) -> TypedExpre
         return checker.infer(ast.Call(name, (), span=name.span), replace(context, verbs=(verb,)))
     if context.strings:
         return TypedExpression(name.span, StringType(frozenset({text})), Text(text))
-    return _unresolved(checker, name, context)
+    return report_unresolved(checker, name, context)
 
 
 def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> TypedExpression:
@@ -249,33 +248,3 @@ def _verb_in_definition(checker: Checker, text: str, context: Context) -> str | 
     if declared is None or declared.role not in ("param", "let"):
         return None
     return next(iter(checker.registry.shipped_first(("agent", "object"), text)), None)
-
-
-def _unresolved(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:
-    if checker.program.incomplete and not (context.words or context.verbs):
-        return unknown(name.span)
-    declared = nearest(name.text, checker.program.declarations)
-    word = nearest(name.text, context.words)
-    if context.words and (word or not declared):
-        words = ", ".join(f"`{word}`" for word in context.words)
-        help_ = f"the words are {words}"
-        return checker.report(
-            Code.UNKNOWN_OPTION_VALUE, name.span, word=name.text, help=help_, meant=word
-        )
-    if context.verbs:
-        verb = context.verbs[0]
-        if not declared or nearest(name.text, checker.registry.names(verb)):
-            find_kind(checker, verb, name.text, name.span)
-            return unknown(name.span)
-    meant = declared or _FLAGS.get(name.text.lower())
-    help_ = "" if meant else _about_functions(checker, name.text)
-    return checker.report(
-        Code.UNKNOWN_NAME, name.span, name=name.text, help=(help_,) if help_ else (), meant=meant
-    )
-
-
-def _about_functions(checker: Checker, text: str) -> str:
-    verbs = ("signal", "number")
-    if not any(checker.registry.has(verb, text) for verb in verbs):
-        return ""
-    return f"`{text}` is a function: write what it is of, as in `{text}(road)`"

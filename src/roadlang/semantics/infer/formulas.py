@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from ...diagnostics import Code, Span
+from ...diagnostics import Code, Fix, Span
 from ...ir.dimension import LENGTH, TIME
 from ...ir.values import Condition, NumberBinding, Reference
 from ...stl.formula.formulas import And, Comparison, Formula, Not, Truth, compound
-from ...stl.formula.interval import Interval
+from ...stl.formula.interval import Interval, interval_help
 from ...stl.formula.terms import Constant, Variable
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -226,9 +226,10 @@ def _interval(
     assert high is not None
     if not 0 <= low <= high or math.isinf(low):
         span = ends[0].span.to(ends[1].span)
-        return checker.report(
-            Code.INVALID_INTERVAL, span, lo=ends[0].span.text, hi=ends[1].span.text
-        )
+        lo, hi = (end.span.text for end in ends)
+        help_, meant = interval_help(low, high, lo, hi)
+        fixes = [Fix(span, meant[1:-1])] if meant else ()
+        return checker.report(Code.INVALID_INTERVAL, span, help=help_, fixes=fixes, lo=lo, hi=hi)
     return Interval(low, high)
 
 

@@ -136,12 +136,25 @@ def _not_installed(checker: Checker, name: str) -> list[str]:
 
 def _elsewhere(checker: Checker, verb: str, name: str) -> list[str]:
     verbs = [other for other in VERBS if other != verb and checker.registry.has(other, name)]
-    return [f"`{display_name(other, name)}` is there" for other in verbs[:1]]
+    return [_written(other, name) for other in verbs[:1]]
+
+
+def _written(verb: str, name: str) -> str:
+    """How a kind of another verb is written."""
+    if verb in ("agent", "object"):
+        return f"`{name}` is a kind of {verb}: write `{verb} NAME is {name}`"
+    if verb == "drive_signal":
+        return f"`{name}` is a signal of agents: write it in a formula, as in `ego.{name}`"
+    if verb in ("signal", "number", "distribution", "piece", "select"):
+        return f"`{name}` is a function: write `{name}(...)`"
+    return f"`{name}` is a kind of `{verb}`: write `{display_name(verb, name)}`"
 
 
 def _listing(verb: str, names: Iterable[str]) -> list[str]:
     known = list(names)
     if not known:
-        return [f"no plugin that is installed brings a kind of `{verb}`"]
-    shown = ", ".join(known[:_MOST_LISTED]) + (", ..." if len(known) > _MOST_LISTED else "")
-    return [f"there are {shown}"]
+        return [f"no installed plugin provides a kind of `{verb}`"]
+    shown = ", ".join(f"`{name}`" for name in known[:_MOST_LISTED])
+    if len(known) == 1:
+        return [f"the only kind of `{verb}` is {shown}"]
+    return [f"the kinds of `{verb}` are {shown}{', ...' if len(known) > _MOST_LISTED else ''}"]

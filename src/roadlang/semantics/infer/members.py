@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from ...diagnostics import Code, nearest
 from ...syntax.tree import nodes as ast
-from ..checker import Checker
+from ..checker import Checker, ResolvedKind
 from ..context import Context
 from ..types.assignable import check_assignable
 from ..types.expression_types import DeclaredType, TypedExpression, unknown
-from .calls import dotted, is_member, of_kind, signature
-from .kinds import find_kind, verbs_with
+from .calls import dotted, is_member, of_kind, signature, takes_role
+from .habits import member_help
+from .kinds import find_kind, loaded, verbs_with
 from .option_binding import BoundOptions
 from .signals import measured
 
@@ -35,8 +36,10 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
     if owner.is_unknown:
         return unknown(member.span)
     if not isinstance(owner.type, DeclaredType) or owner.type.role not in ("agent", "object"):
+        function = any(checker.registry.has(verb, name) for verb in ("signal", "number"))
+        help_ = f"write `{name}({base})`" if function else ()
         return checker.report(
-            Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name
+            Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name, help=help_
         )
     return _of_actor(checker, member, base, name, owner)
 
@@ -72,10 +75,13 @@ def _of_actor(
     place = member.name.span
     verb = next(iter(verbs_with(checker, _VERBS, name)), None)
     if verb is None:
-        known = [entry.name for verb in _VERBS for entry in checker.registry.of(verb)]
-        meant = nearest(name, known)
+        known = _members(checker, owner)
+        listed = f"its members are {', '.join(f'`{name}`' for name in known)}"
+        habit = member_help(name)
+        meant = None if habit else nearest(name, known)
+        help_ = () if meant else (*habit, listed)
         return checker.report(
-            Code.UNDEFINED_SIGNAL, place, name=name, given=f"`{base}`", meant=meant
+            Code.UNDEFINED_SIGNAL, place, name=name, given=f"`{base}`", help=help_, meant=meant
         )
     found = find_kind(checker, verb, name, place)
     if found is None:
@@ -92,6 +98,18 @@ def _of_actor(
         return unknown(member.span)
     bound = BoundOptions({found.schema[0].name: fitted}, True)
     return measured(checker, member.span, found, bound, f"{base}.{name}", member=True)
+
+
+def _members(checker: Checker, owner: TypedExpression) -> list[str]:
+    """The names of the members that an agent or an object has."""
+    role = str(getattr(owner.type, "role", ""))
+    entries = [entry for verb in _VERBS for entry in checker.registry.of(verb)]
+    kinds = [kind for kind in map(loaded, entries) if isinstance(kind, ResolvedKind)]
+    return [
+        kind.entry.name
+        for kind in kinds
+        if is_member(kind) and kind.schema and takes_role(kind.schema[0], role)
+    ]
 
 
 def _is_on_road(checker: Checker, name: str) -> bool:

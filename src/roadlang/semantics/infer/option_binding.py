@@ -17,6 +17,7 @@ from ..types.assignable import check_assignable
 from ..types.dimensions import common_dimension, dimension_of
 from ..types.expression_types import TypedExpression
 from .file_option import check_file
+from .habits import option_help
 from .legend import check_legend
 from .when_condition import check_condition
 
@@ -89,7 +90,7 @@ def infer_option(
     argument: bool = False,
 ) -> TypedExpression | None:
     """The value of one option, or None, reported."""
-    inner = context.for_option(schema.name, schema.type, schema.words)
+    inner = context.for_option(schema.name, schema.type, schema.words, schema.constraints.example)
     if argument:
         # The draws of a call are numbered at its place, whatever its arguments are called.
         inner = replace(inner, place=context.place)
@@ -139,9 +140,10 @@ def report_unknown(
     checker: Checker, key: ast.Word, known: dict[str, OptionSchema], owner: str
 ) -> None:
     """RL220, with the nearest option or all of them."""
-    meant = nearest(key.text, known)
+    habit = () if key.text in known else option_help(key.text)
+    meant = None if habit else nearest(key.text, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
-    help_ = () if meant else (listed,)
+    help_ = habit or (() if meant else (listed,))
     checker.report(
         Code.UNKNOWN_OPTION, key.span, name=key.text, owner=owner, help=help_, meant=meant
     )

@@ -34,7 +34,10 @@ def lower_constraint(
         return None
     evidence = typed.evidence
     if word == "require" and evidence is not None and evidence.domain == "drive":
-        help_ = f"`expect {name}: ...` judges the drive"
+        help_ = (
+            f"`{evidence.text}` is known only when the scene is driven: write `expect {name}: ...`",
+            "positions at the start can be compared: `lead.start - ego.start > 10m`",
+        )
         checker.report(
             Code.WRONG_DOMAIN, evidence.span, what="`require`", expected="roads and placement",
             found="the drive", help=help_,

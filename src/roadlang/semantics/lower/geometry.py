@@ -100,7 +100,7 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             return _Source(ir.TextSource(source.value))
         expected = _expected_source(word)
         checker.report(
-            Code.WRONG_TYPE, source.span, what=f"`{word}`", expected=expected, found="a text"
+            Code.WRONG_TYPE, source.span, what=f"`{word}`", expected=expected, found="a text image"
         )
         return _Source(None, fine=False)
     typed = checker.infer(source, context)
@@ -118,6 +118,7 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             found=found,
             expected=_expected_source(word),
             what=f"`{word}`",
+            help=_through_network(word, name, typed.type.role),
         )
     else:
         what = f"`{word}`"
@@ -129,6 +130,12 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             found=typed.type,
         )
     return _Source(None, fine=False)
+
+
+def _through_network(word: str, name: str, role: str) -> tuple[str, ...]:
+    if word == "road" and role == "image":
+        return (f"extract a network first: `network town from {name}`, then `road NAME from town`",)
+    return ()
 
 
 def _expected_source(word: str) -> str:

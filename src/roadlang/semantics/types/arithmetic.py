@@ -173,6 +173,7 @@ def common_domain(
                 Code.MIXED_DOMAINS, part.evidence.span, labels=labels, one=found.text,
                 other=part.evidence.text, one_domain=_domain(found),
                 other_domain=_domain(part.evidence),
+                help="write one `expect` about the road and another one about the drive",
             )  # fmt: skip
         found = found or part.evidence
     return found

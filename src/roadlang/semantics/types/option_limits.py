@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+import re
 
-from ...diagnostics import Code
+from ...diagnostics import Code, Fix
 from ...ir.dimension import Dimension
 from ...plugins.describing import value_text
 from ...plugins.option_types import QuantityType
 from ...plugins.options import Constraints
 from ..checker import Checker
 from .expression_types import TypedExpression
+
+_SUBTRACTION = re.compile(r"(\d[\w.%/^]*)\s*-\s*(\d[\w.%/^]*)")
 
 
 def check_limits(
@@ -25,6 +28,7 @@ def check_limits(
     if fault is None:
         return True
     word, limit, number = fault
+    meant = subtraction_as_range(typed.span.text)
     verb = "can be" if low != high else "is"
     checker.report(
         Code.VALUE_OUT_OF_BOUNDS,
@@ -32,8 +36,16 @@ def check_limits(
         what=what,
         expected=f"be {word} {_quantity(limit, dimension)}",
         found=f"{verb} {_quantity(number, dimension)}",
+        help=f"to draw a value between the two, write `{meant}`" if meant else (),
+        fixes=[Fix(typed.span, meant)] if meant else (),
     )
     return False
+
+
+def subtraction_as_range(text: str) -> str | None:
+    """`0.4-0.9` as the range that may be meant; None for anything but two plain numbers."""
+    match = _SUBTRACTION.fullmatch(text)
+    return f"{match[1]}..{match[2]}" if match else None
 
 
 def _finite_ends(low: float, high: float) -> tuple[float, float]:

@@ -18,7 +18,7 @@ from ...diagnostics import (
 from ...syntax.tree import nodes as ast
 from ..formula import formulas as f
 from ..formula import terms as t
-from ..formula.interval import Interval
+from ..formula.interval import Interval, interval_help
 from . import unit_factors as units
 
 _NUMBER_NODES = (ast.Number, ast.Name, ast.Member, ast.Negate, ast.Arithmetic, ast.Call)
@@ -162,11 +162,8 @@ class Reader:
             return Interval(low, high)
         except DiagnosticError:
             lo, hi = (" ".join(bound.span.text.split()) for bound in (node.low, node.high))
-            mended = f"[{hi}, {lo}]" if low > high >= 0 else f"[0, {hi}]" if high >= 0 else None
-            hints = [f"write `{mended}`"] if mended else []
-            if low < 0:
-                hints.append("to look back, use `once`, `historically` or `since`")
-            fixes = (Fix(node.span, mended),) if mended else ()
+            hints, meant = interval_help(low, high, lo, hi)
+            fixes = (Fix(node.span, meant),) if meant else ()
             self._fault(Code.INVALID_INTERVAL, node.span, help=hints, fixes=fixes, lo=lo, hi=hi)
             return None
 

@@ -24,4 +24,20 @@ class Interval:
             raise stl_error(Code.INVALID_INTERVAL, lo=f"{self.lo:g}", hi=f"{self.hi:g}")
 
 
+def interval_help(
+    low: float, high: float, low_text: str, high_text: str
+) -> tuple[tuple[str, ...], str | None]:
+    """What to write in place of invalid bounds: lines of help, and the interval if it is clear."""
+    if low > high >= 0:
+        meant = f"[{high_text}, {low_text}]"
+        return (f"it ends before it starts: write `{meant}`",), meant
+    if low < 0 <= high:
+        back = "to look back, use `once`, `historically` or `since`"
+        meant = f"[0, {high_text}]"
+        return (f"it starts at 0 or later: write `{meant}`", back), meant
+    if low < 0:
+        return ("to look back, use `once`, `historically` or `since` with positive bounds",), None
+    return ("the lower bound must be finite",), None
+
+
 UNBOUNDED = Interval(0.0)

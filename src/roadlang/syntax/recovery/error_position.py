@@ -27,12 +27,13 @@ class Edit:
 class Mistake:
     """What to tell the user, and how to go on. Without an edit what is around is left out.
 
-    `culprit` is the token whose item is left out.
+    `culprit` is the token whose item is left out; a hopeless mistake spoils its whole statement.
     """
 
     diagnostic: Diagnostic | None
     edit: Edit | None = None
     culprit: int | None = None
+    hopeless: bool = False
 
 
 @dataclass(frozen=True, slots=True)

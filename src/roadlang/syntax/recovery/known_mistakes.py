@@ -11,6 +11,15 @@ from collections.abc import Callable
 from ...diagnostics import Code, diagnose
 from ..words import CLOSERS, OPENERS
 from .error_position import Edit, ErrorPosition, Mistake
+from .expression_habits import (
+    absolute_value,
+    conditional,
+    emit_target,
+    function_definition,
+    position_range,
+    range_word,
+    specifier,
+)
 from .form_mistakes import actor_order, interval_form, list_operand, missing_position
 from .number_mistakes import decimal_comma, decimal_point, loose_unit
 from .sign_mistakes import (
@@ -37,6 +46,12 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     decimal_point,
     decimal_comma,
     subscript,
+    conditional,
+    function_definition,
+    position_range,
+    range_word,
+    emit_target,
+    absolute_value,
     next_item,
     next_statement,
     turned_comparison,
@@ -52,6 +67,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     reserved_name,
     bare_file_name,
     list_operand,
+    specifier,
     one_too_many,
 )
 

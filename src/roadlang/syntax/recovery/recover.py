@@ -16,6 +16,7 @@ from .brackets import close_brackets, too_deep
 from .error_position import ErrorPosition, Mistake, looks_like_item
 from .known_mistakes import explain
 from .operator_spelling import meant_temporal, misspelled_temporal
+from .statement_habits import as_include, statement_help
 from .statement_pieces import pieces
 
 _MOST_PER_PIECE = 20
@@ -99,6 +100,8 @@ class Recovery:
         assert place is not None, "the parser has come this far"
         mistake = explain(place)
         self.report(mistake)
+        if mistake.hopeless:
+            return None
         edit = mistake.edit
         if edit is not None:
             return [*tokens[: edit.start], *edit.tokens, *tokens[edit.end :]]
@@ -126,13 +129,21 @@ class Recovery:
             return tokens
         meant = misspelled(text, STATEMENTS)
         span = self.source.span(start, end)
-        help = [f"did you mean `{meant}`?"] if meant is not None else []
-        if meant is None and looks_like_item(tokens, 0):
-            help = ["options and passes stand between the braces of a statement"]
+        habit = statement_help(tokens)
+        if habit:
+            meant = None
+        help = [f"did you mean `{meant}`?"] if meant is not None else list(habit)
+        if not help and looks_like_item(tokens, 0):
+            help = ["options and passes are written inside the braces of a statement"]
         fixes = [Fix(span, meant)] if meant is not None else []
+        include = as_include(self.source, tokens)
+        if include is not None:
+            fixes = [include[0]]
         self.diagnostics.append(
             diagnose(Code.UNKNOWN_STATEMENT, span, word=text, help=help, fixes=fixes)
         )
+        if include is not None:
+            return include[1]
         if meant is None:
             self.give_up(tokens)
             return [tokens[-1]]

@@ -12,6 +12,7 @@ from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
 from ..tree.strings import ESCAPES
 from ..words import STATEMENTS
+from .expression_habits import CONDITIONAL
 from .foreign_notation import SYMBOLS, from_latex
 
 _WORD = re.compile(r"\w+")
@@ -229,7 +230,9 @@ def _foreign(place: UnlexableText) -> Answer:
         while end < len(text) and _same(text[start], text[end]):
             end += 1
     shown = text[start] if text[start].isprintable() else f"U+{ord(text[start]):04X}"
-    return diagnose(Code.UNEXPECTED_CHARACTER, place.source.span(start, end), what=shown), end
+    help = CONDITIONAL if text[start] == "?" else ()
+    span = place.source.span(start, end)
+    return diagnose(Code.UNEXPECTED_CHARACTER, span, what=shown, help=help), end
 
 
 def _same(first: str, char: str) -> bool:

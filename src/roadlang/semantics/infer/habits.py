@@ -1,0 +1,113 @@
+"""What people write who know Python or Scenic, and what the language has in its place."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ...diagnostics import Fix
+from ...plugins.kinds import VERBS
+from ...syntax.tree import nodes as ast
+
+if TYPE_CHECKING:
+    from ..checker import Checker
+    from ..context import Context
+
+_FUNCTIONS = {
+    "Range": "a uniform draw is written `low..high`",
+    "random": "a uniform draw is written `low..high`",
+    "rand": "a uniform draw is written `low..high`",
+    "range": "a uniform draw is written `low..high`; `count` makes copies",
+    "Uniform": "Scenic's `Uniform(a, b)` is `choice(a, b)`; a uniform draw between two numbers is "
+    "`a..b`",
+    "Discrete": "write `choice(a, b, weights: [3, 1])`",
+    "Options": "write `choice(a, b, weights: [3, 1])`",
+    "DiscreteRange": "write `integer(low, high)`",
+    "randint": "write `integer(low, high)`",
+    "TruncatedNormal": "write `normal(mean, sd, within: [low, high])`",
+    "gauss": "write `normal(mean, sd)`",
+    "sqrt": "a square root is written `x ^ 0.5`",
+    "pow": "a power is written `x ^ y`",
+    "len": "the length of a road is `length(main)`",
+    "sin": "the functions of numbers are `abs`, `min` and `max`",
+    "cos": "the functions of numbers are `abs`, `min` and `max`",
+    "tan": "the functions of numbers are `abs`, `min` and `max`",
+    "exp": "the functions of numbers are `abs`, `min` and `max`",
+    "log": "the functions of numbers are `abs`, `min` and `max`",
+    "time_to_collision": "write `gap(ego, lead) > 2s * ego.speed`, without a division",
+    "ttc": "write `gap(ego, lead) > 2s * ego.speed`, without a division",
+}
+_RANGES = ("Range", "random", "rand", "Uniform")
+_COUNTERS = ("index", "i", "j", "k", "n", "idx")
+_NAMES = {
+    "pi": "an angle has a unit: `180deg`",
+    "None": "leave the option out",
+}
+_POSITION = "coordinates are no signals: `station` is the arc length along the road"
+_MEMBERS = {
+    "x": _POSITION,
+    "y": _POSITION,
+    "position": _POSITION,
+    "lane": "the lane of an agent does not change: it is the option `lane`",
+    "velocity": "write `speed`",
+    "v": "write `speed`",
+    "s": "write `station`",
+    "width": "dimensions are options, not signals",
+    "length": "dimensions are options, not signals",
+}
+_SPEED = "it is an option of the controller: `drive with pure_pursuit { speed: 10m/s }`"
+_OPTIONS = {
+    "speed": _SPEED,
+    "velocity": _SPEED,
+    "behavior": "write `drive with KIND { ... }`",
+    "position": "the position is written before the block: `at 20m`",
+    "at": "the position is written before the block: `at 20m`",
+    "on": "the road is written before the block: `on main at 20m`",
+}
+_SIDES = {"right": "-1", "left": "1"}
+
+
+def function_help(call: ast.Call, name: str) -> tuple[str, tuple[Fix, ...]] | None:
+    """Help and fix for a function of another language; None if it is not known."""
+    if name not in _FUNCTIONS:
+        return None
+    fixes: tuple[Fix, ...] = ()
+    plain = [argument for argument in call.arguments if argument.key is None]
+    numbers = all(isinstance(argument.value, ast.Number) for argument in plain)
+    if name in _RANGES and len(plain) == len(call.arguments) == 2 and numbers:
+        low, high = (argument.value.span.text for argument in plain)
+        return f"write `{low}..{high}`", (Fix(call.span, f"{low}..{high}"),)
+    if name in ("DiscreteRange", "randint"):
+        fixes = (Fix(call.function.span, "integer"),)
+    return _FUNCTIONS[name], fixes
+
+
+def name_help(
+    checker: Checker, name: ast.Name, context: Context
+) -> tuple[str, tuple[Fix, ...]] | None:
+    """Help and fix for a name that is not declared, by where it stands; None if none is known."""
+    option = context.place.rpartition("/")[2]
+    if option == "lane" and name.text in _SIDES:
+        lane = _SIDES[name.text]
+        help = (
+            "lanes have ids as in OpenDRIVE: -1 is the first to the right, 1 the first to the left"
+        )
+        return help, (Fix(name.span, lane),)
+    if name.text in _COUNTERS and context.per == "copy":
+        return ("copies have no index: `at 0%..100%` draws a position for each of them"), ()
+    if name.text in _NAMES:
+        return _NAMES[name.text], ()
+    if context.example:
+        return f"write a value such as `{context.example}`", ()
+    return None
+
+
+def member_help(name: str) -> tuple[str, ...]:
+    """Help for a member that agents do not have."""
+    return (_MEMBERS[name],) if name in _MEMBERS else ()
+
+
+def option_help(name: str) -> tuple[str, ...]:
+    """Help for an option that a statement or kind does not have."""
+    if name in VERBS:
+        return (f"write `{name} with KIND {{ ... }}`",)
+    return (_OPTIONS[name],) if name in _OPTIONS else ()

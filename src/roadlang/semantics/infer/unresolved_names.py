@@ -1,0 +1,70 @@
+"""What to say of a name that nothing declares."""
+
+from __future__ import annotations
+
+from ...diagnostics import Code, nearest
+from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from ..context import Context
+from ..types.expression_types import TypedExpression, unknown
+from .habits import name_help
+from .kinds import find_kind
+
+_MOST_LISTED = 12
+_FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
+
+
+def report_unresolved(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:
+    """RL101, or what is wrong with the name as a word or kind of an option."""
+    if checker.program.incomplete and not (context.words or context.verbs):
+        return unknown(name.span)
+    declared = nearest(name.text, checker.program.declarations)
+    word = nearest(name.text, context.words)
+    if context.words and (word or not declared):
+        listed = ", ".join(f"`{word}`" for word in context.words)
+        return checker.report(
+            Code.UNKNOWN_OPTION_VALUE,
+            name.span,
+            word=name.text,
+            help=f"the words are {listed}",
+            meant=word,
+        )
+    if context.verbs:
+        verb = context.verbs[0]
+        if not declared or nearest(name.text, checker.registry.names(verb)):
+            find_kind(checker, verb, name.text, name.span)
+            return unknown(name.span)
+    return _report_unknown(checker, name, declared or _FLAGS.get(name.text.lower()), context)
+
+
+def _report_unknown(
+    checker: Checker, name: ast.Name, meant: str | None, context: Context
+) -> TypedExpression:
+    habit = name_help(checker, name, context)
+    if habit is not None:
+        help_, fixes = habit
+        return checker.report(Code.UNKNOWN_NAME, name.span, name=name.text, help=help_, fixes=fixes)
+    about = (
+        () if meant else _about_functions(checker, name.text) or _declared_names(checker, context)
+    )
+    return checker.report(Code.UNKNOWN_NAME, name.span, name=name.text, help=about, meant=meant)
+
+
+def _about_functions(checker: Checker, text: str) -> tuple[str, ...]:
+    if not any(checker.registry.has(verb, text) for verb in ("signal", "number")):
+        return ()
+    return (f"`{text}` is a function: write what it is of, as in `{text}(road)`",)
+
+
+def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
+    """What the scene declares, as far as it can be taken in at a glance."""
+    names = [
+        name
+        for name, declaration in checker.program.declarations.items()
+        if declaration.role not in ("require", "expect") and name != context.user
+    ]
+    if not names:
+        return ()
+    shown = ", ".join(f"`{name}`" for name in names[:_MOST_LISTED])
+    more = f" and {len(names) - _MOST_LISTED} more" if len(names) > _MOST_LISTED else ""
+    return (f"this scene declares {shown}{more}",)

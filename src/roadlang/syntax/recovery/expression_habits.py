@@ -1,0 +1,118 @@
+"""Forms of other languages inside statements: conditionals, functions, Scenic's specifiers."""
+
+from __future__ import annotations
+
+from ...diagnostics import Code, Fix, diagnose
+from .error_position import Edit, ErrorPosition, Mistake
+from .token_names import expectation, finding
+
+CONDITIONAL = (
+    "there are no conditional expressions: `choice(a, b)` draws one of several values, and "
+    "`p implies q` is a conditional formula"
+)
+
+
+def conditional(place: ErrorPosition) -> Mistake | None:
+    """`if p then a else b` and `a if p else b`."""
+    words = {place.word(-1), place.word()}
+    if not words & {"if", "then", "else", "elif"} or place.kind(-1) in ("COLON", "COMMA"):
+        return None
+    return _refused(place, CONDITIONAL, hopeless=True)
+
+
+def function_definition(place: ErrorPosition) -> Mistake | None:
+    """`let f(x) = ...`: nothing in the statement can be checked."""
+    if place.first_kind not in ("LET", "PARAM") or place.index != 2 or place.kind() != "LPAR":
+        return None
+    help = f"there are no functions with arguments: write `{place.word(-2)} {place.word(-1)} = ...`"
+    return _refused(place, help, hopeless=True)
+
+
+def position_range(place: ErrorPosition) -> Mistake | None:
+    """`at [5m, 20m]`: a list where a random position is meant."""
+    if place.kind() != "LSQB" or place.kind(-1) != "AT":
+        return None
+    kinds = [place.kind(offset) for offset in range(1, 5)]
+    if kinds != ["NUMBER", "COMMA", "NUMBER", "RSQB"]:
+        return None
+    span = place.span(0, 4)
+    meant = f"{place.word(1)}..{place.word(3)}"
+    found = diagnose(
+        Code.LIST_AS_OPERAND,
+        span,
+        help=f"to draw a position between the two, write `{meant}`",
+        fixes=[Fix(span, meant)],
+    )
+    comma = place.token(2)
+    tokens = (place.token(1), ("RANGE", "..", comma[2], comma[3]), place.token(3))
+    return Mistake(found, Edit(place.index, place.index + 5, tokens))
+
+
+def range_word(place: ErrorPosition) -> Mistake | None:
+    """`0.4 to 0.9`: a range in words."""
+    if place.kind() != "NUMBER" or place.word(-1) != "to" or place.kind(-2) != "NUMBER":
+        return None
+    span = place.span(-2, 0)
+    meant = f"{place.word(-2)}..{place.word()}"
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(-1, -1),
+        expected="`..`",
+        found="`to`",
+        help=f"write `{meant}`",
+        fixes=[Fix(span, meant)],
+    )
+    to = place.token(-1)
+    return Mistake(found, Edit(place.index - 1, place.index, (("RANGE", "..", to[2], to[3]),)))
+
+
+def emit_target(place: ErrorPosition) -> Mistake | None:
+    """`emit json to "x"` and `emit "json"`."""
+    if place.first_kind != "EMIT":
+        return None
+    if place.index == 1 and place.kind() == "STRING":
+        span, meant = place.span(), place.word().strip('"')
+        if not meant.isidentifier():
+            return None
+        found = diagnose(
+            Code.UNEXPECTED_TOKEN,
+            span,
+            expected="a name",
+            found=finding(place),
+            help=f"write `emit {meant}`",
+            fixes=[Fix(span, meant)],
+        )
+        return Mistake(found, Edit(1, 2, (("NAME", meant, span.start, span.end),)))
+    if place.kind() not in ("NAME", "STRING") or place.kind(-1) != "NAME":
+        return None
+    help = "the command line names the output folder: `roadlang compile scene.rl -o DIR`"
+    return _refused(place, help, hopeless=True)
+
+
+def specifier(place: ErrorPosition) -> Mistake | None:
+    """`agent ego is car on main at 5m with speed 10m/s`, `..., facing 30deg`: as in Scenic."""
+    if place.first_kind not in ("AGENT", "OBJECT") or place.kind() not in ("WITH", "COMMA"):
+        return None
+    before = [token[0] for token in place.tokens[: place.index]]
+    if "AT" not in before or "LBRACE" in before:
+        return None
+    help = "options are written in braces: `at 5m { heading: 30deg, drive with pure_pursuit }`"
+    return _refused(place, help, hopeless=True)
+
+
+def absolute_value(place: ErrorPosition) -> Mistake | None:
+    """`|x|`, read as `or`."""
+    if place.word() != "|" or not place.wants_value:
+        return None
+    return _refused(place, "the absolute value of x is written `abs(x)`")
+
+
+def _refused(place: ErrorPosition, help: str, hopeless: bool = False) -> Mistake:
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(),
+        expected=expectation(place),
+        found=finding(place),
+        help=help,
+    )
+    return Mistake(found, hopeless=hopeless)

@@ -1,0 +1,63 @@
+"""Help for a line that starts as a statement of Python, Scenic or OpenSCENARIO."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...diagnostics import Fix, Source
+from ..parsing.grammar import END
+from ..parsing.tokens import Token
+
+_LOOP = "there are no loops: `count: 5` in the block of an agent or object makes five copies"
+_CONDITION = (
+    "there are no conditional statements: `choice(a, b)` draws one of several values, and "
+    "`p implies q` is a conditional formula"
+)
+_INCLUDE = 'write `include "street.rl"` to add the declarations of another scene file'
+_FUNCTION = (
+    "there are no functions: `let NAME = value` names a value or formula, and an included file "
+    "can be given params"
+)
+_VALUE = "write `param NAME = value`, which can be set from outside, or `let NAME = value`"
+
+_HELP = {
+    "for": _LOOP, "while": _LOOP, "repeat": _LOOP,
+    "if": _CONDITION, "elif": _CONDITION, "else": _CONDITION, "match": _CONDITION,
+    "import": _INCLUDE, "from": _INCLUDE, "use": _INCLUDE, "using": _INCLUDE, "model": _INCLUDE,
+    "def": _FUNCTION, "fun": _FUNCTION, "function": _FUNCTION, "class": _FUNCTION,
+    "behavior": "write `drive with KIND { ... }` in the block of the agent",
+    "monitor": "write `expect NAME: formula`, or `expect NAME with KIND { ... }`",
+    "var": _VALUE, "const": _VALUE, "val": _VALUE, "set": _VALUE,
+    "assert": "write `require NAME: formula`, or `expect NAME: formula`",
+    "print": "there is nothing to print: `emit json` writes every value of a scene",
+    "adjust": "write it in a block: `image dark from photo { adjust with brightness { ... } }`",
+    "extract": "write it in a block: `network town from photo { extract with auto }`",
+    "read": "write it in a block: `road track from \"track.csv\" { read with csv }`",
+    "draw": "write it in a block: `road main { draw with waypoints { ... } }`",
+    "perturb": "write it in a block: `road bent from main { perturb with sine { ... } }`",
+    "drive": "write it in a block: `agent ego is car on main at 5m { drive with pure_pursuit }`",
+}  # fmt: skip
+_AGENT = "agents and objects are written `agent NAME is KIND on ROAD at POSITION { ... }`"
+
+
+def statement_help(tokens: Sequence[Token]) -> tuple[str, ...]:
+    """A line of help for a piece whose first word is no statement word; empty if none is known."""
+    word, second = tokens[0][1], tokens[1][0] if len(tokens) > 1 else END
+    if word in _HELP:
+        return (_HELP[word],)
+    if second == "EQUAL":
+        agent = len(tokens) > 2 and tokens[2][1] in ("new", "Car", "Object", "Pedestrian", "Truck")
+        return (_AGENT,) if agent else (_VALUE.replace("NAME", word),)
+    words = {text for kind, text, *_ in tokens[1:6]}
+    if second in ("IS", "NAME", "AT", "ON") and words & {"is", "on", "at"}:
+        return (_AGENT,)
+    return ()
+
+
+def as_include(source: Source, tokens: Sequence[Token]) -> tuple[Fix, list[Token]] | None:
+    """`import "street.rl"`: the fix, and the tokens of the `include` that is meant."""
+    _, text, start, end = tokens[0]
+    if text not in ("import", "use", "using") or len(tokens) < 2 or tokens[1][0] != "STRING":
+        return None
+    include = ("INCLUDE", "include", start, end)
+    return Fix(source.span(start, end), "include"), [include, *tokens[1:]]

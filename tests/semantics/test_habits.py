@@ -1,0 +1,112 @@
+"""What people write who know Scenic or Python gets one error, with a line of help that says how."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from roadlang.diagnostics import Diagnostic
+from roadlang.semantics import check_text
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+ROAD = (
+    "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] }, lanes: 2 }\n"
+)
+EGO = "agent ego is car on main at 5m { drive with pure_pursuit { speed: 12m/s } }\n"
+LEAD = "agent lead is car on main at 25m { drive with lane_follow { speed: 9m/s } }\n"
+PLAN = 'image plan from "town.png" { scale: 1m/px }\n'
+GENTLE = "(curvature(main) < 1/m)"
+
+HABITS = [
+    # What is written, the code, a part of the help, what the fix puts in its place.
+    ("ego = new Car on main", "RL002", "agent NAME is KIND on ROAD", None),
+    ("ego is car on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),
+    ("car ego on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),
+    ("x = 5m", "RL002", "`param x = value`", None),
+    ("var x = 5m", "RL002", "`param NAME = value`", None),
+    ("for i in range(5):", "RL002", "`count: 5`", None),
+    ("while true { }", "RL002", "`count: 5`", None),
+    ("if 3 > 2 { }", "RL002", "`choice(a, b)`", None),
+    ("param w = if 3 > 2 then 1 else 2", "RL001", "`choice(a, b)`", None),
+    ("param w = 1 if 3 > 2 else 2", "RL001", "`choice(a, b)`", None),
+    ("param w = 3 > 2 ? 1 : 2", "RL006", "`choice(a, b)`", None),
+    ("import street", "RL002", '`include "street.rl"`', None),
+    ('import "lights.rl"', "RL002", '`include "street.rl"`', "include"),
+    ("from street import road", "RL002", '`include "street.rl"`', None),
+    ("def f(x):", "RL002", "`let NAME = value`", None),
+    ("let f(x) = x + 1m", "RL001", "`let f = ...`", None),
+    ("assert 3m > 2m", "RL002", "`require NAME: formula`", None),
+    ("perturb main with sine { amplitude: 3m, wavelength: 90m }", "RL002", "perturb with", None),
+    ("param w = Range(5, 10)", "RL225", "`5..10`", "5..10"),
+    ("param w = Uniform(5m, 10m)", "RL225", "`5m..10m`", "5m..10m"),
+    ("param w = Uniform(5m, 6m, 7m)", "RL225", "`choice(a, b)`", None),
+    ("param w = Normal(5m, 1m)", "RL225", "did you mean `normal`", "normal"),
+    ("param w = DiscreteRange(5, 10)", "RL225", "integer", "integer"),
+    ("param w = sqrt(4)", "RL225", "`x ^ 0.5`", None),
+    ("param w = sin(2)", "RL225", "`abs`, `min` and `max`", None),
+    ("param w = pi * 2", "RL101", "`180deg`", None),
+    ('emit json to "out"', "RL001", "-o DIR", None),
+    ('emit "json"', "RL001", "`emit json`", "json"),
+    ("agent a is car on main at [5m, 20m]", "RL025", "5m..20m", "5m..20m"),
+    ("agent a is car on main at 5m { lane: right }", "RL101", "OpenDRIVE", "-1"),
+    ("agent a is car on main at 5m with speed 10m/s", "RL001", "in braces", None),
+    ("agent a is car on main at 5m, facing 30deg", "RL001", "in braces", None),
+    ("agent a is car on main at 5m { speed: 10m/s }", "RL220", "drive with pure_pursuit", None),
+    ("agent a is car on main at 5m { drive: stanley }", "RL220", "`drive with KIND", None),
+    ("agent a is car on main", "RL236", "`at 20m`", None),
+    ("agent t is traffic_light on main at 5m", "RL210", "`object NAME is traffic_light`", None),
+    ("object t is car on main at 5m", "RL210", "`agent NAME is car`", None),
+    ("object t is tree on main at 5m * index { count: 5 }", "RL101", "no index", None),
+    ('object t is box on main at 5m { colour: "white" }', "RL220", "`color`", "color"),
+    ("world { rain: 0.5 }", "RL202", "`0.5mm/h`", "0.5mm/h"),
+    ("world { rain: heavy }", "RL101", "`5mm/h`", None),
+    ("world { rain: 50% }", "RL201", "`5mm/h`", None),
+    ("world { friction: 0.4-0.9 }", "RL208", "`0.4..0.9`", "0.4..0.9"),
+    ("world { friction: 0.4 to 0.9 }", "RL001", "`0.4..0.9`", "0.4..0.9"),
+    ("param w = 5metres", "RL203", "`5m`", "5m"),
+    (EGO + "expect e: always (ego.x < 5m)", "RL227", "`station`", None),
+    (EGO + "expect e: always (ego.lane == 1)", "RL227", "option `lane`", None),
+    (EGO + "expect e: always (ego.wobble < 5m)", "RL227", "its members are `speed`", None),
+    (EGO + "expect e: always (speed(ego) < 5m/s)", "RL225", "`ego.speed`", None),
+    (EGO + LEAD + "require r: distance(ego, lead) > 5m", "RL353", "`expect r: ...`", None),
+    (EGO + "expect e: always (gap(ego, ego) > 5m)", "RL355", "", None),
+    (
+        EGO + "expect e: always (curvature(main) < 1/m and ego.speed < 9m/s)",
+        "RL350",
+        "write one `expect`",
+        None,
+    ),
+    ("require r: always (main.curvature < 1/m)", "RL233", "`curvature(main)`", None),
+    ("require r: always (|curvature(main)| < 1/m)", "RL001", "`abs(x)`", None),
+    ("require r: always[60m, 20m] " + GENTLE, "RL305", "[20m, 60m]", "20m, 60m"),
+    ("require r: always[-5m, 20m] " + GENTLE, "RL305", "`once`", "0, 20m"),
+    ("require r: always (curvature(zebra) < 1/m)", "RL101", "declares `main`", None),
+    ("road bent from main\nrequire r: length(bended) > 5m", "RL101", "`bent`", "bent"),
+    (PLAN + "road a from plan", "RL228", "extract a network first", None),
+    ("simulate with builtin", "RL212", "the only kind of `simulate` is `godot`", None),
+]
+
+
+def found_in(text: str, folder: Path) -> list[Diagnostic]:
+    for name in ("town.png", "street.rl"):
+        shutil.copy(EXAMPLES / name, folder)
+    (folder / "lights.rl").write_text("param lights = 3\n")
+    _, found = check_text(text, folder / "scene.rl")
+    return [diagnostic for diagnostic in found if diagnostic.is_error]
+
+
+@pytest.mark.parametrize("case", HABITS, ids=lambda case: case[0])
+def test_a_habit_of_another_language_gets_one_error_with_help(
+    case: tuple[str, str, str, str | None], tmp_path: Path
+) -> None:
+    text, code, help, replacement = case
+    source = ROAD + text + "\n"
+    found = found_in(source, tmp_path)
+    assert [diagnostic.code for diagnostic in found] == [code]
+    assert help in "\n".join(found[0].help)
+    assert [fix.replacement for fix in found[0].fixes[:1]] == [replacement] * bool(replacement)
+    for fix in found[0].fixes[:1]:
+        mended = source[: fix.span.start] + fix.replacement + source[fix.span.end :]
+        assert found_in(mended, tmp_path) == []
