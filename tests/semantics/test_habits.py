@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.diagnostics import Diagnostic
+from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -93,7 +94,7 @@ def found_in(text: str, folder: Path) -> list[Diagnostic]:
     for name in ("town.png", "street.rl"):
         shutil.copy(EXAMPLES / name, folder)
     (folder / "lights.rl").write_text("param lights = 3\n")
-    _, found = check_text(text, folder / "scene.rl")
+    _, found = check_text(text, folder / "scene.rl", {}, load_registry())
     return [diagnostic for diagnostic in found if diagnostic.is_error]
 
 
