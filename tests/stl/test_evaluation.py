@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 import tracemalloc
@@ -143,3 +144,24 @@ def test_importing_and_parsing_is_light() -> None:
 def test_all_public_names_are_there() -> None:
     assert all(getattr(stl, name) is not None for name in stl.__all__)
     assert set(stl.__all__) == set(dir(stl))
+
+
+@pytest.mark.parametrize(
+    ("formula", "rho", "truth"),
+    [
+        ("inf <= inf", 0.0, True),
+        ("inf < inf", 0.0, False),
+        ("inf == inf", 0.0, True),
+        ("inf != inf", 0.0, False),
+        ("-inf >= -inf", 0.0, True),
+        ("-inf < inf", math.inf, True),
+        ("max(x, inf) <= inf", 0.0, True),
+        ("always (x < inf)", math.inf, True),
+        ("always (x <= -inf)", -math.inf, False),
+    ],
+)
+def test_comparisons_with_infinity(formula: str, rho: float, truth: bool) -> None:
+    """A limit that is `inf` is a limit that nothing exceeds, another `inf` included."""
+    parsed = stl.parse(formula)
+    assert parsed.rho([0.0, 1.0], {"x": [1.0, 2.0]}) == rho
+    assert bool(parsed.satisfied([0.0, 1.0], {"x": [1.0, 2.0]})) is truth

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ from ..formula import terms as t
 from ..formula.normal_form import normal_form
 from .kernels import GREATEST, LEAST
 from .operations import (
+    OF_INFINITIES,
     ROBUST,
     TERM_FUNCTIONS,
     Function,
@@ -25,6 +27,11 @@ from .operations import (
     least,
     negative,
 )
+
+
+def _has_infinity(term: t.Term) -> bool:
+    """Whether a number in a term is infinite; signals never are."""
+    return any(isinstance(part, t.Constant) and math.isinf(part.value) for part in term.walk())
 
 
 @dataclass(frozen=True)
@@ -80,8 +87,10 @@ class Graph:
             case f.Truth(value):
                 return self.add(Number(np.inf if value else -np.inf))
             case f.Comparison(op, left, right):
-                sides = self.term(left), self.term(right)
-                return self.add(Pointwise(self.leaves[op]), *sides)
+                leaf = self.leaves[op]
+                if _has_infinity(left) and _has_infinity(right):
+                    leaf = OF_INFINITIES.get(leaf, leaf)
+                return self.add(Pointwise(leaf), self.term(left), self.term(right))
         parts = [self.formula(part) for part in formula.parts]
         match formula:
             case f.Not():

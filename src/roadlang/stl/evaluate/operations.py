@@ -159,3 +159,15 @@ ROBUST: dict[str, Function] = {
     "==": closeness, "!=": distance,
 }  # fmt: skip
 """Comparisons as the distance to where they change."""
+
+
+def _of_infinities(leaf: Function) -> Function:
+    def value(left: FloatArray, right: FloatArray) -> FloatArray:
+        with np.errstate(invalid="ignore"):
+            return np.where(np.equal(left, right), 0.0, leaf(left, right))
+
+    return value
+
+
+OF_INFINITIES: dict[Function, Function] = {leaf: _of_infinities(leaf) for leaf in ROBUST.values()}
+"""The same where both sides can be infinite: equal infinities are 0 apart."""
