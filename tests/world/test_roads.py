@@ -71,9 +71,13 @@ def test_passes_add_up_in_their_order(sample: Sample) -> None:
     assert scene.requirements[0].robustness == pytest.approx(0.001, abs=2e-3)
 
 
-def test_a_stretch_beyond_the_road_is_refused(sample: Sample) -> None:
+@pytest.mark.parametrize("interval", ["[500m, 600m]", "[50m, 50m]", "[50.3m, 50.3m]"])
+def test_an_interval_that_holds_no_part_of_the_road_is_refused(
+    sample: Sample, interval: str
+) -> None:
+    """Beyond the end, or without length, whether or not there is a station."""
     with pytest.raises(DiagnosticError) as caught:
-        sample(bent("perturb with sine { amplitude: 1m, wavelength: 30m, over: [500m, 600m] }"))
+        sample(bent(f"perturb with sine {{ amplitude: 1m, wavelength: 30m, over: {interval} }}"))
     assert caught.value.diagnostics[0].code == "RL414"
 
 

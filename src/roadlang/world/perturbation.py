@@ -153,7 +153,9 @@ def _over(
 
 def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: float) -> Floats:
     end = float(road.period if road.period is not None else road.stations[-1])
-    if (low > high and road.period is None) or low >= end or high <= 0:
+    # Of an interval without length at most one station would move: a jump, or nothing.
+    empty = low == high or (low > high and road.period is None)
+    if empty or low >= end or high <= 0:
         raise DiagnosticError(
             diagnose(
                 Code.INTERVAL_OFF_ROAD,
