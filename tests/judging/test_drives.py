@@ -50,7 +50,7 @@ def verdict_of(formula: Mapping[str, Any], drive: Trace) -> Verdict:
     """What a scene with this one expectation says of a drive."""
     expectation = Verdict("ok", "", "drive", None, None, formula=formula)
     scene = Scene("scene", "", 0, Provenance("", 0, 0, 0), expectations=(expectation,))
-    return judge(scene, drive, REGISTRY)[0]
+    return judge(scene, drive, REGISTRY).verdicts[0]
 
 
 @pytest.mark.parametrize(("operator", "holds"), [("==", True), ("<=", True), ("<", False)])

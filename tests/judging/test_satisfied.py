@@ -165,7 +165,7 @@ def verdicts_of(formula: stl.Formula, signals: Mapping[str, list[float]]) -> dic
     VALUES.update(signals)
     parsed = stl.parse(str(formula))
     scene = scene_with(of_road(formula), of_drive(formula))
-    over_drive = judge(scene, drive_of(), REGISTRY)[1]
+    over_drive = judge(scene, drive_of(), REGISTRY).verdicts[1]
     return {
         "require": is_accepted(of_road(formula)),
         "expect over roads": scene.expectations[0].satisfied,
@@ -208,4 +208,4 @@ def test_a_robustness_of_zero_satisfies_a_monitor(rho: float, holds: bool) -> No
     over_road = PassCall("monitor", "acme.settled", (), "m")
     scene = scene_with(over_road, PassCall("monitor", "acme.driven", (), "m"))
     assert is_accepted(over_road) is holds
-    assert [v.satisfied for v in judge(scene, drive_of(), REGISTRY)] == [holds, holds]
+    assert [v.satisfied for v in judge(scene, drive_of(), REGISTRY).verdicts] == [holds, holds]

@@ -127,7 +127,7 @@ def test_kinds_of_strangers_keep_their_whole_names_through_a_drive(site: Path) -
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_a_fault_in_a_drive_is_named_and_writes_nothing(
+def test_a_fault_in_a_drive_is_named_and_what_was_driven_is_kept(
     site: Path, capsys: pytest.CaptureFixture[str], fault: str
 ) -> None:
     good, bad, code, says = FAULTS[fault]
@@ -137,4 +137,25 @@ def test_a_fault_in_a_drive_is_named_and_writes_nothing(
     assert code in said
     assert says in said
     assert "acme-plugin 1.2" in said
-    assert not (site / "out").exists()
+    while_driving = fault.startswith(("controller", "simulator"))
+    assert (site / "out" / "scene-0000.trace.csv").exists() == (not while_driving)
+
+
+def test_an_expectation_that_cannot_be_evaluated_is_named_with_its_place(
+    site: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    install(site, "acme", PLUGIN)
+    division = (
+        "expect ratio: always (1m / ego.station < 5)\nexpect at_rest: always (ego.speed < 1m/s)"
+    )
+    (site / "scene.rl").write_text(SCENE.replace("expect calm", f"{division}\nexpect calm"))
+    assert run(["run", str(site / "scene.rl"), "-o", str(site / "out")]) == 1
+    printed = capsys.readouterr()
+    assert "error[RL307]: `/` gives no finite number" in printed.err
+    assert "scene.rl:6:1" in printed.err
+    assert "expectation `ratio` in scene 0" in printed.err
+    assert "all expectations hold in 0 of 1 scene" in printed.out
+    verdicts = json.loads((site / "out" / "scene-0000.verdicts.json").read_text())
+    satisfied = {each["name"]: each["satisfied"] for each in verdicts["expectations"]}
+    assert satisfied == {"fast": True, "ratio": None, "at_rest": True, "calm": True}
+    assert (site / "out" / "scene-0000.trace.csv").exists()

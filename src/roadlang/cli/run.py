@@ -59,7 +59,9 @@ def command(  # noqa: PLR0913 - one parameter per option
         for drive in drives:
             _print(drive)
         echo(f"{_summary(drives)}traces and verdicts in {folder}")
+    report(drives.diagnostics)
     code = exit_codes.DONE if drives.satisfied else exit_codes.EXPECTATION_VIOLATED
+    code = exit_codes.exit_code_of(drives.diagnostics) or code
     click.get_current_context().exit(code)
 
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..ir.scene import Scene, Verdict
+from ..ir.scene import Scene
 from ..ir.trace import Trace
-from ..judging.drives import judge
+from ..judging.drives import Judgement, judge
 from ..plugins.configured import configured
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
@@ -23,7 +23,7 @@ class Driven:
 
     scene: Scene
     trace: Trace
-    verdicts: tuple[Verdict, ...]
+    judgement: Judgement
 
 
 def simulator_of(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..plugins.finding import entry_of
@@ -25,16 +25,31 @@ from .verdicts import decided
 Floats = NDArray[np.float64]
 
 
-def judge(scene: Scene, trace: Trace, registry: Registry) -> tuple[Verdict, ...]:
+@dataclass(frozen=True)
+class Judgement:
+    """The verdicts on a drive. An expectation that cannot be evaluated has no robustness there, and
+    its diagnostics are in `faults`, by its name."""
+
+    verdicts: tuple[Verdict, ...]
+    faults: Mapping[str, tuple[Diagnostic, ...]]
+
+
+def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgement:
     """The expectations with robustness; those over roads were judged when the scene was made.
 
     A member signal of a group (`walkers.speed`) makes the formula hold for each of its members;
     `distance` to a group is that to the nearest.
     """
-    return tuple(
-        _judged(verdict, trace, registry) if verdict.domain == "drive" else verdict
-        for verdict in scene.expectations
-    )
+    verdicts: list[Verdict] = []
+    faults: dict[str, tuple[Diagnostic, ...]] = {}
+    for verdict in scene.expectations:
+        try:
+            drive = verdict.domain == "drive"
+            verdicts.append(_judged(verdict, trace, registry) if drive else verdict)
+        except DiagnosticError as error:  # the other expectations and the trace are as good
+            verdicts.append(verdict)
+            faults[verdict.name] = error.diagnostics
+    return Judgement(tuple(verdicts), faults)
 
 
 def _judged(verdict: Verdict, trace: Trace, registry: Registry) -> Verdict:

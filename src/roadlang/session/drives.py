@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     import pandas
     from numpy.typing import NDArray
 
+    from ..diagnostics import Diagnostic, Span
     from ..ir.scene import Verdict
     from ..ir.trace import Trace
     from ..plugins.registry import Registry
@@ -25,21 +27,29 @@ if TYPE_CHECKING:
 
 
 def drive(
-    scenes: Sequence[Scene], registry: Registry, engine: str | None, options: Mapping[str, Any]
+    scenes: Sequence[Scene],
+    registry: Registry,
+    engine: str | None,
+    options: Mapping[str, Any],
+    places: Mapping[str, Span | None] | None = None,
 ) -> DriveSet:
-    """Drive scenes, all with one engine."""
+    """Drive scenes, all with one engine. `places`: where each expectation is declared."""
     records = [scene.record for scene in scenes]
     driven = drive_scenes(records, registry, engine, options) if records else ()
-    return DriveSet(Drive(scene, found) for scene, found in zip(scenes, driven, strict=True))
+    return DriveSet(
+        Drive(scene, found, places or {}) for scene, found in zip(scenes, driven, strict=True)
+    )
 
 
 class Drive:
     """One scene, driven. `trace` is what was recorded; SI units and radians."""
 
-    def __init__(self, scene: Scene, driven: Driven) -> None:
+    def __init__(self, scene: Scene, driven: Driven, places: Mapping[str, Span | None]) -> None:
         self.scene = scene
         self.trace: Trace = driven.trace
-        self._verdicts = driven.verdicts
+        self._verdicts = driven.judgement.verdicts
+        self._faults = driven.judgement.faults
+        self._places = places
 
     def __repr__(self) -> str:
         return f"<drive of scene {self.scene.index} in {self.engine}: {self.duration:.6g} s>"
@@ -60,9 +70,22 @@ class Drive:
         return MappingProxyType({verdict.name: verdict for verdict in self._verdicts})
 
     @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Why expectations could not be evaluated on this drive; each names its expectation."""
+        return tuple(
+            replace(
+                fault,
+                span=fault.span or self._places.get(name),
+                help=(*fault.help, f"this is the expectation `{name}` in scene {self.scene.index}"),
+            )
+            for name, faults in self._faults.items()
+            for fault in faults
+        )
+
+    @property
     def satisfied(self) -> bool:
-        """Whether no expectation is violated."""
-        return all(verdict.satisfied is not False for verdict in self._verdicts)
+        """Whether all expectations hold."""
+        return all(verdict.satisfied for verdict in self._verdicts)
 
     def to_dict(self) -> dict[str, Floats]:
         """Columns for `pandas.DataFrame`: `time`, and `ego.x`, `ego.speed`, ... of each agent.
@@ -117,8 +140,13 @@ class DriveSet(Sequence[Drive]):
         )
 
     @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Why expectations could not be evaluated, of all drives."""
+        return tuple(diagnostic for drive in self for diagnostic in drive.diagnostics)
+
+    @property
     def satisfied(self) -> bool:
-        """Whether no expectation is violated in any of them."""
+        """Whether all expectations hold in all of them."""
         return all(drive.satisfied for drive in self)
 
     def to_dict(self) -> dict[str, list[Any]]:

@@ -135,7 +135,8 @@ class SceneSet(Sequence[Scene]):
         """Drive every scene in a simulator, all with one engine; see `Scene.run`."""
         from .drives import drive
 
-        return drive(self, self.loaded.registry, engine, options)
+        places = {declared.name: declared.span for declared in self.loaded.scenario.expectations}
+        return drive(self, self.loaded.registry, engine, options, places)
 
     def _repr_svg_(self) -> str:
         from ..plugins.configured import configured

@@ -137,7 +137,7 @@ def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
     verdicts = list(live.scene.requirements)
     trace = live.trace()
     if trace is not None:
-        verdicts += judge(live.scene, trace, scenes.loaded.registry)
+        verdicts += judge(live.scene, trace, scenes.loaded.registry).verdicts
     return [
         f"{'ok ' if v.satisfied else 'BROKEN '} {v.name}  {v.robustness:.2f}"
         for v in verdicts

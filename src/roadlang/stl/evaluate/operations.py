@@ -111,6 +111,12 @@ def negative(value: FloatArray) -> FloatArray:
     return np.negative(value)
 
 
+_HELP = {
+    "/": "compare without dividing, `a < 2 * b` for `a / b < 2`, or divide by `max(b, 0.01)`",
+    "^": "keep the base of a root positive with `max(x, 0)`",
+}
+
+
 def quotient(left: FloatArray, right: FloatArray) -> FloatArray:
     """left / right. Raises DiagnosticError RL307 where that is no number."""
     with np.errstate(all="ignore"):
@@ -125,7 +131,7 @@ def power(left: FloatArray, right: FloatArray) -> FloatArray:
 
 def _numbers(values: FloatArray, op: str) -> FloatArray:
     if not np.isfinite(values).all():
-        raise stl_error(Code.NON_FINITE_TERM, op=op)
+        raise stl_error(Code.NON_FINITE_TERM, op=op, help=_HELP.get(op, ()))
     return values
 
 
