@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -18,6 +18,7 @@ PARTING = 4.0
 """The same for two roads that meet at a junction: those at more than 29 degrees may part."""
 
 _TOUCH = 1e-6
+_PAIRS_AT_ONCE = 4_000_000
 
 
 def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
@@ -41,9 +42,12 @@ def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
 def _to_itself(batch: CurveBatch, variant: int) -> Floats:
     points, steps = batch.points[variant], batch.steps[variant]
     arc = np.concatenate([[0.0], np.cumsum(steps)])
-    along = np.abs(arc[: len(points), None] - arc[None, : len(points)])
-    if batch.closed:
-        along = np.minimum(along, arc[-1] - along)
+    place = arc[: len(points)]
+
+    def along(rows: slice) -> Floats:
+        way = np.abs(place[rows, None] - place[None])
+        return np.asarray(np.minimum(way, arc[-1] - way) if batch.closed else way)
+
     return _nearest(points, points, along, RETURNING, batch.closed)
 
 
@@ -51,28 +55,51 @@ def _to_other(batch: CurveBatch, other: CurveBatch, variant: int) -> Floats:
     """Distance to another road; along both and through the junctions that they share."""
     points, row = batch.points[variant], variant % other.variants
     theirs = other.points[row]
-    along = np.full((len(points), len(theirs)), np.inf)
-    if not (batch.closed or other.closed):
-        mine = np.concatenate([[0.0], np.cumsum(batch.steps[variant])])
-        arc = np.concatenate([[0.0], np.cumsum(other.steps[row])])
-        for end, way in ((0, mine), (-1, mine[-1] - mine)):
-            for tip, beyond in ((0, arc), (-1, arc[-1] - arc)):
-                if norm(points[end] - theirs[tip]) <= _TOUCH:
-                    np.minimum(along, way[:, None] + beyond[None], out=along)
+    ways = [] if batch.closed or other.closed else _ways(batch, other, variant, row)
+
+    def along(rows: slice) -> Floats:
+        shortest = np.full((len(points[rows]), len(theirs)), np.inf)
+        for way, beyond in ways:
+            np.minimum(shortest, way[rows, None] + beyond[None], out=shortest)
+        return shortest
+
     return _nearest(points, theirs, along, PARTING, other.closed)
 
 
-def _nearest(points: Floats, line: Floats, along: Floats, ratio: float, closed: bool) -> Floats:
-    """(S,) distance from points to the polyline, where `along` (S, T) exceeds `ratio` times it."""
+def _ways(
+    batch: CurveBatch, other: CurveBatch, variant: int, row: int
+) -> list[tuple[Floats, Floats]]:
+    """Meters from all stations of both roads to each end that they share."""
+    points, theirs = batch.points[variant], other.points[row]
+    mine = np.concatenate([[0.0], np.cumsum(batch.steps[variant])])
+    arc = np.concatenate([[0.0], np.cumsum(other.steps[row])])
+    return [
+        (way, beyond)
+        for end, way in ((0, mine), (-1, mine[-1] - mine))
+        for tip, beyond in ((0, arc), (-1, arc[-1] - arc))
+        if norm(points[end] - theirs[tip]) <= _TOUCH
+    ]
+
+
+def _nearest(
+    points: Floats, line: Floats, along: Callable[[slice], Floats], ratio: float, closed: bool
+) -> Floats:
+    """(S,) distance from points to the polyline (T, 2), where `along`, of some rows, (rows, T),
+    exceeds `ratio` times it."""
     middle = line.mean(axis=0)
     p, q = points - middle, line - middle
-    square = p @ (-2.0 * q.T)
-    square += (p * p).sum(axis=1)[:, None]
-    square += (q * q).sum(axis=1)[None]
-    near = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
-    near[along <= ratio * near] = np.inf
-    index = near.argmin(axis=1)
-    counted = np.isfinite(near[np.arange(len(p)), index])
+    index = np.zeros(len(p), dtype=np.int64)
+    counted = np.zeros(len(p), dtype=bool)
+    step = max(1, _PAIRS_AT_ONCE // len(q))
+    for start in range(0, len(p), step):
+        rows = slice(start, start + step)
+        square = p[rows] @ (-2.0 * q.T)
+        square += (p[rows] * p[rows]).sum(axis=1)[:, None]
+        square += (q * q).sum(axis=1)[None]
+        near = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
+        near[along(rows) <= ratio * near] = np.inf
+        index[rows] = near.argmin(axis=1)
+        counted[rows] = np.isfinite(near[np.arange(len(near)), index[rows]])
     count = len(line)
     distance = np.full(len(p), np.inf)
     for neighbor in (index - 1, index + 1):

@@ -11,6 +11,7 @@ from .batch import CurveBatch
 
 _BLOCK = 16
 _PAIRS_AT_ONCE = 2048
+_BOXES_AT_ONCE = 4_000_000
 
 
 def self_intersects(batch: CurveBatch) -> Booleans:
@@ -24,12 +25,13 @@ def self_crossings(batch: CurveBatch) -> tuple[Integers, Integers, Integers]:
     """Variant, step and later step of every crossing of a curve with itself."""
     steps = _Steps.of(batch)
     first, second = np.triu_indices(steps.blocks)
-    near = steps.overlap(steps, first, second)
-    neighbors = np.flatnonzero(second - first <= 1)
-    near[:, neighbors] &= ~steps.onward(first[neighbors], second[neighbors])
-    variant, pair = np.nonzero(near)
-    found = _crossings(steps, steps, variant, first[pair], second[pair])
-    return _unneighbored(*found, count=steps.count, closed=batch.closed)
+    rows = max(1, _BOXES_AT_ONCE // len(first))
+    parts = [
+        _self_crossings(steps.take(slice(row, row + rows)), first, second, row)
+        for row in range(0, batch.variants, rows)
+    ]
+    variant, step, later = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return _unneighbored(variant, step, later, count=steps.count, closed=batch.closed)
 
 
 def crossings(a: CurveBatch, b: CurveBatch) -> tuple[Integers, Integers, Integers]:
@@ -38,6 +40,18 @@ def crossings(a: CurveBatch, b: CurveBatch) -> tuple[Integers, Integers, Integer
     first, second = (grid.ravel() for grid in np.indices((left.blocks, right.blocks)))
     variant, pair = np.nonzero(left.overlap(right, first, second))
     return _crossings(left, right, variant, first[pair], second[pair])
+
+
+def _self_crossings(
+    steps: _Steps, first: Integers, second: Integers, offset: int
+) -> tuple[Integers, Integers, Integers]:
+    """Of some variants, the first of which has the number `offset`; neighbors included."""
+    near = steps.overlap(steps, first, second)
+    neighbors = np.flatnonzero(second - first <= 1)
+    near[:, neighbors] &= ~steps.onward(first[neighbors], second[neighbors])
+    variant, pair = np.nonzero(near)
+    variant, step, later = _crossings(steps, steps, variant, first[pair], second[pair])
+    return variant + offset, step, later
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +78,12 @@ class _Steps:
         low = np.minimum(start.min(axis=2), stop.min(axis=2))
         high = np.maximum(start.max(axis=2), stop.max(axis=2))
         return cls(start, stop, low, high, count)
+
+    def take(self, rows: slice) -> _Steps:
+        """Some of the variants."""
+        return _Steps(
+            self.start[rows], self.stop[rows], self.low[rows], self.high[rows], self.count
+        )
 
     @property
     def blocks(self) -> int:

@@ -20,6 +20,7 @@ from ..ir.scene import Provenance, Scene, Verdict
 from ..ir.values import Condition, PassCall
 from ..judging.profiles import robustness_profiles, scene_signals, tightest
 from ..judging.verdicts import verdict
+from ..world.aliasing import aliasing_remarks
 from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
@@ -30,7 +31,7 @@ _NUMBERED = re.compile(r"\[\d+\]$")
 
 @dataclass(frozen=True)
 class ConcreteScene:
-    """A scene, and what extractors had to say of the pictures that it was made from."""
+    """A scene, and what is to be said of how it was made: by extractors, of perturbations."""
 
     scene: Scene
     remarks: tuple[str, ...]
@@ -67,7 +68,10 @@ def instantiate(
     )
     draws = _draws(candidates.record, candidates)
     scene = replace(scene, draws=draws, units=_units(candidates.scenario, draws))
-    return ConcreteScene(scene, tuple(remark for root in roots for remark in root.remarks))
+    remarks = [remark for root in roots for remark in root.remarks]
+    # Without the record of draws: what is run again is not drawn again.
+    remarks += aliasing_remarks(candidates.take(np.zeros(1, dtype=np.intp)))
+    return ConcreteScene(scene, tuple(remarks))
 
 
 def fixed_remarks(scenario: IndexedScenario) -> tuple[str, ...]:

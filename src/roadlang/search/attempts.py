@@ -10,7 +10,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted
-from .effort import BATCH, attempts_of
+from .effort import attempts_of, batch_size
 from .rejection_report import RejectionStats
 
 
@@ -22,12 +22,12 @@ def accepted_attempts(
     first_attempt: int = 0,
 ) -> tuple[list[Accepted], RejectionStats]:
     """The first accepted attempt of each scene from `first_attempt` on, and the counts up to it."""
-    attempts = attempts_of(sampler, acceptance)
+    attempts, together = attempts_of(sampler, acceptance), batch_size(acceptance)
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: dict[int, int] = {}
     pending, start = list(scenes), first_attempt
     while pending and start < attempts:
-        width = 1 if acceptance.has_varying_stations else max(1, BATCH // len(pending))
+        width = max(1, together // len(pending))
         width = min(width, attempts - start, 4 * start + 4)
         tries = np.arange(start, start + width)
         candidates = CandidateBatch(

@@ -18,6 +18,8 @@ from ..world.roads import road_root
 
 BATCH = 512
 """Candidates judged at once: a signal of 500 stations then fits the second cache."""
+NUMBERS_AT_ONCE = BATCH * 2_001
+"""Candidates times stations: more would take gigabytes of memory."""
 MOST, FEWEST = 10_000, 100
 BUDGET = 5e8
 """Units of work (a displacement at one station), about ten nanoseconds each."""
@@ -32,6 +34,14 @@ def attempts_of(sampler: KindInstance, acceptance: Acceptance) -> int:
     with sampler.guarded:
         limit: int | None = sampler.kind.limit()
     return limit if limit is not None else default_attempts(acceptance)
+
+
+def batch_size(acceptance: Acceptance) -> int:
+    """How many candidates are judged at once; what is accepted does not depend on it."""
+    if acceptance.has_varying_stations:
+        return 1
+    names = frozenset(name for r in acceptance.requirements for name in r.names)
+    return max(1, min(BATCH, NUMBERS_AT_ONCE // _stations(names, acceptance.scenario)))
 
 
 def default_attempts(acceptance: Acceptance) -> int:

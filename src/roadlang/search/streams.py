@@ -15,7 +15,7 @@ from ..geometry.arrays import read_only
 from ..judging.acceptance import Acceptance
 from ..plugins.guard import wrong_result
 from .accepted import Accepted
-from .effort import BATCH, attempts_of
+from .effort import attempts_of, batch_size
 from .rejection_report import RejectionStats
 from .samplers import DrawnPlace, drawn_values
 
@@ -72,7 +72,7 @@ def _stream(
     seed: int,
     limit: int,
 ) -> Iterator[CandidateBatch]:
-    width = 1 if acceptance.has_varying_stations else BATCH
+    width = batch_size(acceptance)
     for start in range(0, limit, width):
         indices = read_only(np.arange(start, min(start + width, limit)))
         with sampler.guarded:

@@ -40,7 +40,8 @@ def perturbed(
     built = build(call, candidates, element)
     interval = _interval(call, candidates, element)
     road = before if interval is None else replace(before, interval=interval)
-    displacement = _displacement(built, road, candidates.random(call.place, element), candidates)
+    random = candidates.random(call.place, element)
+    displacement = displacement_by(built, road, random, candidates)
     if displacement.ndim == 3 and (interval is not None or window is not None):
         displacement = _along_normal(displacement, before)
     if interval is not None:
@@ -68,10 +69,13 @@ def _along_normal(displacement: Floats, road: RoadBatch) -> Floats:
     return np.asarray((displacement * road.normal).sum(axis=-1))
 
 
-def _displacement(
+def displacement_by(
     built: KindInstance, road: RoadBatch, random: BatchRandom, candidates: CandidateBatch
 ) -> Floats:
-    """(V, S) or (V, S, 2) meters, V the number of candidates or 1."""
+    """(V, S) or (V, S, 2) meters that a kind displaces a road by; V: candidates, or 1.
+
+    Raises RL470 where the kind fails, RL474 for what is no displacement.
+    """
     kind, count = built.kind, candidates.count
     if implements(type(kind), "displacements"):
         with built.guarded:

@@ -1,0 +1,89 @@
+"""Perturbations that change faster than the stations show, of kinds that do not say how fast.
+
+Such a pass is run again on the root road with seven times as many stations. Where it gives
+something else at the same places, or between them something else than a straight line, what is
+emitted is not what was meant: a wave of two stations may vanish altogether.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import build
+from ..geometry import Frame
+from ..ir.scenario import Network
+from ..ir.values import PassCall
+from .networks import network_root
+from .perturbation import displacement_by
+from .roads import road_root
+from .root_roads import undisplaced_road
+from .shortest_features import states_feature
+from .stations import Root
+
+Floats = NDArray[np.float64]
+TOLERANCE = 0.15
+"""Share of the displacement; a straight line misses a wave of six stations by so much."""
+FINER = 7
+"""A prime: waves of whole stations, and of halves and thirds, are not zero at all of these."""
+
+
+def aliasing_remarks(candidate: CandidateBatch) -> tuple[str, ...]:
+    """What to say of the passes whose displacement the stations do not show, of one candidate."""
+    scenario = candidate.scenario
+    things: tuple[Root, ...] = (*scenario.networks.values(), *scenario.roads.values())
+    return tuple(
+        f"`perturb with {call.kind}` changes faster than the stations of `{thing.name}` show, or "
+        "is not a function of arc length: set `station_spacing`, or let the kind state its "
+        "`shortest_feature`"
+        for thing in things
+        for call in thing.passes
+        if call.verb == "perturb"
+        and not states_feature(call, scenario)
+        and any(_is_aliased(call, candidate, *root) for root in _roots(thing, candidate))
+    )
+
+
+def _roots(thing: Root, candidate: CandidateBatch) -> Iterator[tuple[int, Frame]]:
+    """The numbers and frames of the roads that a pass perturbs."""
+    if not isinstance(thing, Network):
+        yield 0, road_root(thing.name, candidate).frame
+        return
+    root = network_root(thing, candidate)
+    for edge in root.edges:
+        yield edge.id, root.frame(edge.id)
+
+
+def _is_aliased(call: PassCall, candidate: CandidateBatch, element: int, frame: Frame) -> bool:
+    gaps = len(frame.stations) - (0 if frame.closed else 1)
+    count = FINER * gaps + (0 if frame.closed else 1)
+    fine = Frame.of(frame.curve, frame.curve.stations(count=count))
+    coarse, exact = None, None
+    with suppress(DiagnosticError):  # a kind that has run before, but not with so many stations
+        coarse = _displacement(call, candidate, element, frame)
+        exact = _displacement(call, candidate, element, fine)
+    if coarse is None or exact is None or coarse.ndim != exact.ndim:
+        return False
+    following = np.roll(coarse, -1, axis=1) if frame.closed else coarse[:, 1:]
+    before = coarse[:, :gaps]
+    missed = max(
+        _greatest(exact[:, step : step + FINER * (gaps - 1) + 1 : FINER] - straight)
+        for step in range(FINER)
+        for straight in [before + (following - before) * (step / FINER)]
+    )
+    return missed > TOLERANCE * _greatest(exact) + 1e-9
+
+
+def _displacement(call: PassCall, candidate: CandidateBatch, element: int, frame: Frame) -> Floats:
+    road = undisplaced_road(call.place, call.place, frame, np.ones((1, 1)), 1.0)
+    built = build(call, candidate, element)
+    return displacement_by(built, road, candidate.random(call.place, element), candidate)
+
+
+def _greatest(values: Floats) -> float:
+    return float(np.abs(values).max(initial=0.0))
