@@ -17,14 +17,17 @@ def names_in(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset
 
 
 def names_of_actor(actor: Actor, scenario: IndexedScenario) -> frozenset[str]:
-    """The things that decide where an agent or object is."""
-    values = [actor.at, *(value for _, value in actor.options)]
-    names = {e.name for value in values for e in entities_in(value, scenario.values)} - {actor.name}
-    names |= {actor.on} if actor.on is not None else set()
-    for name in list(names):
-        if name in scenario.actors:
-            names |= names_of_actor(scenario.actors[name], scenario)
-    return frozenset(names)
+    """The things that decide where an agent or object is, through those that it is placed by."""
+    names: set[str] = set()
+    pending = [actor]
+    while pending:
+        placed = pending.pop()
+        values = [placed.at, *(value for _, value in placed.options)]
+        found = {e.name for value in values for e in entities_in(value, scenario.values)}
+        found |= {placed.on} if placed.on is not None else set()
+        pending.extend(scenario.actors[name] for name in found - names if name in scenario.actors)
+        names |= found
+    return frozenset(names - {actor.name})
 
 
 def influences(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:

@@ -17,6 +17,7 @@ from .infer.rule_table import RULES
 from .lower.scenario import lower
 from .lower.written_size import report_oversized
 from .names.loading import load
+from .names.nesting import report_nesting
 from .outputs import add_outputs, select_outputs, with_advice
 
 
@@ -36,13 +37,15 @@ def check_text(
     program = load(path, text, overrides)
     if outputs is not None:
         add_outputs(program, outputs)
+    report_nesting(program)
     checker = Checker(program, registry, RULES, define)
     try:
         scenario = lower(checker)
         report_oversized(checker, scenario)
     except RecursionError:
-        # The parser refuses deep nesting; what is left are circles of hundreds of definitions.
-        checker.report(Code.NESTING_TOO_DEEP, program.source.span(0, 0))
+        # What is left are circles of hundreds of definitions.
+        if not any(found.code == Code.NESTING_TOO_DEEP for found in checker.diagnostics):
+            checker.report(Code.NESTING_TOO_DEEP, program.source.span(0, 0))
         return None, in_order(checker.diagnostics)
     if not checker.has_errors:
         warn(checker)

@@ -17,7 +17,7 @@ from .statements import STATEMENTS
 def lower(checker: Checker) -> ir.Scenario:
     """The scenario; where errors were reported it lacks what they concern."""
     program = checker.program
-    for name in definition_order(program):
+    for name in definition_order(program, "param", "let"):
         checker.definition(name)
     lowered = {
         name: _lower_one(checker, declaration) for name, declaration in program.declarations.items()

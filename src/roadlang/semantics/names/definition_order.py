@@ -1,4 +1,4 @@
-"""Which names an expression mentions, and an order in which definitions can be looked at."""
+"""Which names a declaration mentions, and an order in which declarations can be looked at."""
 
 from __future__ import annotations
 
@@ -6,28 +6,28 @@ from collections.abc import Iterator
 
 from ...syntax.tree import nodes as ast
 from ...syntax.tree.walk import walk
-from .program import Program, expression_of
+from .program import Program
 
 
-def definition_order(program: Program) -> list[str]:
-    """The `param`s and `let`s, those that others mention first, as far as there is such an order.
+def definition_order(program: Program, *roles: str) -> list[str]:
+    """The names declared by these words, those that others mention first, cycles apart.
 
     Definitions are found by recursion; in this order a long chain of them is no deep one.
     """
-    names = [found.name.text for found in program.in_role("param", "let")]
+    names = [found.name.text for found in program.in_role(*roles)]
     waiting = set(names)
     order: list[str] = []
     for start in names:
         if start not in waiting:
             continue
         waiting.discard(start)
-        stack = [(start, names_in(expression_of(program, start)))]
+        stack = [(start, names_in(definition_of(program, start)))]
         while stack:
             name, rest = stack[-1]
             for other in rest:
                 if other in waiting:
                     waiting.discard(other)
-                    stack.append((other, names_in(expression_of(program, other))))
+                    stack.append((other, names_in(definition_of(program, other))))
                     break
             else:
                 stack.pop()
@@ -35,6 +35,15 @@ def definition_order(program: Program) -> list[str]:
     return order
 
 
-def names_in(expression: ast.Expression) -> Iterator[str]:
-    """The names that an expression mentions, left to right."""
-    return (node.text for node, _ in walk(expression) if isinstance(node, ast.Name))
+def definition_of(program: Program, name: str) -> ast.Node:
+    """What a name is declared as: a value, here or from outside, or a whole statement."""
+    setting = program.settings.get(name)
+    if setting is not None:
+        return setting.value
+    statement = program.declarations[name].statement
+    return statement.value if isinstance(statement, ast.Param | ast.Let) else statement
+
+
+def names_in(node: ast.Node) -> Iterator[str]:
+    """The names that a part of the tree mentions, left to right."""
+    return (part.text for part, _ in walk(node) if isinstance(part, ast.Name))
