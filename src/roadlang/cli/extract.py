@@ -126,12 +126,12 @@ def _extracted(
     Raises DiagnosticError RL425 for a kind that is unknown, RL426 for an option that it lacks.
     """
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
-    from ..ir.picture import Extraction
     from ..plugins.discovery import load_registry
     from ..plugins.finding import find_entry
-    from ..plugins.guard import plugin_guard, wrong_result
+    from ..plugins.guard import plugin_guard
     from ..plugins.options import schema_of
     from ..plugins.registry import UnknownKind
+    from ..plugins.results import check_extraction
 
     registry = load_registry()
     try:
@@ -165,8 +165,7 @@ def _extracted(
         begun = time.process_time()
         found = extractor.extract(picture)
         seconds = time.process_time() - begun
-    if not isinstance(found, Extraction):
-        raise wrong_result(entry, None, f"gave a {type(found).__name__}, not an Extraction")
+    check_extraction(found, entry, None)
     return found, seconds
 
 

@@ -34,6 +34,7 @@ from ..ir.values import (
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
 from ..plugins.options import OptionSchema, schema_of
+from ..plugins.results import real_numbers
 from .candidates import CandidateBatch, coordinate_name
 from .indexed_scenario import IndexedScenario
 from .kind_instance import KindInstance, check_bounds, scalar
@@ -96,8 +97,17 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
     def quantile() -> Any:
         built = build(draw.call, candidates, element)
         with built.guarded:
-            found = built.kind.quantile(frozen(candidates.uniform(draw.place, element)))
-            found = np.asarray(found).reshape(candidates.count, 1)
+            result = built.kind.quantile(frozen(candidates.uniform(draw.place, element)))
+            found = np.asarray(result)
+        if found.dtype.kind not in "OU":  # words, kinds and other things may be drawn as well
+            found = real_numbers(found, "values", built.entry, draw.call.span)
+            if not np.isfinite(found).all():
+                fault = "gave values that are not finite numbers"
+                raise wrong_result(built.entry, draw.call.span, fault)
+        if found.size != candidates.count:
+            fault = f"gave values of shape {found.shape}, not ({candidates.count}, 1)"
+            raise wrong_result(built.entry, draw.call.span, fault)
+        found = found.reshape(candidates.count, 1)
         return _within_support(found, draw, built, candidates.scenario)
 
     values = candidates.once(("draw", draw.place, element), quantile)

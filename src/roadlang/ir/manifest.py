@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+MANIFEST_FILE = "manifest.json"
 MANIFEST_SCHEMA = "roadlang.manifest/1"
 
 

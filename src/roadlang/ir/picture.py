@@ -72,9 +72,14 @@ class Picture(Frozen):
 
         Ends that coincide (to half a pixel) become one junction. `width` is in pixels.
         """
+        from ..geometry.arrays import finite_points
         from .polylines import network_of_polylines
 
-        world = [self.to_world(line) for line in polylines]
+        checked = (
+            finite_points(line, f"the points of polyline {index}")
+            for index, line in enumerate(polylines)
+        )
+        world = [self.to_world(line) for line in checked]
         meters = None if width is None else width * self.scale
         return Extraction(network_of_polylines(world, meters, tolerance=0.5 * self.scale))
 

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Curve, Edge, Node, RoadNetwork
+from ..geometry import Curve, Edge, GeometryError, Node, RoadNetwork
+from ..geometry.arrays import FARTHEST, finite_points
 
 DEFAULT_WIDTH = 7.0
 """Meters: two lanes of 3.5 m, where a source tells no width."""
@@ -19,8 +20,18 @@ def network_of_polylines(
     """The network of (n, 2) polylines in meters, smoothed by splines through their points.
 
     Ends nearer than `tolerance` become one node, at their mean. A line whose two ends coincide is
-    a loop. Raises `GeometryError` for a line without two distinct points.
+    a loop. Raises `GeometryError` for a line without two distinct points, for numbers that are not
+    finite, and for a width that is not positive.
     """
+    lines = [
+        finite_points(line, f"the points of polyline {index}") for index, line in enumerate(lines)
+    ]
+    for index, line in enumerate(lines):
+        if len(line) < 2:
+            count = f"{len(line)} point{'' if len(line) == 1 else 's'}"
+            raise GeometryError(f"polyline {index} has {count}: it needs two or more")
+    if width is not None and not 0.0 < width < FARTHEST:
+        raise GeometryError(f"a width must be positive, but it is {width:g} m")
     ends = np.array([line[index] for line in lines for index in (0, -1)]).reshape(-1, 2)
     groups = _groups(ends, tolerance)
     positions = [ends[groups == group].mean(axis=0) for group in range(groups.max(initial=-1) + 1)]

@@ -18,6 +18,7 @@ from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import DriveSignal
 from ..plugins.registry import Registry
+from ..plugins.results import real_numbers
 from ..stl import Formula, from_json
 from ..stl.evaluate.satisfaction import zero_satisfies
 from .verdicts import decided
@@ -128,7 +129,8 @@ class _SignalCall:
             options[key] = member if member is not None else agents or value
         entry = entry_of(registry, "drive_signal", str(self.call["kind"]))
         with plugin_guard(entry, None):
-            values = np.asarray(kind(**options).values_in(trace), dtype=float)
+            result = kind(**options).values_in(trace)
+        values = real_numbers(result, "values", entry, None)
         if values.shape != trace.time.shape:
             fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
             raise wrong_result(entry, None, fault)

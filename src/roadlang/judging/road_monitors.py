@@ -11,6 +11,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
+from ..plugins.results import real_numbers
 from ..world.signals import axes_of
 
 Floats = NDArray[np.float64]
@@ -22,7 +23,8 @@ def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
     for axis in axes_of(call, candidates):
         built = build(call, candidates, resolve=partial(axis.resolve, candidates=candidates))
         with built.guarded:
-            rho = np.asarray(built.kind.robustness(), dtype=np.float64).reshape(-1)
+            result = built.kind.robustness()
+        rho = real_numbers(result, "robustness values", built.entry, call.span).reshape(-1)
         if rho.shape[0] not in (1, candidates.count):
             fault = f"gave a robustness of shape {rho.shape}, not ({candidates.count},)"
             raise wrong_result(built.entry, call.span, fault)

@@ -12,10 +12,12 @@ from ..evaluate.candidates import fixed_candidate
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
+from ..ir.manifest import MANIFEST_FILE
 from ..ir.picture import Picture
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import Entity, PassCall
+from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
 from ..plugins.registry import Registry
 from ..world.index import index_scenario
@@ -105,32 +107,29 @@ def _outputs_of(backend: KindInstance, scenes: Sequence[Scene]) -> Iterator[Outp
     with backend.guarded:
         files = backend.kind.collection(tuple(scenes))
     for path, content in _checked(files, backend).items():
+        if path.casefold() == MANIFEST_FILE:
+            fault = f"gave a file the name {path!r}, which is that of the manifest"
+            raise wrong_result(backend.entry, backend.call.span, fault)
         yield Output(path, content, name, None)
 
 
 def _checked(files: Any, backend: KindInstance) -> Mapping[str, bytes]:
     """File contents as bytes. Raises `DiagnosticError` RL474 for anything else."""
-    fault = None
+    entry, span = backend.entry, backend.call.span
     if not isinstance(files, Mapping):
-        fault = f"gave {type(files).__name__} where a map of contents is due"
-    else:
-        for name, content in files.items():
-            if not isinstance(name, str) or not _FILE_NAME.match(name):
-                fault = f"gave a file the name {name!r}"
-            elif not isinstance(content, str | bytes):
-                fault = f"gave {type(content).__name__} as the content of `{name}`"
-    if fault is not None:
-        entry = backend.entry
-        raise DiagnosticError(
-            diagnose(
-                Code.WRONG_PLUGIN_RESULT,
-                backend.call.span,
-                kind=f"emit {entry.qualified}",
-                plugin=str(entry.origin),
-                fault=fault,
-            )
-        )
-    return {
-        name: content.encode() if isinstance(content, str) else content
-        for name, content in files.items()
-    }
+        raise wrong_result(entry, span, f"gave a {type(files).__name__}, not a map of contents")
+    contents: dict[str, bytes] = {}
+    with backend.guarded:
+        given = list(files.items())
+    for name, content in given:
+        if not isinstance(name, str) or not _FILE_NAME.match(name):
+            raise wrong_result(entry, span, f"gave a file the name {name!r}")
+        if not isinstance(content, str | bytes):
+            fault = f"gave a {type(content).__name__} as the content of `{name}`"
+            raise wrong_result(entry, span, fault)
+        try:
+            contents[name] = content.encode() if isinstance(content, str) else content
+        except UnicodeEncodeError as error:
+            fault = f"gave text as the content of `{name}` that UTF-8 cannot hold: {error.reason}"
+            raise wrong_result(entry, span, fault) from error
+    return contents

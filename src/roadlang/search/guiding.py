@@ -17,9 +17,11 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.kind_instance import KindInstance
+from ..geometry.arrays import read_only
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result
+from ..plugins.results import real_numbers
 from .accepted import Accepted
 from .attempts import accepted_attempts
 from .effort import attempts_of
@@ -124,7 +126,8 @@ def _numbers(sampler: KindInstance, dimensions: int) -> int:
 def _steered(sampler: KindInstance, known: Floats, uniform: Floats) -> Floats:
     """(V, d) proposals of the sampler. Raises RL474 where they are no points of the unit cube."""
     with sampler.guarded:
-        proposed = np.asarray(sampler.kind.steer(known, uniform), dtype=np.float64)
+        result = sampler.kind.steer(read_only(known), read_only(uniform))
+    proposed = real_numbers(result, "proposals", sampler.entry, sampler.call.span)
     expected = (len(uniform), known.shape[1])
     if proposed.shape != expected or not ((proposed >= 0.0) & (proposed < 1.0)).all():
         fault = f"gave proposals of shape {proposed.shape}, not {expected}, or beyond [0, 1)"

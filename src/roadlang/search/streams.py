@@ -14,6 +14,7 @@ from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import read_only
 from ..judging.acceptance import Acceptance
 from ..plugins.guard import wrong_result
+from ..plugins.results import real_numbers
 from .accepted import Accepted
 from .effort import attempts_of, batch_size
 from .rejection_report import RejectionStats
@@ -76,7 +77,8 @@ def _stream(
     for start in range(0, limit, width):
         indices = read_only(np.arange(start, min(start + width, limit)))
         with sampler.guarded:
-            points = np.asarray(sampler.kind.points(indices, draws, seed), dtype=float)
+            result = sampler.kind.points(indices, draws, seed)
+        points = real_numbers(result, "points", sampler.entry, sampler.call.span)
         _check_points(points, sampler, len(indices), len(draws))
         given = {draw.place: points[:, column] for column, draw in enumerate(draws)}
         yield CandidateBatch(acceptance.scenario, seed, np.zeros_like(indices), indices, given)

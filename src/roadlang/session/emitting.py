@@ -10,7 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..files.writing import write_set
+from ..ir.manifest import MANIFEST_FILE
 from ..ir.values import PassCall
+from ..plugins.finding import entry_of
 from ..scenes.emitting import backends_of, outputs_of, send
 from .manifest import files_named_in, manifest_of
 
@@ -19,16 +21,12 @@ if TYPE_CHECKING:
     from ..plugins.registry import Registry
     from .scene_set import SceneSet
 
-MANIFEST = "manifest.json"
-
-
-MANIFEST = "manifest.json"
 DEFAULT_EMITS = ("json", "svg")
 """What a file without an `emit` is taken to mean."""
 
 
 def _default_emits(registry: Registry) -> list[PassCall]:
-    entries = [registry.find("emit", name) for name in DEFAULT_EMITS]
+    entries = [entry_of(registry, "emit", name) for name in DEFAULT_EMITS]
     return [PassCall("emit", entry.qualified, (), f"emit {entry.name}") for entry in entries]
 
 
@@ -57,7 +55,7 @@ def emit(
         backends,
     )
     contents = {output.path: output.content for output in written}
-    contents[MANIFEST] = to_json(manifest).encode()
-    write_set(folder, contents, MANIFEST, files_named_in)
+    contents[MANIFEST_FILE] = to_json(manifest).encode()
+    write_set(folder, contents, MANIFEST_FILE, files_named_in)
     send(backends, records)
     return manifest

@@ -20,6 +20,8 @@ from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
 from ..ir.scenario import FileSource, Image, Input, Network
 from ..ir.values import PassCall
+from ..plugins.guard import plugin_guard
+from ..plugins.results import check_extraction
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
@@ -178,18 +180,10 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
     call = next(call for call in network.passes if call.verb == "extract")
     loaded = load_picture(image.name, candidates)
     built = build(call, candidates, single=True)
-    with built.guarded:
+    span = call.span or network.span
+    with plugin_guard(built.entry, span):
         found = built.kind.extract(loaded.picture)
-    if not isinstance(found, Extraction):
-        raise DiagnosticError(
-            diagnose(
-                Code.WRONG_PLUGIN_RESULT,
-                call.span or network.span,
-                kind=f"extract {built.entry.qualified}",
-                plugin=str(built.entry.origin),
-                fault=f"gave a {type(found).__name__}, not an Extraction",
-            )
-        )
+    check_extraction(found, built.entry, span)
     spacing = station_spacing(network, candidates.scenario)
     return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)
 

@@ -17,6 +17,7 @@ from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
+from ..plugins.results import real_numbers
 from .displacement_bound import displacement_bound
 from .root_roads import is_undisplaced
 
@@ -79,8 +80,8 @@ def displacement_by(
     kind, count = built.kind, candidates.count
     if implements(type(kind), "displacements"):
         with built.guarded:
-            found = np.asarray(kind.displacements(road, random), dtype=np.float64)
-        found = _in_shape(built, found, len(road.stations), count)
+            result = kind.displacements(road, random)
+        found = _in_shape(built, result, len(road.stations), count)
     else:
         rows = [_row(built, road, random, row) for row in range(count)]
         if len({row.shape for row in rows}) > 1:
@@ -114,12 +115,13 @@ def _row(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) ->
     single = road.take(np.array([row if road.variants > 1 else 0]))
     kind = row_of_kind(built.kind, row)
     with built.guarded:
-        found = np.asarray(kind.displacement(single, random.generator(row)), dtype=np.float64)
+        found = kind.displacement(single, random.generator(row))
     return _in_shape(built, found, len(road.stations), 1)
 
 
-def _in_shape(built: KindInstance, found: Floats, stations: int, count: int) -> Floats:
+def _in_shape(built: KindInstance, result: Any, stations: int, count: int) -> Floats:
     """(1 or `count`, S) or (1 or `count`, S, 2): rows may be left out where one is for all."""
+    found = real_numbers(result, "displacements", built.entry, built.call.span)
     of_a_row = ((stations,), (stations, 2))
     if found.shape in of_a_row:
         found = found[None]

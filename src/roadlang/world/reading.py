@@ -18,7 +18,7 @@ from ..images.image_file import read_input
 from ..ir.picture import Extraction
 from ..ir.scenario import FileSource, Input
 from ..ir.values import PassCall
-from ..plugins.guard import wrong_result
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry
 
 
@@ -45,7 +45,7 @@ def read_file(
     call = next(call for call in passes if call.verb == "read")
     file = _input_of(source, scenario, call.span or span)
     built = build(call, fixed_candidate(scenario), single=True)
-    with built.guarded:
+    with plugin_guard(built.entry, call.span or span):
         found = built.kind.read(Path(source.resolved))
     _check_content(found, reads, built.entry, call.span or span)
     return FileContent(found, file)

@@ -16,6 +16,7 @@ from ..ir.batch import RoadBatch
 from ..ir.scenario import Network
 from ..ir.values import Entity, PassCall, Value
 from ..plugins.guard import wrong_result
+from ..plugins.results import real_numbers
 from .networks import NetworkRoot, edge_batch, network_root
 from .placement import start_of
 from .roads import road_batch
@@ -67,7 +68,8 @@ def signal(call: PassCall, axis: Axis, candidates: CandidateBatch) -> Floats:
     def make() -> Floats:
         built = build(call, candidates, resolve=lambda entity: axis.resolve(entity, candidates))
         with built.guarded:
-            values = np.asarray(built.kind.values(), dtype=np.float64)
+            result = built.kind.values()
+        values = real_numbers(result, "values", built.entry, call.span)
         if values.ndim < 2:  # alike in all candidates
             values = values.reshape(1, -1)
         rows, columns = (1, candidates.count), (1, *_stations_of(built.kind))
@@ -98,7 +100,8 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
     def make() -> Floats:
         built = build(call, candidates, resolve=resolve)
         with built.guarded:
-            values = np.asarray(built.kind.values(), dtype=np.float64)
+            result = built.kind.values()
+        values = real_numbers(result, "values", built.entry, call.span)
         if values.size not in (1, candidates.count):
             fault = f"gave values of shape {values.shape}, not ({candidates.count}, 1)"
             raise wrong_result(built.entry, call.span, fault)

@@ -50,7 +50,8 @@ class Extractor(Kind):
 class Reader(Kind):
     """`read with`: a file to what the statement declares.
 
-    A file without `read with` is read by the kind whose `suffixes` has the ending of its name.
+    The file of a road or network without `read with` is read by the kind whose `suffixes` has the
+    ending of its name; for an image `read with` has to be written.
     """
 
     verb: ClassVar[str] = "read"
