@@ -33,7 +33,5 @@ class SupDistance(RoadNumber):
     def values(self) -> Floats:
         if self.road.root == self.other.root:
             return geometry.sup_distance(self.road.curves, self.other.curves)[:, None]
-        import numpy as np
-
-        distance = nearest_distance(self.road, self.other)
-        return np.asarray(distance.max(axis=1, keepdims=True))
+        greatest: Floats = nearest_distance(self.road, self.other).max(axis=1, keepdims=True)
+        return greatest
