@@ -32,12 +32,20 @@ class Sine(Perturber):
         """amplitude * sin(2 pi s / wavelength + phase)."""
         import numpy as np
 
+        from roadlang.geometry import blocks
+
         wavelength = self.wavelength
         if roads.period is not None:
             wavelength = roads.period / np.maximum(np.rint(roads.period / wavelength), 1.0)
-        return np.atleast_2d(
-            self.amplitude * np.sin((2.0 * np.pi / wavelength) * roads.stations + self.phase)
-        )
+        columns = (self.amplitude, 2.0 * np.pi / wavelength, self.phase)
+        amplitude, rate, phase = np.broadcast_arrays(*(np.atleast_2d(c) for c in columns))
+        result = np.empty((len(rate), len(roads.stations)))
+        for rows in blocks(result):
+            wave = np.multiply(rate[rows], roads.stations, out=result[rows])
+            wave += phase[rows]
+            np.sin(wave, out=wave)
+            wave *= amplitude[rows]
+        return result
 
     def displacement_bound(self) -> Floats | float:
         return abs(self.amplitude)

@@ -1,33 +1,56 @@
-"""What depends on which draws, found without evaluating anything."""
+"""What values contain and depend on, found without evaluating anything."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from typing import Any
 
 from ..ir.contained_values import values_in
 from ..ir.scenario import Named
 from ..ir.values import Draw, Entity, Reference, Value
 
 
-def walk(value: Value | None, named: Mapping[str, Named]) -> Iterator[Value]:
-    """A value and everything inside it, through the names it uses: each of these once."""
-    pending = [] if value is None else [value]
-    seen: set[str] = set()
-    while pending:
-        item = pending.pop()
-        yield item
-        inside = list(values_in(item))
-        if isinstance(item, Reference) and item.name not in seen:
-            seen.add(item.name)
-            inside.insert(0, named[item.name].value)
-        pending.extend(reversed(inside))
+class Dependencies:
+    """Everything inside the values of a scenario, through the names that they use.
 
+    What is found is kept for each value, as candidates are evaluated many times.
+    """
 
-def draws_in(value: Value | None, named: Mapping[str, Named]) -> Iterator[Draw]:
-    """All draws that a value depends on."""
-    return (item for item in walk(value, named) if isinstance(item, Draw))
+    def __init__(self, named: Mapping[str, Named]) -> None:
+        self._named = named
+        # By identity, with the value, so that no other gets its identity: values are large.
+        self._contents: dict[int, tuple[Value, tuple[Value, ...]]] = {}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Identities mean nothing in another process.
+        return Dependencies, (self._named,)
 
-def entities_in(value: Value | None, named: Mapping[str, Named]) -> Iterator[Entity]:
-    """All declared things that a value names."""
-    return (item for item in walk(value, named) if isinstance(item, Entity))
+    def contents(self, value: Value | None) -> tuple[Value, ...]:
+        """A value and everything inside it; what several parts use by name comes once."""
+        if value is None:
+            return ()
+        if id(value) not in self._contents:
+            self._contents[id(value)] = value, self._walk(value)
+        return self._contents[id(value)][1]
+
+    def draws(self, *values: Value | None) -> tuple[Draw, ...]:
+        """All draws that values depend on."""
+        return tuple(i for value in values for i in self.contents(value) if isinstance(i, Draw))
+
+    def entities(self, *values: Value | None) -> tuple[Entity, ...]:
+        """All declared things that values name."""
+        return tuple(i for value in values for i in self.contents(value) if isinstance(i, Entity))
+
+    def _walk(self, value: Value) -> tuple[Value, ...]:
+        found: list[Value] = []
+        pending = [value]
+        seen: set[str] = set()
+        while pending:
+            item = pending.pop()
+            found.append(item)
+            inside = list(values_in(item))
+            if isinstance(item, Reference) and item.name not in seen:
+                seen.add(item.name)
+                inside.insert(0, self._named[item.name].value)
+            pending.extend(reversed(inside))
+        return tuple(found)

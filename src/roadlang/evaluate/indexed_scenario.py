@@ -16,7 +16,7 @@ from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
 from ..plugins.registry import KindEntry, Registry, UnknownKind
 from ..plugins.value_bounds import ValueBounds
-from .dependencies import draws_in, walk
+from .dependencies import Dependencies
 
 T = TypeVar("T")
 MeasureGeometry = Callable[[PassCall, Any, int], Any]
@@ -38,9 +38,13 @@ class IndexedScenario:
         self.images: dict[str, Image] = {item.name: item for item in source.images}
         self.networks: dict[str, Network] = {item.name: item for item in source.networks}
         self.roads: dict[str, Road] = {item.name: item for item in source.roads}
+        self._things: dict[str, Image | Network | Road] = {
+            **self.images, **self.networks, **self.roads
+        }  # fmt: skip
         self.actors: dict[str, Actor] = {
             item.name: item for item in (*source.agents, *source.objects)
         }
+        self.dependencies = Dependencies(self.values)
         self._computed: dict[Hashable, Any] = {}
         self._classes: dict[tuple[str, str], tuple[KindEntry, type[Kind]]] = {}
 
@@ -80,14 +84,14 @@ class IndexedScenario:
     def draws(self) -> Iterator[Draw]:
         """Every draw of the scenario; one that is used twice comes twice."""
         for value in values_in(self.source):
-            yield from draws_in(value, self.values)
+            yield from self.dependencies.draws(value)
 
     def origins(self) -> dict[str, str]:
         """The distributions that bring the kinds of the scenario, and their versions."""
         calls = (
             item
             for value in values_in(self.source)
-            for item in walk(value, self.values)
+            for item in self.dependencies.contents(value)
             if isinstance(item, PassCall)
         )
         found = {}
@@ -99,20 +103,13 @@ class IndexedScenario:
 
     def thing(self, name: str) -> Image | Network | Road:
         """The road, network or image of that name. Raises `KeyError`."""
-        things: dict[str, Image | Network | Road] = {**self.images, **self.networks, **self.roads}
-        return things[name]
+        return self._things[name]
 
     def source_of(self, thing: Image | Network | Road) -> Image | Network | Road | None:
         """The thing that another is made from, where it has a name."""
         if not isinstance(thing.source, NameSource):
             return None
-        groups: dict[str, Any] = {
-            "image": self.images,
-            "network": self.networks,
-            "road": self.roads,
-        }
-        found: Image | Network | Road = groups[thing.source.role][thing.source.name]
-        return found
+        return self._things[thing.source.name]
 
     def chain(self, thing: Image | Network | Road) -> Iterator[Image | Network | Road]:
         """A thing, what it is made from, and so on."""
@@ -120,10 +117,6 @@ class IndexedScenario:
         while link is not None:
             yield link
             link = self.source_of(link)
-
-    def draws_of(self, *values: Value | None) -> frozenset[str]:
-        """The places of all draws that values depend on, named ones included."""
-        return frozenset(draw.place for value in values for draw in draws_in(value, self.values))
 
     def is_varying(self, name: str) -> bool:
         """Whether the root of a road, network or image (what it is before any `perturb`) is drawn.
@@ -141,4 +134,4 @@ class IndexedScenario:
         options = [value for name, value in thing.options if name not in ("width", "lanes")]
         if dict(thing.options).get("select") == Text("any"):
             return True
-        return any(True for v in (*shaping, *options) for _ in draws_in(v, self.values))
+        return bool(self.dependencies.draws(*shaping, *options))

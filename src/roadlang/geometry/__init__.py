@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from .paths import Path as Path
     from .paths import Step as Step
     from .road import Road as Road
+    from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
     from .segments import Chain as Chain
     from .segments import Clothoid as Clothoid
@@ -76,6 +77,7 @@ _HOMES = {
     "DisplacedBatch": "displacement",
     "MovedBatch": "displacement",
     "displace": "displacement",
+    "blocks": "row_blocks",
     "sample": "displacement",
     "undisplaced": "displacement",
     "over": "window",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
@@ -53,11 +54,20 @@ def are_even(gaps: Floats) -> bool:
 
 def weights(offsets: Floats, order: int) -> Floats:
     """Weights of the values at `offsets` (n,) that give the derivative of `order` at offset 0."""
+    return _weights(tuple(offsets.tolist()), order)
+
+
+@lru_cache(maxsize=256)
+def _weights(places: tuple[float, ...], order: int) -> Floats:
+    """Kept, as batch after batch is differentiated on the same stations."""
+    offsets = np.array(places)
     scale = np.abs(offsets).max()
     powers = np.vander(offsets / scale, increasing=True).T
     right = np.zeros(len(offsets))
     right[order] = math.factorial(order)
-    return np.asarray(np.linalg.solve(powers, right) / scale**order)
+    found = np.asarray(np.linalg.solve(powers, right) / scale**order)
+    found.setflags(write=False)
+    return found
 
 
 def _at_end(

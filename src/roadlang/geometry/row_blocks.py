@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from .arrays import Floats
 
-_NUMBERS = 1 << 14
+_NUMBERS = 1 << 15
 
 
 def blocks(rows: Floats) -> Iterator[slice]:
-    """Slices of the rows of a two-dimensional array, of about 128 KiB each."""
+    """Slices of the rows of a two-dimensional array, of about 256 KiB each."""
     step = max(1, _NUMBERS // max(rows.shape[1], 1))
     for start in range(0, len(rows), step):
         yield slice(start, start + step)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ..evaluate.dependencies import entities_in, walk
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.values import Condition, PassCall
 
@@ -14,7 +13,9 @@ _PROJECTION = 4000.0
 
 def cost_of(test: Condition | PassCall, scenario: IndexedScenario) -> float:
     """The work for one station, in displacements: what kinds say, and the temporal operators."""
-    inside = (value for value in walk(test, scenario.values) if isinstance(value, PassCall))
+    inside = (
+        value for value in scenario.dependencies.contents(test) if isinstance(value, PassCall)
+    )
     calls = [call for call in inside if call.verb in ("signal", "number", "monitor")]
     work = sum(
         scenario.kind(call)[1].cost * (_PROJECTION if _compares_roots(call, scenario) else 1.0)
@@ -28,7 +29,7 @@ def cost_of(test: Condition | PassCall, scenario: IndexedScenario) -> float:
 def _compares_roots(call: PassCall, scenario: IndexedScenario) -> bool:
     """Whether a call compares roads of different roots, by the nearest point."""
     roots = set()
-    for entity in entities_in(call, scenario.values):
+    for entity in scenario.dependencies.entities(call):
         if entity.name in scenario.roads or entity.name in scenario.networks:
             chain = scenario.chain(scenario.thing(entity.name))
             links = [link for link in chain if link.name not in scenario.images]

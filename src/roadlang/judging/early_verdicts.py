@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import entities_in
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.values import Condition
 from ..stl.evaluate.static_truth import static_truth
@@ -37,5 +36,5 @@ def is_impossible(requirement: Requirement, scenario: IndexedScenario) -> bool:
 
 def _names_group(condition: Condition, scenario: IndexedScenario) -> bool:
     """Whether a formula is about the copies of a group: it holds where there are none."""
-    named = (scenario.actors.get(e.name) for e in entities_in(condition, scenario.values))
+    named = (scenario.actors.get(e.name) for e in scenario.dependencies.entities(condition))
     return any(actor is not None and "count" in dict(actor.options) for actor in named)

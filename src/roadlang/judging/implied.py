@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import walk
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Actor, Network, Road
 from ..ir.values import Draw
@@ -26,7 +25,7 @@ Floats = NDArray[np.float64]
 
 def begins_on_road(actor: Actor, scenario: IndexedScenario) -> Requirement:
     """An agent or object on a road begins on the road; its very ends belong to it."""
-    drawn = any(isinstance(value, Draw) for value in walk(actor.at, scenario.values))
+    drawn = any(isinstance(value, Draw) for value in scenario.dependencies.contents(actor.at))
     return Requirement(
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",

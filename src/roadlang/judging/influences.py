@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ..evaluate.dependencies import draws_in, entities_in
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import Actor
 from ..ir.values import Condition, PassCall
@@ -10,7 +9,7 @@ from ..ir.values import Condition, PassCall
 
 def names_in(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:
     """The things that a formula or monitor names, and those that these stand on."""
-    named = {entity.name for entity in entities_in(test, scenario.values)}
+    named = {entity.name for entity in scenario.dependencies.entities(test)}
     for actor in [scenario.actors[name] for name in named if name in scenario.actors]:
         named |= names_of_actor(actor, scenario)
     return frozenset(named)
@@ -23,7 +22,7 @@ def names_of_actor(actor: Actor, scenario: IndexedScenario) -> frozenset[str]:
     while pending:
         placed = pending.pop()
         values = [placed.at, *(value for _, value in placed.options)]
-        found = {e.name for value in values for e in entities_in(value, scenario.values)}
+        found = {e.name for e in scenario.dependencies.entities(*values)}
         found |= {placed.on} if placed.on is not None else set()
         pending.extend(scenario.actors[name] for name in found - names if name in scenario.actors)
         names |= found
@@ -32,7 +31,7 @@ def names_of_actor(actor: Actor, scenario: IndexedScenario) -> frozenset[str]:
 
 def influences(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:
     """The places of all draws that can change a verdict, through the things that it names."""
-    places = {draw.place for draw in draws_in(test, scenario.values)}
+    places = {draw.place for draw in scenario.dependencies.draws(test)}
     for name in names_in(test, scenario):
         places |= draws_of_thing(name, scenario)
     return frozenset(places)
@@ -40,7 +39,7 @@ def influences(test: Condition | PassCall, scenario: IndexedScenario) -> frozens
 
 def draws_of_start(actor: Actor, scenario: IndexedScenario) -> frozenset[str]:
     """The places of all draws that can change where an agent or object begins."""
-    places = {draw.place for draw in draws_in(actor.at, scenario.values)}
+    places = {draw.place for draw in scenario.dependencies.draws(actor.at)}
     for name in names_of_actor(actor, scenario):
         places |= draws_of_thing(name, scenario)
     return frozenset(places)
@@ -51,11 +50,11 @@ def draws_of_thing(name: str, scenario: IndexedScenario) -> set[str]:
     if name in scenario.actors:
         actor = scenario.actors[name]
         values = (actor.at, *(value for _, value in actor.options))
-        return {d.place for value in values for d in draws_in(value, scenario.values)}
+        return {d.place for d in scenario.dependencies.draws(*values)}
     places: set[str] = set()
     for link in scenario.chain(scenario.thing(name)):
         values = (*(value for _, value in link.options), *link.passes)
-        places |= {d.place for value in values for d in draws_in(value, scenario.values)}
+        places |= {d.place for d in scenario.dependencies.draws(*values)}
         # A pass that draws by itself (`harmonics`) differs between candidates without any draw.
         places |= {call.place for call in link.passes if _draws_itself(call, scenario)}
         if scenario.is_varying(name):

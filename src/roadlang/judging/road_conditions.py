@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import entities_in
 from ..evaluate.evaluation import evaluate
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
@@ -110,7 +109,7 @@ def _values(
 
 def _first_road(call: PassCall, axis: Axis, candidates: CandidateBatch) -> RoadBatch | None:
     """The first road that a signal names; None of a whole network, which has no axis."""
-    for entity in entities_in(call, candidates.scenario.values):
+    for entity in candidates.scenario.dependencies.entities(call):
         if entity.role in ("road", "network"):
             road = axis.resolve(entity, candidates)
             return road if isinstance(road, RoadBatch) else None
@@ -131,7 +130,7 @@ def _copies(condition: Condition, candidates: CandidateBatch) -> int:
     scenario = candidates.scenario
     actors = (
         scenario.actors[entity.name]
-        for entity in entities_in(condition, scenario.values)
+        for entity in scenario.dependencies.entities(condition)
         if _is_actor(entity)
     )
     return max((most_copies(actor, candidates) for actor in actors), default=1)

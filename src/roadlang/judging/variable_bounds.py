@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import walk
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
@@ -169,7 +168,7 @@ class ScenarioBounds(VariableBounds):
 
 def is_geometric(value: Value, scenario: IndexedScenario) -> bool:
     """Whether a value depends on the geometry of roads."""
-    return any(isinstance(item, Measure) for item in walk(value, scenario.values))
+    return any(isinstance(item, Measure) for item in scenario.dependencies.contents(value))
 
 
 def _column(value: Any) -> Floats:

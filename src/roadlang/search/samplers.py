@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from ..evaluate.candidates import fixed_candidate
-from ..evaluate.dependencies import draws_in
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
@@ -48,7 +47,7 @@ class DrawnPlace:
     def levels(self, steps: int) -> Sequence[float]:
         """Numbers in [0, 1] that a grid visits."""
         options = self.draw.call.options
-        if any(True for _, v in options for _ in draws_in(v, self.scenario.values)):
+        if self.scenario.dependencies.draws(*(value for _, value in options)):
             return [(step + 0.5) / steps for step in range(steps)]
         built = build(self.draw.call, fixed_candidate(self.scenario), single=True)
         with built.guarded:

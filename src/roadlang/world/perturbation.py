@@ -61,8 +61,9 @@ def displaced(before: RoadBatch, displacement: Floats) -> RoadBatch:
         curves = displace(base, before.stations, displacement)
     if displacement.ndim == 3:
         displacement = _along_normal(displacement, before)
-    total = before.displacement + displacement
-    return replace(before, curves=curves, displacement=total)
+    if before.displacement.any():
+        displacement = before.displacement + displacement
+    return replace(before, curves=curves, displacement=displacement)
 
 
 def _along_normal(displacement: Floats, road: RoadBatch) -> Floats:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import draws_in, entities_in
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
 from ..geometry.lanes import lane_ids
@@ -83,7 +82,7 @@ def is_absent(
 ) -> NDArray[np.bool_] | None:
     """(V,) candidates that do not have this copy of a group that a formula speaks of."""
     absent = None
-    for entity in entities_in(condition, candidates.scenario.values):
+    for entity in candidates.scenario.dependencies.entities(condition):
         if entity.role in ("agent", "object"):
             actor = candidates.scenario.actors[entity.name]
             if "count" in dict(actor.options):
@@ -214,5 +213,4 @@ def _element(actor: Actor, copy: int) -> int:
 
 def _differs(actor: Actor, candidates: CandidateBatch) -> bool:
     """Whether the copies of a group stand at different places."""
-    named = candidates.scenario.values
-    return any(draw.per == "copy" for draw in draws_in(actor.at, named))
+    return any(draw.per == "copy" for draw in candidates.scenario.dependencies.draws(actor.at))

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
-from ..evaluate.dependencies import entities_in
 from ..evaluate.evaluation import build
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Network
@@ -52,7 +51,7 @@ def edge_with_others(network: Network, edge: int, candidates: CandidateBatch) ->
 def axes_of(call: Value, candidates: CandidateBatch) -> tuple[Axis, ...]:
     """The axes of a formula or call: one for each road of the networks that it names."""
     scenario = candidates.scenario
-    names = [e.name for e in entities_in(call, scenario.values) if e.role == "network"]
+    names = [e.name for e in scenario.dependencies.entities(call) if e.role == "network"]
     if not names:
         return (Axis(),)
     ids = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,12 +59,23 @@ def at_start(
     formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at the first sample of each variant, (V,)."""
-    return run_at_start(Graph.of(formula, leaves), trace, Axis(trace.positions, trace.wrap))
+    positions = trace.positions.tobytes()
+    return _run(_plan_at_start(formula, leaves is BOOLEAN, positions, trace.wrap), trace)
+
+
+@lru_cache(maxsize=64)
+def _plan_at_start(formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None) -> Plan:
+    """Kept, as batch after batch of candidates is evaluated on the same stations."""
+    axis = Axis(np.frombuffer(positions), wrap)
+    return Plan.of(Graph.of(formula, BOOLEAN if boolean else ROBUST), axis, (0, 0))
 
 
 def run_at_start(graph: Graph, trace: Trace, axis: Axis) -> FloatArray:
     """The last node of `graph` at the first sample of each variant, (V,)."""
-    plan = Plan.of(graph, axis, (0, 0))
+    return _run(Plan.of(graph, axis, (0, 0)), trace)
+
+
+def _run(plan: Plan, trace: Trace) -> FloatArray:
     result = np.empty(trace.variants)
     for first, last in _chunks(trace, plan):
         result[first:last] = plan.run(trace, first, last)[0]
