@@ -12,6 +12,7 @@ from roadlang.diagnostics import Source
 from roadlang.syntax import format_file, format_source, parse
 from roadlang.syntax.parsing.lexer import lex
 from roadlang.syntax.parsing.tables import tables
+from roadlang.syntax.printing.nodes import one_line
 from roadlang.syntax.tree import nodes as ast
 from tests.syntax.strategies import files
 
@@ -115,6 +116,25 @@ def test_one_blank_line_between_groups_is_kept() -> None:
 def test_comments_keep_their_column() -> None:
     text = "param a = 1      # one\nparam long = 2   # two\n"
     assert formatted(text) == text
+
+
+def test_a_comment_after_a_block_that_is_broken_stands_beside_its_brace() -> None:
+    options = ", ".join(f"option_{n}: {n}m" for n in range(12))
+    text = f"world {{ {options} }}  # long\nparam a = 1{' ' * 150}# short\n"
+    lines = formatted(text).splitlines()
+    assert lines[-2:] == ["}  # long", "param a = 1  # short"]
+
+
+def test_an_expression_on_one_line_is_the_same_however_it_was_laid_out() -> None:
+    wide = "require r: G[0m:5m](\n  a<1m   # note\n  && b > 2m)\n"
+    tree, _ = parse(Source("wide.rl", wide))
+    again, _ = parse(Source("again.rl", formatted("require r: G[0m:5m](a<1m && b > 2m)")))
+    texts = {
+        one_line(statement.formula)
+        for statement in (*tree.statements, *again.statements)
+        if isinstance(statement, ast.Constraint) and statement.formula is not None
+    }
+    assert texts == {"always[0m, 5m] (a < 1m and b > 2m)"}
 
 
 def test_statements_move_to_the_left_margin() -> None:

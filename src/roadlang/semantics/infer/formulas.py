@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -14,11 +13,12 @@ from ...ir.values import Condition, NumberBinding, Reference
 from ...stl.formula.formulas import And, Comparison, Formula, Not, Truth, compound
 from ...stl.formula.interval import Interval, interval_help
 from ...stl.formula.terms import Constant, Variable
+from ...syntax.printing.nodes import one_line
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..types.arithmetic import common_domain, terms_of
-from ..types.dimensions import common_dimension, unit_missing
+from ..types.dimensions import common_dimension, dimension_of, unit_missing
 from ..types.expression_types import (
     BooleanType,
     Evidence,
@@ -29,8 +29,6 @@ from ..types.expression_types import (
     unknown,
 )
 from ..types.number_terms import distinct
-
-_COMMENT = re.compile(r"#[^\n]*")
 
 
 def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -> TypedExpression:
@@ -118,7 +116,7 @@ def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Ty
     operand = _operand(checker, node.operand, context, f"`{node.word}`")
     ends = _ends(checker, node.interval, context)
     if operand.formula is None or ends is None:
-        return unknown(node.span)
+        return _without_operand(checker, node, ends)
     interval = _interval(checker, node, ends, operand.evidence)
     if isinstance(interval, TypedExpression):
         return interval
@@ -132,7 +130,7 @@ def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> Type
     parts = [_operand(checker, side, context, f"`{node.word}`") for side in sides]
     ends = _ends(checker, node.interval, context)
     if ends is None or any(part.formula is None for part in parts):
-        return unknown(node.span)
+        return _without_operand(checker, node, ends)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, TypedExpression):
         return evidence
@@ -221,6 +219,19 @@ def _interval(
         wrong.append(end)
     if wrong:
         return _wrong_unit(checker, wrong, evidence)
+    return _in_order(checker, ends)
+
+
+def _without_operand(
+    checker: Checker, node: ast.Temporal | ast.Binding, ends: tuple[TypedExpression, ...] | None
+) -> TypedExpression:
+    """What is left where an operand was refused: the interval may be wrong as well."""
+    if ends and len({dimension_of(end) for end in ends}) == 1:
+        _in_order(checker, ends)
+    return unknown(node.span)
+
+
+def _in_order(checker: Checker, ends: tuple[TypedExpression, ...]) -> Interval | TypedExpression:
     low, high = (end.constant for end in ends)
     assert low is not None
     assert high is not None
@@ -251,10 +262,8 @@ def _wrong_unit(
     )  # fmt: skip
 
 
-def condition_of(typed: TypedExpression) -> Condition:
-    """The IR of a formula."""
+def condition_of(node: ast.Expression, typed: TypedExpression) -> Condition:
+    """The IR of a formula; its text is the same however the formula is laid out."""
     domain = typed.evidence.domain if typed.evidence else "scene"
     formula = typed.formula if typed.formula is not None else Truth(True)
-    # A color in a formula cannot be: a `#` begins a comment here.
-    text = " ".join(_COMMENT.sub(" ", typed.span.text).split())
-    return Condition(text, formula, domain, typed.signals, typed.numbers)
+    return Condition(one_line(node), formula, domain, typed.signals, typed.numbers)

@@ -35,7 +35,7 @@ def check_condition(
         return None
     if not _only_past(checker, value, typed):
         return None
-    return replace(typed, value=condition_of(typed))
+    return replace(typed, value=condition_of(value, typed))
 
 
 def _only_past(checker: Checker, expression: ast.Expression, typed: TypedExpression) -> bool:

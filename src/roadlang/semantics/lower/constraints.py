@@ -44,7 +44,7 @@ def lower_constraint(
         )  # fmt: skip
         return None
     warn_if_trivial(checker, statement, typed)
-    return ir.Constraint(name, condition_of(typed), statement.span)
+    return ir.Constraint(name, condition_of(statement.formula, typed), statement.span)
 
 
 def _judged(

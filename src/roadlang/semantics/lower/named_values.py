@@ -10,7 +10,7 @@ from ...stl import Comparison, Constant
 from ..checker import Checker
 from ..infer.formulas import condition_of
 from ..infer.statement_spec import StatementSpec
-from ..names.program import Declaration
+from ..names.program import Declaration, expression_of
 from ..types.expression_types import Quantity, SignalType
 
 
@@ -35,8 +35,9 @@ def named_signals(checker: Checker) -> tuple[ir.NamedSignal, ...]:
         typed = checker.definition(declaration.name.text)
         if isinstance(typed.type, SignalType) and typed.type.domain == "road":
             assert typed.term is not None
+            node = expression_of(checker.program, declaration.name.text)
             above_zero = Comparison(">=", typed.term, Constant(0.0))
-            condition = condition_of(replace(typed, formula=above_zero))
+            condition = condition_of(node, replace(typed, formula=above_zero))
             span = declaration.statement.span
             name = declaration.name.text
             found.append(ir.NamedSignal(name, condition, typed.type.dimension, span))

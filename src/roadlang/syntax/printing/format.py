@@ -60,10 +60,16 @@ class _Printer:
                 self._blank(comment.span.start)
                 self.lines.append(" " * indent + comment.text)
             else:
-                written = self.lines[-1]
-                room = max(2, comment.span.column - 1 - len(written))
-                self.lines[-1] = written + " " * room + comment.text
+                self.lines[-1] += " " * self._gap(comment) + comment.text
             self._first, self._behind = False, comment.span.end
+
+    def _gap(self, comment: ast.Comment) -> int:
+        """The spaces before a comment that follows the last line: its column, if that still means
+        something. The line that ends a block has others above it than the author's line had."""
+        written = self.lines[-1]
+        if written.strip() == "}" or comment.span.column > WIDTH:
+            return 2
+        return max(2, comment.span.column - 1 - len(written))
 
     def _node(self, node: ast.Node, indent: int) -> None:
         content = part(node)

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from ..tree import nodes as ast
 from ..tree.strings import quoted
-from .layout import HARD, LINE, SOFT, Doc, Group, Nest, enclosed, joined
+from .layout import HARD, LINE, SOFT, Doc, Group, Nest, enclosed, joined, render
 
 _PIECE = re.compile(r"\{\w+\}|[^\s{}]+")
 
@@ -21,6 +21,11 @@ class Part:
 
     head: Doc
     braced: Braced | None = None
+
+
+def one_line(node: ast.Expression) -> str:
+    """The text of an expression in canonical words, however it was laid out."""
+    return render(expression(node), width=10**9)
 
 
 def expression(node: ast.Node) -> Doc:
