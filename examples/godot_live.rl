@@ -15,7 +15,7 @@ object house is building at (85m, 60m) { heading: 20deg }
 
 agent ego is car on loop at 5m { drive with pure_pursuit { speed: 9m/s, lookahead: 6m } }
 
-expect in_lane: always (abs(ego.cross_track) < 1m)
+expect in_lane: always (abs(ego.cross_track_error) < 1m)
 
 simulate with godot { duration: 60s }
 emit json

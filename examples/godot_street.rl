@@ -42,7 +42,7 @@ object houses is building on street at 5%..95% { count: 9, side: left, offset: 1
 
 world { time_of_day: 9.25h, weather: clear, friction: 0.85 }
 
-expect in_lane: always (abs(ego.cross_track) < 1m)
+expect in_lane: always (abs(ego.cross_track_error) < 1m)
 expect safe: always (gap(ego, lead) > 1m)
 expect arrives: eventually[0s, 90s] (ego.progress > 90%)
 

@@ -24,7 +24,7 @@ road tour from town { select: route((12m, 76m), (108m, 12m)), width: 7m }
 
 agent ego is car on tour at 3% { drive with pure_pursuit { speed: 7m/s, lookahead: 4m } }
 
-expect stays: always (abs(ego.cross_track) < 2m)
+expect stays: always (abs(ego.cross_track_error) < 2m)
 expect arrives: eventually[0s, 90s] (ego.progress > 95%)
 
 simulate with godot { duration: 90s, road: tiles }

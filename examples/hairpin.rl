@@ -23,7 +23,7 @@ require near: lp_distance(bent, main, 2) < 90m^1.5
 
 agent ego is car on bent at 5m { drive with pure_pursuit { speed: 12m/s, lookahead: 6m } }
 
-expect in_lane: always (abs(ego.cross_track) < 1.5m)    # judged when the scene is driven
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m)    # judged when the scene is driven
 expect arrives: eventually[0s, 90s] (ego.progress > 95%)
 
 emit json

@@ -13,7 +13,7 @@ road street {
 }
 
 agent ego is car on street at 5m { drive with pure_pursuit { speed: speed, lookahead: lookahead } }
-expect in_lane: always (abs(ego.cross_track) < 1m)
+expect in_lane: always (abs(ego.cross_track_error) < 1m)
 
 sample with grid { steps: 4 }                       # also: random, halton, guided
 

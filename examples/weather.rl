@@ -10,4 +10,4 @@ world {
 }
 
 agent ego is car on street at 5m { drive with pure_pursuit { speed: speed_limit } }
-expect in_lane: always (abs(ego.cross_track) < 1m)
+expect in_lane: always (abs(ego.cross_track_error) < 1m)

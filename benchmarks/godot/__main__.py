@@ -131,7 +131,7 @@ def grip() -> None:
             chosen = pursuit if kind == "pure_pursuit" else call(kind, speed=15.0)
             ego = car("ego", bent, 5.0, chosen)
             trace = drive_in(session, scene(bent, agents=[ego]), Settings(duration=80), {})
-            worst = np.abs(trace.agents["ego"].cross_track).max()
+            worst = np.abs(trace.agents["ego"].cross_track_error).max()
             print(f"{kind} at 15 m/s, R 37 m: cross-track error {worst:.2f} m")
         for friction in (0.5, 0.9, 1.2):
             ring = road("ring", pieces(straight(220), bend(60, 350)), width=9.0)
@@ -142,7 +142,7 @@ def grip() -> None:
                     ring, agents=[car("ego", ring, 3.0, fast)], world={"friction": friction}
                 )
                 ego_trace = drive_in(session, made, Settings(duration=45), {}).agents["ego"]
-                if np.abs(ego_trace.cross_track).max() > 3.0:
+                if np.abs(ego_trace.cross_track_error).max() > 3.0:
                     break
             print(f"friction {friction}: slides out at {share:.3f} of sqrt(mu g R)")
 

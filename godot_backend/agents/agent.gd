@@ -38,7 +38,7 @@ var jerk := 0.0
 var yaw_rate := 0.0
 var station := 0.0
 ## Left of the line to follow, seen along the direction of travel.
-var cross_track := 0.0
+var cross_track_error := 0.0
 var traveled := 0.0
 
 var _segment := -1
@@ -119,7 +119,7 @@ func observe(dt: float) -> void:
 	if path.closed:
 		moved = wrapf(moved, -0.5 * path.length, 0.5 * path.length)
 	traveled += moved * direction
-	cross_track = direction * (path.offset(_segment, x, y) - line_offset)
+	cross_track_error = direction * (path.offset(_segment, x, y) - line_offset)
 
 
 ## Takes the path as it now is, after it was sent or changed.

@@ -37,7 +37,7 @@ func value(signal_name: String, names: Array[String]) -> float:
 			return first.body.touching
 		"lateral_acceleration":
 			return first.speed * first.yaw_rate
-		"speed", "acceleration", "cross_track", "station", "heading", "yaw_rate", "jerk":
+		"speed", "acceleration", "cross_track_error", "station", "heading", "yaw_rate", "jerk":
 			return first.get(signal_name)
 	return INF
 
@@ -97,7 +97,7 @@ func _ahead(agent: Agent) -> Array[float]:
 ## Station and offset of another agent on the path of this one.
 func _on_path_of(agent: Agent, other: Agent) -> Vector2:
 	if other.path == agent.path:
-		return Vector2(other.station, other.direction * other.cross_track + other.line_offset)
+		return Vector2(other.station, other.direction * other.cross_track_error + other.line_offset)
 	var pair := Vector2i(agent.id, other.id)
 	var segment := agent.path.nearest(other.x, other.y, _segments.get(pair, -1))
 	_segments[pair] = segment

@@ -31,7 +31,7 @@ static func record(agent: Agent, tick: int, world: int, outside_force: Vector2) 
 			body.steer_angle(),
 			outside_force.y,
 			agent.station,
-			agent.cross_track,
+			agent.cross_track_error,
 			agent.progress()
 		]
 	)

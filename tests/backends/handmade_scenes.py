@@ -111,7 +111,7 @@ def bend(scale: float = 1.0, index: int = 0, amplitude: float = 6.0) -> Scene:
             Verdict("calm", "always (abs(curvature(bent)) < 0.02/m)", "road", -0.0113, False,
                     (Stretch("bent", 30.0 * scale, 62.0 * scale),
                      Stretch("bent", 150.0 * scale, 171.0 * scale))),
-            Verdict("in_lane", "always (abs(ego.cross_track) < 1.5m)", "drive", None, None),
+            Verdict("in_lane", "always (abs(ego.cross_track_error) < 1.5m)", "drive", None, None),
         ),
     )  # fmt: skip
 

@@ -76,6 +76,27 @@ def test_scenes_of_the_first_schema_are_read() -> None:
     assert read.schema == "roadlang.scene/2"
 
 
+def test_signals_of_the_first_schema_get_their_present_names() -> None:
+    """`cross_track` became `cross_track_error`, and the operands of `distance` were renamed."""
+    scene = bend()
+    old = {
+        "formula": {"<": ["e", "d"]},
+        "signals": {
+            "e": {"kind": "cross_track", "options": {"agent": "ego"}},
+            "d": {"kind": "roadlang.distance", "options": {"one": "ego", "other": "van"}},
+        },
+    }
+    record = {**json.loads(to_json(scene)), "schema": "roadlang.scene/1"}
+    record["expectations"] = [{"name": "a", "text": "", "domain": "drive", "formula": old}]
+    record["expectations"][0] |= {"robustness": None, "satisfied": None}
+    formula = scene_from_json(json.dumps(record)).expectations[0].formula
+    assert formula is not None
+    assert formula["signals"] == {
+        "e": {"kind": "cross_track_error", "options": {"agent": "ego"}},
+        "d": {"kind": "roadlang.distance", "options": {"first": "ego", "second": "van"}},
+    }
+
+
 @pytest.mark.parametrize("schema", ["roadlang.scene/9", None, 2])
 def test_other_schemas_are_refused(schema: str | int | None) -> None:
     record = {**json.loads(to_json(bend())), "schema": schema}

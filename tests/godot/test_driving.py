@@ -32,7 +32,7 @@ def test_a_car_at_15_m_s_stays_within_30_cm_on_bends_of_37_m(session: Session, k
     trace = driven(session, scene(bent, agents=[ego], world={"friction": 1.0}))
     assert trace.agents["ego"].progress[-1] == 1.0  # so that `ego.progress >= 100%` is reached
     assert trace.agents["ego"].speed.max() == pytest.approx(15.0, abs=0.3)
-    assert np.abs(trace.agents["ego"].cross_track).max() <= 0.3
+    assert np.abs(trace.agents["ego"].cross_track_error).max() <= 0.3
 
 
 def circle(friction: float, speed: float) -> tuple[Scene, SceneRoad]:
@@ -45,9 +45,9 @@ def circle(friction: float, speed: float) -> tuple[Scene, SceneRoad]:
 def test_a_car_slides_out_where_friction_ends(session: Session, friction: float) -> None:
     limit = math.sqrt(friction * 9.81 * 60.0)
     inside = driven(session, circle(friction, 0.85 * limit)[0], 45)
-    assert np.abs(inside.agents["ego"].cross_track).max() < 1.0
+    assert np.abs(inside.agents["ego"].cross_track_error).max() < 1.0
     beyond = driven(session, circle(friction, 1.15 * limit)[0], 45)
-    assert np.abs(beyond.agents["ego"].cross_track).max() > 3.0
+    assert np.abs(beyond.agents["ego"].cross_track_error).max() > 3.0
 
 
 def test_two_drives_of_one_scene_are_equal_to_the_last_bit(session: Session) -> None:
@@ -56,7 +56,7 @@ def test_two_drives_of_one_scene_are_equal_to_the_last_bit(session: Session) -> 
     made = scene(bent, agents=cars)
     one, two = driven(session, made, 20), driven(session, made, 20)
     for name, agent in one.agents.items():
-        for column in ("x", "y", "heading", "speed", "steering", "cross_track"):
+        for column in ("x", "y", "heading", "speed", "steering", "cross_track_error"):
             assert getattr(agent, column).tobytes() == getattr(two.agents[name], column).tobytes()
 
 
@@ -141,7 +141,7 @@ def test_a_controller_in_python_drives_in_lock_step(session: Session) -> None:
     settings = Settings(duration=75.0, step=1 / 60)
     trace = drive_in(session, made, settings, {"ego": controller})  # type: ignore[dict-item]
     assert trace.agents["ego"].progress[-1] == 1.0  # so that `ego.progress >= 100%` is reached
-    assert np.abs(trace.agents["ego"].cross_track).max() < 0.5
+    assert np.abs(trace.agents["ego"].cross_track_error).max() < 0.5
     assert controller.steps >= len(trace.time) - 1
 
 

@@ -73,7 +73,7 @@ def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
     assert trace is not None
     ego = trace.agents["ego"]
     assert (np.diff(ego.x) / np.diff(trace.time)).max() < 12.0, "the car jumped"
-    assert np.abs(ego.cross_track).max() < 1.0
+    assert np.abs(ego.cross_track_error).max() < 1.0
     assert live_session.prove().things == len(live.layout.things)
 
 

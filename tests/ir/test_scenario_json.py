@@ -23,7 +23,7 @@ agent ego is choice(car, truck) on bent at 5m { drive with brake { when: time > 
 object trees is tree on bent at 0%..100% { count: integer(3, 5), side: left }
 require phi: always[0m, inf] (deviation(bent, main) < reach)
 require long: length(bent) > 50m
-expect in_lane: always (abs(ego.cross_track) < 1.5m)
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
 world { sun: { azimuth: 0deg..360deg }, weather: choice(clear, rain) }
 emit json
 """

@@ -22,7 +22,7 @@ REGISTRY = load_registry()
 def agent(name: str, x: np.ndarray, y: float = 0.0, **more: Any) -> AgentTrace:
     """Someone who goes along the x axis."""
     zero = np.zeros_like(TIME)
-    columns = {"steering": zero, "station": x, "cross_track": zero + y, "progress": x / 100}
+    columns = {"steering": zero, "station": x, "cross_track_error": zero + y, "progress": x / 100}
     columns |= {"contacts": zero, "acceleration": zero, "heading": zero}
     speed = np.gradient(x, TIME)
     return AgentTrace(name=name, time=TIME, x=x, y=zero + y, speed=speed, **{**columns, **more})
@@ -128,3 +128,13 @@ def test_a_trace_survives_its_file() -> None:
     assert np.array_equal(again.agents["lead"].x, whole.agents["lead"].x)
     assert to_csv(again) == to_csv(whole)
     assert to_csv(whole).splitlines()[0].startswith("time,agent,x,y")
+
+
+def test_a_trace_of_the_first_schema_is_read() -> None:
+    """`cross_track` became `cross_track_error`."""
+    text = to_json(trace(agent("ego", 10 * TIME, 0.5)))
+    old = text.replace("roadlang.trace/2", "roadlang.trace/1").replace(
+        '"cross_track_error"', '"cross_track"'
+    )
+    assert old != text
+    assert (from_json(old).agents["ego"].cross_track_error == 0.5).all()

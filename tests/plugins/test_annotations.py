@@ -237,7 +237,7 @@ class Steer(Controller):
     gain: Annotated[float, quantity(FREQUENCY)] = option(1.0)
 
     def control(self, observation: Observation) -> Control:
-        return Control(-self.gain * observation.cross_track, 0.0)
+        return Control(-self.gain * observation.cross_track_error, 0.0)
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ class Still(Simulator):
             seen = Observation(0, 0.1, "ego", 0, 0, 0, 0, 0, 0, 0, 0, 2.7, lambda d: (d, 0, 0, 0))
             controller.control(seen)
         zero = np.zeros_like(TIME)
-        columns = ("x y heading speed acceleration steering station cross_track progress "
+        columns = ("x y heading speed acceleration steering station cross_track_error progress "
                    "contacts").split()
         ego = AgentTrace(name="ego", time=TIME, **{column: zero for column in columns})
         return Trace(TIME, {"ego": ego}, "still")

@@ -16,7 +16,7 @@ road bent from main { perturb with random_walk {
   amplitude: normal(1m, 0.5m, within: [0m, 2m]), correlation: 20m..60m } }
 require phi: always (deviation(bent, main) < 10m and abs(curvature(bent)) < 0.1/m)
 agent ego is choice(car, truck) on bent at 5m { drive with pure_pursuit { speed: 12m/s } }
-expect in_lane: always (abs(ego.cross_track) < 1.5m)
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
 sample with grid { steps: 5 }
 emit json
 emit svg

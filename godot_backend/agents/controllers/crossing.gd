@@ -36,7 +36,7 @@ func _begin(agent: Agent) -> void:
 		_toward = agent.heading
 		_distance = 10.0
 		return
-	var left := agent.direction * agent.cross_track + agent.line_offset
+	var left := agent.direction * agent.cross_track_error + agent.line_offset
 	var along := agent.path.heading(agent.station)
 	_toward = along + (PI / 2 if left < 0.0 else -PI / 2)
 	_distance = absf(left) + agent.path.half_width + _beyond

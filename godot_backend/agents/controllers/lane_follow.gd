@@ -19,5 +19,5 @@ func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	# A car on a circle points along the circle at its rear axle.
 	var turn := angle_difference(agent.heading, agent.line_heading(-0.5 * wheelbase))
 	var reach := maxf(agent.speed, 3.0)
-	var steer := bend + turn - atan(2.0 * agent.cross_track / reach)
+	var steer := bend + turn - atan(2.0 * agent.cross_track_error / reach)
 	return Vector2(steer, toward(agent, _speed))

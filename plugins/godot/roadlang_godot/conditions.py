@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 FOREVER = 1e9
 SIGNALS = frozenset(
     {
-        "speed", "acceleration", "cross_track", "progress", "station", "steering", "heading",
+        "speed", "acceleration", "cross_track_error", "progress", "station", "steering", "heading",
         "lateral_acceleration", "jerk", "yaw_rate", "contacts", "distance", "gap", "time",
     }
 )  # fmt: skip

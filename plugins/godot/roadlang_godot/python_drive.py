@@ -65,7 +65,7 @@ class PythonDriver:
             heading=heading,
             speed=float(row["speed"]),
             steering=float(row["steering"]),
-            cross_track=float(row["cross_track"]),
+            cross_track_error=float(row["cross_track_error"]),
             heading_error=math.remainder(heading - along, 2 * math.pi),
             station=station,
             wheelbase=float(actor.options.get("wheelbase", 0.6 * actor.length)),

@@ -27,7 +27,7 @@ RECORD = np.dtype(
         ("steering", "<f4"),
         ("command", "<f4"),
         ("station", "<f4"),
-        ("cross_track", "<f4"),
+        ("cross_track_error", "<f4"),
         ("progress", "<f4"),
     ]
 )

@@ -62,7 +62,7 @@ _KINDS = {
     "select road": "selectors:RoadById",
     "drive_signal speed": "drive_signals:Speed",
     "drive_signal acceleration": "drive_signals:AccelerationSignal",
-    "drive_signal cross_track": "drive_signals:CrossTrack",
+    "drive_signal cross_track_error": "drive_signals:CrossTrack",
     "drive_signal progress": "drive_signals:Progress",
     "drive_signal station": "drive_signals:Station",
     "drive_signal steering": "drive_signals:Steering",

@@ -48,12 +48,12 @@ class AccelerationSignal(DriveSignal):
 class CrossTrack(DriveSignal):
     """Lateral distance from the path that the agent follows, positive to the left."""
 
-    name: ClassVar[str] = "cross_track"
+    name: ClassVar[str] = "cross_track_error"
     unit: ClassVar[str] = "m"
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
-        values: Floats = self.agent.cross_track
+        values: Floats = self.agent.cross_track_error
         return values
 
 

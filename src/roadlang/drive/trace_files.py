@@ -13,9 +13,11 @@ from ..ir.trace import AgentTrace, Trace
 if TYPE_CHECKING:
     import numpy as np
 
-TRACE_SCHEMA = "roadlang.trace/1"
+TRACE_SCHEMA = "roadlang.trace/2"
+_FIRST_SCHEMA = "roadlang.trace/1"
+"""The first version has `cross_track` for `cross_track_error`; it is still read."""
 COLUMNS = (
-    "x", "y", "heading", "speed", "acceleration", "steering", "station", "cross_track",
+    "x", "y", "heading", "speed", "acceleration", "steering", "station", "cross_track_error",
     "progress", "contacts",
 )  # fmt: skip
 
@@ -50,7 +52,7 @@ def from_json(text: str) -> Trace:
     import numpy as np
 
     document = json.loads(text)
-    if document.get("schema") != TRACE_SCHEMA:
+    if document.get("schema") not in (TRACE_SCHEMA, _FIRST_SCHEMA):
         raise ValueError(f"not a trace: schema {document.get('schema')!r}")
     time = np.array(document["time"], dtype=float)
     agents = {
@@ -59,11 +61,17 @@ def from_json(text: str) -> Trace:
             time=time,
             length=values["length"],
             width=values["width"],
-            **{column: np.array(values[column], dtype=float) for column in COLUMNS},
+            **{column: np.array(_column(values, column), dtype=float) for column in COLUMNS},
         )
         for name, values in document["agents"].items()
     }
     return Trace(time, agents, document["engine"], tuple(document["events"]))
+
+
+def _column(values: dict[str, Any], name: str) -> list[float | None]:
+    key = name if name in values else name.removesuffix("_error")
+    column: list[float | None] = values[key]
+    return column
 
 
 def _columns(agent: AgentTrace) -> dict[str, Any]:

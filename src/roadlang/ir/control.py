@@ -23,7 +23,7 @@ class Observation(Frozen):
     heading: float
     speed: float
     steering: float
-    cross_track: float
+    cross_track_error: float
     """distance from the line, left positive"""
     heading_error: float
     """own heading minus that of the line"""

@@ -9,6 +9,12 @@ from .scene import SCENE_SCHEMA
 _RENAMED_OPTIONS = {"colour": "color"}
 """Options of kinds that had another name in `roadlang.scene/1`."""
 
+_RENAMED_KINDS = {"cross_track": "cross_track_error"}
+"""Kinds that had another name there."""
+
+_RENAMED_OPERANDS = {"one": "first", "other": "second"}
+"""Options of `distance` and `gap` between agents, which had other names there."""
+
 
 class UnknownSceneSchema(ValueError):
     """The record names no schema that can be read."""
@@ -17,7 +23,7 @@ class UnknownSceneSchema(ValueError):
 def current(record: Any) -> Any:
     """A scene as plain maps and lists, as `roadlang.scene/2` has it.
 
-    `roadlang.scene/1` differs in the spelling of options; what was added since takes its default.
+    `roadlang.scene/1` differs in some names; what was added since takes its default.
     Raises `UnknownSceneSchema`.
     """
     found = record.get("schema") if isinstance(record, dict) else None
@@ -30,16 +36,17 @@ def current(record: Any) -> Any:
 
 def _renamed(value: Any) -> Any:
     if isinstance(value, dict):
-        return {
-            key: _options(member) if key == "options" else _renamed(member)
-            for key, member in value.items()
-        }
+        return {key: _member(key, member) for key, member in value.items()}
     if isinstance(value, list):
         return [_renamed(item) for item in value]
     return value
 
 
-def _options(options: Any) -> Any:
-    if not isinstance(options, dict):
-        return options
-    return {_RENAMED_OPTIONS.get(name, name): value for name, value in options.items()}
+def _member(key: str, member: Any) -> Any:
+    if key == "options" and isinstance(member, dict):
+        names = _RENAMED_OPTIONS | (_RENAMED_OPERANDS if "one" in member else {})
+        return {names.get(name, name): value for name, value in member.items()}
+    if key == "kind" and isinstance(member, str):
+        plugin, dot, name = member.rpartition(".")
+        return f"{plugin}{dot}{_RENAMED_KINDS.get(name, name)}"
+    return _renamed(member)

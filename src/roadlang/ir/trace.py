@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class AgentTrace(Frozen):
     """One agent (or object) over the T steps of a drive; arrays are (T,), SI units, radians.
 
-    `station` is arc length along the agent's own road, `cross_track` the signed distance from
+    `station` is arc length along the agent's own road, `cross_track_error` the signed distance from
     the line it should follow (left positive), `progress` the share of the road driven (0 to 1),
     `contacts` the number of bodies touched beside the ground. What an engine does not report is
     NaN throughout, and a signal of it is refused with a diagnostic.
@@ -34,7 +34,7 @@ class AgentTrace(Frozen):
     acceleration: Floats
     steering: Floats
     station: Floats
-    cross_track: Floats
+    cross_track_error: Floats
     progress: Floats
     contacts: Floats
     length: float = 4.5

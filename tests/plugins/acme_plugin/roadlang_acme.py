@@ -38,7 +38,7 @@ class Mpc(Controller):
     def control(self, observation: Observation) -> Control:
         """One step of the plan: the error decays over the horizon."""
         error, heading, effort = self.weights[:3]
-        pull = error * observation.cross_track / max(observation.speed * self.horizon, 1.0)
+        pull = error * observation.cross_track_error / max(observation.speed * self.horizon, 1.0)
         return Control(-(pull + heading * observation.heading_error) / (1 + effort / 20), 0.0)
 
 

@@ -19,7 +19,7 @@ require drivable: always (abs(curvature(bent)) < 0.1/m)
 
 agent ego is car on bent at 10m { drive with pure_pursuit { speed: 12m/s, lookahead: 6m } }
 
-expect in_lane: always (abs(ego.cross_track) < 1.5m)
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
 
 emit json
 emit svg

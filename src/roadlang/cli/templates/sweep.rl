@@ -12,7 +12,7 @@ road street {
 
 agent ego is car on street at 5m { drive with pure_pursuit { speed: speed, lookahead: 6m } }
 
-expect in_lane: always (abs(ego.cross_track) < 1m)
+expect in_lane: always (abs(ego.cross_track_error) < 1m)
 
 sample with grid
 
