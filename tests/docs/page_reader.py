@@ -6,6 +6,7 @@ How a code block is meant follows from the words behind its language:
 - `roadlang wrong CODE`: a scene file that gives exactly this error.
 - `roadlang fragment`: statements that parse.
 - `python NAME.py`, `toml NAME.toml`: a file of that name. `python` alone: a program that runs.
+  `python continued`: its next lines.
 - `console`: the lines that begin `$ roadlang` or `$ pip install ./` run, and succeed.
   `console godot`: the same, left out where there is no Godot engine.
 - A picture with a title, `![...](images/NAME "FILE")`, is a copy of the FILE that the commands of
@@ -55,6 +56,7 @@ class Reader:
         self.folder = folder
         self.site = folder / ".site"
         self.left_out = False
+        self.program = ""
         for path in (ROOT / "examples").iterdir():
             if path.is_file():
                 shutil.copy(path, folder)
@@ -84,12 +86,14 @@ class Reader:
         return True
 
     def follow(self, block: Block) -> None:
-        if block.language in ("python", "toml") and block.words:
+        if block.language == "python" and block.words in ((), ("continued",)):
+            before = self.program if block.words else ""
+            self.program = before + block.text
+            self.succeeds(sys.executable, "-c", self.program)
+        elif block.language in ("python", "toml") and block.words:
             path = self.folder / block.words[0]
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(block.text, encoding="utf-8")
-        elif block.language == "python":
-            self.succeeds(sys.executable, "-c", block.text)
         elif block.language == "roadlang":
             self.check(block)
         elif block.language == "console":
