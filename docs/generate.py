@@ -222,6 +222,15 @@ def api_page() -> str:
     lines += ["## What methods get and give", ""]
     for name in _DATA:
         lines += _data(name, getattr(api, name))
+    lines += [
+        "## Geometry",
+        "",
+        "`from roadlang.api import geometry`: what readers, drawers, pieces",
+    ]
+    lines += ["and selectors return. Meters, radians, x east, y north; arrays are numpy's.", ""]
+    for name in _GEOMETRY:
+        value = getattr(api.geometry, name)
+        lines += _data(name, value) if isinstance(value, type) else _member(name, value)
     return "\n".join(lines).rstrip() + "\n"
 
 
@@ -229,6 +238,12 @@ _DATA = (
     "RoadBatch", "BatchRandom", "Picture", "Extraction", "FoundObject", "Observation", "Control",
     "Trace", "AgentTrace", "Scene", "SceneRoad", "SceneActor", "SceneNetwork", "SceneNode",
     "Verdict", "Call",
+)  # fmt: skip
+
+
+_GEOMETRY = (
+    "Curve", "WidthProfile", "Road", "Node", "Edge", "RoadNetwork", "network_of_polylines", "Step",
+    "Path", "Straight", "Arc", "Clothoid", "chain", "Chain", "GeometryError",
 )  # fmt: skip
 
 
@@ -248,9 +263,9 @@ def _data(name: str, kind: type) -> Iterator[str]:
         if isinstance(value, property | cached_property):
             text = inspect.getdoc(value)
             yield f"- `{member}`: {text}" if text else f"- `{member}`"
-        elif inspect.isfunction(value):
+        elif inspect.isfunction(value) or isinstance(value, classmethod):
             text = " ".join((inspect.getdoc(value) or "").split())
-            yield f"- `{member}{_signature(value)}`: {text}"
+            yield f"- `{member}{_signature(getattr(kind, member))}`: {text}"
     yield ""
 
 

@@ -7,8 +7,8 @@ Nothing is imported until a name is used.
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
 - roads: `WidthProfile`, `Road`, `offset` (without folding)
-- networks: `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`, `anchored_nodes`,
-  `junction_window`
+- networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
+  `anchored_nodes`, `junction_window`
 - distances: `pointwise`, `deviation`, `lp_distance`, `sup_distance`, `frechet`, `clearance`,
   `margin`, `self_intersects`
 - tiles: `neighbor_mask`, `TileShape`, `tile_shapes`
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from .offsetting import offset as offset
     from .paths import Path as Path
     from .paths import Step as Step
+    from .polylines import network_of_polylines as network_of_polylines
     from .road import Road as Road
     from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
@@ -91,6 +92,7 @@ _HOMES = {
     "RoadNetwork": "network",
     "Path": "paths",
     "Step": "paths",
+    "network_of_polylines": "polylines",
     "anchored_nodes": "joints",
     "junction_window": "joints",
     "pointwise": "distances",

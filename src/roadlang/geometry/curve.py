@@ -23,8 +23,10 @@ _SMALLEST_JUMP = 1e-6
 class Curve(SharedArrays):
     """A piecewise cubic, with every quantity a function of arc length `s` in meters.
 
-    Make one with `Curve.through` or `Curve.hermite`. Arc lengths beyond the ends of an open
-    curve go straight on along its tangent; those of a closed curve go round.
+    Make one with `Curve.through(points)`, or of points with known headings `Curve.hermite`. Methods
+    take a number or an array of arc lengths and return an array of its shape, with a last axis of
+    two for points. Arc lengths beyond the ends of an open curve go straight on along its tangent;
+    those of a closed curve go round.
     """
 
     spline: PiecewiseCubic
@@ -47,7 +49,8 @@ class Curve(SharedArrays):
     def hermite(cls, points: ArrayLike, headings: ArrayLike, closed: bool = False) -> Curve:
         """The cubic through `points` (n, 2) with exactly the `headings` (n,), radians.
 
-        For points of known heading (arcs, clothoids): no ringing where the curvature jumps.
+        For points of known heading (arcs, clothoids): no ringing where the curvature jumps. Raises
+        GeometryError as `through` does, and for neighbors that coincide.
         """
         given = finite_points(points)
         angles = finite(headings, "the headings of a curve")
@@ -147,7 +150,10 @@ class Curve(SharedArrays):
         return project(self.arc, self.closed, points)
 
     def between(self, start: float, stop: float) -> Curve:
-        """The part from arc length `start` to `stop`, exactly; round the seam if closed."""
+        """The part from arc length `start` to `stop`, exactly; round the seam if closed.
+
+        Raises GeometryError where nothing of the curve is between them.
+        """
         length = self.length
         if self.closed and start != stop:
             start %= length
@@ -156,7 +162,7 @@ class Curve(SharedArrays):
         elif not self.closed:
             start, stop = max(start, 0.0), min(stop, length)
         if not stop - start > 1e-9 * length:
-            raise GeometryError("the stretch of a curve must have a positive length")
+            raise GeometryError("part of a curve must have a positive length")
         ends = self.arc.parameter(np.array([start, min(stop, length)]))
         if stop > length:
             lap = float(self.spline.knots[-1])

@@ -27,7 +27,7 @@ _JOINED = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A place where roads end or meet; `position` in meters."""
+    """A place where roads end or meet: its id and its `position` (x, y) in meters."""
 
     id: int
     position: tuple[float, float]
@@ -35,9 +35,11 @@ class Node:
 
 @dataclass(frozen=True, eq=False)
 class Edge(SharedArrays):
-    """A road between two nodes (one and the same for a loop); `curve` runs from start to end.
+    """A road between two nodes, by their ids, which are one for a loop.
 
-    `widths` (n,) are at even stations of the curve. `confidence` in [0, 1] is the extractor's.
+    `curve` runs from the start to the end node, whose positions its ends must have. `widths` (n,)
+    are meters at even arc lengths of the curve, the last at its end (of a closed curve, one step
+    before its start); one width is for all of it. `confidence` in [0, 1] is the extractor's.
     """
 
     id: int
@@ -74,7 +76,12 @@ class Edge(SharedArrays):
 
 @dataclass(frozen=True, eq=False)
 class RoadNetwork:
-    """`edges` that are joined at `nodes`; ids are unique, edges' are counted from 1."""
+    """Roads (`edges`) that are joined at `nodes`. `network_of_polylines` makes one of points.
+
+    Ids are unique among nodes and among edges. Raises GeometryError for ids used twice, for an
+    edge whose nodes do not exist or lie elsewhere than its ends, and for widths that are not
+    positive.
+    """
 
     nodes: tuple[Node, ...]
     edges: tuple[Edge, ...]

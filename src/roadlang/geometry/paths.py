@@ -29,7 +29,8 @@ _MOST_VISITS = 20_000
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A stretch of one edge between two arc lengths of its curve; backwards if they fall."""
+    """Part of one edge: from arc length `start` of its curve to `stop`, meters; against the
+    direction of the edge if `stop` is less."""
 
     edge: int
     start: float
@@ -43,7 +44,11 @@ class Step:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Stretches of the roads of a network, end to end."""
+    """A way through a network: parts of its edges, `steps`, each beginning where the last one ends.
+
+    Corners between them are rounded within `rounding` meters. The steps are not checked before
+    `curve` is used, which raises GeometryError where they do not meet.
+    """
 
     network: RoadNetwork
     steps: tuple[Step, ...]
@@ -68,20 +73,20 @@ class Path:
 
     @cached_property
     def width(self) -> WidthProfile:
-        """The edges' widths, at the stretched stations of `curve`."""
+        """The edges' widths along `curve`, which rounded corners make a little shorter."""
         if self.is_loop:
             return self.network.edge(self.steps[0].edge).width
         stations, widths, traveled = [], [], 0.0
         for step in self.steps:
-            own = np.linspace(0.0, step.length, max(2, int(step.length) + 1))
-            source = step.start + np.sign(step.stop - step.start) * own
+            along = np.linspace(0.0, step.length, max(2, int(step.length) + 1))
+            source = step.start + np.sign(step.stop - step.start) * along
             # A hair inside, where the next step may begin with another width.
-            inner = traveled + np.clip(own, 1e-6 * step.length, (1.0 - 1e-6) * step.length)
+            inner = traveled + np.clip(along, 1e-6 * step.length, (1.0 - 1e-6) * step.length)
             stations.append(inner)
             widths.append(self.network.edge(step.edge).width.at(source))
             traveled += step.length
-        stretch = self.curve.length / traveled
-        return WidthProfile(np.concatenate(stations) * stretch, np.concatenate(widths))
+        shortened = self.curve.length / traveled
+        return WidthProfile(np.concatenate(stations) * shortened, np.concatenate(widths))
 
     @property
     def is_loop(self) -> bool:

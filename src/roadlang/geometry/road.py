@@ -17,10 +17,11 @@ from .width import WidthProfile
 
 @dataclass(frozen=True, eq=False)
 class Road:
-    """`lanes` of equal width share the carriageway, centered on the curve.
+    """A center line, the width from edge to edge along it, and `lanes` of equal width.
 
-    Lane ids are those of OpenDRIVE: -1 the first right of the middle, 1 the first left of it. Of an
-    odd number the extra lane is on the right; a single lane, -1, lies on the center line.
+    Lane ids are those of OpenDRIVE: -1 the first right of the middle, 1 the first left of it. Lanes
+    on the right run along the road, those on the left against it. Of an odd number the extra lane
+    is on the right; a single lane, -1, lies on the center line.
     """
 
     curve: Curve
@@ -64,7 +65,7 @@ class Road:
         return offset(self.curve, half, stations), offset(self.curve, -half, stations)
 
     def lane_lines(self, stations: ArrayLike) -> tuple[Floats, ...]:
-        """The lines between neighboring lanes, from left to right, (S, 2) each."""
+        """The lines between neighboring lanes, one fewer than lanes, from left to right, (S, 2)."""
         width = self.width.at(stations)
         shares = 0.5 - np.arange(1, self.lanes) / self.lanes
         return tuple(offset(self.curve, width * share, stations) for share in shares)

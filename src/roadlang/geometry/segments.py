@@ -20,7 +20,7 @@ _MOST_SAMPLES = 1_000_000
 
 @dataclass(frozen=True, slots=True)
 class Straight:
-    """`length` meters straight on."""
+    """`length` meters straight on; positive."""
 
     length: float
 
@@ -32,7 +32,7 @@ class Straight:
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """Part of a circle of `radius` meters, turning by `angle` radians, left positive."""
+    """Part of a circle of `radius` meters, which turns by `angle` radians, left positive."""
 
     radius: float
     angle: float
@@ -51,7 +51,7 @@ class Arc:
 
 @dataclass(frozen=True, slots=True)
 class Clothoid:
-    """`length` meters over which the curvature (1/m, left positive) changes evenly."""
+    """`length` meters, positive, over which the curvature (1/m, left positive) changes evenly."""
 
     length: float
     start_curvature: float

@@ -72,8 +72,8 @@ class Picture(Frozen):
 
         Ends that coincide (to half a pixel) become one junction. `width` is in pixels.
         """
+        from ..geometry import network_of_polylines
         from ..geometry.arrays import finite_points
-        from .polylines import network_of_polylines
 
         checked = (
             finite_points(line, f"the points of polyline {index}")

@@ -68,8 +68,8 @@ class Selector(Kind):
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
         """The way through the network.
 
-        Returns a `geometry.Path` of it: what `network.route`, `network.longest` and `network.loop`
-        return, or `Path(network, steps)` of steps that follow each other. Anything else is RL474.
+        Returns a `geometry.Path` of it: what `network.route` and `network.longest` return, or
+        `Path(network, steps)` of steps that follow each other. Anything else is RL474.
         """
         raise NotImplementedError
 
