@@ -21,22 +21,22 @@ _MOST_ROUNDS = 20
 
 @click.command("check")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path())
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
-@click.option("--json", "as_json", is_flag=True, help="Print the diagnostics as a JSON list.")
-@click.option("--fix", is_flag=True, help="Write the fixes that leave no choice into the FILEs.")
 @click.option(
-    "--scenario", is_flag=True, help="Print the scenario as JSON when there are no errors."
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
+@click.option("--json", "as_json", is_flag=True, help="Print the diagnostics as JSON.")
+@click.option("--fix", is_flag=True, help="Apply all unambiguous fixes to the FILEs.")
+@click.option("--scenario", is_flag=True, help="Print the checked scenario as JSON.")
 def command(
     files: tuple[str, ...], settings: tuple[str, ...], as_json: bool, fix: bool, scenario: bool
 ) -> None:
-    """Report every fault of the scene FILEs. `-` reads standard input.
+    """Check the scene FILEs and report all errors. `-` reads standard input.
 
-    Nothing is written but what --fix asks for: fixes with one possible replacement are made, the
-    file is checked again, and what is left is reported.
+    Nothing is written unless --fix is given: then every fix with a single possible replacement is
+    applied, the file is checked again, and the remaining errors are reported.
 
     A JSON diagnostic has code, severity, message, file, line, column, end_line, end_column
-    (counted from 1, the end behind the last character), help and fixes.
+    (counted from 1; the end is exclusive), help and fixes.
     """
     overrides = parse_overrides(settings)
     found: list[Diagnostic] = []

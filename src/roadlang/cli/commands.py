@@ -11,18 +11,18 @@ import click
 from ..diagnostics import Code
 
 COMMANDS: dict[str, tuple[str, str]] = {
-    "compile": ("compile", "Make scenes of a scene file and write them."),
-    "check": ("check", "Report every fault of scene files; write nothing."),
-    "fmt": ("fmt", "Put scene files into the one layout; comments stay."),
-    "init": ("init", "Write a starter scene that compiles."),
+    "compile": ("compile", "Check a scene file, sample scenes and write them."),
+    "check": ("check", "Check scene files and report all errors."),
+    "fmt": ("fmt", "Format scene files; comments are kept."),
+    "init": ("init", "Write a starter scene file."),
     "explain": ("explain", "Explain a diagnostic, or a statement and its options."),
-    "plugins": ("plugins", "List plugins and their kinds; show a kind's options."),
-    "schema": ("schema", "Print a JSON Schema: scene, manifest, scenario, a kind's options."),
-    "run": ("run", "Drive scenes and judge their expectations."),
-    "extract": ("extract", "Find the roads of a picture and show what was found."),
-    "monitor": ("monitor", "Judge a recorded trace by an STL formula."),
-    "mine": ("mine", "Find the tightest parameters of a formula that traces satisfy."),
-    "completion": ("completion", "Print the completion script of a shell."),
+    "plugins": ("plugins", "List installed plugins and kinds; show the options of a kind."),
+    "schema": ("schema", "Print a JSON Schema of an output format or of a kind's options."),
+    "run": ("run", "Drive scenes in a simulator and evaluate their expectations."),
+    "extract": ("extract", "Extract the roads of an image."),
+    "monitor": ("monitor", "Evaluate an STL formula on recorded traces."),
+    "mine": ("mine", "Find the tightest parameters with which a formula holds on traces."),
+    "completion": ("completion", "Print a shell completion script."),
 }
 """Name: module in this package and one line of help, in the order of `--help`."""
 

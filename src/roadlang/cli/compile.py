@@ -29,21 +29,29 @@ if TYPE_CHECKING:
     "-n",
     "count",
     type=click.IntRange(min=1, max=1_000_000),
-    help="How many scenes; by default one, or all of a grid.",
+    help="Number of scenes; by default 1, or all of a grid.",
 )
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
+)
 @click.option(
     "--jobs",
     type=click.IntRange(min=1, max=256),
     default=1,
     show_default=True,
-    help="Processes that search for scenes; the scenes are the same.",
+    help="Number of worker processes; does not change the result.",
 )
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
 @click.option(
-    "--emit", metavar="KIND,...", help="Instead of the file's `emit`s: `json,svg{size: 800px}`."
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
-@click.option("--json", "as_json", is_flag=True, help="Print manifest and diagnostics as JSON.")
+@click.option(
+    "--emit",
+    metavar="KIND,...",
+    help="Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.",
+)
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print the manifest and the diagnostics as JSON."
+)
 def command(
     file: str,
     folder: str,
@@ -54,12 +62,12 @@ def command(
     emit: str | None,
     as_json: bool,
 ) -> None:
-    """Check FILE, draw scenes that satisfy its requirements, and write them to DIR.
+    """Check FILE, sample scenes that satisfy its requirements, and write them to DIR.
 
-    DIR gets scene-0000.json, scene-0000.svg, ... as the file's `emit`s say (JSON and SVG if it has
-    none), and manifest.json with the digests of all of them. The same file, inputs and seed give
-    the same bytes. The exit code is 4 where a road violates an `expect`; what is expected of the
-    drive is judged by `roadlang run`.
+    DIR gets scene-0000.json, scene-0000.svg, ... as the `emit`s of FILE say (JSON and SVG if there
+    are none), and manifest.json with the digests of all of them. The same file, inputs and seed
+    give the same bytes. The exit code is 4 if a road violates an `expect`; expectations of drives
+    are evaluated by `roadlang run`.
     """
     run = _Compilation(as_json)
     target = Path(folder).absolute()  # a plugin may change the current folder

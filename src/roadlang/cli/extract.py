@@ -34,13 +34,25 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
 
 @click.command("extract")
 @click.argument("image", type=click.Path(dir_okay=False))
-@click.option("-o", "--output", type=click.Path(dir_okay=False), help="Write the roads as JSON.")
-@click.option("--overlay", type=click.Path(dir_okay=False), help="Write an SVG to look at.")
-@click.option("--mask", type=click.Path(dir_okay=False), help="Write the road mask as a PNG.")
-@click.option("--with", "kind", default="auto", metavar="KIND", help="Kind of `extract`.")
-@click.option("--scale", type=click.FloatRange(1e-4, 1e4), help="Meters per pixel, if known.")
 @click.option(
-    "--threshold", type=click.FloatRange(0, 1, min_open=True, max_open=True), help="Least evidence."
+    "-o", "--output", type=click.Path(dir_okay=False), help="JSON file to write the roads to."
+)
+@click.option(
+    "--overlay",
+    type=click.Path(dir_okay=False),
+    help="SVG file that shows the roads over the image.",
+)
+@click.option("--mask", type=click.Path(dir_okay=False), help="PNG file for the road mask.")
+@click.option(
+    "--with", "kind", default="auto", metavar="KIND", help="Extractor: a kind of `extract`."
+)
+@click.option(
+    "--scale", type=click.FloatRange(1e-4, 1e4), help="Ground resolution in meters per pixel."
+)
+@click.option(
+    "--threshold",
+    type=click.FloatRange(0, 1, min_open=True, max_open=True),
+    help="Threshold of the extractor.",
 )
 @click.option("--width", type=click.FloatRange(0, min_open=True), help="Road width in pixels.")
 @click.option(
@@ -48,21 +60,23 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
     type=_Numbers(2, "X,Y"),
     multiple=True,
     metavar="X,Y",
-    help="A pixel that a road passes through; give two or more in order along it.",
+    help="Pixel that a road passes through; repeat it in order along the road.",
 )
-@click.option("--only-through", is_flag=True, help="Keep only the road of the --through points.")
+@click.option(
+    "--only-through", is_flag=True, help="Keep only the road through the --through points."
+)
 @click.option(
     "--leave-out",
     type=_Numbers(4, "X,Y,X,Y"),
     multiple=True,
     metavar="X,Y,X,Y",
-    help="A box without roads.",
+    help="Box without roads, given by two opposite corners; repeatable.",
 )
-@click.option("--model", type=click.Path(dir_okay=False), help="ONNX file for `--with onnx`.")
+@click.option("--model", type=click.Path(dir_okay=False), help="Model file for `--with onnx`.")
 def command(
     image: str, output: str | None, overlay: str | None, mask: str | None, **given: Any
 ) -> None:
-    """Find the roads of IMAGE.
+    """Extract the roads of IMAGE.
 
     Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
     down. Without `-o` the JSON goes to standard output.

@@ -17,10 +17,12 @@ from .console import echo, report
 
 @click.command("fmt")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path())
-@click.option("--check", "only_check", is_flag=True, help="Change nothing; exit 1 if it would.")
-@click.option("--diff", is_flag=True, help="Change nothing; print what would change.")
+@click.option(
+    "--check", "only_check", is_flag=True, help="Do not write; exit with 1 if a file would change."
+)
+@click.option("--diff", is_flag=True, help="Do not write; print the changes as a diff.")
 def command(files: tuple[str, ...], only_check: bool, diff: bool) -> None:
-    """Put the scene FILEs into the one layout. `-` formats standard input to standard output.
+    """Format the scene FILEs in place. `-` formats standard input to standard output.
 
     A file with syntax errors is left as it is and its errors are reported.
     """

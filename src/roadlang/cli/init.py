@@ -11,10 +11,10 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from .console import echo
 
 TEMPLATES = {
-    "bend": "a drawn road, bent within limits, with a car",
-    "picture": "a road taken from a picture of yours (not included)",
-    "sweep": "every combination of some values",
-    "town": "a town typed as text, with trees and buildings",
+    "bend": "a drawn road, perturbed at random, and a car",
+    "picture": "a road extracted from an image of yours",
+    "sweep": "a parameter sweep",
+    "town": "a town written as text, with trees and buildings",
 }
 
 

@@ -37,12 +37,14 @@ _NO_PLUGINS = "ROADLANG_NO_PLUGINS"
     "--color",
     type=click.Choice(["auto", "always", "never"]),
     default="auto",
-    help="Color in messages; `auto` asks the terminal and NO_COLOR.",
+    help="When to print colors; `auto` follows the terminal and NO_COLOR.",
 )
-@click.option("--no-plugin", "refused", multiple=True, metavar="NAME", help="Do not load a plugin.")
+@click.option(
+    "--no-plugin", "refused", multiple=True, metavar="NAME", help="Do not load this plugin."
+)
 @click.pass_context
 def roadlang(context: click.Context, color: str, refused: tuple[str, ...]) -> None:
-    """From a picture of a road to checked, simulator-ready scenes."""
+    """A compiler for driving scenarios: from an image of a road to simulator-ready scenes."""
     context.meta["roadlang.color"] = color
     if refused:
         context.with_resource(_plugins_refused(refused))

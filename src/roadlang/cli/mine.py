@@ -22,11 +22,15 @@ if TYPE_CHECKING:
     multiple=True,
     required=True,
     metavar="NAME=LOW..HIGH",
-    help="A name in FORMULA to find a number for; the first one is made tightest.",
+    help="Parameter in FORMULA and its bounds; the first one is tightened first.",
 )
-@click.option("--margin", type=float, help="Ask for this much robustness, not just for the truth.")
-@click.option("--digits", type=click.IntRange(1, 12), default=6, help="Significant digits.")
-@click.option("--json", "as_json", is_flag=True, help="Print values, formula and robustness.")
+@click.option(
+    "--margin", type=float, help="Minimum robustness; by default the formula only has to hold."
+)
+@click.option(
+    "--digits", type=click.IntRange(1, 12), default=6, help="Significant digits of the result."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")
 def command(
     formula: str,
     traces: tuple[str, ...],

@@ -18,18 +18,28 @@ if TYPE_CHECKING:
 @click.command("monitor")
 @click.argument("formula", metavar="FORMULA")
 @click.argument("traces", nargs=-1, required=True, metavar="TRACE...")
-@click.option("--json", "as_json", is_flag=True, help="Print the findings as JSON.")
-@click.option("--plot", type=click.Path(), metavar="OUT.svg", help="Draw signals and robustness.")
-@click.option("--wrap", type=float, metavar="LENGTH", help="The traces go round a closed road.")
+@click.option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
+@click.option(
+    "--plot",
+    type=click.Path(),
+    metavar="OUT.svg",
+    help="SVG file for a plot of the signals and the robustness.",
+)
+@click.option(
+    "--wrap",
+    type=float,
+    metavar="LENGTH",
+    help="Length of the closed road that the traces go around.",
+)
 def command(
     formula: str, traces: tuple[str, ...], as_json: bool, plot: str | None, wrap: float | None
 ) -> None:
-    """Judge each TRACE (CSV with the positions in the first column, or JSON) by FORMULA.
+    """Evaluate FORMULA on each TRACE (CSV with the positions in the first column, or JSON).
 
-    Numbers are in the units of the trace unless they carry one: `always[0, 5] (x < 1.5)`. Exit code
-    4 says that a trace violates the formula. With one TRACE the JSON is an object with formula,
-    robustness (at the start), range, verdict, positions, trace (the robustness at each) and
-    explanation, with more it is a list of them; infinities are the texts "inf" and "-inf".
+    Numbers are in the units of the trace unless they have a unit: `always[0, 5] (x < 1.5)`. The
+    exit code is 4 if a trace violates the formula. The JSON of one TRACE is an object with formula,
+    robustness (at the start), range, verdict, positions, trace (the robustness at each position)
+    and explanation; of several it is a list of these. Infinities are the strings "inf" and "-inf".
     """
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 @click.group("plugins", invoke_without_command=True)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-@click.option("--verb", help="Only the kinds of one verb: `perturb`, `emit`, ...")
+@click.option("--verb", help="List only the kinds of this verb: `perturb`, `emit`, ...")
 @click.pass_context
 def command(context: click.Context, as_json: bool, verb: str | None) -> None:
-    """List plugins, their kinds, and broken plugins with the reason.
+    """List the installed plugins with their kinds, and the plugins that fail to load.
 
     `roadlang plugins show NAME` lists the options of a kind.
     """

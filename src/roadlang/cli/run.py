@@ -18,12 +18,23 @@ if TYPE_CHECKING:
 
 @click.command("run")
 @click.argument("file")
-@click.option("--engine", help="Where to drive, instead of the file's `simulate with`: `godot`.")
+@click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
 @click.option("-o", "--output", "folder", default="out", show_default=True, metavar="DIR")
-@click.option("-n", "count", type=click.IntRange(min=1), help="How many scenes.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
-@click.option("--duration", type=click.FloatRange(min=0.1), help="Seconds at most.")
+@click.option(
+    "-n",
+    "count",
+    type=click.IntRange(min=1),
+    help="Number of scenes; by default 1, or all of a grid.",
+)
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
+)
+@click.option(
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
+)
+@click.option(
+    "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
+)
 @click.option("--window", is_flag=True, help="Show the drive in a window, in real time.")
 @click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON.")
 def command(  # noqa: PLR0913 - one parameter per option
@@ -37,9 +48,9 @@ def command(  # noqa: PLR0913 - one parameter per option
     window: bool,
     as_json: bool,
 ) -> None:
-    """Make scenes of FILE, drive each, judge its expectations, and write the traces to DIR.
+    """Sample scenes of FILE, drive them, evaluate the expectations, and write traces to DIR.
 
-    The exit code is 4 where an expectation is violated, and 5 where the engine failed.
+    The exit code is 4 if an expectation is violated, and 5 if the simulator fails.
     """
     from ..session.loading import load
 

@@ -16,8 +16,8 @@ from ..diagnostics import Code
 def command(words: tuple[str, ...]) -> None:
     """Print a JSON Schema.
 
-    `scene` is what `emit json` writes, `manifest` what stands beside it, `scenario` the checked
-    scene file as `check --scenario` prints it; the name of a kind gives its options in SI units.
+    `scene` is the format of `emit json`, `manifest` that of manifest.json, and `scenario` that of
+    `check --scenario`. The name of a kind gives the schema of its options in SI units.
     """
     schemas = {"scene": _scene, "manifest": _manifest, "scenario": _scenario}
     named = schemas.get(words[0]) if len(words) == 1 else None

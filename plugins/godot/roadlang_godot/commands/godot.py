@@ -8,13 +8,21 @@ from roadlang.cli.console import echo
 
 
 @click.command("godot")
-@click.option("--headless", is_flag=True, help="Without a window.")
+@click.option("--headless", is_flag=True, help="Run without a window.")
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
-@click.option("--port", type=click.IntRange(1, 65535), default=4242, show_default=True)
-@click.option("--transport", type=click.Choice(["udp", "websocket"]), default="udp")
-@click.option("--where", is_flag=True, help="Print engine, version and project, and leave.")
+@click.option(
+    "--port",
+    type=click.IntRange(1, 65535),
+    default=4242,
+    show_default=True,
+    help="Port to listen on.",
+)
+@click.option(
+    "--transport", type=click.Choice(["udp", "websocket"]), default="udp", help="Protocol."
+)
+@click.option("--where", is_flag=True, help="Print the paths of Godot and the project, and exit.")
 def command(headless: bool, host: str, port: int, transport: str, where: bool) -> None:
-    """Start the Godot project that scenes are built, driven and shown in.
+    """Start Godot with the bundled project, in which scenes are built and driven.
 
     Scenes reach it by `emit godot`, `roadlang watch` and `roadlang run`. It listens on this
     machine alone unless --host says otherwise.

@@ -16,23 +16,41 @@ CLIPS = (".avi",)
 
 @click.command("render")
 @click.argument("file")
-@click.option("-o", "--output", required=True, metavar="FILE", help="`.png`, `.jpg` or `.avi`.")
+@click.option(
+    "-o", "--output", required=True, metavar="FILE", help="Output file: `.png`, `.jpg` or `.avi`."
+)
 @click.option(
     "--view",
     type=click.Choice(["chase", "top", "free"]),
-    help="By default chase, or top where no agent is.",
+    help="Camera; by default `chase`, or `top` if there is no agent.",
 )
-@click.option("--size", default="1280x720", show_default=True, metavar="WxH", help="Pixels.")
-@click.option("--scale", type=float, help="Meters a pixel, of the top view.")
-@click.option("--at", "time", type=float, help="Seconds of driving before the picture.")
-@click.option("--duration", type=float, default=6.0, show_default=True, help="Of a clip, seconds.")
-@click.option("--fps", type=click.IntRange(1, 60), default=12, show_default=True)
-@click.option("--agent", help="Whom the chase view follows; by default the first.")
-@click.option("--camera", metavar="X,Y,Z,YAW,PITCH", help="Of the free view: meters, degrees.")
-@click.option("--road", type=click.Choice(["mesh", "tiles"]), default="mesh")
-@click.option("--scene", "index", type=click.IntRange(min=0), default=0, help="Which scene.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
+@click.option(
+    "--size", default="1280x720", show_default=True, metavar="WxH", help="Image size in pixels."
+)
+@click.option("--scale", type=float, help="Meters per pixel of the top view.")
+@click.option("--at", "time", type=float, help="Time in the drive at which to render, in seconds.")
+@click.option(
+    "--duration", type=float, default=6.0, show_default=True, help="Duration of a clip in seconds."
+)
+@click.option(
+    "--fps", type=click.IntRange(1, 60), default=12, show_default=True, help="Frames per second."
+)
+@click.option("--agent", help="Agent that the chase view follows; by default the first.")
+@click.option(
+    "--camera", metavar="X,Y,Z,YAW,PITCH", help="Camera of the free view, in meters and degrees."
+)
+@click.option(
+    "--road", type=click.Choice(["mesh", "tiles"]), default="mesh", help="How to build the road."
+)
+@click.option(
+    "--scene", "index", type=click.IntRange(min=0), default=0, help="Number of the scene."
+)
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
+)
+@click.option(
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
+)
 def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     output: str,
@@ -49,7 +67,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     seed: int,
     settings: tuple[str, ...],
 ) -> None:
-    """Draw a scene of FILE as it looks while it is driven.
+    """Render an image or a clip of a scene of FILE.
 
     A chase view follows an agent, the top view shows the whole scene from above with north up,
     the free view looks from anywhere. Without a screen a virtual one is used.

@@ -22,14 +22,26 @@ JUDGE_EVERY = 0.5
 
 @click.command("watch")
 @click.argument("file")
-@click.option("--headless", is_flag=True, help="Start the simulator without a window.")
-@click.option("--host", help="Use a simulator that runs there (`roadlang godot`).")
-@click.option("--port", type=click.IntRange(1, 65535), default=4242, show_default=True)
-@click.option("--road", type=click.Choice(["mesh", "tiles"]), default="mesh")
+@click.option("--headless", is_flag=True, help="Start Godot without a window.")
+@click.option("--host", help="Host of a running `roadlang godot` to use.")
+@click.option(
+    "--port",
+    type=click.IntRange(1, 65535),
+    default=4242,
+    show_default=True,
+    help="Port of that Godot.",
+)
+@click.option(
+    "--road", type=click.Choice(["mesh", "tiles"]), default="mesh", help="How to build the road."
+)
 @click.option("--save", is_flag=True, help="Write what is moved in the window back to FILE.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a param.")
-@click.option("--for", "seconds", type=float, help="Leave after so many seconds.")
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
+)
+@click.option(
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
+)
+@click.option("--for", "seconds", type=float, help="Exit after this many seconds.")
 def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     headless: bool,
@@ -41,7 +53,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     settings: tuple[str, ...],
     seconds: float | None,
 ) -> None:
-    """Drive FILE in a simulator, and send what changed each time FILE is saved.
+    """Drive FILE in Godot, and update the scene each time FILE is saved.
 
     In the window, objects and road points can be dragged; robustness is shown live.
     """
