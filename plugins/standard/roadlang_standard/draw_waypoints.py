@@ -6,20 +6,39 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Drawer, ListOf, Point, geometry, option
+from roadlang.api import Drawer, Length, ListOf, Point, Word, geometry, option
 
 
 @dataclass(frozen=True)
 class Waypoints(Drawer):
-    """A cubic spline through the points."""
+    """A curve through the points.
+
+    A spline is smooth, but next to long distances between points it may swing out far; a polyline
+    keeps to the straight lines between them.
+    """
 
     name: ClassVar[str] = "waypoints"
     points: ListOf[Point] = option(at_least=2, help="points on the center line, in driving order")
+    curve: Word = option(
+        "spline",
+        words=("spline", "polyline"),
+        help="a cubic spline, or straight lines with rounded corners",
+    )
+    radius: Length = option(
+        10.0,
+        above=0,
+        maximum=1e6,
+        help="radius of the corners of a `polyline`, smaller where lines are too short for it",
+    )
 
     def draw(self, closed: bool) -> geometry.Curve:
-        """A cubic spline by arc length; a closed road goes back to the first point."""
+        """A closed road goes back to the first point; a spline is one by arc length."""
+        if self.curve == "polyline":
+            return geometry.filleted(self.points, self.radius, closed)
         return geometry.Curve.through(self.points, closed)
 
     def least_length(self) -> float:
-        """From point to point in straight lines, less rounding."""
+        """From point to point in straight lines, less rounding; rounded corners cut these short."""
+        if self.curve == "polyline":
+            return 0.999 * math.dist(self.points[0], self.points[-1])
         return 0.999999 * math.fsum(map(math.dist, self.points, self.points[1:]))

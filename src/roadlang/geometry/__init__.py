@@ -2,7 +2,8 @@
 
 Nothing is imported until a name is used.
 
-- curves by arc length: `Curve`; pieces to draw them from: `Straight`, `Arc`, `Clothoid`, `chain`
+- curves by arc length: `Curve`; pieces to draw them from: `Straight`, `Arc`, `Clothoid`, `chain`;
+  of straight lines with rounded corners: `filleted`
 - many variants at once: `Frame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from .distances import pointwise as pointwise
     from .distances import sup_distance as sup_distance
     from .errors import GeometryError as GeometryError
+    from .filleting import filleted as filleted
     from .frame import Frame as Frame
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
@@ -73,6 +75,7 @@ _HOMES = {
     "Clothoid": "segments",
     "Chain": "segments",
     "chain": "segments",
+    "filleted": "filleting",
     "Frame": "frame",
     "CurveBatch": "batch",
     "DisplacedBatch": "displacement",

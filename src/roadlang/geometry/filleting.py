@@ -1,4 +1,4 @@
-"""Curves joined end to end, their corners rounded."""
+"""Curves and straight lines joined end to end, their corners rounded."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .arrays import norm
-from .curve import Curve
+from .arrays import cross, norm
+from .curve import Curve, distinct_points
 from .errors import GeometryError
+from .segments import Arc, Straight, chain
 from .spline import PiecewiseCubic, hermite
 
 _LARGEST_SHARE = 0.45
 _STRAIGHT = 1e-9
+_SHARPEST = np.radians(179.0)
 
 
 def chained(curves: Sequence[Curve], rounding: float) -> Curve:
@@ -64,3 +67,40 @@ def _concatenated(parts: Sequence[PiecewiseCubic]) -> PiecewiseCubic:
     return PiecewiseCubic(
         np.concatenate(knots), np.concatenate([part.coefficients for part in parts])
     )
+
+
+def filleted(points: ArrayLike, radius: float, closed: bool = False) -> Curve:
+    """Straight lines through `points` (n, 2), meters, their corners rounded by arcs of `radius`.
+
+    A fillet takes at most half of the shorter line at its corner, so that its radius may be less.
+    A closed curve begins after the fillet at the first point. Raises GeometryError as
+    `Curve.through` does, for a radius that is not positive, and where the lines turn right back.
+    """
+    if not 0.0 < radius < np.inf:
+        raise GeometryError("the radius of a fillet must be positive")
+    corners = distinct_points(points, closed)
+    ring = np.concatenate([corners, corners[:2]]) if closed else corners
+    legs = np.diff(ring, axis=0)
+    lengths = norm(legs)
+    turns = np.arctan2(cross(legs[:-1], legs[1:]), (legs[:-1] * legs[1:]).sum(axis=1))
+    if (np.abs(turns) > _SHARPEST).any():
+        place = corners[(int(np.argmax(np.abs(turns))) + 1) % len(corners)]
+        raise GeometryError(f"the lines turn right back at ({place[0]:g} m, {place[1]:g} m)")
+    tangents = np.tan(np.abs(turns) / 2.0)
+    cuts = np.minimum(radius * tangents, np.minimum(lengths[:-1], lengths[1:]) / 2.0)
+    if closed:  # the last corner is that at the first point
+        legs, lengths = legs[:-1], lengths[:-1]
+        before, after = np.roll(cuts, 1), cuts
+        start = corners[0] + legs[0] / lengths[0] * before[0]
+    else:
+        before, after = np.concatenate([[0.0], cuts]), np.concatenate([cuts, [0.0]])
+        start = corners[0]
+    pieces: list[Straight | Arc] = []
+    for index, length in enumerate(lengths):
+        rest = float(length - before[index] - after[index])
+        if rest > _STRAIGHT * length:
+            pieces.append(Straight(rest))
+        if index < len(turns) and abs(turns[index]) > _STRAIGHT:
+            pieces.append(Arc(float(cuts[index] / tangents[index]), float(turns[index])))
+    heading = float(np.arctan2(legs[0, 1], legs[0, 0]))
+    return chain(pieces, start, heading, spacing=0.5).curve(closed)
