@@ -94,6 +94,7 @@ from .plugins.kinds import (
 from .plugins.options import option
 
 if TYPE_CHECKING:
+    from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.control import Control, Observation
     from .ir.encoding import to_json
@@ -110,6 +111,7 @@ _LATER = {
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.scene": "Call Scene SceneActor SceneNetwork SceneNode SceneRoad Verdict",
     ".ir.trace": "AgentTrace Trace",
+    ".images.plugin_input": "read_image read_input",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -211,6 +213,8 @@ __all__ = [
     "one_of",
     "option",
     "quantity",
+    "read_image",
+    "read_input",
     "record_of",
     "to_json",
 ]

@@ -53,6 +53,7 @@ _KINDS = {
     "sample halton": "sample_halton:Halton",
     "sample guided": "sample_guided:Guided",
     "read csv": "read_csv:Csv",
+    "read ros_map": "read_ros_map:RosMap",
     "emit json": "emit_json:Json",
     "emit svg": "emit_svg:Svg",
     "piece straight": "pieces:Straight",

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
-from ..files.reading import UnreadableFile, read_file
+from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import Header, is_whole, read_header
 from .image_scale import scale_in_file
 
@@ -37,7 +37,7 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     header = read_header(content)
     if header is None:
         raise _refusal(
-            Code.NOT_AN_IMAGE, span, written, help="PNG, JPEG, TIFF, BMP and WebP can be read"
+            Code.NOT_AN_IMAGE, span, written, help="PNG, JPEG, TIFF, BMP, PNM and WebP can be read"
         )
     _check_size(header, written, span)
     if not is_whole(header.format, content):
@@ -49,10 +49,10 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     return OpenedImage(_as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
 
 
-def read_input(path: Path, written: str, span: Span | None) -> bytes:
+def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:
     """The bytes of an input file. Raises DiagnosticError RL400, RL401."""
     try:
-        content = read_file(path)
+        content = read_file(path, limit)
     except UnreadableFile as error:
         if error.size is not None:
             size = f"{error.size / 1e6:.0f} MB"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from dataclasses import dataclass
 
@@ -18,7 +19,7 @@ class Header:
 
 
 def read_header(content: bytes) -> Header | None:
-    """Format and size; None for what is no PNG, JPEG, TIFF, BMP or WebP file."""
+    """Format and size; None for what is no PNG, JPEG, TIFF, BMP, PNM or WebP file."""
     try:
         if content.startswith(b"\x89PNG\r\n\x1a\n"):
             return Header("PNG", *struct.unpack(">II", content[16:24]))
@@ -30,6 +31,8 @@ def read_header(content: bytes) -> Header | None:
         if content.startswith(b"BM"):
             width, height = struct.unpack("<ii", content[18:26])
             return Header("BMP", abs(width), abs(height))
+        if content[:1] == b"P" and content[1:2] in _PNM:
+            return _pnm(content)
         if content[:4] == b"RIFF" and content[8:12] == b"WEBP":
             return _webp(content)
     except (struct.error, IndexError, TiffError):
@@ -45,6 +48,13 @@ def is_whole(format: str, content: bytes) -> bool:
         return b"\xff\xd9" in content[-65536:]
     if format == "BMP":
         return len(content) >= int(struct.unpack("<I", content[2:6])[0]) * 0.99
+    if format == "PNM" and content[1:2] in b"56":
+        header = _PNM_HEADER.match(content)
+        if header is None:
+            return False
+        width, height, most = map(int, header.groups())
+        values = width * height * (3 if content[1:2] == b"6" else 1)
+        return len(content) - header.end() >= values * (2 if most > 255 else 1)
     if format == "WebP":
         return len(content) >= int(struct.unpack("<I", content[4:8])[0])
     return True
@@ -65,6 +75,21 @@ def _jpeg(content: bytes) -> Header | None:
             at += 2 + int(struct.unpack(">H", content[at + 2 : at + 4])[0])
     # Cut off before its size is told: a picture all the same.
     return Header("JPEG", 8, 8)
+
+
+_PNM = b"2356"
+"""gray and color, as text and as bytes"""
+_GAP = rb"(?:[ \t\r\n]|#[^\n]*\n)+"
+_PNM_HEADER = re.compile(rb"P[2356]" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)\s")
+
+
+def _pnm(content: bytes) -> Header | None:
+    """PGM and PPM files, which maps of robots are."""
+    found = _PNM_HEADER.match(content)
+    if found is None:
+        return None
+    width, height, most = map(int, found.groups())
+    return Header("PNM", width, height) if 0 < most < 65536 else None
 
 
 def _webp(content: bytes) -> Header | None:

@@ -152,8 +152,8 @@ def _from_file(network: Network, source: FileSource, scenario: IndexedScenario) 
     found: Extraction | RoadNetwork = content.value
     spacing = station_spacing(network, scenario)
     if isinstance(found, RoadNetwork):
-        return NetworkRoot(network.name, found, spacing, inputs=(content.input,))
-    return _root_of(network.name, found, spacing, None, (content.input,))
+        return NetworkRoot(network.name, found, spacing, inputs=content.inputs)
+    return _root_of(network.name, found, spacing, None, content.inputs)
 
 
 def _root_of(

@@ -116,7 +116,7 @@ def _read(source: FileSource, image: Image, scenario: IndexedScenario) -> _Draft
     if pixels.ndim == 2:
         pixels = np.repeat(pixels[..., None], 3, axis=2)
     colors = np.ascontiguousarray(pixels[..., :3])
-    return _Draft(Picture(colors, 1.0, path=source.path), None, (content.input,))
+    return _Draft(Picture(colors, 1.0, path=source.path), None, content.inputs)
 
 
 def _after(call: PassCall, before: Picture, candidates: CandidateBatch) -> Picture:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,10 +25,10 @@ from ..plugins.registry import KindEntry
 
 @dataclass(frozen=True, eq=False)
 class FileContent:
-    """What a reader made of a file, and the file with its digest."""
+    """What a reader made of a file, and the files that it read with their digests."""
 
     value: Any
-    input: Input
+    inputs: tuple[Input, ...]
 
 
 def read_file(
@@ -45,10 +46,19 @@ def read_file(
     call = next(call for call in passes if call.verb == "read")
     file = _input_of(source, scenario, call.span or span)
     built = build(call, fixed_candidate(scenario), single=True)
-    with plugin_guard(built.entry, call.span or span):
-        found = built.kind.read(Path(source.resolved))
-    _check_content(found, reads, built.entry, call.span or span)
-    return FileContent(found, file)
+    path = Path(source.resolved)
+    place = call.span or span
+    with plugin_guard(built.entry, place):
+        names = [str(name) for name in built.kind.companions(path)]
+    others = [
+        FileSource(os.path.join(os.path.dirname(source.path), name), str(path.parent / name))
+        for name in names
+    ]
+    inputs = (file, *(_input_of(other, scenario, place) for other in others))
+    with plugin_guard(built.entry, place):
+        found = built.kind.read(path)
+    _check_content(found, reads, built.entry, place)
+    return FileContent(found, inputs)
 
 
 def _check_content(found: Any, reads: str, entry: KindEntry, span: Span | None) -> None:

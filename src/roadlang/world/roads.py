@@ -220,7 +220,7 @@ def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> Ro
     reading = [call for call in road.passes if call.verb == "read"]
     curve = _checked(curve, road, reading[0] if reading else None)
     frame = _frame(curve, road, candidates.scenario)
-    return RoadRoot(road.name, frame, width, lanes, inputs=(content.input,))
+    return RoadRoot(road.name, frame, width, lanes, inputs=content.inputs)
 
 
 def _is_closed(road: Road, candidates: CandidateBatch) -> bool:

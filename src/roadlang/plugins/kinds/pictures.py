@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
@@ -71,3 +72,8 @@ class Reader(Kind):
         Raise `DiagnosticError` or `geometry.GeometryError` for what is wrong with the file.
         """
         raise NotImplementedError
+
+    def companions(self, path: Path) -> Iterable[str]:
+        """Other files that `read` reads, as the file at `path` names them: absolute, or relative to
+        it. Their digests are recorded with those of all inputs."""
+        return ()

@@ -15,6 +15,8 @@ _MAGIC = {
     ".bmp": (b"BM",),
     ".tif": (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
     ".tiff": (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
+    ".pgm": (b"P2", b"P5"),
+    ".ppm": (b"P3", b"P6"),
     ".webp": (b"RIFF",),
 }
 PICTURE_SUFFIXES = tuple(_MAGIC)

@@ -1,0 +1,32 @@
+"""Files that plugins read: with the limits and diagnostics of those that a scene names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..files.reading import LARGEST_INPUT
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+def read_input(path: Path, limit: int = LARGEST_INPUT) -> bytes:
+    """The bytes of a regular file of at most `limit` bytes.
+
+    Raises `DiagnosticError` RL400, RL401; the place in the scene file is added where it is known.
+    """
+    from .image_file import read_input
+
+    return read_input(path, path.name, None, limit)
+
+
+def read_image(path: Path) -> NDArray[np.uint8]:
+    """The pixels (height, width, 3) BGR of an image, row 0 at the top.
+
+    Raises `DiagnosticError` RL400 to RL405.
+    """
+    from .image_file import open_image
+
+    return open_image(path, path.name, None).pixels
