@@ -44,6 +44,68 @@ def test_kept_expectations_leave_with_0_and_the_trace_is_written(tmp_path: Path)
     assert [v["satisfied"] for v in verdicts["expectations"]] == [True] * 4
 
 
+def test_the_summary_says_how_many_hold_and_where_the_files_are(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(tmp_path, "9m/s") == 0
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last == "all expectations hold in 1 of 1 scene; traces and verdicts in out"
+
+
+def test_results_are_a_table_of_scenes_by_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    started().stop()
+    (tmp_path / "scene.rl").write_text("param limit = 9m/s\n" + SCENE.format(limit="limit"))
+    (tmp_path / "runs.yaml").write_text("- limit: 9m/s\n- limit: 6m/s\n")
+    words = ["run", str(tmp_path / "scene.rl"), "--params", str(tmp_path / "runs.yaml")]
+    assert cli.run([*words, "-o", str(tmp_path / "out"), "--duration", "5"]) == 4
+    assert "run-001: scene 0: 5.0 s driven in" in capsys.readouterr().out
+    rows = list(csv.DictReader((tmp_path / "out/results.csv").open()))
+    assert [row["run"] for row in rows] == ["run-000", "run-001"]
+    assert [row["limit"] for row in rows] == ["9.0", "6.0"]
+    assert [row["calm satisfied"] for row in rows] == ["true", "false"]
+    assert float(rows[0]["calm"]) - float(rows[1]["calm"]) == pytest.approx(3.0, abs=0.2)
+    assert (tmp_path / "out/run-001/scene-0000.trace.csv").exists()
+
+
+def test_from_python_a_drive_is_columns_and_verdicts(tmp_path: Path) -> None:
+    import numpy as np
+
+    import roadlang
+    from roadlang import stl
+
+    started().stop()
+    (scene,) = roadlang.loads(SCENE.format(limit="9m/s")).sample()
+    drive = scene.run("godot", duration=3.0)
+    assert drive.engine.lower().startswith("godot")
+    assert drive.duration == pytest.approx(3.0, abs=0.05)
+    columns = drive.to_dict()
+    assert list(columns)[:3] == ["time", "ego.x", "ego.y"]
+    assert {len(column) for column in columns.values()} == {len(drive.trace.time)}
+    calm = drive.verdicts["calm"]
+    assert calm.satisfied
+    speed = columns["ego.speed"]
+    assert calm.robustness == pytest.approx(9.0 - float(np.max(speed)))
+    again = stl.parse("always (ego_speed < 9)").rho(columns["time"], {"ego_speed": speed})
+    assert float(np.min(again)) == pytest.approx(calm.robustness)
+    drives = roadlang.loads(SCENE.format(limit="6m/s")).sample().run(duration=3.0)
+    assert not drives.satisfied
+    assert drives.to_dict()["calm satisfied"] == [False]
+    assert [found.name for found in drives.expectations if found.violated] == ["calm", "arrives"]
+
+
+def test_an_option_that_an_engine_does_not_have_is_said() -> None:
+    import roadlang
+
+    (scene,) = roadlang.loads(SCENE.format(limit="9m/s")).sample()
+    with pytest.raises(roadlang.DiagnosticError, match=r"RL220(.|\n)*did you mean `duration`"):
+        scene.run("godot", durations=3.0)
+    with pytest.raises(roadlang.DiagnosticError, match="RL208"):
+        scene.run("godot", duration=-3.0)
+
+
 def test_a_violated_expectation_leaves_with_4(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -27,7 +27,7 @@ def test_stale_tables_are_built_anew_with_a_warning(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(tables, "grammar_text", lambda: edited)
     with pytest.warns(RuntimeWarning, match=r"python -m roadlang\.syntax\.parsing\.tables"):
         built = tables.tables.__wrapped__()
-    assert built.starts.keys() == {"file", "formula"}
+    assert built.starts.keys() == {"file", "formula", "value"}
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def lark_parser() -> Any:
         grammar_text(),
         parser="lalr",
         lexer="contextual",
-        start=["file", "formula"],
+        start=["file", "formula", "value"],
         maybe_placeholders=True,
         strict=False,
     )

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from ..diagnostics import Diagnostic, DiagnosticError
+from ..diagnostics import DiagnosticError
 from ..session.outputs import parse_outputs
 from ..session.scene_files import parse_overrides
 from . import exit_codes
-from .console import echo, holding, note, report, violations
+from .console import report
 
 if TYPE_CHECKING:
-    from ..ir.manifest import Manifest
-    from ..session.scene_set import SceneSet
+    from .compilation import Compilation
 
 
 @click.command("compile")
@@ -45,6 +43,11 @@ if TYPE_CHECKING:
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
 @click.option(
+    "--params",
+    metavar="FILE.yaml",
+    help="YAML file with values of params; a list of maps gives several runs.",
+)
+@click.option(
     "--emit",
     metavar="KIND,...",
     help="Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.",
@@ -52,13 +55,14 @@ if TYPE_CHECKING:
 @click.option(
     "--json", "as_json", is_flag=True, help="Print the manifest and the diagnostics as JSON."
 )
-def command(
+def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     folder: str,
     count: int | None,
     seed: int,
     jobs: int,
     settings: tuple[str, ...],
+    params: str | None,
     emit: str | None,
     as_json: bool,
 ) -> None:
@@ -66,114 +70,61 @@ def command(
 
     DIR gets scene-0000.json, scene-0000.svg, ... as the `emit`s of FILE say (JSON and SVG if there
     are none), and manifest.json with the digests of all of them. The same file, inputs and seed
-    give the same bytes. The exit code is 4 if a road violates an `expect`; expectations of drives
-    are evaluated by `roadlang run`.
+    give the same bytes. If --params has a list of maps, each is a run with a folder of its own,
+    DIR/run-000, ..., and DIR/runs.csv lists the runs. The exit code is 4 if a road violates an
+    `expect`; expectations of drives are evaluated by `roadlang run`.
     """
-    run = _Compilation(as_json)
-    target = Path(folder).absolute()  # a plugin may change the current folder
+    target = Path(folder).absolute()  # before a plugin can change the current folder
     try:
-        outputs = None if emit is None else parse_outputs(emit)
-        run.compile(file, parse_overrides(settings), target, count, seed, jobs, outputs)
+        runs, is_list = _runs(file, parse_overrides(settings), params, emit, target)
+        checked = [run.check() for run in runs]
+        if all(checked):
+            for run in runs:
+                run.compile(count, seed, jobs)
+            if is_list:
+                from ..session.runs import write_runs
+
+                write_runs(target, [run.row() for run in runs])
     except DiagnosticError as error:
-        run.found += error.diagnostics
-    run.report(folder)
-    click.get_current_context().exit(run.exit_code)
+        _refuse(error, as_json)
+        return
+    if as_json:
+        records = [run.record() for run in runs]
+        click.echo(json.dumps(records if is_list else records[0], indent=2))
+    elif not all(checked):
+        report(dict.fromkeys(found for run in runs for found in run.found))
+    else:
+        for run in runs:
+            run.report()
+    code = exit_codes.severest(run.exit_code for run in runs)
+    click.get_current_context().exit(code)
 
 
-class _Compilation:
-    """What was found and written so far."""
+def _runs(
+    file: str, overrides: dict[str, str], params: str | None, emit: str | None, target: Path
+) -> tuple[list[Compilation], bool]:
+    """What is to be compiled, and whether each of it has a folder of its own."""
+    from ..session.loading import load
+    from ..session.runs import run_folders, variants
+    from .compilation import Compilation
 
-    def __init__(self, as_json: bool) -> None:
-        self.as_json = as_json
-        self.found: list[Diagnostic] = []
-        self.scenes: SceneSet | None = None
-        self.manifest: Manifest | None = None
+    variant, is_list = variants(load(file), params)
+    outputs = None if emit is None else parse_outputs(emit)
+    loaded = [each.with_params(overrides) for each in variant]
+    if outputs is not None:
+        loaded = [each.with_outputs(outputs) for each in loaded]
+    folders = run_folders(target, len(loaded)) if is_list else [target]
+    return [Compilation(*pair) for pair in zip(loaded, folders, strict=True)], is_list
 
-    def compile(
-        self,
-        file: str,
-        overrides: dict[str, str],
-        folder: Path,
-        count: int | None,
-        seed: int,
-        jobs: int,
-        outputs: Sequence[str] | None,
-    ) -> None:
-        from ..session.loading import load
-        from .progress import ProgressBar
 
-        loaded = load(file).with_params(overrides)
-        if outputs is not None:
-            loaded = loaded.with_outputs(outputs)
-        self.found += loaded.check()
-        if any(diagnostic.is_error for diagnostic in self.found):
-            return
-        from ..session.scene_set import NoSceneError
-
-        try:
-            with ProgressBar("scenes") as progress:
-                self.scenes = loaded.sample(count, seed=seed, jobs=jobs, progress=progress)
-        except NoSceneError as error:
-            self.scenes = error.result
-            raise
-        self.found += self.scenes.diagnostics
-        with ProgressBar("files") as progress:
-            self.manifest = self.scenes.emit(folder, progress=progress)
-
-    @property
-    def exit_code(self) -> int:
-        """That of the errors, or 4 where a road violates an `expect`."""
-        code = exit_codes.exit_code_of(self.found)
-        if code == exit_codes.DONE and self.scenes is not None and not self.scenes.satisfied:
-            return exit_codes.EXPECTATION_VIOLATED
-        return code
-
-    def report(self, folder: str) -> None:
-        """The manifest or a summary to stdout; diagnostics and the table to stderr."""
-        self.found = list(dict.fromkeys(self.found))
-        if self.as_json:
-            click.echo(self._as_json())
-            return
-        report(self.found)
-        if self.scenes is None:
-            return
-        if self.scenes.result.missing:
-            note(f"\n{self.scenes.rejection_table}")
-        for remark in self.scenes.remarks:
-            note(f"note: {remark}")
-        if self.manifest is not None:
-            for line in violations(self.scenes.expectations):
-                echo(line)
-            scenes = _count(len(self.scenes), "scene")
-            tried = _count(self.scenes.candidates, "candidate")
-            files = _count(len(self.manifest.files), "file")
-            echo(f"{scenes} of {tried}, {files} in {folder}{self._held()}")
-
-    def _held(self) -> str:
-        """In how many scenes the expectations hold, where they do not in all."""
-        assert self.scenes is not None
-        violating = {i for found in self.scenes.expectations for i in found.violated}
-        total = len(self.scenes)
-        return f"; {holding(total - len(violating), total)}" if violating else ""
-
-    def _as_json(self) -> str:
-        import dataclasses
-
+def _refuse(error: DiagnosticError, as_json: bool) -> None:
+    """Report what keeps everything from beginning, or the table from being written."""
+    if as_json:
         from ..diagnostics.render import to_record
 
-        scenes = self.scenes
-        table = [] if scenes is None else [dataclasses.asdict(row) for row in scenes.rejections]
-        record = {
-            "manifest": None if self.manifest is None else dataclasses.asdict(self.manifest),
-            "diagnostics": [to_record(diagnostic) for diagnostic in self.found],
-            "requirements": table,
-            "expectations": (
-                [] if scenes is None else [dataclasses.asdict(e) for e in scenes.expectations]
-            ),
-            "remarks": [] if scenes is None else list(scenes.remarks),
-        }
-        return json.dumps(record, indent=2)
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+        found = [to_record(diagnostic) for diagnostic in error.diagnostics]
+        lists: dict[str, list[object]] = {"requirements": [], "expectations": [], "remarks": []}
+        click.echo(json.dumps({"manifest": None, "diagnostics": found, **lists}, indent=2))
+    else:
+        report(error.diagnostics)
+    click.get_current_context().exit(exit_codes.exit_code_of(error.diagnostics))

@@ -6,6 +6,7 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 import click
@@ -96,3 +97,11 @@ def violations(expectations: Iterable[Expectation]) -> Iterator[str]:
 def holding(satisfied: int, scenes: int) -> str:
     """In how many scenes all expectations hold."""
     return f"all expectations hold in {satisfied} of {scenes} scene{'' if scenes == 1 else 's'}"
+
+
+def shown(path: Path) -> str:
+    """A path as people write it: relative where it is below the current folder."""
+    try:
+        return str(path.relative_to(Path.cwd()))
+    except (ValueError, OSError):
+        return str(path)

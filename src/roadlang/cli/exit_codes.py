@@ -17,14 +17,21 @@ INTERRUPTED = 130
 PIPE_CLOSED = 141
 TERMINATED = 143
 
-_SEVEREST_FIRST = (BUG, OUTSIDE_PART_FAILED, WRONG_USE, NO_SCENE, SCENARIO_HAS_ERRORS, DONE)
+_SEVEREST_FIRST = (
+    BUG, OUTSIDE_PART_FAILED, WRONG_USE, NO_SCENE, SCENARIO_HAS_ERRORS, EXPECTATION_VIOLATED, DONE
+)  # fmt: skip
 
 
 def exit_code_of(diagnostics: Iterable[Diagnostic]) -> int:
     """The exit code that the errors among the diagnostics call for, as their pages in the catalog
     have it; `DONE` without errors."""
-    codes = {_exit_code(diagnostic.code) for diagnostic in diagnostics if diagnostic.is_error}
-    return next((code for code in _SEVEREST_FIRST if code in codes), DONE)
+    return severest(_exit_code(found.code) for found in diagnostics if found.is_error)
+
+
+def severest(codes: Iterable[int]) -> int:
+    """The exit code of several; `DONE` where there is none."""
+    present = set(codes)
+    return next((code for code in _SEVEREST_FIRST if code in present), DONE)
 
 
 def _exit_code(code: str) -> int:

@@ -209,3 +209,5 @@ class Code:
     BROKEN_PLUGIN_COMMAND: Final = "RL932"
     OUT_OF_MEMORY: Final = "RL933"
     WORKER_ENDED: Final = "RL934"
+    MALFORMED_YAML: Final = "RL936"
+    NOT_A_PARAM: Final = "RL937"

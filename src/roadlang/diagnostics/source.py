@@ -8,10 +8,14 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A text with a name; `path` is what the user wrote or a label such as `--set reach`."""
+    """A text with a name; `path` is what the user wrote or a label such as `--set reach`.
+
+    Where `text` is a part of a file, with blanks in the place of all else, `shown` is the file.
+    """
 
     path: str
     text: str = field(repr=False)
+    shown: str = field(default="", repr=False)
     _line_starts: tuple[int, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -26,9 +30,15 @@ class Source:
 
     def line(self, number: int) -> str:
         """The text of one line (counted from 1), without its line end."""
+        text = self.shown or self.text
         start = self._line_starts[number - 1]
-        end = self.text.find("\n", start)
-        return self.text[start : len(self.text) if end < 0 else end].rstrip("\r")
+        end = text.find("\n", start)
+        return text[start : len(text) if end < 0 else end].rstrip("\r")
+
+    def part(self, start: int, end: int) -> Source:
+        """The text from `start` up to and without `end`, at its place."""
+        blank = "".join("\n" if char == "\n" else " " for char in self.text[:start])
+        return Source(self.path, blank + self.text[start:end], self.text)
 
     @property
     def line_count(self) -> int:

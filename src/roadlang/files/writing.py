@@ -59,6 +59,21 @@ def write_set(
     return tuple(folder / name for name in data)
 
 
+def remove_set(folder: Path, marker: str, belonging: Callable[[Path], Iterable[str]]) -> None:
+    """Remove a set that `write_set` wrote, and the folder where nothing else is in it.
+
+    Nothing happens where there is no marker. Raises `DiagnosticError` RL460.
+    """
+    with _reported(folder):
+        with folder_lock(folder):
+            recover(folder)
+            if not os.path.lexists(folder / marker):
+                return
+            replace_files(folder, {}, [*belonging(folder / marker), marker], None)
+        with contextlib.suppress(OSError):
+            folder.rmdir()
+
+
 def replace_file(path: Path, text: str) -> None:
     """Write another text into a file of the user: whole or not at all, its permissions kept.
 

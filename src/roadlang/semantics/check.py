@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..diagnostics import Code, Diagnostic
+from ..diagnostics import Code, Diagnostic, Source
 from ..diagnostics.render import in_order
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
@@ -24,7 +24,7 @@ from .outputs import add_outputs, select_outputs, with_advice
 def check_text(
     text: str,
     path: Path,
-    overrides: Mapping[str, str],
+    overrides: Mapping[str, str | Source],
     registry: Registry,
     outputs: Sequence[str] | None = None,
 ) -> tuple[Scenario | None, list[Diagnostic]]:

@@ -12,6 +12,7 @@ from ..drive.simulators import Driven, drive_scenes
 from ..drive.trace_files import COLUMNS, to_csv, to_json
 from .expectations import Expectation, expectations_of
 from .scene import Scene
+from .tables import columns_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -149,9 +150,9 @@ class DriveSet(Sequence[Drive]):
         """Whether all expectations hold in all of them."""
         return all(drive.satisfied for drive in self)
 
-    def to_dict(self) -> dict[str, list[Any]]:
-        """Columns for `pandas.DataFrame`, one row a drive: `scene`, params and draws, then for
-        each expectation its robustness and, as `NAME satisfied`, how it came out."""
+    def rows(self) -> list[dict[str, Any]]:
+        """Of each drive: `scene`, params and draws, then for each expectation its robustness and,
+        as `NAME satisfied`, how it came out."""
         rows = []
         for drive in self:
             row: dict[str, Any] = {"scene": drive.scene.index}
@@ -159,5 +160,8 @@ class DriveSet(Sequence[Drive]):
             for name, verdict in drive.verdicts.items():
                 row |= {name: verdict.robustness, f"{name} satisfied": verdict.satisfied}
             rows.append(row)
-        names = dict.fromkeys(name for row in rows for name in row)
-        return {name: [row.get(name) for row in rows] for name in names}
+        return rows
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """`rows` as columns for `pandas.DataFrame`."""
+        return columns_of(self.rows())

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ..plugins.registry import Registry
     from .scene_set import SceneSet
 
+
 DEFAULT_EMITS = ("json", "svg")
 """What a file without an `emit` is taken to mean."""
 
@@ -45,15 +46,7 @@ def emit(
     backends = backends_of(scenario, registry, scenario.emits or _default_emits(registry))
     records = [scene.record for scene in scenes]
     written = outputs_of(backends, records, progress)
-    manifest = manifest_of(
-        scenario,
-        scenes.result,
-        written,
-        str(loaded.path),
-        scenes.seed,
-        loaded.params,
-        backends,
-    )
+    manifest = manifest_of(loaded, scenes.result, scenes.seed, written, backends)
     contents = {output.path: output.content for output in written}
     contents[MANIFEST_FILE] = to_json(manifest).encode()
     write_set(folder, contents, MANIFEST_FILE, files_named_in)

@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Diagnostic, DiagnosticError
+from ..diagnostics import Diagnostic, DiagnosticError, Source
 from ..diagnostics.render import in_order
 from .outputs import check_outputs
 from .params import ParamValue, param_texts
@@ -19,10 +19,11 @@ from .scene_files import read_scene_file
 if TYPE_CHECKING:
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
+    from .param_files import ParamFile
     from .scene_set import SceneSet
 
 Progress = Callable[[int, int], None]
-_PARTS = ("text", "path", "params", "registry", "outputs")
+_PARTS = ("text", "path", "registry", "outputs", "inputs")
 
 
 def load(file: str | Path, /, **params: ParamValue) -> LoadedScenario:
@@ -45,26 +46,37 @@ class LoadedScenario:
     """A scene file with values for its params. It does not change; `with_params` gives another.
 
     `path` is where the file is, or for a text would be; `params` holds the values from outside
-    as texts of the language, `outputs` what is emitted instead of the file's `emit`s.
+    as texts of the language, `outputs` what is emitted instead of the file's `emit`s, `inputs` the
+    sha256 of files that params were read from.
     """
 
     def __init__(
         self,
         text: str,
         path: Path,
-        params: Mapping[str, str] | None = None,
+        params: Mapping[str, str | Source] | None = None,
         registry: Registry | None = None,
         outputs: Sequence[str] | None = None,
+        inputs: Mapping[str, str] | None = None,
     ) -> None:
         self.text = text
         self.path = path
-        self.params: dict[str, str] = dict(params or {})
+        self.inputs: dict[str, str] = dict(inputs or {})
+        self._settings: dict[str, str | Source] = dict(params or {})
         self.outputs = None if outputs is None else tuple(outputs)
         self._registry = registry
 
     def __repr__(self) -> str:
         params = "".join(f", {name}={value!r}" for name, value in self.params.items())
         return f"roadlang.load({str(self.path)!r}{params})"
+
+    @property
+    def params(self) -> dict[str, str]:
+        """The values from outside, as texts of the language."""
+        return {
+            name: value.text.strip() if isinstance(value, Source) else value
+            for name, value in self._settings.items()
+        }
 
     @cached_property
     def registry(self) -> Registry:
@@ -80,7 +92,21 @@ class LoadedScenario:
         texts = param_texts({**(params or {}), **more})
         if not texts:
             return self
-        return self._changed(params={**self.params, **texts})
+        return self._changed(params={**self._settings, **texts})
+
+    def with_param_file(self, file: str | Path | ParamFile) -> tuple[LoadedScenario, ...]:
+        """The same file with the params of a YAML file: one of a map, several of a list of maps.
+
+        Raises `DiagnosticError` (RL920, RL936, RL937) where the file cannot be read.
+        """
+        from .param_files import ParamFile, read_params
+
+        found = file if isinstance(file, ParamFile) else read_params(str(file))
+        inputs = {**self.inputs, found.path: found.sha256}
+        return tuple(
+            self._changed(params={**self._settings, **values}, inputs=inputs)
+            for values in found.sets
+        )
 
     def with_text(self, text: str) -> LoadedScenario:
         """Another text in the place of the file, with the same params."""
@@ -97,7 +123,7 @@ class LoadedScenario:
 
     def _changed(self, **parts: Any) -> LoadedScenario:
         same = {name: getattr(self, name) for name in _PARTS}
-        return LoadedScenario(**{**same, **parts})
+        return LoadedScenario(**{**same, "params": self._settings, **parts})
 
     def check(self) -> tuple[Diagnostic, ...]:
         """Everything that is wrong or doubtful in the file, in the order of the places."""
@@ -141,7 +167,9 @@ class LoadedScenario:
     def _checked(self) -> tuple[Scenario | None, tuple[Diagnostic, ...]]:
         from ..semantics import check_text
 
-        scenario, found = check_text(self.text, self.path, self.params, self.registry, self.outputs)
+        scenario, found = check_text(
+            self.text, self.path, self._settings, self.registry, self.outputs
+        )
         if scenario is not None:
             from .fixed_faults import fixed_faults
 

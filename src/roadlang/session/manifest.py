@@ -5,8 +5,9 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.kind_instance import KindInstance
@@ -17,31 +18,34 @@ from ..scenes.emitting import Output
 from ..scenes.sampling import SamplingResult
 from ..version import __version__
 
+if TYPE_CHECKING:
+    from .loading import LoadedScenario
+
 
 def manifest_of(
-    scenario: Scenario,
+    loaded: LoadedScenario,
     result: SamplingResult,
-    written: Sequence[Output],
-    source: str,
     seed: int,
-    overrides: Mapping[str, str],
+    written: Sequence[Output],
     backends: Sequence[KindInstance],
 ) -> Manifest:
     """What was written, from what, and how the requirements fared."""
+    scenario = loaded.scenario
     sampled = result.scenes[0].provenance
+    inputs = {**loaded.inputs, **_scene_file_digests(scenario), **sampled.inputs}
     emitting = {b.entry.origin.distribution: b.entry.origin.version for b in backends}
     return Manifest(
         name=scenario.header.name,
         title=scenario.header.title,
         roadlang=__version__,
-        source=source,
+        source=str(loaded.path),
         seed=seed,
         scenes=result.accepted,
         asked=result.wanted,
         candidates=result.candidates,
-        inputs=dict(sorted({**_scene_file_digests(scenario), **sampled.inputs}.items())),
+        inputs=dict(sorted(inputs.items())),
         plugins=dict(sorted({**sampled.plugins, **emitting}.items())),
-        overrides=dict(sorted(overrides.items())),
+        overrides=dict(sorted(loaded.params.items())),
         requirements=tuple(
             RequirementRecord(row.name, row.text, row.tried, row.rejected, row.best)
             for row in sorted(result.table, key=lambda row: (row.line or 0, row.name))

@@ -10,6 +10,7 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..scenes.sampling import SamplingResult, sample_scenes
 from .expectations import Expectation, expectations_of
 from .scene import Scene
+from .tables import columns_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
@@ -110,9 +111,7 @@ class SceneSet(Sequence[Scene]):
     def to_dict(self) -> dict[str, list[Any]]:
         """Columns for `pandas.DataFrame`, one row a scene: `scene`, params and `let`s, draws by
         place, and the robustness of each constraint that is known before the drive."""
-        rows = [_row(scene) for scene in self]
-        names = dict.fromkeys(name for row in rows for name in row)
-        return {name: [row.get(name) for row in rows] for name in names}
+        return columns_of(_row(scene) for scene in self)
 
     def emit(
         self,

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .parsing.parser import parse, parse_formula
+    from .parsing.parser import parse, parse_formula, parse_value
     from .printing.format import format_file, format_source
 
-__all__ = ["format_file", "format_source", "parse", "parse_formula"]
+__all__ = ["format_file", "format_source", "parse", "parse_formula", "parse_value"]
 
 
 def __getattr__(name: str) -> Any:
-    if name in ("parse", "parse_formula"):
+    if name in ("parse", "parse_formula", "parse_value"):
         from .parsing import parser
 
         return getattr(parser, name)

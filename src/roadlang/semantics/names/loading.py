@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean, nearest
 from ...files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
-from ...syntax import parse, parse_formula
+from ...syntax import parse, parse_value
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
 from .namespaces import Namespace, resolved
@@ -19,7 +19,7 @@ MOST_INCLUDES = 200
 BUILT_IN = frozenset({"abs", "min", "max", "fresh", "time", "inf"})
 
 
-def load(path: Path, text: str, overrides: Mapping[str, str]) -> Program:
+def load(path: Path, text: str, overrides: Mapping[str, str | Source]) -> Program:
     """The program of a scene file; what is wrong with it is in its `diagnostics`."""
     source = Source(str(path), text)
     program = Program(path, source)
@@ -104,21 +104,22 @@ class _Loader:
             help=f"did you mean `{alias}.{meant}`?" if meant else _list_of_names(inner),
         )  # fmt: skip
 
-    def override(self, name: str, text: str) -> None:
-        """A value from the command line."""
-        source = Source(f"--set {name}", text)
+    def override(self, name: str, value: str | Source) -> None:
+        """A value from outside: from the command line, or from a place in a file."""
+        source = value if isinstance(value, Source) else Source(f"--set {name}", value)
         declared = self._program.declarations.get(name)
         if (declared is None and self._program.incomplete) or name in self._program.spoiled:
             return
         if declared is None or declared.role != "param":
-            span = source.span(0, len(text))
+            text = source.text
+            span = source.span(len(text) - len(text.lstrip()), len(text))
             help_ = self._about_settings(name)
             self._report(Code.UNKNOWN_PARAM, span, help=help_, name=name, where="this scene file")
             return
-        value, found = parse_formula(source)
+        parsed, found = parse_value(source)
         self._program.diagnostics.extend(found)
-        if value is not None and not any(diagnostic.is_error for diagnostic in found):
-            self._program.settings[name] = Setting(name, value, value.span, True)
+        if parsed is not None and not any(diagnostic.is_error for diagnostic in found):
+            self._program.settings[name] = Setting(name, parsed, parsed.span, True)
 
     def _about_settings(self, name: str) -> tuple[str, ...]:
         declared = self._program.declarations.get(name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
-STARTS = ("file", "formula")
+STARTS = ("file", "formula", "value")
 """The rules that a parse may begin with."""
 END = "$END"
 """The kind of the token after the last one."""

@@ -48,16 +48,25 @@ def parse(source: Source) -> tuple[ast.File, list[Diagnostic]]:
 
 def parse_formula(source: Source) -> tuple[ast.Expression | None, list[Diagnostic]]:
     """One formula, as the library reads it: the expression, or None and why not."""
+    return _parse_part("formula", source)
+
+
+def parse_value(source: Source) -> tuple[ast.Expression | None, list[Diagnostic]]:
+    """One value, as it stands in an option or after `param x =`: also a text, list or map."""
+    return _parse_part("value", source)
+
+
+def _parse_part(start: str, source: Source) -> tuple[ast.Expression | None, list[Diagnostic]]:
     grammar = tables()
     lexed = lex(source, grammar)
     builds = _builds(grammar, Builder(source))
-    value = _parse_all(grammar, "formula", lexed, builds)
+    value = _parse_all(grammar, start, lexed, builds)
     found = list(lexed.diagnostics)
     if isinstance(value, ParseError):
         from ..recovery.recover import Recovery
 
         recovery = Recovery(source, grammar, builds, _lines(found))
-        value = recovery.piece("formula", lexed.tokens)
+        value = recovery.piece(start, lexed.tokens)
         found.extend(recovery.diagnostics)
     if value is None:
         return None, _reported(found)

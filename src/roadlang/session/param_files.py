@@ -1,0 +1,144 @@
+"""Values for params from YAML files: a map of them, or a list of maps."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, Span, diagnose
+from ..files.reading import UnreadableFile, read_file
+from .params import param_texts
+
+if TYPE_CHECKING:
+    import yaml
+
+LARGEST = 4_000_000
+"""bytes"""
+_MOST_ITEMS = 10_000
+"""of one value"""
+
+
+@dataclass(frozen=True)
+class ParamFile:
+    """`sets`: the value of each param, with its place in the file. Of a file that holds a list each
+    of its maps, of one that holds a map this one."""
+
+    path: str
+    sha256: str
+    sets: tuple[Mapping[str, Source], ...]
+    is_list: bool
+
+
+def read_params(name: str) -> ParamFile:
+    """The values in a file. Texts are as in the language (`12m`), numbers have no unit.
+
+    Raises `DiagnosticError`: RL920, RL922 and RL936 where it cannot be read, RL937 for what is no
+    value of a param.
+    """
+    import yaml
+
+    source, digest = _read(name)
+    try:
+        root = yaml.compose(source.text, Loader=yaml.SafeLoader)
+    except yaml.MarkedYAMLError as error:
+        raise DiagnosticError(_malformed(source, error)) from None
+    except (yaml.YAMLError, RecursionError) as error:
+        reason = " ".join(str(error).split())
+        raise DiagnosticError(diagnose(Code.MALFORMED_YAML, path=name, reason=reason)) from None
+    reader = _Reader(source)
+    is_list = isinstance(root, yaml.SequenceNode)
+    maps = root.value if isinstance(root, yaml.SequenceNode) else [root]
+    sets = tuple(reader.values(node) for node in maps)
+    if not sets:
+        reader.report(source.span(0, 0), "the list", "a list of maps, `- reach: 12m`")
+    if reader.faults:
+        raise DiagnosticError(*reader.faults)
+    return ParamFile(name, digest, sets, is_list)
+
+
+def _read(name: str) -> tuple[Source, str]:
+    try:
+        data = read_file(Path(name), LARGEST)
+        return Source(name, data.decode("utf-8-sig")), hashlib.sha256(data).hexdigest()
+    except UnreadableFile as error:
+        fault = diagnose(Code.UNREADABLE_FILE, path=name, reason=error.reason)
+    except UnicodeDecodeError:
+        fault = diagnose(Code.NOT_UTF8, path=name, reason="it has other bytes than text")
+    raise DiagnosticError(fault) from None
+
+
+def _malformed(source: Source, error: yaml.MarkedYAMLError) -> Diagnostic:
+    mark = error.problem_mark or error.context_mark
+    at = mark.index if mark is not None else 0
+    span = source.span(at, min(at + 1, len(source.text)))
+    return diagnose(Code.MALFORMED_YAML, span, reason=error.problem or "it cannot be parsed")
+
+
+class _Reader:
+    """Collects the faults of a file."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self.faults: list[Diagnostic] = []
+
+    def report(self, span: Span, what: str, expected: str) -> None:
+        self.faults.append(diagnose(Code.NOT_A_PARAM, span, what=what, expected=expected))
+
+    def values(self, node: yaml.Node | None) -> dict[str, Source]:
+        """The params of a map."""
+        import yaml
+
+        if not isinstance(node, yaml.MappingNode):
+            start, end = (0, 0) if node is None else _ends(node)
+            self.report(self._source.span(start, end), "this", "a map of params, `reach: 12m`")
+            return {}
+        found: dict[str, Source] = {}
+        for key, value in node.value:
+            if not isinstance(key, yaml.ScalarNode) or not key.value.isidentifier():
+                self.report(self._source.span(*_ends(key)), "this key", "the name of a param")
+            elif key.value in found:
+                what = f"`{key.value}`, which is set before,"
+                self.report(self._source.span(*_ends(key)), what, "set once")
+            else:
+                text = self._text(key.value, value)
+                if text is not None:
+                    found[key.value] = text
+        return found
+
+    def _text(self, name: str, node: yaml.Node) -> Source | None:
+        """A value as it would be written in a scene file, at its place."""
+        start, end = _ends(node)
+        import yaml
+
+        try:
+            text = param_texts({name: _plain(node, iter(range(_MOST_ITEMS)))})[name]
+        except (TypeError, ValueError, RecursionError, yaml.YAMLError):
+            what, expected = f"the value of `{name}`", "a number, or a text such as 12m"
+            self.report(self._source.span(start, end), what, expected)
+            return None
+        written = self._source.text[start:end]
+        if written == text:
+            return self._source.part(start, end)
+        if written[:1] in "'\"" and written[1:-1] == text:
+            return self._source.part(start + 1, end - 1)
+        return Source(f"{self._source.path}:{self._source.position(start)[0]}", text)
+
+
+def _ends(node: yaml.Node) -> tuple[int, int]:
+    return node.start_mark.index, node.end_mark.index
+
+
+def _plain(node: yaml.Node, budget: Iterator[int]) -> Any:
+    """The Python value of a node. Raises `TypeError`, `ValueError` for what is no value."""
+    import yaml
+
+    if next(budget, None) is None:  # aliases of aliases grow without end
+        raise ValueError("too many items")
+    if isinstance(node, yaml.SequenceNode):
+        return [_plain(item, budget) for item in node.value]
+    if isinstance(node, yaml.ScalarNode):
+        return yaml.constructor.SafeConstructor().construct_object(node)
+    raise TypeError(node.tag)

@@ -1,0 +1,48 @@
+"""Runs of one scene file with different params: a folder for each, and a table of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ..files.writing import remove_set, write_file
+from ..ir.manifest import MANIFEST_FILE
+from .loading import LoadedScenario
+from .manifest import files_named_in
+from .param_files import read_params
+from .tables import columns_of, to_csv
+
+TABLE = "runs.csv"
+_STEM = "run-"
+
+
+def variants(loaded: LoadedScenario, params: str | None) -> tuple[Sequence[LoadedScenario], bool]:
+    """The scenario with the params of a file, and whether that holds a list of them."""
+    if params is None:
+        return [loaded], False
+    found = read_params(params)
+    return loaded.with_param_file(found), found.is_list
+
+
+def run_folders(target: Path, count: int) -> list[Path]:
+    """`run-000`, `run-001`, ... in `target`."""
+    return [target / f"{_STEM}{number:03d}" for number in range(count)]
+
+
+def write_runs(target: Path, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Write the table of runs, and remove the sets of earlier runs beyond these.
+
+    Raises `DiagnosticError` RL460.
+    """
+    folders = run_folders(target, len(rows))
+    named = [{"run": path.name, **row} for path, row in zip(folders, rows, strict=True)]
+    write_file(target / TABLE, to_csv(columns_of(named)))
+    for path in _numbered(target):
+        if path not in folders:
+            remove_set(path, MANIFEST_FILE, files_named_in)
+
+
+def _numbered(target: Path) -> Iterable[Path]:
+    found = (path for path in target.glob(f"{_STEM}[0-9]*") if path.is_dir())
+    return sorted(path for path in found if path.name.removeprefix(_STEM).isdigit())
