@@ -11,9 +11,10 @@ from functools import cache
 from tests.architecture.house import House, SourceFile, dotted
 
 Rule = Callable[[House], Iterator[str]]
-MOST_LINES, MOST_FUNCTION_LINES = 300, 50
-PUBLIC = ("roadlang.api", "roadlang.geometry")
-"""What kinds may import: `api`, and `geometry`, which it exports."""
+MOST_LINES, MOST_FUNCTION_LINES = 300, 45
+PUBLIC = ("roadlang.api", "roadlang.commands", "roadlang.geometry")
+"""What plugins may import beside `roadlang` itself: `api`, `geometry`, which it exports, and what
+commands need."""
 BESIDE_THE_ROOMS = {"roadlang.testing": frozenset({"numpy", "pytest"})}
 """Third parties of the files that are in no room"""
 COMPUTED_IMPORTS = (
@@ -70,9 +71,9 @@ def rooms_import_downward(house: House) -> Iterator[str]:
 
 
 def the_core_imports_no_kind_and_no_api(house: House) -> Iterator[str]:
-    """`api` and `testing` stand above all rooms, plugins outside."""
+    """`api`, `commands` and `testing` stand above all rooms, plugins outside."""
     plugins = {file.package.split(".")[0] for file in house.plugins}
-    outside = {"roadlang.api", "roadlang.testing"}
+    outside = {"roadlang.api", "roadlang.commands", "roadlang.testing"}
     for file in house.core:
         if file.module in outside:
             continue
@@ -153,7 +154,7 @@ def no_clock_and_no_global_random_numbers(house: House) -> Iterator[str]:
 def shipped_kinds_use_the_public_api(house: House) -> Iterator[str]:
     """The plugins in the wheel are written as a stranger's are."""
     for file in house.plugins:
-        for found in file.imports if "/commands/" not in file.path else ():
+        for found in file.imports:
             name = found.module
             public = name.startswith(PUBLIC) or (name == "roadlang" and found.name != "_")
             if name.split(".")[0] == "roadlang" and not public:
@@ -176,7 +177,7 @@ def rooms_that_compute_read_no_files(house: House) -> Iterator[str]:
 def the_core_names_no_shipped_kind(house: House) -> Iterator[str]:
     """What the core has to know of a kind, the kind says itself."""
     kinds = _shipped_kinds(house)
-    for file in (file for file in house.core if file.path != "src/roadlang/judging/bounds.py"):
+    for file in house.core:
         prose = _docstrings(file.tree)
         for node in ast.walk(file.tree):
             if not isinstance(node, ast.Constant) or not isinstance(node.value, str):
@@ -205,12 +206,7 @@ def every_file_says_what_it_is_for(house: House) -> Iterator[str]:
             yield f"{file.path} has no docstring"
 
 
-TABLES = (
-    "plugins/godot/roadlang_godot/session.py",
-    "src/roadlang/plugins/kinds.py",
-    "src/roadlang/stl/formula/formulas.py",
-    "src/roadlang/syntax/tree/nodes.py",
-)
+TABLES = ("src/roadlang/syntax/tree/nodes.py",)
 RULES: tuple[Rule, ...] = (
     rooms_import_downward,
     the_core_imports_no_kind_and_no_api,

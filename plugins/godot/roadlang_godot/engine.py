@@ -18,8 +18,9 @@ from pathlib import Path
 from roadlang.api import Code
 
 from .faults import fault
+from .link import Link
 from .link_udp import UdpLink
-from .session import Link, Session
+from .session import Session
 
 OLDEST = (4, 3)
 START_SECONDS = 180.0

@@ -8,14 +8,15 @@ import struct
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from roadlang.api import Code
 
 from . import protocol, thing
 from .channel import Channel
 from .faults import fault
+from .link import Link
+from .messages import Proof, as_json, text_of
 from .protocol import Message
 from .thing import Key, Thing
 
@@ -31,28 +32,6 @@ _BEGIN, _PART = struct.Struct("<HH"), struct.Struct("<IHH")
 _COMMIT = struct.Struct("<HHI")
 _BUILT = struct.Struct("<HHIII16s")
 _PROBE = struct.Struct("<IHHff")
-
-
-class Link(Protocol):
-    """A way to send and receive datagrams."""
-
-    def send(self, datagram: bytes) -> None:
-        """Send one datagram. May lose it; raises `OSError` where the engine has gone."""
-
-    def receive(self, timeout: float) -> list[bytes]:
-        """What has come, after waiting up to `timeout` seconds for the first datagram."""
-
-    def close(self) -> None:
-        """Release the socket."""
-
-
-@dataclass(frozen=True, slots=True)
-class Proof:
-    """What the engine's scene tree holds after a commit; `builds` counts every build ever made."""
-
-    things: int
-    builds: int
-    digest: bytes
 
 
 class Session:
@@ -109,7 +88,7 @@ class Session:
         if clear:
             self._built.clear()
         self._built[world] = {}
-        payload = _BEGIN.pack(world, int(clear)) + _json(settings)
+        payload = _BEGIN.pack(world, int(clear)) + as_json(settings)
         self.send(Message.BEGIN, payload, "the scene's beginning")
         self.flush()
 
@@ -172,7 +151,7 @@ class Session:
         if not self.welcome.get("pictures"):
             raise fault(Code.RENDERING_UNAVAILABLE)
         request = self._next_request()
-        self.send(Message.SHOT, _json({**wish, "id": request}), "a picture")
+        self.send(Message.SHOT, as_json({**wish, "id": request}), "a picture")
         return self._parts(Message.PICTURE, request)
 
     # -- messages -------------------------------------------------------------------------------
@@ -183,7 +162,7 @@ class Session:
 
     def send_json(self, type: Message, value: Mapping[str, Any], label: str = "") -> None:
         """Queue a JSON object."""
-        self.send(type, _json(value), label)
+        self.send(type, as_json(value), label)
 
     def send_once(self, type: Message, payload: bytes) -> None:
         """Send a message that may be lost."""
@@ -251,7 +230,7 @@ class Session:
             raise fault(Code.GODOT_DISCONNECTED, reason="it said goodbye")
         elif frame.seq and self._channel.accept(frame.seq):
             if frame.type == Message.ERROR:
-                raise fault(Code.GODOT_ERROR, reason=_text(frame.payload))
+                raise fault(Code.GODOT_ERROR, reason=text_of(frame.payload))
             self._inbox.append((frame.type, frame.payload))
 
     def _check_alive(self) -> None:
@@ -270,7 +249,7 @@ class Session:
     def _greet(self, name: str) -> dict[str, Any]:
         nonce = int.from_bytes(os.urandom(4), "little")
         version = protocol.VERSION
-        hello = _json({"protocol": [version, version], "nonce": nonce, "scene": name})
+        hello = as_json({"protocol": [version, version], "nonce": nonce, "scene": name})
         deadline = time.monotonic() + self.patience
         while time.monotonic() < deadline and self._is_running():
             self._link.send(protocol.pack(Message.HELLO, 0, 0, hello))
@@ -279,7 +258,7 @@ class Session:
                 if frame is None:
                     continue
                 if frame.type == Message.ERROR and frame.session == 0:
-                    raise fault(Code.GODOT_REFUSED, reason=_text(frame.payload))
+                    raise fault(Code.GODOT_REFUSED, reason=text_of(frame.payload))
                 if frame.type == Message.WELCOME:
                     self._session = frame.session
                     self._last_heard = time.monotonic()
@@ -312,14 +291,3 @@ class Session:
     def _next_request(self) -> int:
         self._request += 1
         return self._request
-
-
-def _json(value: Mapping[str, Any]) -> bytes:
-    return json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":")).encode()
-
-
-def _text(payload: bytes) -> str:
-    try:
-        return str(json.loads(payload).get("text", ""))
-    except ValueError:
-        return payload[:80].decode("ascii", "replace")

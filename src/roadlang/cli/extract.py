@@ -14,6 +14,7 @@ from .console import echo, report
 
 if TYPE_CHECKING:
     from ..ir.picture import Extraction, Picture
+    from ..plugins.registry import KindEntry
 
 
 class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
@@ -139,27 +140,12 @@ def _extracted(
 
     Raises DiagnosticError RL425 for a kind that is unknown, RL426 for an option that it lacks.
     """
-    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
-    from ..plugins.discovery import load_registry
-    from ..plugins.finding import find_entry
+    from ..diagnostics import DiagnosticError, diagnose
     from ..plugins.guard import plugin_guard
     from ..plugins.options import schema_of
-    from ..plugins.registry import UnknownKind
     from ..plugins.results import check_extraction
 
-    registry = load_registry()
-    try:
-        entry = find_entry(registry, "extract", given["kind"])
-    except UnknownKind:
-        names = registry.names("extract")
-        known = f"known are {', '.join(names)}"
-        raise DiagnosticError(
-            diagnose(
-                Code.UNKNOWN_EXTRACTOR,
-                kind=given["kind"],
-                help=(*did_you_mean(given["kind"], names), known),
-            )
-        ) from None
+    entry = _extractor(given["kind"])
     with plugin_guard(entry, None):
         kind = entry.load()
     options = _options(picture, scale, given)
@@ -181,6 +167,21 @@ def _extracted(
         seconds = time.process_time() - begun
     check_extraction(found, entry, None)
     return found, seconds
+
+
+def _extractor(name: str) -> KindEntry:
+    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+    from ..plugins.discovery import load_registry
+    from ..plugins.finding import find_entry
+    from ..plugins.registry import UnknownKind
+
+    registry = load_registry()
+    try:
+        return find_entry(registry, "extract", name)
+    except UnknownKind:
+        names = registry.names("extract")
+        hints = (*did_you_mean(name, names), f"known are {', '.join(names)}")
+        raise DiagnosticError(diagnose(Code.UNKNOWN_EXTRACTOR, kind=name, help=hints)) from None
 
 
 def _options(picture: Picture, scale: float | None, given: dict[str, Any]) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from roadlang.cli.console import echo
+from roadlang.commands import echo
 
 
 @click.command("godot")

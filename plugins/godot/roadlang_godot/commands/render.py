@@ -6,9 +6,7 @@ from pathlib import Path
 
 import click
 
-from roadlang.cli.console import echo, report
-from roadlang.diagnostics import Code, DiagnosticError, diagnose
-from roadlang.session.scene_files import parse_overrides
+from roadlang.commands import Code, DiagnosticError, diagnose, echo, parse_overrides, report
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
@@ -73,16 +71,11 @@ def command(  # noqa: PLR0913 - one parameter per option
     the free view looks from anywhere. Without a screen a virtual one is used.
     """
     from roadlang import load
-    from roadlang.files.writing import write_file
+    from roadlang.commands import write_file
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
     path = Path(output).absolute()
-    suffix = path.suffix.lower()
-    if suffix not in PICTURES and suffix not in CLIPS:
-        help = "end its name in .png, .jpg or .avi"
-        raise DiagnosticError(
-            diagnose(Code.UNKNOWN_CHOICE, what="picture format", name=suffix, help=help)
-        )
+    suffix = _suffix(path)
     scenes = load(file).with_params(parse_overrides(settings)).sample(index + 1, seed=seed)
     report(scenes.diagnostics)
     scene = scenes[-1].record
@@ -97,6 +90,16 @@ def command(  # noqa: PLR0913 - one parameter per option
         return
     write_file(path, render_picture(scene, shot, moment))
     echo(f"{output}: {width} x {height}")
+
+
+def _suffix(path: Path) -> str:
+    suffix = path.suffix.lower()
+    if suffix not in PICTURES and suffix not in CLIPS:
+        help = "end its name in .png, .jpg or .avi"
+        raise DiagnosticError(
+            diagnose(Code.UNKNOWN_CHOICE, what="picture format", name=suffix, help=help)
+        )
+    return suffix
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.cli.console import echo, report
-from roadlang.diagnostics import DiagnosticError
-from roadlang.session.scene_files import parse_overrides, read_scene_file
+from roadlang.commands import DiagnosticError, echo, parse_overrides, read_scene_file, report
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
@@ -123,9 +121,7 @@ class Watcher:
         echo(f"{count} changes in {sent:.0f} ms, after {compiling:.0f} ms of compiling")
 
     def _take(self, move: Move, live: LiveScene) -> None:
-        from roadlang.files.writing import replace_file
-
-        from .scene_edits import object_moved, waypoint_moved
+        from roadlang.commands import object_moved, replace_file, waypoint_moved
 
         if not move.done:
             return
@@ -144,7 +140,7 @@ class Watcher:
 
 def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
     """Robustness of every requirement, and of every expectation on what was driven lately."""
-    from roadlang.judging.drives import judge
+    from roadlang.commands import judge
 
     verdicts = list(live.scene.requirements)
     trace = live.trace()

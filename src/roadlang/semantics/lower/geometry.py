@@ -19,7 +19,7 @@ from ..infer.kinds import find_default
 from ..infer.statement_spec import StatementSpec
 from ..names.file_checks import file_fault
 from ..names.program import Declaration
-from ..types.expression_types import DeclaredType
+from ..types.expression_types import DeclaredType, TypedExpression
 from .randomness import is_random
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
@@ -106,10 +106,16 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
     typed = checker.infer(source, context)
     if typed.is_unknown:
         return _Source(None, fine=False)
-    roles = _SOURCE_ROLES[word]
+    value = typed.value
+    fits = isinstance(typed.type, DeclaredType) and typed.type.role in _SOURCE_ROLES[word]
+    if fits and isinstance(value, Entity):
+        return _Source(ir.NameSource(value.name, value.role))
+    _report_source(checker, word, typed)
+    return _Source(None, fine=False)
+
+
+def _report_source(checker: Checker, word: str, typed: TypedExpression) -> None:
     if isinstance(typed.type, DeclaredType):
-        if typed.type.role in roles and isinstance(typed.value, Entity):
-            return _Source(ir.NameSource(typed.value.name, typed.value.role))
         name, found = typed.span.text, typed.type
         checker.report(
             Code.WRONG_ENTITY_TYPE,
@@ -129,7 +135,6 @@ def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Co
             expected=_expected_source(word),
             found=typed.type,
         )
-    return _Source(None, fine=False)
 
 
 def _through_network(word: str, name: str, role: str) -> tuple[str, ...]:

@@ -5,255 +5,31 @@ How an operator is written is in `roadlang.syntax.operators`, found by its `word
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias
+from collections.abc import Sequence
 
-from ...syntax.operators import BY_WORD, Operator
-from .evaluable import Evaluable
 from .interval import Interval
-from .terms import Term
-
-if TYPE_CHECKING:
-    from typing_extensions import Self
-
-ComparisonOperator: TypeAlias = Literal["<", "<=", ">", ">=", "==", "!="]
-
-
-class Formula(Evaluable):
-    """A statement about a trace; `str(formula)` is its canonical text."""
-
-    __slots__ = ()
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        """The formulas this one is made of, left to right."""
-        return ()
-
-    @property
-    def variables(self) -> frozenset[str]:
-        """Names of the signals the formula reads."""
-        comparisons = (node for node in self.walk() if isinstance(node, Comparison))
-        return frozenset().union(*(c.left.variables | c.right.variables for c in comparisons))
-
-    @property
-    def temporal(self) -> bool:
-        """Whether a temporal operator occurs anywhere in the formula."""
-        return any(isinstance(node, TemporalOperator) for node in self.walk())
-
-    @property
-    def looks_ahead(self) -> bool:
-        """Whether an operator that looks ahead occurs anywhere in the formula."""
-        return any(isinstance(node, TemporalOperator) and not node.past for node in self.walk())
-
-    @property
-    def looks_back(self) -> bool:
-        """Whether an operator that looks back occurs anywhere in the formula."""
-        return any(isinstance(node, TemporalOperator) and node.past for node in self.walk())
-
-    def walk(self) -> Iterator[Formula]:
-        """This formula and all below it, parents first."""
-        yield self
-        for part in self.parts:
-            yield from part.walk()
-
-
-@dataclass(frozen=True, slots=True)
-class Truth(Formula):
-    """`true` or `false`: robustness plus or minus infinity."""
-
-    value: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Comparison(Formula):
-    """`left op right`; strictness matters to Boolean evaluation only, not to robustness."""
-
-    op: ComparisonOperator
-    left: Term
-    right: Term
-
-
-# --- the shapes of operators -------------------------------------------------------------
-
-
-class Compound(Formula):
-    """A formula that an operator makes of others."""
-
-    __slots__ = ()
-    word: ClassVar[str]
-
-    @property
-    def notation(self) -> Operator:
-        """How the operator is written."""
-        return BY_WORD[self.word]
-
-    @property
-    def window(self) -> Interval | None:
-        """The interval of a temporal operator; None without one, and for other operators."""
-        return None
-
-    @classmethod
-    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """The formula that the operator makes. Raises TypeError for another number of parts."""
-        raise NotImplementedError
-
-
-class Pointwise(Compound):
-    """An operator whose value at a sample is that of its parts at the same sample.
-
-    `trends`, one for each part: +1 where the robustness is that of the part or of another, -1
-    where it is that of the part with the sign turned, 0 where it may be either.
-    """
-
-    __slots__ = ()
-
-    @property
-    def trends(self) -> tuple[int, ...]:
-        """How the robustness moves with each part."""
-        raise NotImplementedError
-
-
-class TemporalOperator(Compound):
-    """An operator that looks at other samples: ahead, or back if it is `past`."""
-
-    __slots__ = ()
-    past: ClassVar[bool]
-
-
-class Derived(Compound):
-    """An operator that others can express: it needs no kernel of its own."""
-
-    __slots__ = ()
-
-    def expanded(self, *, greatest: bool = False) -> Formula:
-        """The same by other operators.
-
-        `greatest`: of two forms with the same robustness the one that is a greatest of leasts. It
-        gives the better upper bound from bounds of the parts, the other the better lower one.
-        """
-        raise NotImplementedError
-
-
-@dataclass(frozen=True, slots=True)
-class Not(Pointwise):
-    """Robustness with its sign turned."""
-
-    operand: Formula
-    word = "not"
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        """The operands, left to right."""
-        return (self.operand,)
-
-    @property
-    def trends(self) -> tuple[int, ...]:
-        """How the robustness moves with each part."""
-        return (-1,)
-
-    @classmethod
-    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """The formula of these parts."""
-        return cls(*parts)
-
-
-@dataclass(frozen=True, slots=True)
-class Junction(Pointwise):
-    """The least or the greatest of any number of operands."""
-
-    operands: tuple[Formula, ...]
-    least: ClassVar[bool]
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        """The operands, left to right."""
-        return self.operands
-
-    @property
-    def trends(self) -> tuple[int, ...]:
-        """How the robustness moves with each part."""
-        return (1,) * len(self.operands)
-
-    @classmethod
-    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """The formula of these parts."""
-        return cls(tuple(parts))
-
-
-@dataclass(frozen=True, slots=True)
-class Connective(Pointwise, Derived):
-    """Two operands joined in a way that `not`, `and` and `or` can express."""
-
-    left: Formula
-    right: Formula
-    directions: ClassVar[tuple[int, int]]
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        """The operands, left to right."""
-        return (self.left, self.right)
-
-    @property
-    def trends(self) -> tuple[int, ...]:
-        """How the robustness moves with each part."""
-        return self.directions
-
-    @classmethod
-    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """The formula of these parts."""
-        return cls(*parts)
-
-
-@dataclass(frozen=True, slots=True)
-class UnaryTemporal(TemporalOperator):
-    """The least or the greatest of the operand in a window (None: as far as the trace goes)."""
-
-    interval: Interval | None
-    operand: Formula
-    least: ClassVar[bool]
-
-    @property
-    def window(self) -> Interval | None:
-        """The interval, None for all samples ahead (or behind)."""
-        return self.interval
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        """The operands, left to right."""
-        return (self.operand,)
-
-    @classmethod
-    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """The formula of these parts."""
-        return cls(interval, *parts)
-
-
-@dataclass(frozen=True, slots=True)
-class BinaryTemporal(TemporalOperator):
-    """`right` at a witness in the window, `left` at every sample on the way to it."""
-
-    interval: Interval | None
-    left: Formula
-    right: Formula
-
-    @property
-    def window(self) -> Interval | None:
-        """The interval, None for all samples ahead (or behind)."""
-        return self.interval
-
-    @property
-    def parts(self) -> tuple[Formula, ...]:
-        """The operands, left to right."""
-        return (self.left, self.right)
-
-    @classmethod
-    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """The formula of these parts."""
-        return cls(interval, *parts)
-
-
-# --- the operators -----------------------------------------------------------------------
+from .shapes import (
+    BinaryTemporal,
+    Comparison,
+    ComparisonOperator,
+    Compound,
+    Connective,
+    Derived,
+    Formula,
+    Junction,
+    Not,
+    Pointwise,
+    TemporalOperator,
+    Truth,
+    UnaryTemporal,
+)
+
+__all__ = [
+    "COMPOUNDS", "Always", "And", "BinaryTemporal", "Comparison", "ComparisonOperator", "Compound",
+    "Connective", "Derived", "Eventually", "Formula", "Historically", "Iff", "Implies", "Junction",
+    "Not", "Once", "Or", "Pointwise", "Since", "TemporalOperator", "Truth", "UnaryTemporal",
+    "Until", "Xor", "compound",
+]  # fmt: skip
 
 
 class And(Junction):

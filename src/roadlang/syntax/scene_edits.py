@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot
 
-from roadlang.diagnostics import Source
-from roadlang.syntax import parse
-from roadlang.syntax.tree.nodes import Actor, Expression, Geometry, ListValue, Negate, Number, Point
+from ..diagnostics import Source
+from .parsing.parser import parse
+from .tree.nodes import Actor, Expression, Geometry, ListValue, Negate, Number, Point
 
 Place = tuple[float, float]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roadlang_godot.commands.scene_edits import object_moved, waypoint_moved
+from roadlang.syntax.scene_edits import object_moved, waypoint_moved
 
 TEXT = """# a street
 road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, -40m)] }, width: 8m }

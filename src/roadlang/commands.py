@@ -1,0 +1,50 @@
+"""All that the author of a command imports, in addition to `roadlang` and `roadlang.api`.
+
+A command is a click command under an entry point of the group `roadlang.commands`. What it prints
+looks like what the commands of roadlang print, and what it writes is whole or absent. Import what
+is needed only while the command runs inside it: `roadlang --help` loads every command.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from .cli.console import echo, report
+from .diagnostics import Code, DiagnosticError, diagnose
+
+if TYPE_CHECKING:
+    from .files.writing import replace_file, write_all, write_file
+    from .judging.drives import judge
+    from .session.scene_files import parse_overrides, read_scene_file
+    from .syntax.scene_edits import object_moved, waypoint_moved
+
+_LATER = {
+    ".files.writing": "replace_file write_all write_file",
+    ".judging.drives": "judge",
+    ".session.scene_files": "parse_overrides read_scene_file",
+    ".syntax.scene_edits": "object_moved waypoint_moved",
+}
+_HOME = {name: module for module, names in _LATER.items() for name in names.split()}
+
+__all__ = [
+    "Code",
+    "DiagnosticError",
+    "diagnose",
+    "echo",
+    "judge",
+    "object_moved",
+    "parse_overrides",
+    "read_scene_file",
+    "replace_file",
+    "report",
+    "waypoint_moved",
+    "write_all",
+    "write_file",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOME[name], __package__), name)
