@@ -21,7 +21,7 @@ class Confidence(RoadNumber):
 
     name: ClassVar[str] = "confidence"
     cost: ClassVar[float] = 1.0
-    road: RoadOrNetwork = option(help="the road or network")
+    road: RoadOrNetwork = option(help="road or network that an extractor found")
 
     @classmethod
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:

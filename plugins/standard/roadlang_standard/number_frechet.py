@@ -1,12 +1,12 @@
-"""`frechet(a, b)`: the leash between two roads."""
+"""`frechet(a, b)`: the Fréchet distance of two roads."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import RoadName, RoadNumber, geometry, option
+from roadlang.api import geometry
+from roadlang_standard.road_pairs import RoadPair
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,18 +16,12 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Frechet(RoadNumber):
-    """Discrete Frechet distance (Eiter and Mannila 1994)."""
+class Frechet(RoadPair):
+    """Discrete Fréchet distance of the stations (Eiter and Mannila 1994)."""
 
     name: ClassVar[str] = "frechet"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 500.0
-    road: RoadName = option(help="one road")
-    other: RoadName = option(help="the other")
-
-    @classmethod
-    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
-        return 0.0, options["road"].apart(options["other"])
 
     def values(self) -> Floats:
         return geometry.frechet(self.road.curves, self.other.curves)[:, None]

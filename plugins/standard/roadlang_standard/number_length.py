@@ -22,7 +22,7 @@ class Length(RoadNumber):
     name: ClassVar[str] = "length"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 5.0
-    road: RoadName = option(help="the road")
+    road: RoadName = option(help="road whose length is measured")
 
     @classmethod
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:

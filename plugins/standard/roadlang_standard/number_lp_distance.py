@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import LENGTH, Dimension, Number, RoadName, RoadNumber, geometry, option
-from roadlang_standard.nearest import nearest_lp_distance
+from roadlang.api import LENGTH, Dimension, Number, geometry, option
+from roadlang_standard.road_pairs import RoadPair, distances
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,20 +17,21 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class LpDistance(RoadNumber):
+class LpDistance(RoadPair):
     """The L_p distance of two roads: (integral of |a - b|^p over arc length)^(1/p)."""
 
     name: ClassVar[str] = "lp_distance"
     cost: ClassVar[float] = 6.0
-    road: RoadName = option(help="one road")
-    other: RoadName = option(help="the other")
-    p: Number = option(minimum=1, maximum=100, help="the power")
+    p: Number = option(minimum=1, maximum=100, help="exponent p")
 
     @classmethod
     def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
         return LENGTH ** (1 + 1 / float(options.get("p", 1)))
 
+    @classmethod
+    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
+        return 0.0, float("inf")
+
     def values(self) -> Floats:
-        if self.road.root == self.other.root:
-            return geometry.lp_distance(self.road.curves, self.other.curves, self.p)[:, None]
-        return nearest_lp_distance(self.road, self.other, self.p)
+        gaps = distances(self.road, self.other)
+        return geometry.lp_norm(gaps, geometry.quadrature(self.road.curves), self.p)[:, None]

@@ -22,7 +22,7 @@ class Start(RoadNumber):
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 1.0
     member: ClassVar[bool] = True
-    actor: AgentOrObject = option(help="who, or what")
+    actor: AgentOrObject = option(help="agent or object on a road")
 
     def values(self) -> Floats:
         start: Floats = self.actor

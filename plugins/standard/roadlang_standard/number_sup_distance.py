@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import RoadName, RoadNumber, geometry, option
-from roadlang_standard.nearest import nearest_distance
+from roadlang_standard.road_pairs import RoadPair, distances
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,21 +15,13 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class SupDistance(RoadNumber):
-    """Greatest distance between two roads, station by station."""
+class SupDistance(RoadPair):
+    """Greatest distance between two roads: at the same station, or to the nearest point."""
 
     name: ClassVar[str] = "sup_distance"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 4.0
-    road: RoadName = option(help="one road")
-    other: RoadName = option(help="the other")
-
-    @classmethod
-    def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
-        return 0.0, options["road"].apart(options["other"])
 
     def values(self) -> Floats:
-        if self.road.root == self.other.root:
-            return geometry.sup_distance(self.road.curves, self.other.curves)[:, None]
-        greatest: Floats = nearest_distance(self.road, self.other).max(axis=1, keepdims=True)
+        greatest: Floats = distances(self.road, self.other).max(axis=1, keepdims=True)
         return greatest

@@ -21,12 +21,12 @@ FARTHEST = 1e4
 
 @dataclass(frozen=True)
 class Clearance(Signal):
-    """How far the center line keeps from the road's other stretches and from other roads."""
+    """Distance of the center line from the road's other parts and its network's other roads."""
 
     name: ClassVar[str] = "clearance"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 3000.0
-    road: RoadOrNetwork = option(help="the road")
+    road: RoadOrNetwork = option(help="road whose distance from itself and others is measured")
 
     @classmethod
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:

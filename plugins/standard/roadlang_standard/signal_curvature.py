@@ -21,7 +21,7 @@ class Curvature(Signal):
     name: ClassVar[str] = "curvature"
     unit: ClassVar[str] = "1/m"
     cost: ClassVar[float] = 10.0
-    road: RoadOrNetwork = option(help="the road")
+    road: RoadOrNetwork = option(help="road whose center line is measured")
 
     def values(self) -> Floats:
         return self.road.curvature

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import RoadOrNetwork, Signal, option
-from roadlang_standard.nearest import nearest_offset
+from roadlang_standard.road_pairs import COMPARED, offsets
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,16 +23,12 @@ class Deviation(Signal):
     name: ClassVar[str] = "deviation"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 2.0
-    road: RoadOrNetwork = option(help="the displaced road")
-    origin: RoadOrNetwork = option(help="what it came from")
+    road: RoadOrNetwork = option(help=COMPARED)
+    origin: RoadOrNetwork = option(help="road that it was displaced from, or is compared with")
 
     @classmethod
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
         return 0.0, options["road"].apart(options["origin"])
 
     def values(self) -> Floats:
-        import numpy as np
-
-        if self.road.root == self.origin.root:
-            return np.abs(self.road.displacement - self.origin.displacement)
-        return nearest_offset(self.road, self.origin)
+        return offsets(self.road, self.origin)

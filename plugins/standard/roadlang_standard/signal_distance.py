@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import RoadOrNetwork, Signal, geometry, option
-from roadlang_standard.nearest import nearest_distance
+from roadlang.api import RoadOrNetwork, Signal, option
+from roadlang_standard.road_pairs import COMPARED, OTHER, distances
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,14 +23,12 @@ class Distance(Signal):
     name: ClassVar[str] = "distance"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 3.0
-    road: RoadOrNetwork = option(help="one road")
-    other: RoadOrNetwork = option(help="the other")
+    road: RoadOrNetwork = option(help=COMPARED)
+    other: RoadOrNetwork = option(help=OTHER)
 
     @classmethod
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
         return 0.0, options["road"].apart(options["other"])
 
     def values(self) -> Floats:
-        if self.road.root == self.other.root:
-            return geometry.pointwise(self.road.curves, self.other.curves)
-        return nearest_distance(self.road, self.other)
+        return distances(self.road, self.other)

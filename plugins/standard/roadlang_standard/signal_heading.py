@@ -21,7 +21,7 @@ class Heading(Signal):
     name: ClassVar[str] = "heading"
     unit: ClassVar[str] = "rad"
     cost: ClassVar[float] = 8.0
-    road: RoadOrNetwork = option(help="the road")
+    road: RoadOrNetwork = option(help="road whose center line is measured")
 
     def values(self) -> Floats:
         return self.road.heading

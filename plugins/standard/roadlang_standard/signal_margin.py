@@ -21,7 +21,7 @@ class Margin(Signal):
     name: ClassVar[str] = "margin"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 6.0
-    road: RoadOrNetwork = option(help="the road")
+    road: RoadOrNetwork = option(help="road whose center line is measured")
     corner: Point = option(help="a corner of the box")
     opposite: Point = option(help="the corner across from it")
 

@@ -21,7 +21,7 @@ class Width(Signal):
     name: ClassVar[str] = "width"
     unit: ClassVar[str] = "m"
     cost: ClassVar[float] = 1.0
-    road: RoadOrNetwork = option(help="the road")
+    road: RoadOrNetwork = option(help="road whose width is measured")
 
     def values(self) -> Floats:
         import numpy as np

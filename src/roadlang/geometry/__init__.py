@@ -10,8 +10,8 @@ Nothing is imported until a name is used.
 - roads: `WidthProfile`, `Road`, `offset` (without folding)
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
-- distances: `pointwise`, `deviation`, `lp_distance`, `sup_distance`, `frechet`, `clearance`,
-  `margin`, `self_intersects`
+- distances: `pointwise`, `deviation`, `lp_distance`, `lp_norm`, `quadrature`, `sup_distance`,
+  `frechet`, `clearance`, `margin`, `self_intersects`
 - tiles: `neighbor_mask`, `TileShape`, `tile_shapes`
 - errors: `GeometryError`
 """
@@ -36,8 +36,10 @@ if TYPE_CHECKING:
     from .displacement import undisplaced as undisplaced
     from .distances import deviation as deviation
     from .distances import lp_distance as lp_distance
+    from .distances import lp_norm as lp_norm
     from .distances import margin as margin
     from .distances import pointwise as pointwise
+    from .distances import quadrature as quadrature
     from .distances import sup_distance as sup_distance
     from .errors import GeometryError as GeometryError
     from .filleting import filleted as filleted
@@ -101,6 +103,8 @@ _HOMES = {
     "pointwise": "distances",
     "deviation": "distances",
     "lp_distance": "distances",
+    "lp_norm": "distances",
+    "quadrature": "distances",
     "sup_distance": "distances",
     "margin": "distances",
     "frechet": "discrete_frechet",

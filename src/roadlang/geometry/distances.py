@@ -43,10 +43,14 @@ def lp_distance(a: CurveBatch, b: CurveBatch, p: float) -> Floats:
         raise GeometryError("the p of an Lp distance must be at least 1")
     if np.isinf(p):
         return sup_distance(a, b)
-    gaps = pointwise(a, b)
-    largest = np.maximum(gaps.max(axis=1, keepdims=True), np.finfo(float).tiny)
-    integral = (gaps / largest) ** p @ quadrature(a)
-    return np.asarray(largest[:, 0] * integral ** (1.0 / p))
+    return lp_norm(pointwise(a, b), quadrature(a), p)
+
+
+def lp_norm(values: Floats, weights: Floats, p: ArrayLike) -> Floats:
+    """(V,) (sum of `weights` (S,) times |`values` (V, S)|^p)^(1/p); `p` a number or (V, 1)."""
+    largest = np.maximum(np.abs(values).max(axis=1, keepdims=True), np.finfo(float).tiny)
+    integral = (np.abs(values) / largest) ** p @ weights
+    return np.asarray(largest[:, 0] * integral ** (1.0 / np.ravel(p)))
 
 
 def sup_distance(a: CurveBatch, b: CurveBatch) -> Floats:
