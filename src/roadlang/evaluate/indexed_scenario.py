@@ -23,6 +23,9 @@ MeasureGeometry = Callable[[PassCall, Any, int], Any]
 """From the call of a number of the geometry (`length(street)`), a `CandidateBatch` and the number
 of a road or copy to the values (V, 1)."""
 
+PassObserver = Callable[[PassCall, Any], None]
+"""Called with a pass and what it made: a `Picture`, an `Extraction`, a `Curve` or a `RoadBatch`."""
+
 
 class IndexedScenario:
     """What does not differ between candidates. `once` keeps what is computed for all of them.
@@ -34,6 +37,7 @@ class IndexedScenario:
         self.source = source
         self.registry = registry
         self.measure = measure
+        self.observer: PassObserver | None = None
         self.values: dict[str, Named] = {item.name: item for item in source.values}
         self.images: dict[str, Image] = {item.name: item for item in source.images}
         self.networks: dict[str, Network] = {item.name: item for item in source.networks}
@@ -54,6 +58,12 @@ class IndexedScenario:
             self._computed[key] = compute()
         computed: T = self._computed[key]
         return computed
+
+    def observed(self, call: PassCall, made: T) -> T:
+        """What a pass made, after the observer has seen it."""
+        if self.observer is not None:
+            self.observer(call, made)
+        return made
 
     def kind(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
         """The class that a call names. Raises RL470 when it cannot be imported."""

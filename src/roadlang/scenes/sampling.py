@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.draw_record import DrawRecord
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
+from ..ir.values import PassCall
 from ..judging.acceptance import Acceptance
 from ..plugins.registry import Registry
+from ..search.accepted import Concretize
 from ..search.rejection_report import RejectionStats, Row, as_text, rows_of
 from ..search.samplers import Progress
 from ..search.scene_search import SceneSearch
 from ..search.searching import search
 from ..world.index import index_scenario
-from .instantiate import fixed_remarks, instantiate
+from .instantiate import ConcreteScene, fixed_remarks, instantiate
+
+SceneObserver = Callable[[int, PassCall, Any], None]
+"""Called with the number of a scene, a pass and what it made; see `PassObserver`."""
 
 
 @dataclass(frozen=True)
@@ -56,14 +64,19 @@ def sample_scenes(
     jobs: int = 1,
     progress: Progress | None = None,
     overrides: dict[str, str] | None = None,
+    observer: SceneObserver | None = None,
 ) -> SamplingResult:
     """The first `n` scenes (all of a grid, one of anything else, where `n` is None).
 
-    Neither `n` nor `jobs` changes a scene. Raises DiagnosticError for what is wrong with the
+    Neither `n` nor `jobs` changes a scene. `observer` sees what each pass makes of each scene, and
+    keeps the search in this process. Raises DiagnosticError for what is wrong with the
     inputs or a plugin; that nothing was accepted is no error, but told by the result.
     """
     scenario = index_scenario(source, registry)
-    task = SceneSearch(scenario, seed, partial(instantiate, overrides=overrides or {}))
+    concretize: Concretize[ConcreteScene] = partial(instantiate, overrides=overrides or {})
+    if observer is not None:
+        concretize, jobs = partial(_observed, concretize, observer), 1
+    task = SceneSearch(scenario, seed, concretize)
     impossible = _impossible(task.acceptance, seed)
     if impossible:
         return _nothing(task.acceptance, impossible, n or 1)
@@ -79,6 +92,19 @@ def sample_scenes(
         remarks=tuple(dict.fromkeys(remarks)),
         diversity=found.diversity,
     )
+
+
+def _observed(
+    concretize: Concretize[ConcreteScene],
+    observer: SceneObserver,
+    candidates: CandidateBatch,
+    index: int,
+) -> ConcreteScene:
+    """The scene made from nothing that was computed before, so that every pass runs once."""
+    scenario = index_scenario(candidates.scenario.source, candidates.scenario.registry)
+    scenario.observer = partial(observer, index)
+    identity = (candidates.seed, candidates.scenes, candidates.attempts, candidates.given)
+    return concretize(CandidateBatch(scenario, *identity, DrawRecord()), index)
 
 
 _CHECKED_BY = 16

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
     from .param_files import ParamFile
+    from ..scenes.sampling import SceneObserver
     from .scene_set import SceneSet
 
 Progress = Callable[[int, int], None]
@@ -147,12 +148,14 @@ class LoadedScenario:
         seed: int = 0,
         jobs: int = 1,
         progress: Progress | None = None,
+        after_pass: SceneObserver | None = None,
         **params: ParamValue,
     ) -> SceneSet:
         """`n` scenes that satisfy the requirements; one, or all of a grid, where `n` is None.
 
         The same file, inputs, params and seed give the same scenes: neither `n` nor the number
-        of processes (`jobs`) changes one. `progress` is called with the scenes done and wanted.
+        of processes (`jobs`) changes one. `progress` is called with the scenes done and wanted,
+        `after_pass` with the number of a scene, each pass and what it made (in one process).
         Raises `DiagnosticError` for what is wrong with the file, its inputs or a plugin, and
         `NoSceneError` (RL600, RL601) where no candidate satisfies the requirements.
         """
@@ -161,7 +164,7 @@ class LoadedScenario:
             return changed.sample(n, seed=seed, jobs=jobs, progress=progress)
         from .scene_set import sampled
 
-        return sampled(self, n, seed, jobs, progress)
+        return sampled(self, n, seed, jobs, progress, after_pass)
 
     @cached_property
     def _checked(self) -> tuple[Scenario | None, tuple[Diagnostic, ...]]:

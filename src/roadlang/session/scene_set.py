@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
-from ..scenes.sampling import SamplingResult, sample_scenes
+from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
 from .expectations import Expectation, expectations_of
 from .scene import Scene
 from .tables import columns_of
@@ -33,10 +33,16 @@ class NoSceneError(DiagnosticError):
 
 
 def sampled(
-    loaded: LoadedScenario, n: int | None, seed: int, jobs: int, progress: Progress | None
+    loaded: LoadedScenario,
+    n: int | None,
+    seed: int,
+    jobs: int,
+    progress: Progress | None,
+    after_pass: SceneObserver | None = None,
 ) -> SceneSet:
     """The scenes of a scenario; `LoadedScenario.sample` tells what is raised."""
-    result = sample_scenes(loaded.scenario, loaded.registry, n, seed, jobs, progress, loaded.params)
+    source, registry, params = loaded.scenario, loaded.registry, loaded.params
+    result = sample_scenes(source, registry, n, seed, jobs, progress, params, after_pass)
     scenes = SceneSet(loaded, seed, result)
     if not scenes:
         raise NoSceneError(scenes)

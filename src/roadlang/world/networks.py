@@ -184,6 +184,7 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
     with plugin_guard(built.entry, span):
         found = built.kind.extract(loaded.picture)
     check_extraction(found, built.entry, span)
+    candidates.scenario.observed(call, found)
     spacing = station_spacing(network, candidates.scenario)
     return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)
 

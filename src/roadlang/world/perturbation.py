@@ -49,7 +49,7 @@ def perturbed(
         displacement = displacement * _over(call, interval, before, candidates, element)
     if window is not None:
         displacement = window * displacement
-    return displaced(before, displacement)
+    return candidates.scenario.observed(call, displaced(before, displacement))
 
 
 def displaced(before: RoadBatch, displacement: Floats) -> RoadBatch:

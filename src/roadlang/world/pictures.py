@@ -129,7 +129,7 @@ def _after(call: PassCall, before: Picture, candidates: CandidateBatch) -> Pictu
     with built.guarded:
         pixels = np.asarray(built.kind.adjust(before.pixels.copy(), generator))
     _check_adjusted(pixels, before, built.entry, call)
-    return replace(before, pixels=pixels)
+    return candidates.scenario.observed(call, replace(before, pixels=pixels))
 
 
 def _check_adjusted(pixels: Any, before: Picture, entry: KindEntry, call: PassCall) -> None:

@@ -204,7 +204,7 @@ def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
     if not isinstance(curve, Curve):
         fault = f"gave a {type(curve).__name__}, not a Curve"
         raise wrong_result(built.entry, calls[0].span, fault)
-    return _checked(curve, road, calls[0])
+    return candidates.scenario.observed(calls[0], _checked(curve, road, calls[0]))
 
 
 def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> RoadRoot:

@@ -1,0 +1,58 @@
+"""What passes make of a scene is shown pass by pass, and showing it changes nothing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import roadlang
+from roadlang.cli.pass_output import PassPrinter
+
+BENDS = """
+road main { draw with waypoints { points: [(0m, 0m), (80m, 10m), (160m, -10m)] }, width: 7m }
+road bent from main {
+  perturb with sine { amplitude: 2m..6m, wavelength: 80m }
+  perturb with bump { at: 60m, height: 1m..2m, length: 30m }
+}
+require near: always (deviation(bent, main) < 6m)
+"""
+
+
+def printed(capsys: pytest.CaptureFixture[str], name: str, n: int = 1) -> list[str]:
+    loaded = roadlang.loads(BENDS)
+    loaded.sample(n, after_pass=PassPrinter(loaded.scenario, name))
+    return capsys.readouterr().out.splitlines()
+
+
+def test_passes_are_shown_in_their_order(capsys: pytest.CaptureFixture[str]) -> None:
+    lines = printed(capsys, "all", n=2)
+    assert [line.partition(" (")[0] for line in lines] == [
+        f"scene {scene}, after {place}"
+        for scene in (0, 1)
+        for place in ("main/draw 1", "bent/perturb 1", "bent/perturb 2")
+    ]
+
+
+@pytest.mark.parametrize("name", ["bump", "bent/perturb 2"])
+def test_one_pass_is_chosen_by_its_kind_or_place(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (line,) = printed(capsys, name)
+    assert "perturb with bump" in line
+    assert "`bent`" in line
+
+
+def test_an_unknown_pass_is_refused_with_those_that_there_are() -> None:
+    with pytest.raises(roadlang.DiagnosticError, match="RL930") as caught:
+        PassPrinter(roadlang.loads(BENDS).scenario, "bmp")
+    assert "did you mean `bump`?" in str(caught.value)
+
+
+def test_looking_changes_no_scene() -> None:
+    seen: list[Any] = []
+    loaded = roadlang.loads(BENDS)
+    watched = loaded.sample(3, seed=4, jobs=2, after_pass=lambda *found: seen.append(found))
+    plain = loaded.sample(3, seed=4)
+    assert [scene.to_json() for scene in watched] == [scene.to_json() for scene in plain]
+    assert len(seen) == 9
