@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -22,7 +24,7 @@ require near: always (deviation(bent, main) < 6m)
 def printed(capsys: pytest.CaptureFixture[str], name: str, n: int = 1) -> list[str]:
     loaded = roadlang.loads(BENDS)
     loaded.sample(n, after_pass=PassPrinter(loaded.scenario, name))
-    return capsys.readouterr().out.splitlines()
+    return capsys.readouterr().err.splitlines()
 
 
 def test_passes_are_shown_in_their_order(capsys: pytest.CaptureFixture[str]) -> None:
@@ -47,6 +49,20 @@ def test_an_unknown_pass_is_refused_with_those_that_there_are() -> None:
     with pytest.raises(roadlang.DiagnosticError, match="RL930") as caught:
         PassPrinter(roadlang.loads(BENDS).scenario, "bmp")
     assert "did you mean `bump`?" in str(caught.value)
+
+
+def test_compile_prints_passes_beside_its_json(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from roadlang.cli.main import run
+
+    monkeypatch.chdir(tmp_path)
+    Path("scene.rl").write_text(BENDS)
+    assert run(["compile", "scene.rl", "--print-after", "sine", "--json"]) == 0
+    done = capsys.readouterr()
+    assert json.loads(done.out)["diagnostics"] == []
+    assert "scene 0, after bent/perturb 1 (perturb with sine): `bent`" in done.err
+    assert run(["compile", "scene.rl", "--print-after", "cosine"]) == 2
 
 
 def test_looking_changes_no_scene() -> None:

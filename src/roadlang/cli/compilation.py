@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from ..ir.manifest import Manifest
     from ..session.loading import LoadedScenario
     from ..session.scene_set import SceneSet
+    from .pass_output import PassPrinter
 
 
 class Compilation:
@@ -30,26 +31,36 @@ class Compilation:
         self.found += self.loaded.check()
         return not any(diagnostic.is_error for diagnostic in self.found)
 
-    def compile(self, count: int | None, seed: int, jobs: int) -> None:
+    def compile(
+        self, count: int | None, seed: int, jobs: int, print_after: str | None = None
+    ) -> None:
         """Sample scenes and write them; what is wrong is kept for the report."""
         try:
-            self._compile(count, seed, jobs)
+            self._compile(count, seed, jobs, print_after)
         except DiagnosticError as error:
             self.found += error.diagnostics
 
-    def _compile(self, count: int | None, seed: int, jobs: int) -> None:
+    def _compile(self, count: int | None, seed: int, jobs: int, print_after: str | None) -> None:
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 
+        printer = None if print_after is None else self._printer(print_after)
         try:
             with ProgressBar("scenes") as progress:
-                self.scenes = self.loaded.sample(count, seed=seed, jobs=jobs, progress=progress)
+                self.scenes = self.loaded.sample(
+                    count, seed=seed, jobs=jobs, progress=progress, after_pass=printer
+                )
         except NoSceneError as error:
             self.scenes = error.result
             raise
         self.found += self.scenes.diagnostics
         with ProgressBar("files") as progress:
             self.manifest = self.scenes.emit(self.folder, progress=progress)
+
+    def _printer(self, name: str) -> PassPrinter:
+        from .pass_output import PassPrinter
+
+        return PassPrinter(self.loaded.scenario, name)
 
     @property
     def exit_code(self) -> int:

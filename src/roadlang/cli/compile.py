@@ -53,6 +53,11 @@ if TYPE_CHECKING:
     help="Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.",
 )
 @click.option(
+    "--print-after",
+    metavar="PASS",
+    help="Print to stderr what a pass makes of each scene: `sine`, `bent/perturb 1` or `all`.",
+)
+@click.option(
     "--json", "as_json", is_flag=True, help="Print the manifest and the diagnostics as JSON."
 )
 def command(  # noqa: PLR0913 - one parameter per option
@@ -64,6 +69,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     settings: tuple[str, ...],
     params: str | None,
     emit: str | None,
+    print_after: str | None,
     as_json: bool,
 ) -> None:
     """Check FILE, sample scenes that satisfy its requirements, and write them to DIR.
@@ -80,7 +86,7 @@ def command(  # noqa: PLR0913 - one parameter per option
         checked = [run.check() for run in runs]
         if all(checked):
             for run in runs:
-                run.compile(count, seed, jobs)
+                run.compile(count, seed, jobs, print_after)
             if is_list:
                 from ..session.runs import write_runs
 

@@ -17,7 +17,7 @@ ALL = "all"
 
 
 class PassPrinter:
-    """Prints what the passes called `name` make: by kind (`sine`), by place (`bent/perturb 1`), or
+    """Prints to stderr what the passes called `name` make: by kind (`sine`), by place (`bent/perturb 1`), or
     `all`. Raises `DiagnosticError` RL930 where the scenario has no such pass."""
 
     def __init__(self, scenario: Scenario, name: str) -> None:
@@ -31,7 +31,8 @@ class PassPrinter:
         """Print one pass of one scene."""
         if self._name == ALL or self._name in _names(call):
             kind = f"{call.verb} with {_names(call)[0]}"
-            click.echo(f"scene {scene}, after {call.place} ({kind}): {_described(made)}")
+            line = f"scene {scene}, after {call.place} ({kind}): {_described(made)}"
+            click.echo(line, err=True)
 
 
 def _passes(scenario: Scenario) -> Iterator[PassCall]:

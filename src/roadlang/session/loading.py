@@ -19,8 +19,8 @@ from .scene_files import read_scene_file
 if TYPE_CHECKING:
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
-    from .param_files import ParamFile
     from ..scenes.sampling import SceneObserver
+    from .param_files import ParamFile
     from .scene_set import SceneSet
 
 Progress = Callable[[int, int], None]
