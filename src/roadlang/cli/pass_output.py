@@ -17,7 +17,7 @@ ALL = "all"
 
 
 class PassPrinter:
-    """Prints to stderr what the passes called `name` make: by kind (`sine`), by place (`bent/perturb 1`), or
+    """Prints to stderr what passes make. `name` is a kind (`sine`), a place (`bent/perturb 1`), or
     `all`. Raises `DiagnosticError` RL930 where the scenario has no such pass."""
 
     def __init__(self, scenario: Scenario, name: str) -> None:
