@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import importlib
 import os
-from importlib.metadata import EntryPoint, entry_points
+from typing import TYPE_CHECKING
 
 import click
 
-from ..diagnostics import Code
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 COMMANDS: dict[str, tuple[str, str]] = {
     "compile": ("compile", "Check a scene file, sample scenes and write them."),
@@ -78,6 +79,8 @@ def _of_plugins() -> dict[str, EntryPoint]:
     refused = os.environ.get("ROADLANG_NO_PLUGINS", "").split(",")
     if "all" in refused:
         return {}
+    from importlib.metadata import entry_points  # which imports 40 modules
+
     return {
         point.name: point
         for point in entry_points(group=GROUP)
@@ -87,7 +90,7 @@ def _of_plugins() -> dict[str, EntryPoint]:
 
 def _loaded(point: EntryPoint) -> click.Command:
     """The command of a plugin. Raises `DiagnosticError` RL926 where it cannot be loaded."""
-    from ..diagnostics import DiagnosticError, diagnose
+    from ..diagnostics import Code, DiagnosticError, diagnose
 
     try:
         command = point.load()

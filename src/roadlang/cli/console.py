@@ -11,11 +11,8 @@ from typing import TYPE_CHECKING, TextIO
 
 import click
 
-from ..diagnostics import Diagnostic
-from ..diagnostics.printable import printable
-from ..diagnostics.render import in_order, render_all
-
 if TYPE_CHECKING:
+    from ..diagnostics import Diagnostic
     from ..session.expectations import Expectation
 
 _COLOR_SEQUENCE = re.compile(r"(\x1b\[[0-9;]*m)")
@@ -40,6 +37,8 @@ def _color_option() -> str:
 
 def report(diagnostics: Iterable[Diagnostic]) -> None:
     """Print diagnostics to stderr, sorted by place, with a count of errors and warnings."""
+    from ..diagnostics.render import in_order, render_all
+
     ordered = in_order(diagnostics)
     if not ordered:
         return
@@ -71,6 +70,8 @@ def note(text: str) -> None:
 
 def _safe(text: str) -> str:
     """Lines as they may be shown: of control characters only colors and line breaks stay."""
+    from ..diagnostics.printable import printable
+
     parts = _COLOR_SEQUENCE.split(text)
     return "".join(
         part if index % 2 else printable(part, keep="\n\t") for index, part in enumerate(parts)

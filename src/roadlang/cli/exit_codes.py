@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from ..diagnostics import Diagnostic, UnknownCode, page
+if TYPE_CHECKING:
+    from ..diagnostics import Diagnostic
 
 DONE = 0
 SCENARIO_HAS_ERRORS = 1
@@ -35,6 +37,8 @@ def severest(codes: Iterable[int]) -> int:
 
 
 def _exit_code(code: str) -> int:
+    from ..diagnostics import UnknownCode, page
+
     try:
         return page(code).exit
     except UnknownCode:  # of a plugin, which has no page in the catalog

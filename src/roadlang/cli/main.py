@@ -6,7 +6,6 @@ import contextlib
 import io
 import os
 import sys
-import traceback
 from collections.abc import Iterator, Sequence
 
 import click
@@ -125,6 +124,8 @@ def _explain(error: Exception) -> int:
             _forget_standard_output()
         error = DiagnosticError(machine_fault(error) or describe_bug(error))
     elif os.environ.get("ROADLANG_TRACEBACK") and error.__cause__ is not None:
+        import traceback
+
         traceback.print_exception(error.__cause__)
     report(error.diagnostics)
     return exit_codes.exit_code_of(error.diagnostics) or exit_codes.SCENARIO_HAS_ERRORS

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from .diagnostic import Diagnostic
-from .render import render_all
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .diagnostic import Diagnostic
 
 
 class DiagnosticError(Exception):
@@ -14,4 +16,6 @@ class DiagnosticError(Exception):
         self.diagnostics = diagnostics
 
     def __str__(self) -> str:
+        from .render import render_all
+
         return render_all(self.diagnostics)

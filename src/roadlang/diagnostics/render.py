@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -118,6 +117,8 @@ def to_record(diagnostic: Diagnostic) -> dict[str, object]:
 
 def render_json(diagnostics: Sequence[Diagnostic]) -> str:
     """A JSON list of all diagnostics."""
+    import json
+
     return json.dumps([to_record(diagnostic) for diagnostic in diagnostics], indent=2)
 
 

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
-from scipy.special import ndtr
 
 Floats = NDArray[np.float64]
 NOISE = 1e-3
@@ -49,12 +47,17 @@ class Surrogate:
                 error = _left_out(points, targets, tried)
                 if error < best:
                     best, lengths = error, tried
+        from scipy.linalg import cho_factor, cho_solve
+
         factor_ = cho_factor(_covariance(points, lengths), lower=True)
         weights = cho_solve(factor_, targets)
         return cls(points, lengths, mean, deviation, weights, factor_)
 
     def chance(self, points: Floats) -> Floats:
         """(m,) the guessed probability that all values are positive."""
+        from scipy.linalg import cho_solve
+        from scipy.special import ndtr
+
         cross = _kernel(points, self.points, self.lengths)
         guess = cross @ self.weights * self.deviation + self.mean
         reduction = (cross.T * cho_solve(self.factor, cross.T)).sum(axis=0)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
-from ..plugins.finding import entry_of
-from ..plugins.registry import Registry
+
+if TYPE_CHECKING:
+    from ..plugins.registry import Registry
 
 _OPENING, _CLOSING = "{[(", "}])"
 
@@ -27,6 +29,8 @@ def parse_outputs(text: str) -> list[str]:
 
 def check_outputs(outputs: Sequence[str], registry: Registry) -> None:
     """Raises `DiagnosticError` RL930 for kinds that are not there, RL928 where there are none."""
+    from ..plugins.finding import entry_of
+
     faults: list[Diagnostic] = []
     for text in outputs:
         name = text.replace("{", " ").split()[0]
