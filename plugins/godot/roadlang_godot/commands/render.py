@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from roadlang.commands import Code, DiagnosticError, diagnose, echo, parse_overrides, report
+from roadlang.commands import Code, DiagnosticError, diagnose, echo, report
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
@@ -71,7 +71,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     the free view looks from anywhere. Without a screen a virtual one is used.
     """
     from roadlang import load
-    from roadlang.commands import write_file
+    from roadlang.commands import parse_overrides, write_file
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
     path = Path(output).absolute()

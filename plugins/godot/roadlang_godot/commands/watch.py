@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import DiagnosticError, echo, parse_overrides, read_scene_file, report
+from roadlang.commands import DiagnosticError, echo, report
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
@@ -56,6 +56,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     In the window, objects and road points can be dragged; robustness is shown live.
     """
     from roadlang import load
+    from roadlang.commands import parse_overrides
     from roadlang_godot import engine
 
     loaded = load(file).with_params(parse_overrides(settings))
@@ -98,6 +99,8 @@ class Watcher:
                 live.show(_lines(live, scenes))
 
     def _look(self, live: LiveScene) -> None:
+        from roadlang.commands import read_scene_file
+
         try:
             text = read_scene_file(self._file)
         except DiagnosticError:
