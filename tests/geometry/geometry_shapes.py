@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import strategies as st
 
-from roadlang.geometry import Curve
+from roadlang.geometry import Curve, CurveBatch, self_crossings
 
 
 def circle(radius: float = 10.0, count: int = 64) -> Curve:
@@ -30,6 +30,11 @@ def hairpin(radius: float = 5.0, leg: float = 40.0) -> Curve:
     from roadlang.geometry import Arc, Straight, chain
 
     return chain([Straight(leg), Arc(radius, np.pi), Straight(leg)], spacing=0.5).curve()
+
+
+def self_intersects(batch: CurveBatch) -> np.ndarray:
+    """(V,) whether each variant crosses or touches itself between its stations."""
+    return np.isin(np.arange(batch.variants), self_crossings(batch)[0])
 
 
 def rotation(angle: float) -> np.ndarray:

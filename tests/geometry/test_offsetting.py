@@ -18,9 +18,8 @@ from roadlang.geometry import (
     WidthProfile,
     chain,
     offset,
-    self_intersects,
 )
-from tests.geometry.geometry_shapes import circle, curves, hairpin, line, wave
+from tests.geometry.geometry_shapes import circle, curves, hairpin, line, self_intersects, wave
 
 
 def corner(radius: float, angle: float = np.pi / 2) -> Any:

@@ -10,9 +10,8 @@ Nothing is imported until a name is used.
 - roads: `WidthProfile`, `Road`, `offset` (without folding)
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
-- distances: `pointwise`, `deviation`, `lp_distance`, `lp_norm`, `quadrature`, `sup_distance`,
-  `frechet`, `clearance`, `margin`, `self_intersects`
-- tiles: `neighbor_mask`, `TileShape`, `tile_shapes`
+- distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
+- crossings: `crossings`, `self_crossings`
 - errors: `GeometryError`
 """
 
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from .clearances import clearance as clearance
     from .crossing import crossings as crossings
     from .crossing import self_crossings as self_crossings
-    from .crossing import self_intersects as self_intersects
     from .curve import Curve as Curve
     from .discrete_frechet import frechet as frechet
     from .displacement import DisplacedBatch as DisplacedBatch
@@ -34,13 +32,10 @@ if TYPE_CHECKING:
     from .displacement import displace as displace
     from .displacement import sample as sample
     from .displacement import undisplaced as undisplaced
-    from .distances import deviation as deviation
-    from .distances import lp_distance as lp_distance
     from .distances import lp_norm as lp_norm
     from .distances import margin as margin
     from .distances import pointwise as pointwise
     from .distances import quadrature as quadrature
-    from .distances import sup_distance as sup_distance
     from .errors import GeometryError as GeometryError
     from .filleting import filleted as filleted
     from .frame import Frame as Frame
@@ -60,10 +55,6 @@ if TYPE_CHECKING:
     from .segments import Clothoid as Clothoid
     from .segments import Straight as Straight
     from .segments import chain as chain
-    from .tiles import TileShape as TileShape
-    from .tiles import neighbor_mask as neighbor_mask
-    from .tiles import tile_shape as tile_shape
-    from .tiles import tile_shapes as tile_shapes
     from .width import WidthProfile as WidthProfile
     from .window import ease as ease
     from .window import fade as fade
@@ -101,21 +92,13 @@ _HOMES = {
     "anchored_nodes": "joints",
     "junction_window": "joints",
     "pointwise": "distances",
-    "deviation": "distances",
-    "lp_distance": "distances",
     "lp_norm": "distances",
     "quadrature": "distances",
-    "sup_distance": "distances",
     "margin": "distances",
     "frechet": "discrete_frechet",
     "clearance": "clearances",
-    "self_intersects": "crossing",
     "crossings": "crossing",
     "self_crossings": "crossing",
-    "neighbor_mask": "tiles",
-    "TileShape": "tiles",
-    "tile_shapes": "tiles",
-    "tile_shape": "tiles",
 }
 
 __all__ = list(_HOMES)

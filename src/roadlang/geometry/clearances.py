@@ -45,8 +45,8 @@ def _to_itself(batch: CurveBatch, variant: int) -> Floats:
     place = arc[: len(points)]
 
     def along(rows: slice) -> Floats:
-        way = np.abs(place[rows, None] - place[None])
-        return np.asarray(np.minimum(way, arc[-1] - way) if batch.closed else way)
+        travel = np.abs(place[rows, None] - place[None])
+        return np.asarray(np.minimum(travel, arc[-1] - travel) if batch.closed else travel)
 
     return _nearest(points, points, along, RETURNING, batch.closed)
 
@@ -55,18 +55,18 @@ def _to_other(batch: CurveBatch, other: CurveBatch, variant: int) -> Floats:
     """Distance to another road; along both and through the junctions that they share."""
     points, row = batch.points[variant], variant % other.variants
     theirs = other.points[row]
-    ways = [] if batch.closed or other.closed else _ways(batch, other, variant, row)
+    travels = [] if batch.closed or other.closed else _travels(batch, other, variant, row)
 
     def along(rows: slice) -> Floats:
         shortest = np.full((len(points[rows]), len(theirs)), np.inf)
-        for way, beyond in ways:
-            np.minimum(shortest, way[rows, None] + beyond[None], out=shortest)
+        for travel, beyond in travels:
+            np.minimum(shortest, travel[rows, None] + beyond[None], out=shortest)
         return shortest
 
     return _nearest(points, theirs, along, PARTING, other.closed)
 
 
-def _ways(
+def _travels(
     batch: CurveBatch, other: CurveBatch, variant: int, row: int
 ) -> list[tuple[Floats, Floats]]:
     """Meters from all stations of both roads to each end that they share."""
@@ -74,8 +74,8 @@ def _ways(
     mine = np.concatenate([[0.0], np.cumsum(batch.steps[variant])])
     arc = np.concatenate([[0.0], np.cumsum(other.steps[row])])
     return [
-        (way, beyond)
-        for end, way in ((0, mine), (-1, mine[-1] - mine))
+        (travel, beyond)
+        for end, travel in ((0, mine), (-1, mine[-1] - mine))
         for tip, beyond in ((0, arc), (-1, arc[-1] - arc))
         if norm(points[end] - theirs[tip]) <= _TOUCH
     ]

@@ -14,13 +14,6 @@ _PAIRS_AT_ONCE = 2048
 _BOXES_AT_ONCE = 4_000_000
 
 
-def self_intersects(batch: CurveBatch) -> Booleans:
-    """(V,) whether each variant crosses or touches itself between its stations."""
-    result = np.zeros(batch.variants, dtype=bool)
-    result[self_crossings(batch)[0]] = True
-    return result
-
-
 def self_crossings(batch: CurveBatch) -> tuple[Integers, Integers, Integers]:
     """Variant, step and later step of every crossing of a curve with itself."""
     steps = _Steps.of(batch)

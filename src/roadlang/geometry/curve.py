@@ -52,13 +52,13 @@ class Curve(SharedArrays):
         For points of known heading (arcs, clothoids): no ringing where the curvature jumps. Raises
         GeometryError as `through` does, and for neighbors that coincide.
         """
-        given = finite_points(points)
+        samples = finite_points(points)
         angles = finite(headings, "the headings of a curve")
-        if angles.shape != (len(given),):
+        if angles.shape != (len(samples),):
             raise GeometryError("a curve needs one heading for each of its points")
-        if len(distinct_points(given, closed)) != len(given):
+        if len(distinct_points(samples, closed)) != len(samples):
             raise GeometryError("neighboring points of a curve with headings must differ")
-        return cls(hermite(given, angles, closed), closed, given)
+        return cls(hermite(samples, angles, closed), closed, samples)
 
     @cached_property
     def arc(self) -> ArcLength:
@@ -220,9 +220,11 @@ def distinct_points(points: ArrayLike, closed: bool) -> Floats:
     array = finite_points(points)
     if len(array):
         extent = float(norm(np.ptp(array, axis=0)))
-        reach = max(1e-9 * extent, 8.0 * np.finfo(float).eps * float(np.abs(array).max()), 1e-12)
-        array = _without_repeats(array, reach)
-        if closed and len(array) > 1 and norm(array[0] - array[-1]) <= reach:
+        tolerance = max(
+            1e-9 * extent, 8.0 * np.finfo(float).eps * float(np.abs(array).max()), 1e-12
+        )
+        array = _without_repeats(array, tolerance)
+        if closed and len(array) > 1 and norm(array[0] - array[-1]) <= tolerance:
             array = array[:-1]
     needed = 3 if closed else 2
     if len(array) < needed:
@@ -231,14 +233,14 @@ def distinct_points(points: ArrayLike, closed: bool) -> Floats:
     return array
 
 
-def _without_repeats(array: Floats, reach: float) -> Floats:
+def _without_repeats(array: Floats, tolerance: float) -> Floats:
     """Keeps the first of points that coincide, but of those at the end the last."""
     keep = np.ones(len(array), dtype=bool)
-    keep[1:] = norm(np.diff(array, axis=0)) > reach
-    kept = np.array(array[keep])
-    if len(kept) > 1:
-        kept[-1] = array[-1]
-    return kept
+    keep[1:] = norm(np.diff(array, axis=0)) > tolerance
+    distinct = np.array(array[keep])
+    if len(distinct) > 1:
+        distinct[-1] = array[-1]
+    return distinct
 
 
 def _fitted(points: Floats, closed: bool) -> PiecewiseCubic:

@@ -34,13 +34,13 @@ def derivative(
     if not (gaps > 0.0).all():
         raise GeometryError("stations must increase, and end before the period")
     result = np.empty(values.shape)
-    before, here, after = values[..., :-2], values[..., 1:-1], values[..., 2:]
+    before, center, after = values[..., :-2], values[..., 1:-1], values[..., 2:]
     inner = result[..., 1:-1]
     if are_even(gaps):
-        _even(before, here, after, float(gaps[0]), order, inner)
+        _even(before, center, after, float(gaps[0]), order, inner)
     else:
         count = len(stations) - 2
-        _uneven(before, here, after, gaps[:count], gaps[1 : count + 1], order, inner)
+        _uneven(before, center, after, gaps[:count], gaps[1 : count + 1], order, inner)
     for end in (0, -1):
         index, offsets = _at_end(end, stations, gaps, order, period is not None)
         result[..., end] = values[..., index] @ weights(offsets, order)
@@ -84,23 +84,25 @@ def _at_end(
     return index, stations[index] - stations[end]
 
 
-def _even(before: Floats, here: Floats, after: Floats, gap: float, order: int, out: Floats) -> None:
+def _even(
+    before: Floats, center: Floats, after: Floats, gap: float, order: int, out: Floats
+) -> None:
     np.subtract(after, before, out=out) if order == 1 else np.add(after, before, out=out)
     if order == 2:
-        out -= 2.0 * here
+        out -= 2.0 * center
     out *= 1.0 / gap**2 if order == 2 else 0.5 / gap
 
 
 def _uneven(
     before: Floats,
-    here: Floats,
+    center: Floats,
     after: Floats,
     gap: Floats,
     following: Floats,
     order: int,
     out: Floats,
 ) -> None:
-    forward, backward = (after - here) / following, (here - before) / gap
+    forward, backward = (after - center) / following, (center - before) / gap
     if order == 1:
         out[...] = (gap * forward + following * backward) / (gap + following)
     else:

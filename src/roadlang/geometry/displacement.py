@@ -156,12 +156,12 @@ def displace(
     """
     if isinstance(base, Curve):
         base = Frame.of(base, stations)
-    moves = finite(displacement, "a displacement")
-    _check_shape(moves, len(base.stations))
-    if moves.ndim == 3:
-        return _shifted(undisplaced(base) if isinstance(base, Frame) else base, moves)
-    moves = np.atleast_2d(moves)
-    return DisplacedBatch(base, moves) if isinstance(base, Frame) else _pushed(base, moves)
+    meters = finite(displacement, "a displacement")
+    _check_shape(meters, len(base.stations))
+    if meters.ndim == 3:
+        return _shifted(undisplaced(base) if isinstance(base, Frame) else base, meters)
+    meters = np.atleast_2d(meters)
+    return DisplacedBatch(base, meters) if isinstance(base, Frame) else _pushed(base, meters)
 
 
 def sample(curve: Curve, stations: ArrayLike) -> DisplacedBatch:
@@ -222,11 +222,11 @@ def _shifted(base: CurveBatch, shift: Floats) -> MovedBatch:
     return MovedBatch(base, base.points + shift, (forward, sideways), along_base=False)
 
 
-def _check_shape(moves: Floats, count: int) -> None:
-    if moves.ndim == 3 and moves.shape[1:] == (count, 2):
+def _check_shape(meters: Floats, count: int) -> None:
+    if meters.ndim == 3 and meters.shape[1:] == (count, 2):
         return
-    if moves.ndim not in (1, 2) or moves.shape[-1] != count:
+    if meters.ndim not in (1, 2) or meters.shape[-1] != count:
         raise GeometryError(
             f"a displacement at {count} stations must have the shape (V, {count}) or "
-            f"(V, {count}, 2), not {moves.shape}"
+            f"(V, {count}, 2), not {meters.shape}"
         )

@@ -20,42 +20,14 @@ def pointwise(a: CurveBatch, b: CurveBatch) -> Floats:
     return norm(a.points - b.points)
 
 
-def deviation(a: CurveBatch, b: CurveBatch) -> Floats:
-    """(V, S) size of the displacement of `a` from `b` across `b`, meters.
-
-    The same as `pointwise` where `a` is `b` displaced; else the part of the way from `b` to `a`
-    along the normal of `b`.
-    """
-    shared = _shared_displacements(a, b)
-    if shared is not None:
-        return np.abs(np.subtract(*shared))
-    _check_stations(a, b)
-    sideways: Floats = ((a.points - b.points) * b.normal).sum(axis=-1)
-    return np.abs(sideways)
-
-
-def lp_distance(a: CurveBatch, b: CurveBatch, p: float) -> Floats:
-    """(V,) the paper's d_p: (integral of |a(s) - b(s)|^p ds)^(1/p), by the trapezoidal rule.
-
-    Its unit is m^(1 + 1/p); an infinite `p` gives `sup_distance`.
-    """
-    if not p >= 1.0:
-        raise GeometryError("the p of an Lp distance must be at least 1")
-    if np.isinf(p):
-        return sup_distance(a, b)
-    return lp_norm(pointwise(a, b), quadrature(a), p)
-
-
 def lp_norm(values: Floats, weights: Floats, p: ArrayLike) -> Floats:
-    """(V,) (sum of `weights` (S,) times |`values` (V, S)|^p)^(1/p); `p` a number or (V, 1)."""
+    """(V,) (sum of `weights` (S,) times |`values` (V, S)|^p)^(1/p); `p` >= 1, a number or (V, 1).
+
+    Of pointwise distances and the weights of `quadrature` the paper's d_p, in m^(1 + 1/p).
+    """
     largest = np.maximum(np.abs(values).max(axis=1, keepdims=True), np.finfo(float).tiny)
     integral = (np.abs(values) / largest) ** p @ weights
     return np.asarray(largest[:, 0] * integral ** (1.0 / np.ravel(p)))
-
-
-def sup_distance(a: CurveBatch, b: CurveBatch) -> Floats:
-    """(V,) the largest pointwise distance, meters."""
-    return np.asarray(pointwise(a, b).max(axis=1))
 
 
 def margin(batch: CurveBatch, p: ArrayLike, q: ArrayLike) -> Floats:

@@ -31,14 +31,14 @@ def chained(curves: Sequence[Curve], rounding: float) -> Curve:
     parts: list[PiecewiseCubic] = []
     previous: Curve | None = None
     for index, curve in enumerate(curves):
-        reach = min(rounding, _LARGEST_SHARE * curve.length)
-        start = reach if index > 0 and corners[index - 1] else 0.0
-        stop = curve.length - (reach if index < len(corners) and corners[index] else 0.0)
-        kept = curve if stop - start >= curve.length else curve.between(start, stop)
+        cut = min(rounding, _LARGEST_SHARE * curve.length)
+        start = cut if index > 0 and corners[index - 1] else 0.0
+        stop = curve.length - (cut if index < len(corners) and corners[index] else 0.0)
+        middle = curve if stop - start >= curve.length else curve.between(start, stop)
         if previous is not None and start > 0.0:
-            parts.append(_bend(previous, kept))
-        parts.append(kept.spline)
-        previous = kept
+            parts.append(_bend(previous, middle))
+        parts.append(middle.spline)
+        previous = middle
     spline = _concatenated(parts)
     points = np.concatenate([spline.coefficients[:, 0], curves[-1].points[-1:]])
     return Curve(spline, False, points)

@@ -139,8 +139,8 @@ class RoadNetwork:
                 continue
             part, waiting = {node.id}, [node.id]
             while waiting:
-                here = waiting.pop()
-                beyond = {edge.other(here) for edge in self.edges_at(here)} - part
+                node_id = waiting.pop()
+                beyond = {edge.other(node_id) for edge in self.edges_at(node_id)} - part
                 part |= beyond
                 waiting.extend(beyond)
             seen |= part

@@ -9,9 +9,9 @@ from .arrays import Booleans, Floats, Integers, cross, finite, norm
 from .curve import Curve
 from .errors import GeometryError
 
-_REACH = 4.0
+_SEARCH_RATIO = 4.0
 """A fold is closed at a crossing at most this many offsets away along the curve: bends of up to
-150 degrees. What crosses farther away is another stretch of road, not a fold."""
+150 degrees. What crosses farther away is another part of the road, not a fold."""
 
 
 def offset(curve: Curve, distance: ArrayLike, stations: ArrayLike) -> Floats:
@@ -49,9 +49,9 @@ def _unfolded(base: Floats, raw: Floats, clamped: Floats, away: Floats) -> Float
         if not backwards.any():
             break
         first, last = _run(backwards, collapsed)
-        reach = _REACH * float(np.abs(away[first : last + 2]).max())
-        low = int(np.searchsorted(arc, arc[first] - reach))
-        high = int(np.searchsorted(arc, arc[last + 1] + reach, side="right")) - 1
+        radius_of_search = _SEARCH_RATIO * float(np.abs(away[first : last + 2]).max())
+        low = int(np.searchsorted(arc, arc[first] - radius_of_search))
+        high = int(np.searchsorted(arc, arc[last + 1] + radius_of_search, side="right")) - 1
         crossing = _closest_crossing(line, low, first, last + 1, high)
         if crossing is None:
             start, stop, point = first, last + 1, clamped[first : last + 2].mean(axis=0)

@@ -142,15 +142,15 @@ def _simple_paths(
         (origin, 0.0, (), frozenset([origin]))
     ]
     while waiting and next(visits, None) is not None:
-        here, length, steps, passed = waiting.pop()
+        node, length, steps, passed = waiting.pop()
         yield length, steps
         onward = []
-        for edge in network.edges_at(here):
-            there = edge.other(here)
-            step = _along(edge, here)
-            if there in passed or (steps and _turn(network, steps[-1], step) > SHARPEST_TURN):
+        for edge in network.edges_at(node):
+            neighbor = edge.other(node)
+            step = _along(edge, node)
+            if neighbor in passed or (steps and _turn(network, steps[-1], step) > SHARPEST_TURN):
                 continue
-            onward.append((there, length + edge.length, (*steps, step), passed | {there}))
+            onward.append((neighbor, length + edge.length, (*steps, step), passed | {neighbor}))
         waiting.extend(sorted(onward, key=lambda item: item[1]))
 
 
@@ -221,14 +221,14 @@ def _through_nodes(
         heapq.heappush(waiting, (first[1].length, count, first[0], [first[1]]))
     pushed = len(waiting)
     while waiting:
-        length, _, here, steps = heapq.heappop(waiting)
-        if here in best:
+        length, _, node, steps = heapq.heappop(waiting)
+        if node in best:
             continue
-        best[here] = length, steps
-        for edge in network.edges_at(here):
+        best[node] = length, steps
+        for edge in network.edges_at(node):
             pushed += 1
-            onward = [*steps, _along(edge, here)]
-            heapq.heappush(waiting, (length + edge.length, pushed, edge.other(here), onward))
+            onward = [*steps, _along(edge, node)]
+            heapq.heappush(waiting, (length + edge.length, pushed, edge.other(node), onward))
     ends = [
         (best[node][0] + step.length, [*best[node][1], Step(step.edge, step.stop, step.start)])
         for node, step in _to_ends(*goal)

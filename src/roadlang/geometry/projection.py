@@ -17,12 +17,12 @@ _STEPS = 12
 def project(arc: ArcLength, closed: bool, points: ArrayLike) -> tuple[Floats, Floats]:
     """See `Curve.project`. Candidates from a k-d tree of the curve, refined by Newton's method."""
     spline = arc.spline
-    given = finite(points, "the points to project")
-    if given.ndim == 0 or given.shape[-1] != 2:
+    targets = finite(points, "the points to project")
+    if targets.ndim == 0 or targets.shape[-1] != 2:
         raise GeometryError("points to project must be pairs (x, y)")
-    flat = given.reshape(-1, 2)
+    flat = targets.reshape(-1, 2)
     if len(flat) == 0:
-        return np.empty(given.shape[:-1]), np.empty(given.shape[:-1])
+        return np.empty(targets.shape[:-1]), np.empty(targets.shape[:-1])
     nearest = _nearest_samples(arc, flat)
     u = _refined(arc, flat[:, None, :], nearest)
     distance = np.linalg.norm(spline.position(u) - flat[:, None, :], axis=-1)
@@ -32,7 +32,7 @@ def project(arc: ArcLength, closed: bool, points: ArrayLike) -> tuple[Floats, Fl
     s = arc.length_at(best)
     if closed:
         s = np.where(s >= arc.total, 0.0, s)
-    return s.reshape(given.shape[:-1]), offset.reshape(given.shape[:-1])
+    return s.reshape(targets.shape[:-1]), offset.reshape(targets.shape[:-1])
 
 
 def _nearest_samples(arc: ArcLength, flat: Floats) -> Integers:

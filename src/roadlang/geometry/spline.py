@@ -118,11 +118,15 @@ def hermite(points: Floats, headings: Floats, closed: bool) -> PiecewiseCubic:
     half = np.abs(wrapped(np.diff(headings))) / 2.0
     steps = chords / np.sinc(np.minimum(half, 2.0) / np.pi)
     quarter = half / 2.0
-    stretch = np.where(quarter > 1e-9, np.tan(quarter) / np.maximum(quarter, 1e-9), 1.0)
+    tangent_length = np.where(quarter > 1e-9, np.tan(quarter) / np.maximum(quarter, 1e-9), 1.0)
     tangents = np.stack([np.cos(headings), np.sin(headings)], axis=-1)
     knots = np.concatenate([[0.0], np.cumsum(steps)])
     return from_slopes(
-        knots, points, tangents[:-1] * stretch[:, None], tangents[1:] * stretch[:, None], True
+        knots,
+        points,
+        tangents[:-1] * tangent_length[:, None],
+        tangents[1:] * tangent_length[:, None],
+        True,
     )
 
 

@@ -94,10 +94,10 @@ class RoadBatch(Frozen):
     def take(self, rows: NDArray[np.intp]) -> RoadBatch:
         """The variants at `rows`, in every field; what has one row for all variants keeps it."""
         every = {field.name: getattr(self, field.name) for field in fields(self)}
-        taken = {name: _rows(value, rows) for name, value in every.items()}
-        if all(taken[name] is value for name, value in every.items()):
+        chosen = {name: _rows(value, rows) for name, value in every.items()}
+        if all(chosen[name] is value for name, value in every.items()):
             return self
-        return replace(self, **taken)
+        return replace(self, **chosen)
 
 
 def _rows(value: Any, rows: NDArray[np.intp]) -> Any:

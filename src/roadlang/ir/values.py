@@ -81,7 +81,7 @@ class Entity:
 
 @dataclass(frozen=True, slots=True)
 class Items:
-    """A list, an interval, a stretch or a point: the option's type tells which."""
+    """A list, an interval or a point: the option's type tells which."""
 
     items: tuple[Value, ...]
 

@@ -75,7 +75,7 @@ def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadB
             batch = edge_batch(origin, edge, candidates)
         else:
             batch = _root_edge(network, edge, candidates)
-        return _bent(batch, network, edge, candidates)
+        return _perturbed_edge(batch, network, edge, candidates)
 
     return candidates.once(("edge", network.name, edge), make)
 
@@ -89,7 +89,9 @@ def _root_edge(network: Network, edge: int, candidates: CandidateBatch) -> RoadB
     return undisplaced_road(name, name, frame, width.at(frame.stations)[None, :], found.confidence)
 
 
-def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+def _perturbed_edge(
+    batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch
+) -> RoadBatch:
     calls = [call for call in network.passes if call.verb == "perturb"]
     if not calls:
         return batch
@@ -104,11 +106,11 @@ def _bent(batch: RoadBatch, network: Network, edge: int, candidates: CandidateBa
 def _chosen_edges(
     call: PassCall, network: RoadNetwork, candidates: CandidateBatch
 ) -> frozenset[int]:
-    given = dict(call.common).get("roads")
+    option = dict(call.common).get("roads")
     every = frozenset(edge.id for edge in network.edges)
-    if given is None:
+    if option is None:
         return every
-    ids = scalar(evaluate(given, candidates))
+    ids = scalar(evaluate(option, candidates))
     chosen = frozenset(round(id) for id in (ids if isinstance(ids, tuple) else (ids,)))
     if chosen - every:
         raise _no_such_road(min(chosen - every), network, call.span)

@@ -167,7 +167,7 @@ def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: flo
             diagnose(
                 Code.INTERVAL_OFF_ROAD,
                 call.span,
-                stretch=f"[{low:g}m, {high:g}m]",
+                interval=f"[{low:g}m, {high:g}m]",
                 road=road.name,
                 length=f"{end:.1f}m",
             )

@@ -35,7 +35,7 @@ DEFAULT_WIDTH = 7.0
 
 @dataclass(frozen=True, eq=False)
 class RoadRoot:
-    """A road before any `perturb`. `path`: its way through a network, where it comes of one;
+    """A road before any `perturb`. `path`: the path of the network that it was selected as;
     `inputs`: the files that it was made from, `confidence` that of the extractor in its network."""
 
     id: str
@@ -57,7 +57,7 @@ def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
         if isinstance(origin, Road):
             batch = road_batch(origin.name, candidates)
         else:
-            batch = _carried(road, candidates)
+            batch = _unperturbed(road, candidates)
         batch = replace(batch, name=name, width=_width(road, batch, candidates))
         for call in road.passes:
             if call.verb == "perturb":
@@ -79,9 +79,9 @@ def lanes_of(name: str, candidates: CandidateBatch) -> int:
     """How many lanes a road of a single candidate has."""
     scenario = candidates.scenario
     for link in _roads(scenario.roads[name], scenario):
-        given = dict(link.options).get("lanes")
-        if given is not None:
-            return max(1, round(float(scalar(evaluate(given, candidates)))))
+        option = dict(link.options).get("lanes")
+        if option is not None:
+            return max(1, round(float(scalar(evaluate(option, candidates)))))
     return road_root(name, candidates).lanes or DEFAULT_LANES
 
 
@@ -90,10 +90,10 @@ def _roads(road: Road, scenario: IndexedScenario) -> Iterator[Road]:
 
 
 def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
-    given = dict(road.options).get("width")
-    if given is None:
+    option = dict(road.options).get("width")
+    if option is None:
         return before.width
-    value = np.atleast_2d(np.asarray(evaluate(given, candidates), float))
+    value = np.atleast_2d(np.asarray(evaluate(option, candidates), float))
     if not (value > 0).all() or not np.isfinite(value).all():
         raise DiagnosticError(
             diagnose(
@@ -103,7 +103,7 @@ def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
     return value
 
 
-def _carried(road: Road, candidates: CandidateBatch) -> RoadBatch:
+def _unperturbed(road: Road, candidates: CandidateBatch) -> RoadBatch:
     """A root road, or the way through a network that has been perturbed before."""
     root = road_root(road.name, candidates)
     stations = root.frame.stations
@@ -112,12 +112,12 @@ def _carried(road: Road, candidates: CandidateBatch) -> RoadBatch:
     )
     batch = undisplaced_road(road.name, root.id, root.frame, width, root.confidence)
     network = root.network
-    if network is None or root.path is None or not _is_bent(network, candidates.scenario):
+    if network is None or root.path is None or not _is_perturbed(network, candidates.scenario):
         return batch
     return displaced(batch, _along_path(root, network, candidates))
 
 
-def _is_bent(network: Network, scenario: IndexedScenario) -> bool:
+def _is_perturbed(network: Network, scenario: IndexedScenario) -> bool:
     return any(call.verb == "perturb" for link in scenario.chain(network) for call in link.passes)
 
 
@@ -126,32 +126,32 @@ def _along_path(root: RoadRoot, network: Network, candidates: CandidateBatch) ->
     assert root.path is not None
     traveled = root.frame.stations * (root.path.length / root.frame.curve.length)
     ends = np.cumsum([step.length for step in root.path.steps])
-    moves = np.zeros((1, len(traveled)))
+    displacement = np.zeros((1, len(traveled)))
     before = 0.0
     for index, step in enumerate(root.path.steps):
         last = index == len(root.path.steps) - 1
-        here = (traveled >= before) & (traveled < ends[index] if not last else True)
+        on_step = (traveled >= before) & (traveled < ends[index] if not last else True)
         batch = edge_batch(network, step.edge, candidates)
-        way = 1.0 if step.stop >= step.start else -1.0
-        at = step.start + way * (traveled[here] - before)
-        part = way * _interpolated(batch, at)
-        if part.shape[0] > moves.shape[0]:
-            moves = np.repeat(moves, part.shape[0], axis=0)
-        moves[:, here] = part
+        direction = 1.0 if step.stop >= step.start else -1.0
+        at = step.start + direction * (traveled[on_step] - before)
+        part = direction * _interpolated(batch, at)
+        if part.shape[0] > displacement.shape[0]:
+            displacement = np.repeat(displacement, part.shape[0], axis=0)
+        displacement[:, on_step] = part
         before = float(ends[index])
-    return moves
+    return displacement
 
 
 def _interpolated(batch: RoadBatch, at: Floats) -> Floats:
     """(V, n) displacements of an edge at arc lengths between its stations."""
-    stations, moves = batch.stations, batch.displacement
+    stations, displacement = batch.stations, batch.displacement
     if batch.period is not None:
         stations = np.append(stations, batch.period)
-        moves = np.concatenate([moves, moves[:, :1]], axis=1)
+        displacement = np.concatenate([displacement, displacement[:, :1]], axis=1)
     right = np.clip(np.searchsorted(stations, at), 1, len(stations) - 1)
     gap = stations[right] - stations[right - 1]
     share = np.clip((at - stations[right - 1]) / gap, 0.0, 1.0)
-    return moves[:, right - 1] * (1.0 - share) + moves[:, right] * share
+    return displacement[:, right - 1] * (1.0 - share) + displacement[:, right] * share
 
 
 def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
@@ -172,10 +172,12 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
             id = f"{root.name}/{edge.id}"
             frame, width = root.frame(edge.id), edge.width
             return RoadRoot(id, frame, width, None, path, network, root.inputs, root.confidence)
-    return _way(root, path, network, candidates)
+    return _path_root(root, path, network, candidates)
 
 
-def _way(root: NetworkRoot, path: Path, network: Network, candidates: CandidateBatch) -> RoadRoot:
+def _path_root(
+    root: NetworkRoot, path: Path, network: Network, candidates: CandidateBatch
+) -> RoadRoot:
     """The same way through the same network is one root, whichever road statement names it."""
     steps = "+".join(f"{step.edge}:{step.start:.6g}:{step.stop:.6g}" for step in path.steps)
     keeper = candidates if candidates.scenario.is_varying(network.name) else candidates.scenario
@@ -224,8 +226,8 @@ def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> Ro
 
 
 def _is_closed(road: Road, candidates: CandidateBatch) -> bool:
-    given = dict(road.options).get("closed")
-    return given is not None and bool(scalar(evaluate(given, candidates)))
+    option = dict(road.options).get("closed")
+    return option is not None and bool(scalar(evaluate(option, candidates)))
 
 
 def _checked(curve: Any, road: Road, call: PassCall | None) -> Curve:

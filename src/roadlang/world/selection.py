@@ -16,8 +16,8 @@ from .networks import NetworkRoot
 
 def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     """The way through the network. Raises RL472 where there is none."""
-    given = dict(road.options).get("select")
-    choice: Any = "longest" if given is None else evaluate(given, candidates)
+    option = dict(road.options).get("select")
+    choice: Any = "longest" if option is None else evaluate(option, candidates)
     if isinstance(choice, PassCall):
         return _called(choice, root, candidates)
     if scalar(choice) == "any":

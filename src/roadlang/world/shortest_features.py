@@ -68,8 +68,8 @@ def _of_kind(
     found = [math.inf]
     for fields in combinations:
         with plugin_guard(entry, call.span):
-            made: Any = kind(**fields)
-            stated = made.shortest_feature(length, closed)
+            instance: Any = kind(**fields)
+            stated = instance.shortest_feature(length, closed)
         found.append(float(_checked(stated, entry, call).min()))
     return _known(min(found))
 
