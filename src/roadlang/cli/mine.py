@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 @click.option(
     "--digits", type=click.IntRange(1, 12), default=6, help="Significant digits of the result."
 )
+@click.option(
+    "--agent", help="Agent of a trace of `roadlang run` whose signals need no prefix: `speed`."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")
 def command(
     formula: str,
@@ -37,6 +40,7 @@ def command(
     bounds: tuple[str, ...],
     margin: float | None,
     digits: int,
+    agent: str | None,
     as_json: bool,
 ) -> None:
     """Find the tightest parameters with which FORMULA holds on every TRACE.
@@ -48,7 +52,7 @@ def command(
     from ..stl.explain.mining import mine
     from ..stl.formats.trace_files import read_trace
 
-    recordings = [read_trace(path)[1:] for path in traces]
+    recordings = [read_trace(path, agent)[1:] for path in traces]
     mined = mine(formula, parameters, recordings, margin=margin, digits=digits)
     if as_json:
         found = {

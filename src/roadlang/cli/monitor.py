@@ -13,11 +13,15 @@ from .console import echo
 
 if TYPE_CHECKING:
     from ..stl import Formula
+    from ..stl.formats.trace_files import Columns
 
 
 @click.command("monitor")
 @click.argument("formula", metavar="FORMULA")
 @click.argument("traces", nargs=-1, required=True, metavar="TRACE...")
+@click.option(
+    "--agent", help="Agent of a trace of `roadlang run` whose signals need no prefix: `speed`."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 @click.option(
     "--plot",
@@ -32,21 +36,27 @@ if TYPE_CHECKING:
     help="Length of the closed road that the traces go around.",
 )
 def command(
-    formula: str, traces: tuple[str, ...], as_json: bool, plot: str | None, wrap: float | None
+    formula: str,
+    traces: tuple[str, ...],
+    agent: str | None,
+    as_json: bool,
+    plot: str | None,
+    wrap: float | None,
 ) -> None:
     """Evaluate FORMULA on each TRACE (CSV with the positions in the first column, or JSON).
 
-    Numbers are in the units of the trace unless they have a unit: `always[0, 5] (x < 1.5)`. The
-    exit code is 4 if a trace violates the formula. The JSON of one TRACE is an object with formula,
+    In traces of `roadlang run` the signals are `ego.speed` and so on; those of --agent, or of the
+    only agent, are also called `speed`. Numbers are in the units of the trace unless they have a
+    unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula. The JSON of one TRACE is an object with formula,
     robustness (at the start), range, verdict, positions, trace (the robustness at each position)
     and explanation; of several it is a list of these. Infinities are the strings "inf" and "-inf".
     """
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
-    from ..stl import parse
+    from ..stl import parse, read_trace
 
     parsed = parse(formula)
-    findings = [_finding(parsed, path, wrap, plot) for path in traces]
+    findings = [_finding(parsed, read_trace(path, agent), path, wrap, plot) for path in traces]
     if as_json:
         echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
     else:
@@ -56,10 +66,10 @@ def command(
     click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
 
 
-def _finding(formula: Formula, path: str, wrap: float | None, plot: str | None) -> dict[str, Any]:
-    from ..stl.formats.trace_files import read_trace
-
-    axis, positions, signals = read_trace(path)
+def _finding(
+    formula: Formula, columns: Columns, path: str, wrap: float | None, plot: str | None
+) -> dict[str, Any]:
+    axis, positions, signals = columns
     why = formula.explain(positions, signals, wrap=wrap)
     explanation = why.to_json()
     if plot:

@@ -12,14 +12,17 @@ from ..diagnostics import Code
 
 
 @click.command("schema")
-@click.argument("words", nargs=-1, required=True, metavar="scene|manifest|scenario|[VERB] KIND")
+@click.argument(
+    "words", nargs=-1, required=True, metavar="scene|manifest|trace|scenario|[VERB] KIND"
+)
 def command(words: tuple[str, ...]) -> None:
     """Print a JSON Schema.
 
-    `scene` is the format of `emit json`, `manifest` that of manifest.json, and `scenario` that of
-    `check --scenario`. The name of a kind gives the schema of its options in SI units.
+    `scene` is the format of `emit json`, `manifest` that of manifest.json, `trace` that of the
+    traces of `roadlang run`, and `scenario` that of `check --scenario`. The name of a kind gives
+    the schema of its options in SI units.
     """
-    schemas = {"scene": _scene, "manifest": _manifest, "scenario": _scenario}
+    schemas = {"scene": _scene, "manifest": _manifest, "trace": _trace, "scenario": _scenario}
     named = schemas.get(words[0]) if len(words) == 1 else None
     found = named() if named is not None else _kind(words, schemas)
     click.echo(json.dumps(found, indent=2))
@@ -38,6 +41,12 @@ def _manifest() -> dict[str, Any]:
     from ..ir.scene_schema import manifest_schema
 
     return manifest_schema()
+
+
+def _trace() -> dict[str, Any]:
+    from ..ir.trace_document import trace_schema
+
+    return trace_schema()
 
 
 def _scenario() -> dict[str, Any]:

@@ -9,11 +9,11 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from ..ir.trace import AgentTrace, Trace
+from ..ir.trace_document import TRACE_SCHEMA
 
 if TYPE_CHECKING:
     import numpy as np
 
-TRACE_SCHEMA = "roadlang.trace/2"
 _FIRST_SCHEMA = "roadlang.trace/1"
 """The first version has `cross_track` for `cross_track_error`; it is still read."""
 COLUMNS = (

@@ -1,0 +1,63 @@
+"""The JSON document of a trace, for its schema."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from .schema import Schema, schema_of_dataclass
+
+TRACE_SCHEMA = "roadlang.trace/2"
+
+Column = tuple[float | None, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AgentColumns:
+    """One agent, or a copy of a group; a value for each time, null where none was recorded."""
+
+    x: Column
+    """meters east, of the center of the footprint"""
+    y: Column
+    """meters north"""
+    heading: Column
+    """radians counter-clockwise from east"""
+    speed: Column
+    """m/s"""
+    acceleration: Column
+    """m/s2 along the heading"""
+    steering: Column
+    """radians, of the front wheels, left positive"""
+    station: Column
+    """meters along the road of the agent"""
+    cross_track_error: Column
+    """meters from the line that it should follow, left positive"""
+    progress: Column
+    """the share of the road that is driven, 0 to 1"""
+    contacts: Column
+    """how many bodies it touches, without the ground"""
+    length: float
+    """meters"""
+    width: float
+    """meters"""
+
+
+@dataclass(frozen=True, slots=True)
+class TraceDocument:
+    """A drive of one scene, as `roadlang run` writes it. SI units and radians."""
+
+    engine: str
+    """the simulator, as it calls itself"""
+    time: Column
+    """seconds from the start"""
+    agents: Mapping[str, AgentColumns]
+    """by name; the third of the group `oncoming` is `oncoming[2]`"""
+    events: tuple[Mapping[str, Any], ...]
+    """what else the simulator reports, such as collisions"""
+    schema: str = TRACE_SCHEMA
+
+
+def trace_schema() -> Schema:
+    """The JSON Schema of a trace."""
+    return schema_of_dataclass(TraceDocument)
