@@ -21,7 +21,7 @@ def agent(name: str, speed: float, contacts: float = 0.0) -> AgentTrace:
     time = np.array([0.0, 0.5, 1.0])
     values = {column: np.zeros(3) for column in COLUMNS}
     values |= {"speed": speed * time, "contacts": np.full(3, contacts)}
-    return AgentTrace(name, time, *(values[column] for column in COLUMNS))
+    return AgentTrace(name, time, *(values[column] for column in COLUMNS))  # type: ignore[arg-type]
 
 
 def trace(*agents: AgentTrace) -> Trace:

@@ -47,9 +47,11 @@ def command(
 
     In traces of `roadlang run` the signals are `ego.speed` and so on; those of --agent, or of the
     only agent, are also called `speed`. Numbers are in the units of the trace unless they have a
-    unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula. The JSON of one TRACE is an object with formula,
-    robustness (at the start), range, verdict, positions, trace (the robustness at each position)
-    and explanation; of several it is a list of these. Infinities are the strings "inf" and "-inf".
+    unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula.
+
+    The JSON of one TRACE is an object with formula, robustness (at the start), range, verdict,
+    positions, trace (the robustness at each position) and explanation; of several it is a list of
+    these. Infinities are the strings "inf" and "-inf".
     """
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
