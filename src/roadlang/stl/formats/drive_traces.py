@@ -38,7 +38,7 @@ def is_document(value: Any) -> bool:
 def columns_of_rows(
     names: Sequence[str], rows: Sequence[Sequence[str]], agent: str | None
 ) -> Table:
-    """The rows of a CSV file as columns over time; an agent without a row at some time has a gap."""
+    """The rows of a CSV file as columns over time; an agent without a row has a gap there."""
     times = list(dict.fromkeys(row[0] for row in rows))
     place = {time: index for index, time in enumerate(times)}
     agents: dict[str, Table] = {}
