@@ -10,7 +10,6 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from . import geometry
-from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
 from .ir.dimension import (
     ACCELERATION,
     ANGLE,
@@ -67,7 +66,6 @@ from .plugins.annotations import (
     quantity,
     record_of,
 )
-from .plugins.hookspecs import hookimpl
 from .plugins.kinds import (
     Adjuster,
     AgentKind,
@@ -94,30 +92,55 @@ from .plugins.kinds import (
 from .plugins.options import option
 
 if TYPE_CHECKING:
+    from .diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, diagnose, did_you_mean
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.control import Control, Observation
-    from .ir.encoding import to_json
+    from .ir.encoding import scene_from_json, to_json
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.road_bounds import RoadBounds
-    from .ir.scene import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad, Verdict
+    from .ir.scene import (
+        Call,
+        Profile,
+        Provenance,
+        RoadPlace,
+        Scene,
+        SceneActor,
+        SceneNetwork,
+        SceneNode,
+        SceneRoad,
+        SceneSignal,
+        Stretch,
+        Verdict,
+    )
     from .ir.trace import AgentTrace, Trace
+    from .plugins.hookspecs import hookimpl
+
+API_VERSION = "0.2"
+"""Of the names in this module: the first two numbers of the version of roadlang that last changed
+them in a way that plugins notice. See "What is stable" in the plugin guide."""
 
 _LATER = {
-    ".ir.control": "Control Observation",
+    ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
-    ".ir.encoding": "to_json",
-    ".ir.road_bounds": "RoadBounds",
+    ".ir.control": "Control Observation",
+    ".ir.encoding": "scene_from_json to_json",
     ".ir.picture": "Extraction FoundObject Picture",
-    ".ir.scene": "Call Scene SceneActor SceneNetwork SceneNode SceneRoad Verdict",
+    ".ir.road_bounds": "RoadBounds",
+    ".ir.scene": (
+        "Call Profile Provenance RoadPlace Scene SceneActor SceneNetwork SceneNode SceneRoad"
+        " SceneSignal Stretch Verdict"
+    ),
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
+    ".plugins.hookspecs": "hookimpl",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
 __all__ = [
     "ACCELERATION",
     "ANGLE",
+    "API_VERSION",
     "AREA",
     "CURVATURE",
     "FORCE",
@@ -159,11 +182,13 @@ __all__ = [
     "Extraction",
     "Extractor",
     "File",
+    "Fix",
     "Flag",
     "FoundObject",
     "ImageName",
     "Jerk",
     "Kind",
+    "Label",
     "Length",
     "LengthInterval",
     "Like",
@@ -179,12 +204,15 @@ __all__ = [
     "PixelPoint",
     "Pixels",
     "Point",
+    "Profile",
+    "Provenance",
     "Reader",
     "RoadBatch",
     "RoadBounds",
     "RoadName",
     "RoadNumber",
     "RoadOrNetwork",
+    "RoadPlace",
     "Sampler",
     "Scale",
     "Scene",
@@ -192,11 +220,13 @@ __all__ = [
     "SceneNetwork",
     "SceneNode",
     "SceneRoad",
+    "SceneSignal",
     "Searcher",
     "Selector",
     "Signal",
     "Simulator",
     "Speed",
+    "Stretch",
     "String",
     "Trace",
     "Verdict",
@@ -216,6 +246,7 @@ __all__ = [
     "read_image",
     "read_input",
     "record_of",
+    "scene_from_json",
     "to_json",
 ]
 
@@ -224,3 +255,7 @@ def __getattr__(name: str) -> Any:
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(_HOME[name], __package__), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

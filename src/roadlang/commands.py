@@ -10,8 +10,9 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from .cli.console import echo, report
-from .diagnostics import Code, DiagnosticError, diagnose
+from .cli import exit_codes
+from .cli.console import echo, note, report, style
+from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
     from .files.writing import replace_file, write_all, write_file
@@ -29,15 +30,19 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 
 __all__ = [
     "Code",
+    "Diagnostic",
     "DiagnosticError",
     "diagnose",
     "echo",
+    "exit_codes",
     "judge",
+    "note",
     "object_moved",
     "parse_overrides",
     "read_scene_file",
     "replace_file",
     "report",
+    "style",
     "waypoint_moved",
     "write_all",
     "write_file",

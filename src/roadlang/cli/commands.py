@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 import importlib
-import os
-from typing import TYPE_CHECKING
+from typing import Any
 
 import click
-
-if TYPE_CHECKING:
-    from importlib.metadata import EntryPoint
 
 COMMANDS: dict[str, tuple[str, str]] = {
     "compile": ("compile", "Check a scene file, sample scenes and write them."),
@@ -27,33 +23,61 @@ COMMANDS: dict[str, tuple[str, str]] = {
 }
 """Name: module in this package and one line of help, in the order of `--help`."""
 
-GROUP = "roadlang.commands"
-"""The entry points through which plugins add commands: `render = "acme.commands:render"`, a
-`click.Command` in a module that imports nothing heavy, since `--help` shows its first line."""
+OURS = frozenset(COMMANDS)
+"""The names that no plugin can take."""
+_CANDIDATE = "roadlang.plugin_command"
 
 
 class LazyGroup(click.Group):
-    """A group that knows its commands' names and help without importing them."""
+    """A group that knows its commands' names and help without importing them.
+
+    Those of plugins come from the entry points `roadlang.commands`; they are imported for
+    `--help`, which shows their first lines, and when they run.
+    """
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Commands of roadlang in a fixed order, then those of plugins by name."""
-        return [*COMMANDS, *sorted(_of_plugins())]
+        from .plugin_commands import plugin_commands
+
+        return [*COMMANDS, *sorted(plugin_commands(OURS).found)]
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
-        """Import and return a command, or None if there is none of that name."""
+        """Import and return a command, or None if there is none of that name.
+
+        Raises `DiagnosticError` RL932 for a broken command of a plugin.
+        """
         if name in COMMANDS:
             module = importlib.import_module(f".{COMMANDS[name][0]}", __package__)
             command: click.Command = module.command
             return command
-        point = _of_plugins().get(name)
-        return None if point is None else _loaded(point)
+        from ..diagnostics import DiagnosticError
+        from .plugin_commands import load_command, plugin_commands
+
+        added = plugin_commands(OURS)
+        broken = added.broken_one(name)
+        try:
+            if broken is not None:
+                raise broken.refuse()
+            candidate = added.found.get(name)
+            return None if candidate is None else load_command(candidate)
+        except DiagnosticError:
+            if ctx.resilient_parsing:  # completion goes on without it
+                return None
+            raise
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; what a plugin's command raises is a fault of the plugin."""
+        from .plugin_commands import attributed_to
+
+        with attributed_to(lambda: ctx.meta.get(_CANDIDATE)):
+            return super().invoke(ctx)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command; an unknown one raises `UsageError` with near names."""
         try:
-            return super().resolve_command(ctx, args)
+            found = super().resolve_command(ctx, args)
         except click.UsageError as error:
             from ..diagnostics import did_you_mean
 
@@ -62,56 +86,27 @@ class LazyGroup(click.Group):
                 raise
             message = f"{error.message} {hint[0].capitalize()}"
             raise click.UsageError(message, ctx) from error
+        if found[0] is not None and found[0] not in COMMANDS:
+            from .plugin_commands import plugin_commands
+
+            ctx.meta[_CANDIDATE] = plugin_commands(OURS).found[found[0]]
+        return found
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List commands with their one-line help, without importing them."""
+        """List commands with their one-line help; only those of plugins are imported for it."""
+        from .plugin_commands import help_of, plugin_commands
+
         rows = [(name, line) for name, (_, line) in COMMANDS.items()]
         with formatter.section("Commands"):
             formatter.write_dl(rows)
-        added = [(name, _help(point)) for name, point in sorted(_of_plugins().items())]
-        if added:
+        added = plugin_commands(OURS)
+        lines = {name: help_of(candidate) for name, candidate in added.found.items()}
+        lines |= {
+            b.name: f"cannot be used: {b.reason}"
+            for b in added.broken
+            if b.name not in OURS and b.name not in lines
+        }
+        shown = [(name, line) for name, line in sorted(lines.items()) if line is not None]
+        if shown:
             with formatter.section("Commands of plugins"):
-                formatter.write_dl(added)
-
-
-def _of_plugins() -> dict[str, EntryPoint]:
-    """The commands that plugins add; none can take the place of one of ours."""
-    refused = os.environ.get("ROADLANG_NO_PLUGINS", "").split(",")
-    if "all" in refused:
-        return {}
-    from importlib.metadata import entry_points  # which imports 40 modules
-
-    return {
-        point.name: point
-        for point in entry_points(group=GROUP)
-        if point.name not in COMMANDS and point.value.partition(".")[0] not in refused
-    }
-
-
-def _loaded(point: EntryPoint) -> click.Command:
-    """The command of a plugin. Raises `DiagnosticError` RL926 where it cannot be loaded."""
-    from ..diagnostics import Code, DiagnosticError, diagnose
-
-    try:
-        command = point.load()
-        if not isinstance(command, click.Command):
-            raise TypeError(f"{point.value} is a {type(command).__name__}, not a click command")
-    except Exception as error:
-        origin = (
-            f"{point.dist.metadata['Name']} {point.dist.version}" if point.dist else point.value
-        )
-        reason = f"{type(error).__name__}: {error}"
-        raise DiagnosticError(
-            diagnose(Code.BROKEN_PLUGIN_COMMAND, command=point.name, plugin=origin, reason=reason)
-        ) from error
-    return command
-
-
-def _help(point: EntryPoint) -> str:
-    """The first line of a command's help, or why it cannot be used."""
-    from ..diagnostics import DiagnosticError
-
-    try:
-        return _loaded(point).get_short_help_str(limit=80)
-    except DiagnosticError as error:
-        return f"cannot be used: {error.diagnostics[0].message}"
+                formatter.write_dl(shown)

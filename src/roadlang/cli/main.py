@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 import click
 
+from ..plugins.entry_points import BLOCKED_VARIABLE
 from ..plugins.termination import (
     Terminated,
     end_on_sigterm,
@@ -20,8 +21,6 @@ from ..version import __version__
 from . import exit_codes
 from .commands import LazyGroup
 from .standard_output import claim_standard_output
-
-_NO_PLUGINS = "ROADLANG_NO_PLUGINS"
 
 
 @click.group(
@@ -39,28 +38,37 @@ _NO_PLUGINS = "ROADLANG_NO_PLUGINS"
     help="When to print colors; `auto` follows the terminal and NO_COLOR.",
 )
 @click.option(
-    "--no-plugin", "refused", multiple=True, metavar="NAME", help="Do not load this plugin."
+    "--no-plugin",
+    multiple=True,
+    metavar="NAME",
+    is_eager=True,  # before the command is looked for: plugins bring commands
+    expose_value=False,
+    callback=lambda context, _, names: _leave_out(context, names),
+    help="Do not load this plugin.",
 )
 @click.pass_context
-def roadlang(context: click.Context, color: str, refused: tuple[str, ...]) -> None:
+def roadlang(context: click.Context, color: str) -> None:
     """A compiler for driving scenarios: from an image of a road to simulator-ready scenes."""
     context.meta["roadlang.color"] = color
-    if refused:
-        context.with_resource(_plugins_refused(refused))
+
+
+def _leave_out(context: click.Context, names: tuple[str, ...]) -> None:
+    if names:
+        context.with_resource(_plugins_refused(names))
 
 
 @contextlib.contextmanager
 def _plugins_refused(names: tuple[str, ...]) -> Iterator[None]:
     """Say so in the environment, where worker processes see it too."""
-    before = os.environ.get(_NO_PLUGINS)
-    os.environ[_NO_PLUGINS] = ",".join([*names, *([before] if before else [])])
+    before = os.environ.get(BLOCKED_VARIABLE)
+    os.environ[BLOCKED_VARIABLE] = ",".join([*names, *([before] if before else [])])
     try:
         yield
     finally:
         if before is None:
-            del os.environ[_NO_PLUGINS]
+            del os.environ[BLOCKED_VARIABLE]
         else:
-            os.environ[_NO_PLUGINS] = before
+            os.environ[BLOCKED_VARIABLE] = before
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 from click.shell_completion import CompletionItem
 
 from ..diagnostics import Code
-from .console import echo, style
-from .option_listing import option_lines, statement_lines
+from .console import echo
+from .option_listing import statement_lines
+from .plugin_listing import kind_lines, kind_record, listing_lines, listing_record
 
 if TYPE_CHECKING:
     from ..plugins.registry import KindEntry, Registry
@@ -33,9 +34,9 @@ def command(context: click.Context, as_json: bool, verb: str | None) -> None:
     if verb is not None:
         _check_verb(verb)
     if as_json:
-        click.echo(json.dumps(_record(registry, verb), indent=2))
+        click.echo(json.dumps(listing_record(registry, verb), indent=2))
         return
-    for line in _listing(registry, verb):
+    for line in listing_lines(registry, verb):
         echo(line)
 
 
@@ -65,9 +66,9 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
         with plugin_guard(entry, None):
             entry.load()
     if as_json:
-        click.echo(json.dumps([_kind_record(entry) for entry in entries], indent=2))
+        click.echo(json.dumps([kind_record(entry) for entry in entries], indent=2))
         return
-    echo("\n\n".join("\n".join(_shown(entry)) for entry in entries))
+    echo("\n\n".join("\n".join(kind_lines(entry)) for entry in entries))
 
 
 def _check_verb(verb: str) -> None:
@@ -95,94 +96,3 @@ def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
             diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=hints)
         )
     return entries
-
-
-def _listing(registry: Registry, verb: str | None) -> list[str]:
-    lines = []
-    for broken in registry.broken:
-        what = f"`{broken.kind}` of {broken.origin.plugin}" if broken.kind else broken.origin.plugin
-        head = style(f"{what} ({broken.origin}) is broken", fg="red")
-        lines.append(f"{head}: {broken.reason}")
-    for origin in dict.fromkeys(entry.origin for entry in registry.entries):
-        entries = [entry for entry in registry.entries if entry.origin == origin]
-        shown = [entry for entry in entries if verb in (None, entry.verb)]
-        if shown:
-            lines += ["", f"{style(origin.plugin, bold=True)}  ({origin}, {len(entries)} kinds)"]
-            lines += [f"  {name:<30} {text}" for name, text in map(_line, shown)]
-    if lines and not lines[0]:
-        del lines[0]
-    return lines or ["no plugins are installed"]
-
-
-def _line(entry: KindEntry) -> tuple[str, str]:
-    return f"{entry.verb} {entry.name}", _help(entry)
-
-
-def _help(entry: KindEntry) -> str:
-    from ..plugins.guard import PluginFault, attributed
-
-    try:
-        with attributed():
-            return entry.help
-    except PluginFault as fault:  # the kind is listed with the reason
-        return f"cannot be used: {fault}"
-
-
-def _shown(entry: KindEntry) -> list[str]:
-    lines = [f"{style(f'{entry.verb} {entry.name}', bold=True)}: {_help(entry)}"]
-    lines.append(f"  from {entry.origin} (plugin `{entry.origin.plugin}`)")
-    lines += option_lines(entry.options)
-    if not entry.options:
-        lines.append("  no options")
-    return lines
-
-
-def _record(registry: Registry, verb: str | None) -> dict[str, Any]:
-    return {
-        "kinds": [_kind_record(entry) for entry in registry.entries if verb in (None, entry.verb)],
-        "broken": [
-            {
-                "plugin": broken.origin.plugin,
-                "distribution": broken.origin.distribution,
-                "version": broken.origin.version,
-                "kind": broken.kind or None,
-                "reason": broken.reason,
-            }
-            for broken in registry.broken
-        ],
-    }
-
-
-def _kind_record(entry: KindEntry) -> dict[str, Any]:
-    from ..plugins.guard import PluginFault, attributed
-
-    record: dict[str, Any] = {
-        "verb": entry.verb,
-        "name": entry.name,
-        "qualified": entry.qualified,
-        "plugin": entry.origin.plugin,
-        "distribution": entry.origin.distribution,
-        "version": entry.origin.version,
-        "help": _help(entry),
-    }
-    try:
-        with attributed():
-            options = entry.options
-        record["options"] = [_option_record(option) for option in options]
-    except PluginFault as fault:  # the kind's module failed; the listing goes on
-        record["broken"] = str(fault)
-    return record
-
-
-def _option_record(option: Any) -> dict[str, Any]:
-    from ..plugins.describing import bounds_text, default_text, type_text
-
-    return {
-        "name": option.name,
-        "type": type_text(option),
-        "required": option.required,
-        "default": default_text(option) or None,
-        "bounds": bounds_text(option) or None,
-        "words": list(option.words),
-        "help": option.help,
-    }

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..judging.drives import Judgement, judge
@@ -35,12 +36,21 @@ def simulator_of(
     names the same engine. Raises `DiagnosticError` RL930 and what `configured` raises.
     """
     call = scene.simulate
-    name = engine or (call.kind if call is not None else registry.names("simulate")[0])
+    name = engine or (call.kind if call is not None else _first_engine(registry))
     entry = entry_of(registry, "simulate", name)
     own = call is not None and entry_of(registry, "simulate", call.kind) == entry
     written = dict(call.options) if call is not None and own else {}
     entry, simulator = configured(registry, "simulate", name, {**written, **options})
     return entry, simulator
+
+
+def _first_engine(registry: Registry) -> str:
+    """What drives scenes that name no engine: a shipped one, whatever else is installed."""
+    first = next(registry.of("simulate"), None)
+    if first is None:
+        help_ = registry.hints or ("`--no-plugin` may have left it out",)
+        raise DiagnosticError(diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name="simulate", help=help_))
+    return first.qualified
 
 
 def drive_scenes(

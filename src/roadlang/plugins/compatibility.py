@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from importlib.metadata import Distribution
+from typing import TYPE_CHECKING
 
-from .. import __version__
+from ..version import __version__
+from .entry_points import DISTRIBUTION
+
+if TYPE_CHECKING:
+    from importlib.metadata import Distribution
 
 
-def unmet_requirement(distribution: Distribution) -> str | None:
+def unmet_requirement(distribution: Distribution | None) -> str | None:
     """Why a distribution cannot be used with this roadlang; None if it can.
 
     pip sees to it, but `pip install --no-deps`, and an upgrade of roadlang afterwards, do not.
     """
-    lines = [line for line in distribution.requires or () if line.lower().startswith("roadlang")]
+    if distribution is None or distribution.metadata["Name"].lower() == DISTRIBUTION:
+        return None
+    requires = distribution.requires or ()
+    lines = [line for line in requires if line.lower().startswith("roadlang")]
     if not any(sign in line for line in lines for sign in "<>=!~"):
         return None
     from packaging.requirements import InvalidRequirement, Requirement

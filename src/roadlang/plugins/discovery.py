@@ -2,27 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 import pluggy
 
 from . import hookspecs
+from .attribution import PluginFault, attributed
 from .compatibility import unmet_requirement
-from .guard import PluginFault, attributed
+from .entry_points import GROUP, Candidate, Origin, plugin_candidates
 from .kind_checks import KindFault, check_name
-from .registry import BrokenPlugin, KindEntry, Origin, Registry, entries_of
-
-GROUP = "roadlang"
-DISTRIBUTION = "roadlang"
-"""What we are called: kinds of this distribution are the shipped ones."""
-BLOCKED_VARIABLE = "ROADLANG_NO_PLUGINS"
-"""Comma-separated entry point names that are not loaded; `all` loads none."""
-_FIRST = "standard"
+from .registry import BrokenPlugin, KindEntry, Registry, entries_of
 
 
 def load_registry(blocked: Iterable[str] = ()) -> Registry:
@@ -30,57 +21,17 @@ def load_registry(blocked: Iterable[str] = ()) -> Registry:
 
     A plugin that fails in any way is left out and listed in `Registry.broken` with the reason.
     """
-    return collect(candidates(GROUP, blocked))
+    return collect(plugin_candidates(blocked))
 
 
 def registry_of(plugins: Mapping[str, Any], *, installed: bool = False) -> Registry:
     """The shipped kinds and those of plugin modules or objects by name, for tests and programs
     that embed us. `installed`: also those of all installed plugins."""
-    found = [point for point in candidates(GROUP) if installed or point.origin.is_shipped]
-    given = (Candidate(Origin(name, name, "0"), None, plugin) for name, plugin in plugins.items())
+    found = [point for point in plugin_candidates() if installed or point.origin.is_shipped]
+    given = (
+        Candidate(name, Origin(name, name, "0"), None, plugin) for name, plugin in plugins.items()
+    )
     return collect([*found, *given])
-
-
-def blocked_by_environment() -> frozenset[str]:
-    """The plugins that `--no-plugin` and the environment leave out."""
-    words = os.environ.get(BLOCKED_VARIABLE, "").split(",")
-    return frozenset(word.strip() for word in words if word.strip())
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """A plugin, or a command of one, that may turn out to be broken."""
-
-    origin: Origin
-    point: EntryPoint | None
-    plugin: Any = None
-
-    def load(self) -> Any:
-        """The plugin itself; raises whatever importing it raises."""
-        return self.point.load() if self.point is not None else self.plugin
-
-
-def candidates(group: str, blocked: Iterable[str] = ()) -> list[Candidate]:
-    """The entry points of a group that nobody has left out, shipped ones first."""
-    refused = {*blocked, *blocked_by_environment()}
-    if "all" in refused:
-        return []
-    found = [Candidate(_origin_of(point), point) for point in entry_points(group=group)]
-    kept = (candidate for candidate in found if candidate.origin.plugin not in refused)
-    return sorted(kept, key=_order)
-
-
-def _order(candidate: Candidate) -> tuple[bool, bool, str, str]:
-    # What ships comes first in every listing; otherwise order means nothing.
-    origin = candidate.origin
-    return not origin.is_shipped, origin.plugin != _FIRST, origin.plugin, origin.distribution
-
-
-def _origin_of(point: EntryPoint) -> Origin:
-    if point.dist is None:
-        return Origin(point.name, point.value, "0")
-    name = point.dist.metadata["Name"]
-    return Origin(point.name, name, point.dist.version, name.lower() == DISTRIBUTION)
 
 
 def collect(found: Iterable[Candidate]) -> Registry:
@@ -111,10 +62,9 @@ def _check_entry_point(candidate: Candidate, found: list[Candidate]) -> None:
     if others and not origin.is_shipped:
         owner = next((other for other in others if other.is_shipped), others[0])
         raise KindFault(f"its entry point `{origin.plugin}` is also that of {owner}")
-    if candidate.point is not None and candidate.point.dist is not None:
-        unmet = unmet_requirement(candidate.point.dist)
-        if unmet is not None:
-            raise KindFault(unmet)
+    unmet = unmet_requirement(candidate.installed)
+    if unmet is not None:
+        raise KindFault(unmet)
 
 
 def _load(candidate: Candidate) -> tuple[list[KindEntry], list[BrokenPlugin], list[str]]:

@@ -2,41 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stdout
+from contextlib import contextmanager
 from dataclasses import replace
-from types import TracebackType
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..geometry.errors import GeometryError
-from .kind_checks import KindFault
+from .attribution import PluginFault, attributed
 from .kinds import base_of
 from .registry import KindEntry
-from .termination import Terminated, raise_if_terminated
-
-
-class PluginFault(Exception):
-    """What code of a plugin raised; `__cause__` is that exception. `str()` is the reason in one
-    line, with the file and line of the plugin where they are known."""
-
-
-@contextmanager
-def attributed() -> Iterator[None]:
-    """Around code of plugins. Raises `PluginFault` for whatever it raises.
-
-    Ctrl-C and SIGTERM pass: they are nobody's fault. What the code prints goes to standard
-    error: standard output is for the results of commands.
-    """
-    try:
-        with redirect_stdout(sys.stderr):
-            yield
-        raise_if_terminated()
-    except (KeyboardInterrupt, Terminated):
-        raise
-    except BaseException as error:  # a plugin may even call sys.exit
-        raise_if_terminated()
-        raise PluginFault(reason_of(error)) from error
 
 
 @contextmanager
@@ -84,54 +58,6 @@ def wrong_result(entry: KindEntry, span: Span | None, fault: str) -> DiagnosticE
             fault=fault,
         )
     )
-
-
-def reason_of(error: BaseException) -> str:
-    """An exception in one line, with the place in the plugin that it comes from."""
-    if isinstance(error, KindFault):
-        return str(error)
-    if isinstance(error, NotImplementedError) and not str(error):
-        return f"it does not implement `{_raised_in(error.__traceback__)}`"
-    text = " ".join(str(error).split())
-    line = f"{type(error).__name__}: {text}" if text else type(error).__name__
-    place = _place_of(error)
-    return f"{line} ({place})" if place else line
-
-
-def _raised_in(trace: TracebackType | None) -> str:
-    """The function that raised."""
-    name = ""
-    while trace is not None:
-        name, trace = trace.tb_frame.f_code.co_name, trace.tb_next
-    return name
-
-
-_NOT_PLUGINS = ("roadlang", "importlib", "pluggy", "contextlib")
-
-
-def _place_of(error: BaseException) -> str:
-    """`acme/kinds.py:12`: the last line of the plugin on the way to an error; empty if none.
-
-    The plugin is the first package on that way that is neither roadlang nor what loads modules.
-    """
-    plugin, place, trace = "", "", error.__traceback__
-    while trace is not None:
-        module = str(trace.tb_frame.f_globals.get("__name__", ""))
-        package = module.partition(".")[0]
-        if not plugin and package not in _NOT_PLUGINS:
-            plugin = package
-        file = trace.tb_frame.f_code.co_filename
-        if plugin and package == plugin and not file.startswith("<"):
-            place = f"{_file_in_package(trace, module)}:{trace.tb_lineno}"
-        trace = trace.tb_next
-    return place
-
-
-def _file_in_package(trace: TracebackType, module: str) -> str:
-    """The file of a frame from its top-level package on: never a folder of this machine."""
-    parts = trace.tb_frame.f_code.co_filename.replace("\\", "/").split("/")
-    depth = module.count(".") + 1 + (parts[-1] == "__init__.py")
-    return "/".join(parts[-depth:])
 
 
 def _at(diagnostic: Diagnostic, span: Span | None) -> Diagnostic:

@@ -12,6 +12,7 @@ from ..diagnostics import nearest
 from ..diagnostics.nearest import edits
 from ..ir.units import parse_unit
 from ..syntax.words import RESERVED
+from .attribution import Reason
 from .common_options import common_options
 from .kinds import BASES, VERBS, Kind, Signal, base_of, implements
 from .option_checks import option_fault
@@ -20,7 +21,7 @@ from .options import OptionSchema, schema_of
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 
 
-class KindFault(TypeError):
+class KindFault(Reason):
     """What keeps a class from being a kind, with its file and line.
 
     `kind` is the class as listings call it; `part` names the line: an option, method or attribute.

@@ -8,27 +8,12 @@ from dataclasses import dataclass, field
 from operator import attrgetter
 from typing import Any
 
+from .entry_points import Origin
 from .kind_checks import KindFault, check_kind, check_name
 from .kinds import VERBS, Kind
 from .options import OptionSchema, schema_of
 
 _MOST_HINTS = 3
-
-
-@dataclass(frozen=True, slots=True)
-class Origin:
-    """The distribution that brings a kind; `plugin` is its entry point, the prefix of its kinds.
-
-    `is_shipped`: it is roadlang itself, whatever its entry points are called.
-    """
-
-    plugin: str
-    distribution: str
-    version: str
-    is_shipped: bool = False
-
-    def __str__(self) -> str:
-        return f"{self.distribution} {self.version}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...diagnostics import Code, Span, nearest
-from ...plugins.guard import PluginFault, attributed
+from ...plugins.attribution import PluginFault, attributed
 from ...plugins.kinds import VERBS
 from ...plugins.options import schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind

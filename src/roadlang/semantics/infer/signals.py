@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...diagnostics import Code, Span
 from ...ir.dimension import Dimension
 from ...ir.values import Measure, PassCall, SignalBinding
-from ...plugins.guard import PluginFault, attributed
+from ...plugins.attribution import PluginFault, attributed
 from ...plugins.kinds import Signal
 from ...stl.formula.terms import Variable
 from ..checker import Checker, ResolvedKind

@@ -1,0 +1,131 @@
+"""Commands that plugins add; a broken one breaks nothing else, and is named when it fails."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import click
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..plugins.attribution import PluginFault, Reason, attributed, reason_of
+from ..plugins.compatibility import unmet_requirement
+from ..plugins.entry_points import Candidate, Origin, command_candidates
+from .machine_faults import machine_fault
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*\Z")
+
+
+@dataclass(frozen=True)
+class BrokenCommand:
+    """A command that cannot be used, and why."""
+
+    name: str
+    origin: Origin
+    reason: str
+
+    def refuse(self) -> DiagnosticError:
+        """RL932, for whoever asks for it."""
+        return DiagnosticError(
+            diagnose(
+                Code.BROKEN_PLUGIN_COMMAND,
+                command=self.name,
+                plugin=str(self.origin),
+                reason=self.reason,
+            )
+        )
+
+
+@dataclass(frozen=True)
+class PluginCommands:
+    """The commands of plugins by name, not imported yet, and those that are none."""
+
+    found: dict[str, Candidate]
+    broken: tuple[BrokenCommand, ...]
+
+    def broken_one(self, name: str) -> BrokenCommand | None:
+        """The broken command of this name, unless another one works."""
+        fitting = (b for b in self.broken if b.name == name and name not in self.found)
+        return next(fitting, None)
+
+
+def plugin_commands(own: frozenset[str]) -> PluginCommands:
+    """What installed plugins add to our `own` commands. None takes the place of another: what
+    ships with roadlang goes before, and of two strangers with one name neither is meant."""
+    candidates = command_candidates()
+    counts = Counter(each.name for each in candidates)
+    shipped = {each.name: each.origin for each in candidates if each.origin.is_shipped}
+    found: dict[str, Candidate] = {}
+    broken: list[BrokenCommand] = []
+    for candidate in candidates:
+        reason = None
+        others = [c.origin for c in candidates if c.name == candidate.name and c is not candidate]
+        if not _NAME.match(candidate.name):
+            reason = "its name is not one: use letters, digits, `-` and `_`"
+        elif candidate.name in own:
+            reason = "roadlang has a command of this name itself"
+        elif counts[candidate.name] > 1 and not candidate.origin.is_shipped:
+            other = shipped.get(candidate.name, others[0])
+            reason = f"{other} brings a command of this name as well"
+        else:
+            reason = unmet_requirement(candidate.installed)
+        if reason is None:
+            found[candidate.name] = candidate
+        else:
+            broken.append(BrokenCommand(candidate.name, candidate.origin, reason))
+    return PluginCommands(found, tuple(broken))
+
+
+def load_command(candidate: Candidate) -> click.Command:
+    """The command. Raises `DiagnosticError` RL932 where it cannot be loaded."""
+    try:
+        with attributed():
+            command = candidate.load()
+            if not isinstance(command, click.Command):
+                raise Reason(f"it is a {type(command).__name__}, not a click.Command")
+    except PluginFault as fault:
+        broken = BrokenCommand(candidate.name, candidate.origin, str(fault))
+        raise broken.refuse() from fault.__cause__
+    return command
+
+
+def help_of(candidate: Candidate) -> str | None:
+    """The first line of a command's help, or why it cannot be used; None of a hidden one."""
+    try:
+        command = load_command(candidate)
+        with attributed():
+            return None if command.hidden else command.get_short_help_str(limit=80)
+    except PluginFault as fault:
+        return f"cannot be used: {fault}"
+    except DiagnosticError as error:
+        return f"cannot be used: {error.diagnostics[0].message}"
+
+
+@contextmanager
+def attributed_to(candidate: Callable[[], Candidate | None]) -> Iterator[None]:
+    """Around a command as it runs: what it raises is a fault of its plugin, RL470.
+
+    Diagnostics, exit codes, wrong use of the command line, a closed pipe and what the machine
+    refuses are no faults of it, and our own bugs are ours.
+    """
+    try:
+        yield
+    except (DiagnosticError, click.ClickException, click.exceptions.Exit, click.Abort):
+        raise
+    except Exception as error:
+        found = candidate()
+        nobodys = isinstance(error, BrokenPipeError) or machine_fault(error) is not None
+        if found is None or found.origin.is_shipped or nobodys:
+            raise
+        raise DiagnosticError(
+            diagnose(
+                Code.PLUGIN_FAILED,
+                kind=f"roadlang {found.name}",
+                plugin=str(found.origin),
+                reason=reason_of(error),
+                help=f"this is a fault of the plugin; report it to the authors of {found.origin}",
+            )
+        ) from error
