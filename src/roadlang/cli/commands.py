@@ -67,10 +67,18 @@ class LazyGroup(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; what a plugin's command raises is a fault of the plugin."""
-        from .plugin_commands import attributed_to
-
-        with attributed_to(lambda: ctx.meta.get(_CANDIDATE)):
+        try:
             return super().invoke(ctx)
+        except Exception as error:
+            candidate = ctx.meta.get(_CANDIDATE)
+            if candidate is None:
+                raise
+            from .plugin_commands import failure_of
+
+            failure = failure_of(candidate, error)
+            if failure is None:
+                raise
+            raise failure from error
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 
 import click
@@ -104,28 +102,23 @@ def help_of(candidate: Candidate) -> str | None:
         return f"cannot be used: {error.diagnostics[0].message}"
 
 
-@contextmanager
-def attributed_to(candidate: Callable[[], Candidate | None]) -> Iterator[None]:
-    """Around a command as it runs: what it raises is a fault of its plugin, RL470.
+def failure_of(candidate: Candidate, error: Exception) -> DiagnosticError | None:
+    """RL470 for what a plugin's command raised as it ran.
 
-    Diagnostics, exit codes, wrong use of the command line, a closed pipe and what the machine
-    refuses are no faults of it, and our own bugs are ours.
+    None for diagnostics, exit codes, wrong use of the command line, a closed pipe and what the
+    machine refuses, which are no faults of it, and for our own commands, whose bugs are ours.
     """
-    try:
-        yield
-    except (DiagnosticError, click.ClickException, click.exceptions.Exit, click.Abort):
-        raise
-    except Exception as error:
-        found = candidate()
-        nobodys = isinstance(error, BrokenPipeError) or machine_fault(error) is not None
-        if found is None or found.origin.is_shipped or nobodys:
-            raise
-        raise DiagnosticError(
-            diagnose(
-                Code.PLUGIN_FAILED,
-                kind=f"roadlang {found.name}",
-                plugin=str(found.origin),
-                reason=reason_of(error),
-                help=f"this is a fault of the plugin; report it to the authors of {found.origin}",
-            )
-        ) from error
+    meant = (DiagnosticError, click.ClickException, click.exceptions.Exit, click.Abort)
+    if isinstance(error, (*meant, BrokenPipeError)) or machine_fault(error) is not None:
+        return None
+    if candidate.origin.is_shipped:
+        return None
+    return DiagnosticError(
+        diagnose(
+            Code.PLUGIN_FAILED,
+            kind=f"roadlang {candidate.name}",
+            plugin=str(candidate.origin),
+            reason=reason_of(error),
+            help=f"this is a fault of the plugin; report it to the authors of {candidate.origin}",
+        )
+    )
