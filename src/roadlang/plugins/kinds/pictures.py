@@ -69,7 +69,8 @@ class Reader(Kind):
         For `road` a `geometry.Curve`, or a `geometry.Road` that has a width and lanes as well; for
         `network` a `geometry.RoadNetwork`, as `geometry.network_of_polylines` makes it, or an
         `Extraction`; for `image` an array (height, width, 3) or (height, width) of uint8. Anything
-        else is RL474. Raise `DiagnosticError` or `geometry.GeometryError` for what is wrong with the file.
+        else is RL474. Raise `DiagnosticError` or `geometry.GeometryError` for what is wrong with
+        the file.
         """
         raise NotImplementedError
 
