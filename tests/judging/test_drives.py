@@ -76,6 +76,17 @@ def test_every_member_of_a_group_must_hold_at_zero() -> None:
     assert not verdict_of(strict, trace(*cars)).satisfied
 
 
+def test_a_member_that_only_just_misses_it_breaks_it_for_the_group() -> None:
+    """Both have robustness 0; only the one at rest satisfies `v <= 0`."""
+    either = condition(
+        {"or": [{"<=": ["v", 0.0]}, {"<": ["a", 0.0]}]},
+        v=("speed", {"agent": "cars"}), a=("acceleration", {"agent": "cars"}),
+    )  # fmt: skip
+    cars = [agent("cars[0]", 0 * TIME), agent("cars[1]", 5 * TIME)]
+    verdict = verdict_of(either, trace(*cars))
+    assert (verdict.robustness, verdict.satisfied) == (0.0, False)
+
+
 def test_a_robustness_without_bound_is_none() -> None:
     anything = condition(True)
     assert verdict_of(anything, trace(agent("ego", TIME))).robustness is None

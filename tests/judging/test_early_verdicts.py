@@ -112,6 +112,35 @@ def test_a_requirement_at_robustness_zero(sample: Sample, limit: str, holds: boo
         assert result.scenes[0].requirements[0].satisfied
 
 
+def test_the_bounds_of_a_draw_hold_for_all_draws_of_its_options(sample: Sample) -> None:
+    """`uniform(0m..1m, 5m..6m)` is between 0 m and 6 m."""
+    size = "param size = uniform(0m..1m, 5m..6m)"
+    assert sample(swaying("1m", size, "require r: size > 6.01m")).impossible
+    for limit in ("> 5.5m", "< 0.5m"):
+        result = sample(swaying("1m", size, f"require r: size {limit}"))
+        assert result.impossible == ()
+        assert len(result.scenes) == 1
+
+
+def test_roads_that_share_a_pass_differ_by_the_others_alone(sample: Sample) -> None:
+    """Both are up to 8 m from `main`, and up to 1 m from each other."""
+    text = swaying(
+        "0m..8m",
+        "road left from bent { perturb with sine { amplitude: 0m..0.5m, wavelength: 90m } }",
+        "road right from bent { perturb with sine { amplitude: 0m..0.5m, wavelength: 90m } }",
+        "require near: always (deviation(left, right) < 1.01m)",
+    )
+    assert tried(sample(text, 3), "near") == 0
+
+
+def test_a_pass_that_draws_by_itself_is_not_decided_by_one_candidate(sample: Sample) -> None:
+    """No option of `harmonics` is drawn here, and yet each candidate has a road of its own."""
+    text = STRAIGHT + "road bent from main { perturb with harmonics { amplitude: 6m } }\n"
+    result = sample(text + "require far: eventually (deviation(bent, main) > 4m)\n")
+    assert result.candidates > 1
+    assert len(result.scenes) == 1
+
+
 def test_a_number_of_a_road_states_a_range(sample: Sample) -> None:
     text = swaying("0m..4m", "require far: sup_distance(bent, main) > 4.1m")
     assert sample(text).impossible == ("sup_distance(bent, main) > 4.1m",)
