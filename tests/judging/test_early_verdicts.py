@@ -268,6 +268,21 @@ def test_a_value_beyond_the_support(sample: Sample, draw: str, limit: str) -> No
     assert "beyond its support, 1 to " in message
 
 
+def test_a_value_beyond_the_support_by_rounding_is_put_to_its_end(sample: Sample) -> None:
+    @dataclass(frozen=True)
+    class Rounded(Wide):
+        """Gives 0.1 + 0.2 where it states 0.3."""
+
+        name: ClassVar[str] = "rounded"
+
+        def quantile(self, uniform: Any) -> Any:
+            return 0.1 + 0.2 + 0.0 * uniform
+
+    text = swaying("1m", "param size = rounded(0m, 0.3m)", "require r: size <= 0.3m")
+    (scene,) = sample(text, kinds=(Rounded,)).scenes
+    assert scene.values["size"] == 0.3 < 0.1 + 0.2
+
+
 @pytest.mark.parametrize("support", [(2.0, 1.0), None, (1.0, 2.0)])
 def test_a_support_of_constants_may_be_missing(sample: Sample, support: Any) -> None:
     @dataclass(frozen=True)

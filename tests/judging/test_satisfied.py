@@ -31,7 +31,7 @@ from tests.stl_reference import Reference
 SAMPLES = 51
 """Stations of the shortest road that is sampled every meter"""
 POSITIONS = np.arange(float(SAMPLES))
-FORMULAS = 260
+FORMULAS = 210
 EDGES = (0.0, -0.0, -1.0, 2.0)
 VALUES: dict[str, list[float]] = {}
 """What the signals x, y, z of the kinds below are worth, set by each test"""

@@ -1,0 +1,64 @@
+"""Requirements are tried in the order of what they cost, on the survivors of those before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from roadlang.evaluate.candidates import CandidateBatch
+from roadlang.judging.acceptance import ACCEPTED, Acceptance
+from tests.straight_road import STRAIGHT
+
+Requirements = Callable[[str], Acceptance]
+BENT = "road bent from main { perturb with sine { amplitude: 0m..8m, wavelength: 60m..200m } }\n"
+DRAWN = """
+param end = 90m..200m
+road main { draw with waypoints { points: [(0m, 0m), (end, 0m)] } }
+road bent from main { perturb with sine { amplitude: 0m..8m, wavelength: 60m..200m } }
+"""
+RULES = """
+require near: always (deviation(bent, main) < 5m)
+require calm: always (abs(curvature(bent)) < 0.004/m)
+"""
+
+
+def batch(acceptance: Acceptance, count: int = 40) -> CandidateBatch:
+    return CandidateBatch(acceptance.scenario, 3, np.zeros(count, np.int64), np.arange(count))
+
+
+def test_cheap_requirements_are_tried_first(acceptance: Requirements) -> None:
+    """To find the nearest point of another root takes longer than all else."""
+    text = STRAIGHT + BENT + "road far { draw with waypoints { points: [(0m, 90m), (9m, 90m)] } }\n"
+    text += "require apart: always (distance(bent, far) > 1m)\n"
+    text += "require patient: always (curvature(bent) > -1/m until[1m, 2m] curvature(bent) < 1/m)\n"
+    text += "require calm: always (curvature(bent) < 1/m)\nrequire fit: 1m < length(main)\n"
+    text += "require near: always (deviation(bent, main) < 99m)\n"
+    names = [found.name for found in acceptance(text).requirements if not found.implied]
+    assert names == ["fit", "near", "calm", "patient", "apart"]
+
+
+def test_what_rejects_a_candidate_is_the_first_requirement_that_fails(
+    acceptance: Requirements,
+) -> None:
+    requirements = acceptance(STRAIGHT + BENT + RULES)
+    measured = requirements.measure(batch(requirements))
+    result = requirements.judge(batch(requirements))
+    first = np.where(measured.satisfied.all(axis=0), ACCEPTED, (~measured.satisfied).argmax(axis=0))
+    assert (result.rejected_by == first).all()
+    assert set(first) == {ACCEPTED, 1, 2}  # 0: it does not fold
+    needed = ~np.isnan(result.rho)
+    assert (result.rho[needed] == measured.rho[needed]).all()
+
+
+def test_roads_with_stations_of_their_own_are_measured_one_by_one(acceptance: Requirements) -> None:
+    requirements = acceptance(DRAWN + RULES)
+    assert requirements.has_varying_stations
+    candidates = batch(requirements, 12)
+    together = requirements.measure(candidates)
+    for row in range(12):
+        alone = requirements.measure(candidates.take(np.array([row])))
+        assert (together.rho[:, row] == alone.rho[:, 0]).all()
+        assert (together.satisfied[:, row] == alone.satisfied[:, 0]).all()
+    result = requirements.judge(candidates)
+    assert (result.accepted == together.satisfied.all(axis=0)).all()
