@@ -27,7 +27,7 @@ def offset(curve: Curve, distance: ArrayLike, stations: ArrayLike) -> Floats:
     away = np.broadcast_to(finite(distance, "an offset"), s.shape)
     base, normal = curve.at(s), curve.normal(s)
     curvature = curve.curvature(s)
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", over="ignore"):
         radius = np.where(curvature * away > 0.0, 1.0 / np.abs(curvature), np.inf)
     clamped = base + (np.sign(away) * np.minimum(np.abs(away), radius))[:, None] * normal
     raw = base + away[:, None] * normal

@@ -62,4 +62,5 @@ def _rise(stations: Floats, at: float, taper: float, falling: bool = False) -> F
     distance = (at - stations) if falling else (stations - at)
     if taper <= 0.0 or not np.isfinite(at):
         return (distance >= 0.0).astype(np.float64)
-    return ease(distance / taper)
+    with np.errstate(over="ignore"):
+        return ease(distance / taper)
