@@ -81,3 +81,8 @@ def test_the_schema_of_scenarios_knows_formulas() -> None:
     definitions = scenario_schema()["$defs"]
     assert definitions["Condition"]["properties"]["formula"]["$ref"] == FORMULA["$ref"]
     assert "Formula" in definitions
+
+
+def test_the_version_is_said_once() -> None:
+    version = scene_schema()["$defs"]["Scene"]["properties"]["schema"]
+    assert version.keys() == {"description", "const"}

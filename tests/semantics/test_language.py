@@ -1,7 +1,8 @@
 """The language tests: scene files in Markdown, with the errors expected of each line.
 
 A block ```roadlang is checked; `# error: 8 [RL201]` at the end of a line expects that code at
-column 8 of it, and nothing that is not expected may be reported. A block with a file name
+column 8 of it, and nothing that is not expected may be reported; `# error: 8 [RL202] fix: 3m`
+expects the fix as well, `fix: 3deg | 3rad` both of two. A block with a file name
 behind `roadlang` is a file that the next block may include. `# --set reach=12s` sets a param.
 """
 
@@ -19,7 +20,9 @@ from roadlang.plugins.registry import Registry
 from roadlang.semantics import check_text
 
 _FENCE = re.compile(r"^```roadlang ?(\S*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
-_EXPECTED = re.compile(r"# (error|warning): (\d+) \[(RL\d{3})\]")
+_EXPECTED = re.compile(
+    r"# (error|warning): (\d+) \[(RL\d{3})\](?: fix: (.*?)(?=\s*(?:# error|# warning|$)))?"
+)
 _SETTING = re.compile(r"^# --set (\w+)=(.*?)\s*(?:# |$)")
 _HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 
@@ -53,13 +56,13 @@ def _examples() -> list[Example]:
     return examples
 
 
-def _expected(name: str, text: str) -> list[tuple[str, int, int, str, str]]:
+def _expected(name: str, text: str) -> list[tuple[str, int, int, str, str, str]]:
     expected = []
     for number, line in enumerate(text.splitlines(), start=1):
         setting = _SETTING.match(line)
-        for severity, column, code in _EXPECTED.findall(line):
+        for severity, column, code, fixes in _EXPECTED.findall(line):
             file, at = (f"--set {setting[1]}", 1) if setting else (name, number)
-            expected.append((file, at, int(column), severity, code))
+            expected.append((file, at, int(column), severity, code, fixes))
     return expected
 
 
@@ -75,7 +78,9 @@ def test_example(example: Example, tmp_path: Path) -> None:
         span = diagnostic.span
         assert span is not None
         file = Path(span.source.path).name
-        reported.append((file, span.line, span.column, diagnostic.severity, diagnostic.code))
+        fixes = " | ".join(fix.replacement for fix in diagnostic.fixes)
+        place = (file, span.line, span.column)
+        reported.append((*place, diagnostic.severity, diagnostic.code, fixes))
     expected = _expected("scene.rl", example.text)
     for name, text in example.files:
         expected += _expected(name, text)

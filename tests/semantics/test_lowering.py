@@ -121,6 +121,18 @@ def test_values_come_before_what_depends_on_them() -> None:
     assert [road.name for road in scenario.roads] == ["main", "bent"]
 
 
+def test_each_requirement_comes_once_in_the_order_of_the_file() -> None:
+    text = MAIN + (
+        "expect second: always (time >= 0s)\n"
+        "require b: length(main) > 1m\nrequire a: length(main) > 2m\n"
+        "expect first: always (time >= 0s)\nemit json\nemit svg\n"
+    )
+    scenario = lowered(text)
+    assert [item.name for item in scenario.requirements] == ["b", "a"]
+    assert [item.name for item in scenario.expectations] == ["second", "first"]
+    assert [call.kind for call in scenario.emits] == ["standard.json", "standard.svg"]
+
+
 def test_signals_are_variables_named_as_in_the_file() -> None:
     scenario = lowered(
         BENT

@@ -65,3 +65,8 @@ def test_agents_may_stand_behind_one_another_in_a_long_row() -> None:
     )
     scene = roadlang.loads(ROAD + row).sample()[0]
     assert scene.agents["g399"].start == pytest.approx(1 + 399 * 0.01)
+
+
+def test_a_call_in_a_call_is_one_level() -> None:
+    calls = "abs(" * 140 + "1m" + ")" * 140
+    assert not errors_of(f"param a = {calls}\n")

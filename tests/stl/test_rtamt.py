@@ -52,6 +52,7 @@ def test_full_traces_agree(seed: Any) -> None:
     ("text", "expected"),
     [
         ("always[0, 5] (e < 10)", "(always[0,5] (e < 10))"),
+        ("always[0, inf] (e < 10)", "(always (e < 10))"),
         ("always[2, inf] (e < 10)", "(always[2,2] (always (e < 10)))"),
         ("a > 1 iff b > 2", "(((not (a > 1)) or (b > 2)) and ((a > 1) or (not (b > 2))))"),
         ("abs(-a) != 1", "(abs((0 - a)) !== 1)"),
