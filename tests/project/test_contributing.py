@@ -132,7 +132,15 @@ def test_the_changelog_has_releases_in_order_and_notes_for_the_next() -> None:
     text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     titles = re.findall(r"^## (.*)$", text, re.M)
     assert titles[0] == "[Unreleased]" or titles[0].startswith(f"[{roadlang.__version__}] - ")
-    dates = [title.partition(" - ")[2] for title in titles if " - " in title]
+    dates = [title.partition(" - ")[2] for title in titles if not title.endswith("- unreleased")]
     assert dates == sorted(dates, reverse=True)
+    assert all(re.fullmatch(r"\d{4}-\d\d-\d\d", date) for date in dates if date)
     sections = set(re.findall(r"^### (.*)$", text, re.M))
     assert sections <= {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
+
+
+def test_links_of_the_project_files_lead_somewhere() -> None:
+    for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md"):
+        text = (ROOT / name).read_text(encoding="utf-8")
+        for target in re.findall(r"\]\(([^)#\s]+)", text):
+            assert target.startswith("https:") or (ROOT / target).exists(), f"{name}: {target}"
