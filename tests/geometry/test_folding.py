@@ -135,3 +135,27 @@ def test_rows_do_not_depend_on_each_other(curve: Any, height: float, rate: float
         rows = np.array([row])
         assert displace(curve, s, moves[rows]).folded[0] == batch.folded[row]
         assert again.take(rows).folded[0] == again.folded[row]
+
+
+def test_a_turn_of_exactly_a_quarter_is_folded() -> None:
+    s = np.arange(3.0)
+    corner = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], [(0.0, 0.0), (1.0, 0.0), (1.5, 1.0)]])
+    np.testing.assert_array_equal(CurveBatch(s, corner).folded, [True, False])
+
+
+def test_a_road_made_from_a_folded_one_is_folded_also_where_it_is_pushed_back() -> None:
+    ring = circle(radius=10.0, count=200)
+    s = ring.stations(count=100)
+    there = displace(ring, s, np.array([[11.0], [5.0]]) * np.ones((2, 100)))
+    np.testing.assert_array_equal(there.folded, [True, False])
+    away = np.array([[[500.0, 0.0]] * 100])
+    np.testing.assert_array_equal(displace(there, s, away).folded, [True, False])
+
+
+def test_the_speed_of_a_road_pushed_twice_is_that_of_its_points() -> None:
+    ring = circle(radius=20.0, count=400)
+    s = ring.stations(count=200)
+    even = np.ones((1, 200))
+    twice = displace(displace(ring, s, 8.0 * even), s, 4.0 * even)
+    np.testing.assert_allclose(twice.speed, 8.0 / 20.0, rtol=1e-3)
+    np.testing.assert_allclose(twice.curvature, 1.0 / 8.0, rtol=1e-3)
