@@ -20,7 +20,6 @@ from tests.docs.page_examples import (
 WITHOUT_EXAMPLE = {
     "RL471": "takes a plugin that is removed between check and compile",
     "RL110": "takes 200 included files; see tests/semantics/test_includes.py",
-    "RL413": "takes a reader that returns NaN; see tests/plugins/test_faults_in_scenes.py",
     "RL475": "takes a perturbation that collapses a road, which earlier checks reject",
     "RL503": "takes two clients of one Godot; see tests/godot",
     "RL504": "takes a network that loses messages; see tests/godot/test_faulty_network.py",

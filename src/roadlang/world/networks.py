@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -27,6 +27,7 @@ from .pictures import load_picture
 from .reading import read_file
 from .root_roads import undisplaced_road
 from .stations import StationSpacing, station_spacing
+from .verified import verified
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +76,8 @@ def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadB
             batch = edge_batch(origin, edge, candidates)
         else:
             batch = _root_edge(network, edge, candidates)
-        return _perturbed_edge(batch, network, edge, candidates)
+        named = replace(batch, name=f"{network.name}/{edge}")
+        return _perturbed_edge(named, network, edge, candidates)
 
     return candidates.once(("edge", network.name, edge), make)
 
@@ -131,7 +133,7 @@ def _networks(network: Network, scenario: IndexedScenario) -> Any:
 def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     source = network.source
     if isinstance(source, FileSource):
-        found = _from_file(network, source, candidates.scenario)
+        found = _from_file(network, source, candidates)
     else:
         image = candidates.scenario.source_of(network)
         assert isinstance(image, Image)
@@ -145,16 +147,17 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
                 help=found.remarks or ("try `extract with contour { threshold: ... }`",),
             )
         )
-    _check_finite(found, network)
     return found
 
 
-def _from_file(network: Network, source: FileSource, scenario: IndexedScenario) -> NetworkRoot:
+def _from_file(network: Network, source: FileSource, candidates: CandidateBatch) -> NetworkRoot:
+    scenario = candidates.scenario
     content = read_file(source, "network", network.passes, scenario, network.span)
-    found: Extraction | RoadNetwork = content.value
+    value: Extraction | RoadNetwork = content.value
+    call = next(call for call in network.passes if call.verb == "read")
+    found = Extraction(value) if isinstance(value, RoadNetwork) else value
+    found = verified(call, network.name, found, candidates)
     spacing = station_spacing(network, scenario)
-    if isinstance(found, RoadNetwork):
-        return NetworkRoot(network.name, found, spacing, inputs=content.inputs)
     return _root_of(network.name, found, spacing, None, content.inputs)
 
 
@@ -186,15 +189,6 @@ def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> Ne
     with plugin_guard(built.entry, span):
         found = built.kind.extract(loaded.picture)
     check_extraction(found, built.entry, span)
-    candidates.scenario.observed(call, found)
+    found = verified(call, network.name, found, candidates)
     spacing = station_spacing(network, candidates.scenario)
     return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)
-
-
-def _check_finite(root: NetworkRoot, network: Network) -> None:
-    for edge in root.edges:
-        points = edge.curve.points
-        if not (np.isfinite(points).all() and np.isfinite(edge.curve.length)):
-            raise DiagnosticError(
-                diagnose(Code.NON_FINITE_NETWORK, network.span, name=network.name, id=edge.id)
-            )

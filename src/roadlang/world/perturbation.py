@@ -20,6 +20,7 @@ from ..plugins.kinds import implements
 from ..plugins.results import real_numbers
 from .displacement_bound import displacement_bound
 from .root_roads import is_undisplaced
+from .verified import verified
 
 Floats = NDArray[np.float64]
 FARTHEST = 1e6
@@ -49,7 +50,7 @@ def perturbed(
         displacement = displacement * _over(call, interval, before, candidates, element)
     if window is not None:
         displacement = window * displacement
-    return candidates.scenario.observed(call, displaced(before, displacement))
+    return verified(call, before.name, displaced(before, displacement), candidates)
 
 
 def displaced(before: RoadBatch, displacement: Floats) -> RoadBatch:
@@ -113,7 +114,7 @@ def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch, coun
 
 def _row(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:
     """(1, S) or (1, S, 2) meters of one candidate."""
-    single = road.take(np.array([row if road.variants > 1 else 0]))
+    single = road.take(np.array([row]))
     kind = row_of_kind(built.kind, row)
     with built.guarded:
         found = kind.displacement(single, random.generator(row))

@@ -28,6 +28,7 @@ from .reading import read_file
 from .root_roads import undisplaced_road
 from .selection import selected
 from .stations import station_spacing
+from .verified import verified
 
 Floats = NDArray[np.float64]
 DEFAULT_WIDTH = 7.0
@@ -206,7 +207,7 @@ def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
     if not isinstance(curve, Curve):
         fault = f"gave a {type(curve).__name__}, not a Curve"
         raise wrong_result(built.entry, calls[0].span, fault)
-    return candidates.scenario.observed(calls[0], _checked(curve, road, calls[0]))
+    return verified(calls[0], road.name, _checked(curve, road, calls[0]), candidates)
 
 
 def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
@@ -219,8 +220,8 @@ def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> Ro
     if closed is not None and bool(scalar(evaluate(closed, candidates))) != curve.closed:
         curve = Curve.through(curve.points, not curve.closed)
         width = None if width is None else WidthProfile.even(width.widths, curve.length)
-    reading = [call for call in road.passes if call.verb == "read"]
-    curve = _checked(curve, road, reading[0] if reading else None)
+    reading = next(call for call in road.passes if call.verb == "read")
+    curve = verified(reading, road.name, _checked(curve, road, reading), candidates)
     frame = _frame(curve, road, candidates.scenario)
     return RoadRoot(road.name, frame, width, lanes, inputs=content.inputs)
 
@@ -230,8 +231,8 @@ def _is_closed(road: Road, candidates: CandidateBatch) -> bool:
     return option is not None and bool(scalar(evaluate(option, candidates)))
 
 
-def _checked(curve: Any, road: Road, call: PassCall | None) -> Curve:
-    span = call.span if call is not None else road.span
+def _checked(curve: Any, road: Road, call: PassCall) -> Curve:
+    span = call.span or road.span
     usable = isinstance(curve, Curve) and np.isfinite(curve.points).all() and 0 < curve.length < 1e7
     if not usable:
         raise DiagnosticError(diagnose(Code.INVALID_ROAD_GEOMETRY, span, name=road.name))
