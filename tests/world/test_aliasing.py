@@ -109,3 +109,12 @@ def test_displacements_in_the_plane_are_compared_too() -> None:
 
 def test_a_kind_that_fails_with_more_stations_has_done_its_work() -> None:
     assert remarks("only_meters") == ()
+
+
+def test_on_an_interval_a_displacement_in_the_plane_keeps_its_part_along_the_normal() -> None:
+    text = (
+        STRAIGHT + "road bent from main { perturb with shift { over: [50m, 150m], taper: 20m } }\n"
+    )
+    road = sample(text, kinds=KINDS)[0].roads["bent"]
+    assert road.y.min() == pytest.approx(-4.0)
+    np.testing.assert_allclose(road.x, np.linspace(0.0, 200.0, 201), atol=1e-9)

@@ -137,6 +137,15 @@ def test_the_most_stations_and_not_one_more(sample: Sample) -> None:
     code, message = refusal(sample, LONG + bent(bump.replace("LENGTH", "3.99m")))
     assert code == "RL418"
     assert "show what is 4m long" in message
+    # 20,000.5 gaps are 20,001 of them, with 20,002 stations at their ends.
+    assert refusal(sample, LONG + bent(bump.replace("LENGTH", "3.9999m")))[0] == "RL418"
+
+
+def test_the_smallest_of_several_spacings_counts(sample: Sample) -> None:
+    text = STRAIGHT.replace("width: 8m", "width: 8m, station_spacing: 5m")
+    wave = "perturb with sine { amplitude: 1m, wavelength: 90m }"
+    text += bent(wave, options="station_spacing: 0.5m")
+    assert [gap(road) for road in sample(text).scenes[0].roads] == pytest.approx([0.5, 0.5])
 
 
 def test_the_spacing_cannot_be_random(sample: Sample, tmp_path: Path) -> None:
