@@ -82,20 +82,37 @@ def test_the_grammar_and_the_godot_project_are_found_in_an_install(
     assert done.stdout.strip().startswith(str(site)), done.stdout + done.stderr
 
 
+BY_IMPORT = {"cv2": "opencv-python-headless", "yaml": "pyyaml"}
+OPTIONAL = {
+    "pandas": "traces as data frames, for those who have it",
+    "pytest": "the fixture of `roadlang.testing`",
+}
+
+
 def test_the_dependencies_are_those_that_are_imported() -> None:
     tomllib = pytest.importorskip("tomllib")
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     declared = {re.split(r"[<>=]", name)[0] for name in project["dependencies"]}
-    packages = {"cv2": "opencv-python-headless"}
     used = set()
     for folder in (ROOT / "src", ROOT / "plugins/standard"):
         for path in folder.rglob("*.py"):
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-                names = []
-                if isinstance(node, ast.Import):
-                    names = [alias.name for alias in node.names]
-                elif isinstance(node, ast.ImportFrom) and not node.level:
-                    names = [node.module or ""]
-                used |= {name.partition(".")[0] for name in names}
-    ours = {"roadlang", "roadlang_standard", *sys.stdlib_module_names}
-    assert {packages.get(name, name) for name in used - ours} == declared
+            used |= imported(ast.parse(path.read_text(encoding="utf-8")))
+    ours = {"roadlang", "roadlang_standard", *OPTIONAL, *sys.stdlib_module_names}
+    assert {BY_IMPORT.get(name, name) for name in used - ours} == declared
+
+
+def imported(tree: ast.AST) -> set[str]:
+    """The packages that a module imports when it runs."""
+    names: set[str] = set()
+    pending: list[ast.AST] = [tree]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            pending.extend(node.orelse)
+            continue
+        if isinstance(node, ast.Import):
+            names |= {alias.name.partition(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            names.add((node.module or "").partition(".")[0])
+        pending.extend(ast.iter_child_nodes(node))
+    return names
