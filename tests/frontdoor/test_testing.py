@@ -16,7 +16,7 @@ from roadlang.session.scene_set import SceneSet
 
 TEXT = """\
 road main { draw with waypoints { points: [(0m, 0m), (100m, 0m)] } }
-road moved from main { perturb with shift { by: 2m } }
+road moved from main { perturb with sidestep { by: 2m } }
 """
 
 
@@ -24,7 +24,7 @@ road moved from main { perturb with shift { by: 2m } }
 class Shift(Perturber):
     """Move the road to the left."""
 
-    name: ClassVar[str] = "shift"
+    name: ClassVar[str] = "sidestep"
     is_random: ClassVar[bool] = False
     by: Length = option(help="how far", minimum=0)
 
@@ -35,14 +35,14 @@ class Shift(Perturber):
 def test_a_text_can_name_a_kind_under_test() -> None:
     (scene,) = testing.sample(TEXT, kinds=[Shift])
     np.testing.assert_allclose(scene.roads["moved"].y, 2.0)
-    (scene,) = testing.sample(TEXT.replace("with shift", "with tested.shift"), kinds=[Shift])
+    (scene,) = testing.sample(TEXT.replace("with sidestep", "with tested.sidestep"), kinds=[Shift])
     assert scene.provenance.plugins["tested"]
 
 
 def test_its_faults_read_as_a_user_would_see_them() -> None:
     found = testing.check(TEXT.replace("by: 2m", "by: -2m"), kinds=[Shift])
     assert [diagnostic.code for diagnostic in found] == ["RL208"]
-    with pytest.raises(DiagnosticError, match=r"RL210(.|\n)*shift"):
+    with pytest.raises(DiagnosticError, match=r"RL210(.|\n)*sidestep"):
         testing.sample(TEXT)
 
 

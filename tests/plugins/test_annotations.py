@@ -117,7 +117,7 @@ def test_an_annotation_that_is_no_option(annotation: Any, says: str) -> None:
 class Shift(Perturber):
     """Shifts a road aside, by the sum of all sizes."""
 
-    name: ClassVar[str] = "shift"
+    name: ClassVar[str] = "sidestep"
     sizes: ListOf[Length] = option(at_least=2, minimum=0)
     side: Literal["left", "right"] = option("left")
     at: Length | Literal["middle"] | None = option(None)
@@ -130,7 +130,7 @@ class Shift(Perturber):
 
 
 def shifted(options: str) -> float:
-    text = STRAIGHT + f"road bent from main {{ perturb with shift {{ {options} }} }}\n"
+    text = STRAIGHT + f"road bent from main {{ perturb with sidestep {{ {options} }} }}\n"
     (scene,) = testing.sample(text, kinds=[Shift])
     return float(scene.roads["bent"].y[0])
 
@@ -151,7 +151,7 @@ def test_plain_annotations_work_in_a_scene() -> None:
     ],
 )
 def test_plain_annotations_are_checked(options: str, code: str) -> None:
-    text = STRAIGHT + f"road bent from main {{ perturb with shift {{ {options} }} }}\n"
+    text = STRAIGHT + f"road bent from main {{ perturb with sidestep {{ {options} }} }}\n"
     assert [found.code for found in testing.check(text, kinds=[Shift])] == [code]
 
 
@@ -202,7 +202,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Shift(Perturber):
-    name: ClassVar[str] = "shift"
+    name: ClassVar[str] = "sidestep"
     sizes: ListOf[Length] = option(at_least=1)
     leave_out: tuple[ListOf[PixelPoint], ...] = option(())
     side: Literal["left", "right"] = option("left")

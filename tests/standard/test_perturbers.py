@@ -11,10 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.api import BatchRandom, Perturber, RoadBatch
+from roadlang.geometry import GeometryError
 from roadlang_standard.perturb_bump import Bump
 from roadlang_standard.perturb_harmonics import Harmonics
 from roadlang_standard.perturb_random_walk import RandomWalk
 from roadlang_standard.perturb_scale import Scale
+from roadlang_standard.perturb_shift import Shift
 from roadlang_standard.perturb_sine import Sine
 
 Make = Callable[[Any], Perturber]
@@ -137,3 +139,20 @@ def test_a_walk_forgets_within_its_correlation(straight: RoadBatch) -> None:
     assert near > 0.9
     assert abs(far) < 0.25
     assert abs(moves.mean()) < 0.05
+
+
+def test_a_shift_moves_to_the_side_and_stays_there(
+    straight: RoadBatch, random: BatchRandom
+) -> None:
+    moves = Shift(at=20.0, offset=-3.5, length=30.0).displacements(straight, random)[0]
+    before, after = straight.stations <= 20.0, straight.stations >= 50.0
+    assert (moves[before] == 0.0).all()
+    assert (moves[after] == -3.5).all()
+    assert (np.diff(moves) <= 0.0).all()
+    middle = np.interp(35.0, straight.stations, moves)
+    assert middle == pytest.approx(-1.75, abs=0.02)
+
+
+def test_a_closed_road_cannot_be_shifted(ring: RoadBatch, random: BatchRandom) -> None:
+    with pytest.raises(GeometryError, match="open road"):
+        Shift(at=20.0, offset=1.0, length=30.0).displacements(ring, random)

@@ -39,7 +39,7 @@ class Potholes(Perturber):
 class Shift(Perturber):
     """A displacement in the plane, the same everywhere."""
 
-    name: ClassVar[str] = "shift"
+    name: ClassVar[str] = "drift"
     is_random: ClassVar[bool] = False
 
     def displacement(self, road: Any, random: Any) -> Any:
@@ -87,7 +87,7 @@ def test_closed_roads_are_looked_at_round_their_seam() -> None:
         "road main { draw with waypoints { points:"
         " [(30m, 0m), (0m, 30m), (-30m, 0m), (0m, -30m)] }, closed: true }\n"
     )
-    assert remarks("shift", ring) == ()
+    assert remarks("drift", ring) == ()
     # 188 m are no whole number of such waves: it jumps at the seam.
     assert len(remarks("ripple { wavelength: 40m }", ring)) == 1
     assert len(remarks("ripple { wavelength: 2m }", ring)) == 1
@@ -99,7 +99,7 @@ def test_what_changes_with_the_number_of_stations_is_remarked_on() -> None:
 
 
 def test_displacements_in_the_plane_are_compared_too() -> None:
-    text = STRAIGHT + "road bent from main { perturb with shift }\n"
+    text = STRAIGHT + "road bent from main { perturb with drift }\n"
     made = sample(text, kinds=KINDS)
     assert made.remarks == ()
     road = made[0].roads["bent"]
@@ -113,7 +113,7 @@ def test_a_kind_that_fails_with_more_stations_has_done_its_work() -> None:
 
 def test_on_an_interval_a_displacement_in_the_plane_keeps_its_part_along_the_normal() -> None:
     text = (
-        STRAIGHT + "road bent from main { perturb with shift { over: [50m, 150m], taper: 20m } }\n"
+        STRAIGHT + "road bent from main { perturb with drift { over: [50m, 150m], taper: 20m } }\n"
     )
     road = sample(text, kinds=KINDS)[0].roads["bent"]
     assert road.y.min() == pytest.approx(-4.0)

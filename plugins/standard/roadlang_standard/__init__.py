@@ -24,6 +24,7 @@ _KINDS = {
     "perturb harmonics": "perturb_harmonics:Harmonics",
     "perturb random_walk": "perturb_random_walk:RandomWalk",
     "perturb bump": "perturb_bump:Bump",
+    "perturb shift": "perturb_shift:Shift",
     "perturb scale": "perturb_scale:Scale",
     "drive pure_pursuit": "drive_pure_pursuit:PurePursuit",
     "drive stanley": "drive_stanley:Stanley",

@@ -13,8 +13,9 @@ from roadlang.api import Drawer, Length, ListOf, Point, Word, geometry, option
 class Waypoints(Drawer):
     """A curve through the points.
 
-    A spline is smooth, but next to long distances between points it may swing out far; a polyline
-    keeps to the straight lines between them.
+    A spline passes through every point; where a distance between points is much longer than the
+    next, it keeps to the straight line. A polyline has straight lines between all points, and its
+    rounded corners cut them short.
     """
 
     name: ClassVar[str] = "waypoints"
@@ -32,10 +33,10 @@ class Waypoints(Drawer):
     )
 
     def draw(self, closed: bool) -> geometry.Curve:
-        """A closed road goes back to the first point; a spline is one by arc length."""
+        """A closed road goes back to the first point."""
         if self.curve == "polyline":
             return geometry.filleted(self.points, self.radius, closed)
-        return geometry.Curve.through(self.points, closed)
+        return geometry.through_waypoints(self.points, closed)
 
     def least_length(self) -> float:
         """From point to point in straight lines, less rounding; rounded corners cut these short."""

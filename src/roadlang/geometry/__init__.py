@@ -2,8 +2,9 @@
 
 Nothing is imported until a name is used.
 
-- curves by arc length: `Curve`; pieces to draw them from: `Straight`, `Arc`, `Clothoid`, `chain`;
-  of straight lines with rounded corners: `filleted`
+- curves by arc length: `Curve`; through a few points that are far apart: `through_waypoints`;
+  pieces to draw them from: `Straight`, `Arc`, `Clothoid`, `chain`; of straight lines with rounded
+  corners: `filleted`
 - many variants at once: `Frame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
     from .segments import Clothoid as Clothoid
     from .segments import Straight as Straight
     from .segments import chain as chain
+    from .waypoint_curve import through_waypoints as through_waypoints
     from .width import WidthProfile as WidthProfile
     from .window import ease as ease
     from .window import fade as fade
@@ -69,6 +71,7 @@ _HOMES = {
     "Chain": "segments",
     "chain": "segments",
     "filleted": "filleting",
+    "through_waypoints": "waypoint_curve",
     "Frame": "frame",
     "CurveBatch": "batch",
     "DisplacedBatch": "displacement",
