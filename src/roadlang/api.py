@@ -90,6 +90,7 @@ from .plugins.kinds import (
     Simulator,
 )
 from .plugins.options import option
+from .version import API_VERSION
 
 if TYPE_CHECKING:
     from .diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, diagnose, did_you_mean
@@ -115,10 +116,6 @@ if TYPE_CHECKING:
     )
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
-
-API_VERSION = "0.2"
-"""Of the names in this module: the first two numbers of the version of roadlang that last changed
-them in a way that plugins notice. See "What is stable" in the plugin guide."""
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",

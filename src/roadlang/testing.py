@@ -1,4 +1,4 @@
-"""What authors of plugins test with: a text to scenes, roads to perturb, a pytest fixture.
+"""What authors of plugins test with: scenes of a text, roads, traces, a pytest fixture.
 
     from roadlang import testing
 
@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterable
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from .ir.batch import BatchRandom, RoadBatch
+    from .ir.control import Observation
+    from .ir.trace import AgentTrace, Trace
     from .session.scene_set import SceneSet
 
 PLUGIN = "tested"
@@ -79,6 +82,9 @@ def scenario(
 def registry_with(*kinds: type[Kind]) -> Registry:
     """All installed kinds, and `kinds` as those of a plugin called `tested`.
 
+    They take the place of installed kinds of the same names, such as the ones in the plugin that
+    is being tested; kinds that ship with roadlang keep theirs.
+
     Raises `TypeError` with the reason where they could not be loaded from a plugin.
     """
     if not kinds:
@@ -87,7 +93,15 @@ def registry_with(*kinds: type[Kind]) -> Registry:
     for broken in registry.broken:
         if broken.origin.plugin == PLUGIN:
             raise TypeError(broken.reason)
-    return registry
+    tested = {(kind.verb, kind.name) for kind in kinds}
+    entries = (
+        entry
+        for entry in registry.entries
+        if entry.origin.is_shipped
+        or entry.origin.plugin == PLUGIN
+        or (entry.verb, entry.name) not in tested
+    )
+    return replace(registry, entries=tuple(entries))
 
 
 def plugin_of(*kinds: type[Kind]) -> ModuleType:
@@ -137,6 +151,61 @@ def random(variants: int = 1, seed: int = 0) -> BatchRandom:
 
     attempts = np.arange(variants)
     return BatchRandom(variant_keys(seed, np.zeros_like(attempts), attempts))
+
+
+def agent_trace(name: str = "ego", *, time: ArrayLike, **members: ArrayLike) -> AgentTrace:
+    """What a drive signal or monitor gets of an agent: `time` is (T,) seconds.
+
+    Other members of `AgentTrace` are numbers or (T,) arrays; those left out are NaN throughout, as
+    of an engine that does not record them. Raises `TypeError` for members that do not exist.
+    """
+    import numpy as np
+
+    from .ir.trace import AgentTrace
+
+    times = np.asarray(time, dtype=float)
+    columns: dict[str, Any] = {"time": times}
+    for member in fields(AgentTrace):
+        if member.name in ("name", "time"):
+            continue
+        if member.name in members:
+            value = np.asarray(members.pop(member.name), dtype=float)
+            is_size = isinstance(member.default, float)
+            columns[member.name] = float(value) if is_size else np.broadcast_to(value, times.shape)
+        elif member.default is MISSING and member.default_factory is MISSING:
+            columns[member.name] = np.full(times.shape, np.nan)
+    unknown: dict[str, Any] = members
+    return AgentTrace(name, **columns, **unknown)
+
+
+def trace(*agents: AgentTrace) -> Trace:
+    """A drive of agents with the same times, as `judge` of a monitor gets it."""
+    from .ir.trace import Trace
+
+    return Trace(agents[0].time, {agent.name: agent for agent in agents})
+
+
+def observation(**members: Any) -> Observation:
+    """What a controller gets once a step: an agent at the start of a straight line along the x
+    axis, which it follows at rest. `members` of `Observation` change that."""
+    from .ir.control import Observation
+
+    position = {"x": members.get("station", 0.0), "y": members.get("cross_track_error", 0.0)}
+    usual: dict[str, Any] = {
+        "time": 0.0,
+        "step": 0.02,
+        "agent": "ego",
+        **position,
+        "heading": members.get("heading_error", 0.0),
+        "speed": 0.0,
+        "steering": 0.0,
+        "cross_track_error": 0.0,
+        "heading_error": 0.0,
+        "station": 0.0,
+        "wheelbase": 2.7,
+        "line_ahead": lambda distance: (position["x"] + distance, 0.0, 0.0, 0.0),
+    }
+    return Observation(**{**usual, **members})
 
 
 with contextlib.suppress(ImportError):

@@ -103,3 +103,21 @@ def test_the_fixture_finds_files_in_the_folder_of_the_test(
     (tmp_path / "line.csv").write_text("x,y\n0,0\n50,0\n100,0\n")
     (scene,) = roadlang_sample('road main from "line.csv"\n')
     assert scene.roads["main"].length == pytest.approx(100.0)
+
+
+def test_a_trace_has_what_the_test_states_and_nan_for_the_rest() -> None:
+    ego = testing.agent_trace(time=[0, 1, 2], speed=[1, 2, 3], x=5, width=2.0)
+    np.testing.assert_array_equal(ego.speed, [1.0, 2.0, 3.0])
+    np.testing.assert_array_equal(ego.x, [5.0, 5.0, 5.0])
+    assert (ego.width, ego.length) == (2.0, 4.5)
+    assert np.isnan(ego.steering).all()
+    other = testing.agent_trace("other", time=ego.time)
+    assert list(testing.trace(ego, other).agents) == ["ego", "other"]
+    with pytest.raises(TypeError, match="sped"):
+        testing.agent_trace(time=[0], sped=3)
+
+
+def test_an_observation_is_of_an_agent_on_a_straight_line_along_x() -> None:
+    seen = testing.observation(station=10.0, cross_track_error=1.5, heading_error=0.1)
+    assert (seen.x, seen.y, seen.heading, seen.speed) == (10.0, 1.5, 0.1, 0.0)
+    assert seen.line_ahead(5.0) == (15.0, 0.0, 0.0, 0.0)

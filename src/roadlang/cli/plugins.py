@@ -1,8 +1,9 @@
-"""`roadlang plugins`: what is installed, what it brings, and what is broken."""
+"""`roadlang plugins`: what is installed and what is broken; `new` starts a plugin."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -24,7 +25,8 @@ if TYPE_CHECKING:
 def command(context: click.Context, as_json: bool, verb: str | None) -> None:
     """List the installed plugins with their kinds, and the plugins that fail to load.
 
-    `roadlang plugins show NAME` lists the options of a kind.
+    `roadlang plugins show NAME` lists the options of a kind; `roadlang plugins new NAME` writes a
+    new plugin.
     """
     if context.invoked_subcommand is not None:
         return
@@ -69,6 +71,42 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
         click.echo(json.dumps([kind_record(entry) for entry in entries], indent=2))
         return
     echo("\n\n".join("\n".join(kind_lines(entry)) for entry in entries))
+
+
+@command.command("new")
+@click.argument("name")
+@click.option(
+    "--kind",
+    "verbs",
+    metavar="VERB",
+    multiple=True,
+    help="Verb of a kind in it; may be given several times.  [default: perturb]",
+)
+@click.option("--folder", metavar="FOLDER", help="Folder to write.  [default: roadlang-NAME]")
+def new(name: str, verbs: tuple[str, ...], folder: str | None) -> None:
+    """Write a new plugin to a folder: a package with a kind, tests and types, ready to install.
+
+    There are templates for the verbs agent, drive, drive_signal, emit, monitor, object, perturb
+    and signal.
+    """
+    from ..plugins.discovery import load_registry
+    from . import plugin_template
+
+    verbs = tuple(dict.fromkeys(verbs)) or ("perturb",)
+    for verb in verbs:
+        _check_template(verb, plugin_template.VERBS)
+    plugin_template.check_plugin_name(name, verbs, load_registry())
+    shown = folder or f"roadlang-{name.replace('_', '-')}"
+    plugin_template.write_plugin(name, verbs, shown)
+    echo(f"wrote {shown}; now: cd {shown} && pip install -e '.[dev]' && pytest")
+
+
+def _check_template(verb: str, known: Sequence[str]) -> None:
+    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
+
+    if verb not in known:
+        hints = (*did_you_mean(verb, known), f"there are templates for {', '.join(known)}")
+        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="template", name=verb, help=hints))
 
 
 def _check_verb(verb: str) -> None:

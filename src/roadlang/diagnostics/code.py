@@ -210,3 +210,4 @@ class Code:
     WORKER_ENDED: Final = "RL934"
     MALFORMED_YAML: Final = "RL936"
     NOT_A_PARAM: Final = "RL937"
+    BAD_PLUGIN_NAME: Final = "RL938"
