@@ -242,8 +242,9 @@ _DATA = (
 
 
 _GEOMETRY = (
-    "Curve", "WidthProfile", "Road", "Node", "Edge", "RoadNetwork", "network_of_polylines", "Step",
-    "Path", "Straight", "Arc", "Clothoid", "chain", "Chain", "GeometryError",
+    "Curve", "WidthProfile", "OffsetProfile", "Lane", "CrossSection", "Road", "Node", "Edge",
+    "RoadNetwork", "network_of_polylines", "Step", "Path", "Straight", "Arc", "Clothoid",
+    "chain", "Chain",    "GeometryError",
 )  # fmt: skip
 
 

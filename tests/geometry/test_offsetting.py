@@ -112,7 +112,7 @@ def test_lanes_share_the_width_and_have_the_ids_of_opendrive(
     road = Road(wave(), WidthProfile.constant(6.0), lanes)
     assert road.lane_ids == ids
     assert [float(road.lane_offset(lane, 10.0)) for lane in ids] == pytest.approx(middles)
-    assert float(road.lane_width(3.0)) == pytest.approx(6.0 / lanes)
+    assert float(road.lane_width(-1, 3.0)) == pytest.approx(6.0 / lanes)
     assert len(road.lane_lines(road.curve.stations(count=20))) == lanes - 1
     with pytest.raises(GeometryError, match=f"its lanes are {ids[0]}"):
         road.lane_offset(9, 0.0)

@@ -8,7 +8,8 @@ Nothing is imported until a name is used.
 - many variants at once: `Frame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
-- roads: `WidthProfile`, `Road`, `offset` (without folding)
+- roads: `WidthProfile`, `OffsetProfile`, `Lane`, `CrossSection`, `Road`, `offset` (without
+  folding)
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
@@ -24,6 +25,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from .batch import CurveBatch as CurveBatch
     from .clearances import clearance as clearance
+    from .cross_section import CrossSection as CrossSection
     from .crossing import crossings as crossings
     from .crossing import self_crossings as self_crossings
     from .curve import Curve as Curve
@@ -42,6 +44,7 @@ if TYPE_CHECKING:
     from .frame import Frame as Frame
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
+    from .lane import Lane as Lane
     from .network import Edge as Edge
     from .network import Node as Node
     from .network import RoadNetwork as RoadNetwork
@@ -49,6 +52,7 @@ if TYPE_CHECKING:
     from .paths import Path as Path
     from .paths import Step as Step
     from .polylines import network_of_polylines as network_of_polylines
+    from .profile import OffsetProfile as OffsetProfile
     from .road import Road as Road
     from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
@@ -84,6 +88,9 @@ _HOMES = {
     "fade": "window",
     "ease": "window",
     "WidthProfile": "width",
+    "OffsetProfile": "profile",
+    "Lane": "lane",
+    "CrossSection": "cross_section",
     "Road": "road",
     "offset": "offsetting",
     "Node": "network",

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arrays import Floats, SharedArrays, finite, norm
+from .cross_section import CrossSection
 from .curve import Curve
 from .errors import GeometryError
 from .road import Road
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from .paths import Path
 
 _JOINED = 1e-6
+_WIDTHS = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,8 @@ class Edge(SharedArrays):
     `curve` runs from the start to the end node, whose positions its ends must have. `widths` (n,)
     are meters at even arc lengths of the curve, the last at its end (of a closed curve, one step
     before its start); one width is for all of it. `confidence` in [0, 1] is the extractor's.
+    `cross_section` are its lanes along the curve, which also say the width, whatever `widths` is;
+    without it the lanes are those that the network's options say. `Edge.of` makes one of them.
     """
 
     id: int
@@ -48,6 +52,13 @@ class Edge(SharedArrays):
     curve: Curve
     widths: Floats
     confidence: float = 1.0
+    cross_section: CrossSection | None = None
+
+    @classmethod
+    def of(cls, id: int, start: int, end: int, curve: Curve, section: CrossSection) -> Edge:
+        """An edge with these lanes, sure."""
+        widths = section.drivable_profile().at(curve.stations(count=_WIDTHS))
+        return cls(id, start, end, curve, widths, cross_section=section)
 
     @property
     def length(self) -> float:
@@ -56,7 +67,9 @@ class Edge(SharedArrays):
 
     @cached_property
     def width(self) -> WidthProfile:
-        """Width in meters by arc length."""
+        """Width in meters by arc length, of the drivable lanes together."""
+        if self.cross_section is not None:
+            return self.cross_section.drivable_profile()
         return WidthProfile.even(self.widths, self.curve.length, self.curve.closed)
 
     @cached_property
@@ -69,8 +82,19 @@ class Edge(SharedArrays):
         """The node at the other end."""
         return self.end if node == self.start else self.start
 
+    def transformed(self, curve: Curve, width_factor: float, mirrors: bool) -> Edge:
+        """The edge along what became of its curve, left and right exchanged if that `mirrors`."""
+        section = self.cross_section
+        if section is not None:
+            section = section.scaled(curve.length / self.curve.length, width_factor)
+            section = section.mirrored() if mirrors else section
+        widths = np.asarray(self.widths) * width_factor
+        return replace(self, curve=curve, widths=widths, cross_section=section)
+
     def road(self, lanes: int = 2) -> Road:
-        """The edge as a road of its own."""
+        """The edge as a road of its own: with its cross-section, or with so many equal lanes."""
+        if self.cross_section is not None:
+            return Road.of(self.curve, self.cross_section)
         return Road(self.curve, self.width, lanes)
 
 
@@ -100,7 +124,7 @@ class RoadNetwork:
             gap = float(norm(point - self._nodes[node].position))
             if gap > _JOINED * max(1.0, float(np.abs(point).max())):
                 raise GeometryError(f"road {edge.id} ends {gap:.3g} m away from node {node}")
-        WidthProfile.even(edge.widths, edge.length)
+        edge.width.require_positive()
 
     def node(self, id: int) -> Node:
         """The node with this id. Raises `GeometryError` if there is none."""
@@ -174,12 +198,9 @@ class RoadNetwork:
         for node in self.nodes:
             x, y = linear @ np.array(node.position) + offset
             nodes.append(Node(node.id, (float(x), float(y))))
+        mirrors = float(np.linalg.det(linear)) < 0.0
         edges = [
-            replace(
-                edge,
-                curve=edge.curve.transformed(linear, offset),
-                widths=np.asarray(edge.widths) * width_factor,
-            )
+            edge.transformed(edge.curve.transformed(linear, offset), width_factor, mirrors)
             for edge in self.edges
         ]
         return RoadNetwork(tuple(nodes), tuple(edges))

@@ -9,13 +9,15 @@ from numpy.typing import ArrayLike
 
 from .arrays import Floats, SharedArrays, finite
 from .errors import GeometryError
+from .profile import checked_profile
 
 
 @dataclass(frozen=True, eq=False)
 class WidthProfile(SharedArrays):
     """Widths (n,) at increasing `stations` (n,), meters; linear between, constant beyond.
 
-    With a `period` (closed roads) the last width runs linearly on to the first.
+    With a `period` (closed roads) the last width runs linearly on to the first. A lane may taper
+    to nothing; the width of a road must be positive everywhere, which `Road` and `Edge` check.
     """
 
     stations: Floats
@@ -23,13 +25,8 @@ class WidthProfile(SharedArrays):
     period: float | None = None
 
     def __post_init__(self) -> None:
-        stations = finite(self.stations, "the stations of a width").reshape(-1)
-        widths = finite(self.widths, "widths").reshape(-1)
-        if len(stations) == 0 or len(stations) != len(widths):
-            raise GeometryError("a width profile needs as many widths as stations")
-        if not (np.diff(stations) > 0.0).all():
-            raise GeometryError("the stations of a width profile must increase")
-        if not (widths > 0.0).all():
+        stations, widths = checked_profile(self.stations, self.widths, "widths")
+        if not (widths >= 0.0).all() or not widths.any():
             raise GeometryError("a width must be positive")
         object.__setattr__(self, "stations", stations)
         object.__setattr__(self, "widths", widths)
@@ -53,7 +50,17 @@ class WidthProfile(SharedArrays):
             np.asarray(s, dtype=np.float64), self.stations, self.widths, period=self.period
         )
 
-    def scaled(self, factor: float) -> WidthProfile:
-        """All lengths times `factor`."""
+    def scaled(self, factor: float, width_factor: float | None = None) -> WidthProfile:
+        """Arc lengths times `factor`, widths times `width_factor` or, by default, the same."""
         period = None if self.period is None else self.period * factor
-        return WidthProfile(self.stations * factor, self.widths * factor, period)
+        widths = self.widths * (factor if width_factor is None else width_factor)
+        return WidthProfile(self.stations * factor, widths, period)
+
+    def reversed(self, length: float) -> WidthProfile:
+        """As met along the road of this length traveled the other way."""
+        return WidthProfile(length - self.stations[::-1], self.widths[::-1], self.period)
+
+    def require_positive(self) -> None:
+        """Raises GeometryError where the width is zero."""
+        if not (self.widths > 0.0).all():
+            raise GeometryError("a width must be positive")
