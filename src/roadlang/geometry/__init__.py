@@ -13,6 +13,8 @@ Nothing is imported until a name is used.
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
+- rectangles on the ground: `Footprints`, `separation`, `distance_between`,
+  `close_pairs`
 - crossings: `crossings`, `self_crossings`
 - errors: `GeometryError`
 """
@@ -41,6 +43,10 @@ if TYPE_CHECKING:
     from .distances import quadrature as quadrature
     from .errors import GeometryError as GeometryError
     from .filleting import filleted as filleted
+    from .footprints import Footprints as Footprints
+    from .footprints import close_pairs as close_pairs
+    from .footprints import distance_between as distance_between
+    from .footprints import separation as separation
     from .frame import Frame as Frame
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
@@ -109,6 +115,10 @@ _HOMES = {
     "clearance": "clearances",
     "crossings": "crossing",
     "self_crossings": "crossing",
+    "Footprints": "footprints",
+    "separation": "footprints",
+    "close_pairs": "footprints",
+    "distance_between": "footprints",
 }
 
 __all__ = list(_HOMES)
