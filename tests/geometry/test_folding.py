@@ -125,6 +125,18 @@ def test_the_quick_test_lets_nothing_pass_that_is_folded(
     assert sure[0] or np.abs(turns_of(sample(curve, s))).max() > np.pi / 2
 
 
+@pytest.mark.parametrize("height", [8.0, 14.0])
+@pytest.mark.parametrize("wavelength", [60.0, 200.0])
+def test_the_quick_test_decides_wide_waves_on_a_country_road(
+    height: float, wavelength: float
+) -> None:
+    road = chain([Straight(100.0), Arc(60.0, np.radians(80)), Straight(100.0)], spacing=1.0).curve()
+    s = road.stations(spacing=1.0)
+    phase = np.linspace(0.0, 2.0 * np.pi, 32)[:, None]
+    moves = height * np.sin(2.0 * np.pi / wavelength * s + phase)
+    assert Frame.of(road, s).steps.surely_smooth(moves).all()
+
+
 @given(curves(), st.floats(-8.0, 8.0), rates)
 def test_rows_do_not_depend_on_each_other(curve: Any, height: float, rate: float) -> None:
     s = curve.stations(spacing=1.0)

@@ -22,7 +22,7 @@ import numpy as np
 
 from .arrays import Booleans, Floats, SharedArrays, cross, left_of, norm
 from .differences import are_even
-from .row_blocks import blocks
+from .fold_bounds import Extremes, FoldBounds
 
 LEAST_ADVANCE = 0.05
 """Share of the gap between stations that is left of every step of a road that is not folded."""
@@ -115,11 +115,10 @@ class BaseSteps(SharedArrays):
     def surely_smooth(self, displacement: Floats) -> Booleans:
         """(V,) A quick test that most rows pass: True where the line displaced by (V, S) meters is
         certain not to be folded, nor to turn too much."""
-        result = np.zeros(len(displacement), dtype=bool)
-        if are_even(self.gaps) and displacement.shape[1] > 3:
-            for rows in blocks(displacement):
-                result[rows] = self._surely_smooth(*self._extremes(displacement[rows]))
-        return result
+        if not are_even(self.gaps) or displacement.shape[1] <= 3:
+            return np.zeros(len(displacement), dtype=bool)
+        rows = Extremes.of(displacement, self.closed)
+        return self._bounds.surely_smooth(rows, LEAST_ADVANCE)
 
     def folded(self, displacement: Floats) -> Booleans:
         """(V,) True where the line displaced by (V, S) meters is folded."""
@@ -135,80 +134,22 @@ class BaseSteps(SharedArrays):
         onward += sine * (aside * next_ahead - ahead * next_aside)
         return np.asarray(backwards | (onward <= 0.0).any(axis=1))
 
-    def _extremes(self, displacement: Floats) -> tuple[Floats, Floats, Floats]:
-        """(V,) each: the greatest displacement, its greatest change from one station to the next,
-        and the greatest change of that."""
-        change = displacement[:, 1:] - displacement[:, :-1]
-        bend = change[:, 1:] - change[:, :-1]
-        greatest, slope, turn = (
-            np.maximum(part.max(axis=1), -part.min(axis=1)) for part in (displacement, change, bend)
-        )
-        if self.closed:
-            first, second = displacement[:, :2].T
-            before, last = displacement[:, -2:].T
-            slope = np.maximum(slope, np.abs(first - last))
-            for around in (second - 2.0 * first + last, first - 2.0 * last + before):
-                turn = np.maximum(turn, np.abs(around))
-        return greatest, slope, turn
-
-    def _surely_smooth(self, greatest: Floats, slope: Floats, turn: Floats) -> Booleans:
-        """With the middle and the difference of the displacements at the ends of a step, both parts
-        of the step are bounded by numbers that are the same for all rows; so is the curvature, with
-        what one-sided differences at the ends may make of the derivatives."""
-        limits = self._limits
-        lost = greatest * limits.forward[0] + slope * limits.forward[1]
-        aside = greatest * limits.sideways[0] + slope * limits.sideways[1]
-        smallest = limits.shortest - lost
-        advance = 1.0 - greatest * limits.curvature
-        rate, bend = (slope + turn / 2.0) / limits.gap, 3.0 * turn / limits.gap**2
-        speed = np.maximum(advance, LEAST_ADVANCE)
-        around = (2.0 - advance) * limits.curvature + bend
-        twist = rate * (limits.curvature_slope * greatest + 2.0 * limits.curvature * rate)
-        curvature = around / speed**2 + twist / speed**3
-        return np.asarray(
-            (advance > LEAST_ADVANCE)
-            & (smallest > LEAST_ADVANCE * limits.gap)
-            & (aside < limits.steepest * smallest)
-            & (curvature * np.hypot(limits.longest + lost, aside) < QUARTER_TURN)
-        )
-
     @cached_property
-    def _limits(self) -> _Limits:
-        cosine = float(self.turn[0].min(initial=1.0))
-        (before, after), (left_before, left_after) = self.forward, self.sideways
-        return _Limits(
-            forward=(_greatest(before + after), _greatest(after - before) / 2.0),
-            sideways=(_greatest(left_before + left_after), _greatest(left_after - left_before) / 2),
-            curvature=_greatest(self.curvature),
-            curvature_slope=_greatest(self.curvature_slope),
-            gap=float(self.gaps.min()),
-            shortest=float(self.length.min()),
-            longest=float(self.length.max()),
-            steepest=float(np.tan(max(0.0, QUARTER_TURN - np.arccos(np.clip(cosine, -1, 1))) / 2)),
+    def _bounds(self) -> FoldBounds:
+        return FoldBounds.of(
+            float(self.gaps.min()),
+            self.length,
+            self.forward,
+            self.sideways,
+            self.turn,
+            (self.curvature, self.curvature_slope),
+            _neighbors(self.curvature, self.closed),
+            self.closed,
         )
 
     def _part(self, displacement: Floats, factors: tuple[Floats, Floats]) -> Floats:
         before, after = _neighbors(displacement, self.closed, axis=1)
         return before * factors[0] + after * factors[1]
-
-
-@dataclass(frozen=True)
-class _Limits:
-    """What bounds the steps of a line, whatever displaces it.
-
-    `forward` and `sideways`: how much of a step a displacement takes, and its change from one
-    station to the next. `steepest`: two steps that leave their base by less than this tangent, half
-    of what the base's own turn leaves of a quarter turn, do not turn by a quarter turn.
-    """
-
-    forward: tuple[float, float]
-    sideways: tuple[float, float]
-    curvature: float
-    curvature_slope: float
-    gap: float
-    shortest: float
-    longest: float
-    steepest: float
 
 
 def _steps(points: Floats, closed: bool) -> Floats:
@@ -227,7 +168,3 @@ def _neighbors(values: Floats, closed: bool, axis: int = 0) -> tuple[Floats, Flo
 
 def _dot(a: Floats, b: Floats) -> Floats:
     return np.asarray((a * b).sum(axis=-1))
-
-
-def _greatest(values: Floats) -> float:
-    return float(np.abs(values).max(initial=0.0))

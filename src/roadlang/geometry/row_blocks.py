@@ -9,8 +9,8 @@ from .arrays import Floats
 _NUMBERS = 1 << 15
 
 
-def blocks(rows: Floats) -> Iterator[slice]:
-    """Slices of the rows of a two-dimensional array, of about 256 KiB each."""
-    step = max(1, _NUMBERS // max(rows.shape[1], 1))
+def blocks(rows: Floats, numbers: int = _NUMBERS) -> Iterator[slice]:
+    """Slices of the rows of a two-dimensional array, of `numbers` each at most: 256 KiB."""
+    step = max(1, numbers // max(rows.shape[1], 1))
     for start in range(0, len(rows), step):
         yield slice(start, start + step)
