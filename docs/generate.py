@@ -54,7 +54,7 @@ USE = {
     "distribution": "a call where a random value may stand; `a..b` is `uniform`",
     "sample": "`sample with KIND { ... }`",
     "simulate": "`simulate with KIND { ... }`",
-    "falsify": "`falsify with KIND { ... }`",
+    "falsify": "`falsify with KIND { ... }`; each also takes the options of the statement",
     "emit": "`emit KIND { ... }`",
     "agent": "`agent N is KIND`",
     "object": "`object N is KIND`, and in a `legend`",

@@ -20,6 +20,8 @@ image plan from "town.png" { SCALE }
 network town from plan
 road main { draw with waypoints { points: [(0m, 0m), (160m, 0m)] }, lanes: 2 }
 agent lead is car on main at 20m
+expect in_lane: always (abs(lead.cross_track_error) < 1m)
+expect arrives: eventually[0s, 60s] (lead.progress > 99%)
 """
 PLACES = {
     "image": 'image IT from "town.png" {{ scale: 1m/px, {} }}',
@@ -28,6 +30,7 @@ PLACES = {
     "agent": "agent ego is car on main at 5m {{ {} }}",
     "object": "object IT is tree on main at 5m {{ {} }}",
     "world": "world {{ {} }}",
+    "falsify": "falsify {{ {} }}",
 }
 OPTIONS = [(statement.word, option) for statement in REFERENCE for option in statement.options]
 

@@ -29,6 +29,7 @@ class Choice(Distribution):
 
     name: ClassVar[str] = "choice"
     rest: ClassVar[str] = "items"
+    is_ordered: ClassVar[bool] = False
     items: ListOf[Anything] = option(at_least=1, help="the values to choose from")
     weights: ListOf[Number] = option(
         None, help="relative probability of each value; equal by default"
@@ -64,6 +65,10 @@ class Choice(Distribution):
                 levels.append(ends + share / 2)
             ends += share
         return levels
+
+    def cells(self) -> list[float]:
+        ends = 0.0
+        return [ends := ends + float(share) for share in self._shares()]
 
     def _shares(self) -> list[Any]:
         """A number for each item, or a column where weights are random. Raises RL476."""

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
+_MOST_CELLS = 1_000
+
 
 @dataclass(frozen=True)
 class Integer(Distribution):
@@ -35,3 +37,10 @@ class Integer(Distribution):
         """Each number once, whatever `steps` says."""
         count = self.high - self.low + 1
         return [(number + 0.5) / count for number in range(count)]
+
+    def cells(self) -> list[float] | None:
+        """Of more than a thousand numbers none is worth to be looked for by itself."""
+        count = self.high - self.low + 1
+        if count > _MOST_CELLS:
+            return None
+        return [(number + 1) / count for number in range(count)]

@@ -8,6 +8,4 @@ PLANNED = (
     "emit scenic",
     "emit openscenario",
     "simulate builtin",
-    "falsify cma",
-    "falsify random",
 )

@@ -79,6 +79,7 @@ AgentName = Annotated[AgentTrace, EntityType(("agent",))]
 AgentOrObject = Annotated[Any, EntityType(("agent", "object"))]
 ImageName = Annotated[Picture, EntityType(("image",))]
 ConstraintNames = Annotated[tuple[str, ...], NamesType()]
+ExpectationNames = Annotated[tuple[str, ...], NamesType("expect")]
 Condition = Annotated[Any, ConditionType()]
 Anything = Annotated[Any, AnyType()]
 

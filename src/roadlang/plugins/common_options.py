@@ -6,7 +6,17 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from ..ir.dimension import PURE
-from .annotations import Angle, Condition, Length, LengthInterval, Whole, Word
+from .annotations import (
+    Angle,
+    Condition,
+    Duration,
+    ExpectationNames,
+    Length,
+    LengthInterval,
+    Number,
+    Whole,
+    Word,
+)
 from .option_types import ListType, QuantityType
 from .options import OptionSchema, option, schema_of
 
@@ -94,11 +104,48 @@ class DriveOptions:
     )
 
 
+@dataclass(frozen=True)
+class FalsifyOptions:
+    """Options of every `falsify with`."""
+
+    expects: ExpectationNames = option(
+        (),
+        help="the expectations to violate, the most important first; by default all, in the order "
+        "of the file",
+        example="[in_lane, arrives]",
+    )
+    evaluations: Whole = option(
+        1_000, minimum=1, maximum=100_000_000, help="stop after this many candidates"
+    )
+    failures: Whole = option(
+        None, minimum=1, help="stop after this many distinct failures", example="20"
+    )
+    seconds: Duration = option(
+        None,
+        above=0,
+        help="stop after this time; what is found then depends on the machine",
+        example="10min",
+    )
+    batch: Whole = option(
+        40, minimum=1, maximum=100_000, help="number of candidates that are evaluated together"
+    )
+    islands: Whole = option(
+        1, minimum=1, maximum=10_000, help="number of independent searches side by side"
+    )
+    random: Number = option(
+        0.05,
+        minimum=0,
+        maximum=1,
+        help="share of candidates that are drawn at random, to estimate the failure rate",
+    )
+
+
 _OF_VERB = {
     "perturb": NetworkPerturbOptions,
     "drive": DriveOptions,
     "agent": PlacementOptions,
     "object": PlacementOptions,
+    "falsify": FalsifyOptions,
 }
 
 

@@ -125,7 +125,10 @@ _WORDS: dict[type, Callable[[Any], str]] = {
     types.IntervalType: lambda t: f"interval [a, b] of {_plural(t.item)}",
     types.PointType: lambda t: f"point ({t.dimension.unit})",
     types.EntityType: lambda t: "name of " + " or ".join(map(with_article, t.roles)),
-    types.NamesType: lambda t: "name of a requirement or expectation, or a list of names",
+    types.NamesType: lambda t: (
+        ("name of an expectation" if t.word else "name of a requirement or expectation")
+        + ", or a list of names"
+    ),
     types.CallType: lambda t: "road selector" if t.verb == "select" else str(t.verb),
     types.KindNameType: lambda t: f"kind of {t.verb}",
     types.RecordType: lambda t: "record { ... }",

@@ -72,7 +72,10 @@ class EntityType:
 
 @dataclass(frozen=True, slots=True)
 class NamesType:
-    """The name of one or of a list of declared constraints (`target: in_lane`)."""
+    """The name of one or of a list of declared constraints (`expects: in_lane`); of those that are
+    declared with `word`, where it is not empty."""
+
+    word: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -135,9 +135,12 @@ REFERENCE = (
     StatementReference(
         "falsify",
         "falsify with KIND { ... }",
-        "How to search for scenes that violate an expectation. At most one; no kind is implemented "
-        "yet.",
-        "",
+        "How `roadlang falsify` searches for scenes that violate an expectation: `cma` (the "
+        "default), `random`, `halton` or `grid`. At most one.",
+        _ROAD
+        + "agent ego is car on main at 5m { drive with pure_pursuit { speed: 8m/s..20m/s } }\n"
+        "expect in_lane: always (abs(ego.cross_track_error) < 1.5m)\n"
+        "falsify with cma { expects: in_lane, evaluations: 500 }",
     ),
     StatementReference(
         "emit",

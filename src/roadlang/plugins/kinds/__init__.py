@@ -12,7 +12,8 @@ from .drives import Controller, Simulator
 from .outputs import AgentKind, Backend, ObjectKind
 from .pictures import Adjuster, Extractor, Reader
 from .roads import Drawer, Perturber, Piece, Selector
-from .sampling import Distribution, DrawnValue, Sampler, Searcher
+from .sampling import Distribution, DrawnValue, Sampler
+from .searching import Axis, Search, Searcher
 from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
@@ -40,6 +41,7 @@ __all__ = [
     "VERBS",
     "Adjuster",
     "AgentKind",
+    "Axis",
     "Backend",
     "Controller",
     "Distribution",
@@ -55,6 +57,7 @@ __all__ = [
     "Reader",
     "RoadNumber",
     "Sampler",
+    "Search",
     "Searcher",
     "Selector",
     "Signal",

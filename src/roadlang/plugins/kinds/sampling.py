@@ -1,4 +1,4 @@
-"""Kinds that draw: distributions of values, samplers of candidates, searches."""
+"""Kinds that draw: distributions of values, samplers of candidates."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ class Distribution(Kind):
 
     verb: ClassVar[str] = "distribution"
     required_methods: ClassVar[tuple[str, ...]] = ("quantile",)
+    is_ordered: ClassVar[bool] = True
+    """of one with countable values (`cells`): whether neighbors are more alike than others"""
 
     def quantile(self, uniform: Floats) -> Any:
         """Values of the distribution, by inversion.
@@ -41,6 +43,11 @@ class Distribution(Kind):
         """Numbers in [0, 1] at which `quantile` gives the values that `sample with grid` visits:
         `steps` of them where it is continuous, the middle of each step by default."""
         return [(step + 0.5) / steps for step in range(steps)]
+
+    def cells(self) -> Sequence[float] | None:
+        """Of countable values: the upper end of the part of [0, 1] in which `quantile` gives each,
+        ascending to 1. None where values are continuous. Options are plain numbers."""
+        return None
 
 
 class DrawnValue(Protocol):
@@ -103,10 +110,3 @@ class Sampler(Kind):
     def numbers(self, dimensions: int) -> int:
         """How many random numbers `steer` needs for a proposal, at least `dimensions`."""
         return dimensions
-
-
-class Searcher(Kind):
-    """`falsify with`: how scenes that violate an `expect` are searched. Planned: it has no methods
-    yet, and no command runs it."""
-
-    verb: ClassVar[str] = "falsify"

@@ -26,7 +26,7 @@ class StatementSpec:
     as_written: bool = False
     """In the order of the file; else what a thing depends on comes before it."""
     default_kind: str = ""
-    """The kind of a statement that names none."""
+    """The kind of a statement that names none, where it is not the default of the verb."""
 
     @property
     def schema(self) -> tuple[OptionSchema, ...]:

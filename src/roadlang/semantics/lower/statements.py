@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...plugins.common_options import (
     DriveOptions,
+    FalsifyOptions,
     NetworkPerturbOptions,
     PerturbOptions,
     PlacementOptions,
@@ -34,9 +35,9 @@ _SPECS = (
     StatementSpec("agent", "agents", lower_actor, PlacementOptions, {"drive": DriveOptions}),
     StatementSpec("object", "objects", lower_actor, PlacementOptions),
     StatementSpec("world", "world", lower_settings, WorldOptions, once=True),
-    StatementSpec("sample", "sample", lower_run_step, once=True, default_kind="random"),
+    StatementSpec("sample", "sample", lower_run_step, once=True),
     StatementSpec("simulate", "simulate", lower_run_step, once=True, default_kind="builtin"),
-    StatementSpec("falsify", "falsify", lower_run_step, once=True, default_kind="random"),
+    StatementSpec("falsify", "falsify", lower_run_step, FalsifyOptions, once=True),
     StatementSpec("emit", "emits", lower_emit, as_written=True),
 )  # fmt: skip
 STATEMENTS: dict[str, StatementSpec] = {spec.word: spec for spec in _SPECS}

@@ -52,7 +52,7 @@ def _checked(
         case opt.WordType():
             return _word(checker, typed, limits, what)
         case opt.NamesType():
-            return _names(checker, typed, what)
+            return _names(checker, typed, expected, what)
         case opt.PointType(dimension):
             return _point(checker, typed, dimension, what)
         case opt.MapType(item):
@@ -105,8 +105,10 @@ def _matches(typed: TypedExpression, expected: opt.OptionType) -> bool:
             return isinstance(kind, ty.CoordinatesType)
         case opt.EntityType(roles):
             return isinstance(kind, ty.DeclaredType) and kind.role in roles
+        case opt.NamesType(word) if isinstance(kind, ty.ConstraintType):
+            return word in ("", kind.word)
         case opt.NamesType():
-            return isinstance(kind, ty.ConstraintType | ty.SequenceType)
+            return isinstance(kind, ty.SequenceType)
         case opt.CallType(verb) | opt.KindNameType(verb):
             return isinstance(kind, ty.KindCallType) and kind.verb == verb
         case opt.MapType() | opt.RecordType():
@@ -246,15 +248,17 @@ def _word(
     return None
 
 
-def _names(checker: Checker, typed: TypedExpression, what: str) -> TypedExpression | None:
-    if isinstance(typed.type, ty.ConstraintType) and typed.value is not None:
-        return replace(typed, value=Items((typed.value,)))
+def _names(
+    checker: Checker, typed: TypedExpression, expected: opt.NamesType, what: str
+) -> TypedExpression | None:
+    if _matches(typed, expected) and isinstance(typed.type, ty.ConstraintType):
+        return replace(typed, value=Items((Text(typed.span.text),)))
     if not isinstance(typed.type, ty.SequenceType):
-        return _mismatch(checker, typed, opt.NamesType(), Constraints(), what)
+        return _mismatch(checker, typed, expected, Constraints(), what)
     for item in typed.items:
-        if not isinstance(item.type, ty.ConstraintType):
+        if not isinstance(item.type, ty.ConstraintType) or not _matches(item, expected):
             if not item.is_unknown:
-                _mismatch(checker, item, opt.NamesType(), Constraints(), what)
+                _mismatch(checker, item, expected, Constraints(), what)
             return None
     names = (Text(item.span.text) for item in typed.items)
     return replace(typed, value=Items(tuple(names)))

@@ -41,8 +41,9 @@ def _describe(expected: opt.OptionType) -> str:
             return f"a point `(x, y)` in {dimension.unit or 'dimensionless numbers'}"
         case opt.EntityType(roles):
             return "the name of " + " or ".join(map(with_article, roles))
-        case opt.NamesType():
-            return "the name of a `require` or `expect`, or a list of such"
+        case opt.NamesType(word):
+            which = f"an `{word}`" if word else "a `require` or `expect`"
+            return f"the name of {which}, or a list of such"
         case opt.CallType(verb):
             return _CALLS.get(verb, f"a kind of {verb}")
         case opt.KindNameType(verb):

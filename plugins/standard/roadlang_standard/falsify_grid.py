@@ -1,0 +1,56 @@
+"""`falsify with grid`: every combination of values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import prod
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Axis, Code, DiagnosticError, Search, Searcher, Whole, diagnose, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+MOST = 10_000_000
+
+
+@dataclass(frozen=True)
+class Grid(Searcher):
+    """Every combination of the values of all draws; the search ends after the last."""
+
+    name: ClassVar[str] = "grid"
+    steps: Whole = option(
+        5, minimum=1, maximum=10_000, help="number of values of each continuous draw"
+    )
+
+    def start(self, axes: Sequence[Axis], seed: int) -> Search:
+        """Raises RL614 beyond ten million combinations."""
+        levels = [axis.levels(self.steps) for axis in axes]
+        if prod(map(len, levels)) > MOST:
+            raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST:,}"))
+        return _GridSearch(levels)
+
+
+class _GridSearch(Search):
+    """The last axis changes fastest."""
+
+    def __init__(self, levels: Sequence[Sequence[float]]) -> None:
+        self._levels = levels
+        self._size = prod(map(len, levels))
+        self._asked = 0
+
+    def ask(self, count: int) -> Floats:
+        import numpy as np
+
+        rest = np.arange(self._asked, min(self._asked + count, self._size))
+        self._asked += len(rest)
+        points = np.empty((len(rest), len(self._levels)))
+        for column in reversed(range(len(self._levels))):
+            levels = np.asarray(self._levels[column])
+            points[:, column] = levels[rest % len(levels)]
+            rest = rest // len(levels)
+        return points

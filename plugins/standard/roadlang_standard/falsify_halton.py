@@ -1,0 +1,41 @@
+"""`falsify with halton`: a low-discrepancy sequence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Axis, Search, Searcher
+
+from .halton_sequence import halton_points
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Halton(Searcher):
+    """A scrambled Halton sequence: covers the space more evenly than random draws."""
+
+    name: ClassVar[str] = "halton"
+
+    def start(self, axes: Sequence[Axis], seed: int) -> Search:
+        return _HaltonSearch(len(axes), seed)
+
+
+class _HaltonSearch(Search):
+    def __init__(self, dimensions: int, seed: int) -> None:
+        self._dimensions = dimensions
+        self._seed = seed
+        self._asked = 0
+
+    def ask(self, count: int) -> Floats:
+        import numpy as np
+
+        indices = np.arange(self._asked, self._asked + count)
+        self._asked += count
+        return halton_points(indices, self._dimensions, self._seed)

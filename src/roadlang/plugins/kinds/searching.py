@@ -1,0 +1,74 @@
+"""Kinds that search for scenes which violate an expectation: points are asked for, results told."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, ClassVar
+
+from .base import Kind
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One random number of the scenario: a coordinate of the unit cube that is searched.
+
+    `ends` is None for a continuous value; for a countable one it is the upper end of the part of
+    [0, 1] that gives each value, ascending to 1.
+    """
+
+    name: str
+    """where in the scenario it is drawn: `bent/perturb 1/amplitude`"""
+    ends: tuple[float, ...] | None = None
+    is_ordered: bool = True
+    """of a countable value: whether neighbors are more alike than others"""
+
+    def middles(self) -> tuple[float, ...]:
+        """A coordinate for each value of a countable axis; none for a continuous one."""
+        ends = (0.0, *(self.ends or ()))
+        pairs = pairwise(ends)
+        return tuple((low + high) / 2 for low, high in pairs if high > low)
+
+    def levels(self, steps: int) -> tuple[float, ...]:
+        """The coordinates that a grid visits: each value once, or the middles of `steps` parts."""
+        if self.ends is not None:
+            return self.middles()
+        return tuple((step + 0.5) / steps for step in range(steps))
+
+
+class Search:
+    """A search in progress: it is asked for points and told what came of them."""
+
+    def ask(self, count: int) -> Floats:
+        """The next points, (count, axes) numbers in [0, 1).
+
+        Fewer than `count` only where the search comes to its end; then no more are asked for.
+        """
+        raise NotImplementedError
+
+    def tell(self, points: Floats, values: Floats, descriptors: Floats) -> None:
+        """What came of the points that were asked for last.
+
+        `values` (count,): below 0 an expectation is violated, the lower the worse; from 0 to 1 all
+        hold, with the less robustness the lower; from 1 a requirement is violated and the scene was
+        not driven. `descriptors` (count, k) say what a drive was like: two failures whose
+        descriptors are further apart than 1 count as distinct; NaN for what was not driven.
+        """
+
+
+class Searcher(Kind):
+    """`falsify with`: how scenes that violate an `expect` are searched for."""
+
+    verb: ClassVar[str] = "falsify"
+    required_methods: ClassVar[tuple[str, ...]] = ("start",)
+
+    def start(self, axes: Sequence[Axis], seed: int) -> Search:
+        """A new search in the unit cube of `axes`; the same axes and seed, the same search."""
+        raise NotImplementedError

@@ -1,0 +1,150 @@
+"""`falsify with`: what the searchers ask for, and what they make of the results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roadlang.api import Axis, DiagnosticError, Search, Searcher
+from roadlang_standard.cube_encoding import CubeEncoding
+from roadlang_standard.falsify_cma import Cma
+from roadlang_standard.falsify_grid import Grid
+from roadlang_standard.falsify_halton import Halton
+from roadlang_standard.falsify_random import Random
+
+Floats = NDArray[np.float64]
+CONTINUOUS = tuple(Axis(f"road/{number}") for number in range(5))
+WEATHER = Axis("world/weather", (0.25, 0.5, 1.0), is_ordered=False)
+COUNT = Axis("cars/count", (0.25, 0.5, 0.75, 1.0))
+MIXED = (*CONTINUOUS, WEATHER, COUNT)
+
+
+def searched(
+    search: Search, value_of: Callable[[Floats], Floats], evaluations: int, batch: int = 40
+) -> tuple[Floats, Floats]:
+    """All points that a search asked for, and their values."""
+    points, values = [], []
+    for _ in range(0, evaluations, batch):
+        asked = search.ask(batch)
+        found = value_of(asked)
+        search.tell(asked, found, asked)
+        points.append(asked)
+        values.append(found)
+    return np.concatenate(points), np.concatenate(values)
+
+
+def rare(points: Floats) -> Floats:
+    """Fails near a corner of the continuous axes, in one weather and with three cars."""
+    away = np.abs(points[:, :5] - 0.85).mean(axis=1)
+    wrong = (points[:, 5] < 0.25) | (points[:, 5] >= 0.5)
+    few = np.abs(np.floor(points[:, 6] * 4) - 3.0) / 4.0
+    return np.asarray(away + 0.1 * wrong + 0.2 * few - 0.1)
+
+
+@pytest.mark.parametrize("searcher", [Random(), Halton(), Grid(steps=2), Cma()])
+@pytest.mark.parametrize("axes", [MIXED, CONTINUOUS[:1], (WEATHER,)])
+def test_every_searcher_asks_for_points_of_the_unit_cube(
+    searcher: Searcher, axes: Sequence[Axis]
+) -> None:
+    search = searcher.start(axes, seed=3)
+    for count in (7, 1, 12):
+        points = search.ask(count)
+        assert points.shape[1] == len(axes)
+        assert len(points) <= count
+        assert ((points >= 0.0) & (points < 1.0)).all()
+        search.tell(points, np.linspace(-1.0, 2.0, len(points)), points)
+
+
+@pytest.mark.parametrize("searcher", [Random(), Halton(), Cma()])
+def test_a_search_is_the_same_for_the_same_seed_and_another_for_another(
+    searcher: Searcher,
+) -> None:
+    first, _ = searched(searcher.start(MIXED, seed=1), rare, 400)
+    np.random.default_rng(0).random(10)
+    again, _ = searched(searcher.start(MIXED, seed=1), rare, 400)
+    other, _ = searched(searcher.start(MIXED, seed=2), rare, 400)
+    np.testing.assert_array_equal(first, again)
+    assert not np.array_equal(first, other)
+
+
+def test_cma_leaves_the_global_generator_of_numpy_alone() -> None:
+    before = np.random.get_state()[1].tolist()  # type: ignore[index] # noqa: NPY002
+    searched(Cma().start(MIXED, seed=1), rare, 80)
+    assert np.random.get_state()[1].tolist() == before  # type: ignore[index] # noqa: NPY002
+
+
+def test_cma_finds_far_more_failures_than_chance() -> None:
+    _, by_chance = searched(Random().start(MIXED, seed=5), rare, 2000)
+    _, guided = searched(Cma().start(MIXED, seed=5), rare, 2000)
+    assert 0 < (by_chance < 0).sum() < 20
+    assert (guided < 0).sum() > 5 * (by_chance < 0).sum()
+
+
+def test_cma_starts_somewhere_else_once_it_has_found_enough() -> None:
+    """Two places fail; a single run would end in one of them."""
+
+    def two(points: Floats) -> Floats:
+        low = np.abs(points - 0.15).max(axis=1)
+        high = np.abs(points - 0.85).max(axis=1)
+        return np.asarray(np.minimum(low, high) - 0.1)
+
+    points, values = searched(Cma().start(CONTINUOUS[:3], seed=0), two, 2000)
+    failing = points[values < 0].mean(axis=1)
+    assert (failing < 0.5).any()
+    assert (failing > 0.5).any()
+
+
+def test_cma_climbs_out_of_requirements_that_are_violated() -> None:
+    """Nothing holds near the middle, where the first run starts; the violation shows the way."""
+
+    def narrow(points: Floats) -> Floats:
+        away = np.abs(points - 0.9).max(axis=1)
+        return np.asarray(np.where(away > 0.15, 1.0 + away, away - 0.1))
+
+    _, values = searched(Cma().start(CONTINUOUS, seed=0), narrow, 1200)
+    assert (values < 0).any()
+
+
+def test_a_grid_visits_each_value_once_and_ends() -> None:
+    search = Grid(steps=3).start((CONTINUOUS[0], WEATHER), seed=0)
+    points = np.concatenate([search.ask(4), search.ask(40)])
+    assert search.ask(4).shape == (0, 2)
+    weather = (0.125, 0.375, 0.75)
+    expected = [((step + 0.5) / 3, chosen) for step in range(3) for chosen in weather]
+    np.testing.assert_allclose(points, expected)
+
+
+def test_a_grid_that_is_too_large_is_refused() -> None:
+    with pytest.raises(DiagnosticError, match="RL614"):
+        Grid(steps=100).start(CONTINUOUS, seed=0)
+
+
+def test_halton_is_more_even_than_chance() -> None:
+    even = Halton().start(CONTINUOUS[:2], seed=0).ask(256)
+    cells = np.floor(even * 4).astype(int) @ [4, 1]
+    assert np.bincount(cells, minlength=16).min() >= 12
+
+
+def test_unordered_values_are_searched_one_hot_and_ordered_ones_as_numbers() -> None:
+    encoding = CubeEncoding(MIXED)
+    assert encoding.columns == 5 + 3 + 1
+    vector = np.array([[0.1, 0.2, 0.3, 0.4, 0.5, 0.2, 0.9, 0.8, 1.0]])
+    point = encoding.points(vector)
+    np.testing.assert_allclose(point[0, :5], vector[0, :5])
+    assert point[0, 5] == 0.375
+    assert 0.75 < point[0, 6] < 1.0
+
+
+def test_points_are_found_again_from_their_vectors() -> None:
+    encoding = CubeEncoding(MIXED)
+    points = np.random.default_rng(0).random((50, len(MIXED)))
+    points[:, 5] = np.asarray(WEATHER.middles())[np.arange(50) % 3]
+    np.testing.assert_allclose(encoding.points(encoding.vectors(points)), points)
+
+
+def test_very_many_unordered_values_are_searched_as_if_ordered() -> None:
+    ends = tuple((number + 1) / 50 for number in range(50))
+    assert CubeEncoding((Axis("name", ends, is_ordered=False),)).columns == 1
