@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from roadlang import api
 from tests.docs.page_reader import follow, pictures
 
 ROOT = Path(__file__).parents[2]
@@ -57,7 +58,15 @@ def test_every_link_within_the_project_leads_somewhere(page: Any) -> None:
 
 def test_the_guide_shows_a_plugin_of_every_kind_that_strangers_write() -> None:
     guide = (ROOT / "docs" / "plugins.md").read_text(encoding="utf-8")
-    for base in ("Extractor", "Perturber", "Signal", "Monitor", "Backend", "Controller"):
+    for base in (
+        "Extractor",
+        "Perturber",
+        "Signal",
+        "Monitor",
+        "DriveSignal",
+        "Backend",
+        "Controller",
+    ):
         assert re.search(rf"^class \w+\({base}\)", guide, re.MULTILINE), base
 
 
@@ -67,6 +76,12 @@ def test_the_guide_explains_the_chicane_plugin_as_it_is() -> None:
     for name in ("pyproject.toml", "roadlang_chicane.py"):
         for paragraph in (folder / name).read_text(encoding="utf-8").strip().split("\n\n"):
             assert paragraph.strip("\n") in guide, f"{name}: {paragraph}"
+
+
+def test_the_reference_has_every_name_of_the_api() -> None:
+    page = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+    for name in api.__all__:
+        assert re.search(rf"^### {name}$|`{name}(\[|`)|`@{name}`|^{name}\(", page, re.M), name
 
 
 def test_the_command_reference_has_every_command_and_no_other() -> None:
