@@ -36,6 +36,7 @@ _GEOMETRY = (
     "RoadNetwork", "network_of_polylines", "Step", "Path", "Straight", "Arc", "Clothoid",
     "chain", "Chain", "GeometryError",
 )  # fmt: skip
+_ELSEWHERE = ("API_VERSION", "Dimension", "Kind", "ListOf", "geometry", "hookimpl", "option")
 _ABOUT_SCENES = "What backends and simulators get: [the scene format](scene.md) as classes."
 _ABOUT_DIAGNOSTICS = "How a plugin reports what is wrong with a user's input."
 _SET_BY_BASES = ("verb", "required_methods")
@@ -56,13 +57,25 @@ def api_page() -> str:
         *_hooks(),
         *_options(),
         *_bases(),
-        *_section("What methods get and return", _DATA),
+        *_section("What methods get and return", (*_DATA, *_unlisted())),
         *_section("Scenes", _SCENE, _ABOUT_SCENES),
         *_section("Diagnostics", _DIAGNOSTICS, _ABOUT_DIAGNOSTICS),
         *_section("Files", _FILES),
         *_geometry(),
     ]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def _unlisted() -> tuple[str, ...]:
+    """Names of the API that no other list or section has."""
+    bases = {base.__name__ for base in BASES}
+    listed = {*_DATA, *_SCENE, *_DIAGNOSTICS, *_FILES, *_ANNOTATION_MAKERS, *bases, *_ELSEWHERE}
+    return tuple(name for name in api.__all__ if name not in listed and not _is_in_table(name))
+
+
+def _is_in_table(name: str) -> bool:
+    value = getattr(api, name)
+    return isinstance(value, Dimension) or hasattr(value, "__metadata__")
 
 
 def _hooks() -> Iterator[str]:
