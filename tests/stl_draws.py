@@ -29,13 +29,21 @@ NAMES = ("x", "y", "z")
 
 class FormulaDraw:
     """Draws formulas: with `past` operators or not, with `corners` (truth values, equality, bounds
-    between samples) or not; `bounded` leaves out infinite intervals and products of signals.
+    between samples) or not; `bounded` leaves out infinite intervals and products of signals;
+    `divisions` have quotients, whose divisor may be 0.
     """
 
     def __init__(
-        self, seed: int, *, past: bool = True, corners: bool = True, bounded: bool = False
+        self,
+        seed: int,
+        *,
+        past: bool = True,
+        corners: bool = True,
+        bounded: bool = False,
+        divisions: bool = False,
     ) -> None:
         self.random = random.Random(seed)
+        self.divisions = divisions
         self.past, self.corners, self.bounded = past, corners, bounded
         self.step = 0.5
 
@@ -58,6 +66,8 @@ class FormulaDraw:
         if kind == 2:
             return stl.Apply(draw.choice(["min", "max"]), (self.term(depth - 1), self.term(0)))
         ops: list[ArithmeticOperator] = ["+", "-"] if self.bounded else ["+", "-", "*"]
+        if self.divisions:
+            ops += ["/", "/"]
         return stl.Arithmetic(draw.choice(ops), self.term(depth - 1), self.term(0))
 
     def interval(self) -> stl.Interval | None:

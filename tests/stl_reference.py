@@ -130,19 +130,28 @@ class Reference:
                     "+": lambda: x + y,
                     "-": lambda: x - y,
                     "*": lambda: x * y,
-                    "/": lambda: x / y,
+                    "/": lambda: _quotient(x, y),
                     "^": lambda: float(x**y),
                 }
-                return operators[op]()
+                return _number(operators[op]())
         raise TypeError(term)
+
+
+def _quotient(x: float, y: float) -> float:
+    return x / y if y else x * math.inf
+
+
+def _number(value: float) -> float:
+    """inf - inf, 0 inf, inf / inf and 0 / 0 are 0."""
+    return 0.0 if math.isnan(value) else value
 
 
 def _margin(op: str, x: float, y: float) -> float:
     if op in ("<", "<="):
-        return y - x
+        return _number(y - x)
     if op in (">", ">="):
-        return x - y
-    return -abs(x - y) if op == "==" else abs(x - y)
+        return _number(x - y)
+    return -_number(abs(x - y)) if op == "==" else _number(abs(x - y))
 
 
 def _truth(op: str, x: float, y: float) -> float:

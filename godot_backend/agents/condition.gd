@@ -21,7 +21,6 @@ var _parts: Array[Condition] = []
 var _low := 0.0
 var _high := INF
 var _latched := false
-var _undefined := false
 var _history: Array[Array] = []
 
 
@@ -40,7 +39,6 @@ func _init(tree: Variant, depth: int = 0) -> void:
 
 func reset() -> void:
 	_latched = false
-	_undefined = false
 	_history.clear()
 	for part in _parts:
 		part.reset()
@@ -50,17 +48,6 @@ func reset() -> void:
 func step(signals: Callable, time: float) -> bool:
 	_latched = value(signals, time) > 0.5 or _latched
 	return _latched
-
-
-## The operator that has given no finite number, "" if none has.
-func undefined() -> String:
-	if _undefined:
-		return _head
-	for part in _parts:
-		var operator := part.undefined()
-		if not operator.is_empty():
-			return operator
-	return ""
 
 
 ## The value now: a number, or 1 and 0 for true and false.
@@ -163,11 +150,11 @@ func _compute(signals: Callable, time: float) -> float:
 		"!=":
 			return float(a != b)
 		"+":
-			return a + b
+			return _number(a + b)
 		"-":
-			return a - b
+			return _number(a - b)
 		"*":
-			return a * b
+			return _number(a * b)
 		"/":
 			return _quotient(a, b)
 		"abs":
@@ -178,11 +165,14 @@ func _compute(signals: Callable, time: float) -> float:
 			return -a
 
 
+## Of a zero divisor infinity with the sign of `a`; 0 / 0 is 0.
 func _quotient(a: float, b: float) -> float:
-	if b == 0.0 or not is_finite(a / b):
-		_undefined = true
-		return 0.0
-	return a / b
+	return _number(a / b if b != 0.0 else a * INF)
+
+
+## Equal infinities are 0 apart, and 0 times one is 0.
+func _number(result: float) -> float:
+	return 0.0 if is_nan(result) else result
 
 
 func _extreme(signals: Callable, time: float, first: float) -> float:

@@ -18,7 +18,6 @@ const MAX_CONTROLLERS := 32
 ## Index of the controller in charge, -1 for none.
 var in_charge := -1
 ## The operator that gave no finite number in a condition, "" while there is none.
-var undefined := ""
 
 var _controllers: Array[Controller] = []
 var _conditions: Array[Condition] = []
@@ -49,7 +48,6 @@ func take(drives: Array) -> String:
 
 func reset() -> void:
 	in_charge = -1
-	undefined = ""
 	_steer = 0.0
 	_driven_outside = false
 	for i in _controllers.size():
@@ -73,8 +71,6 @@ func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vecto
 			continue
 		if condition.step(signals, time):
 			in_charge = maxi(in_charge, i)
-		if undefined.is_empty():
-			undefined = condition.undefined()
 	if _driven_outside:
 		return _outside
 	if in_charge < 0:

@@ -196,9 +196,6 @@ func _act(dt: float) -> void:
 		var one: Agent = part[1]
 		var signals: Signals = part[2]
 		var wanted := one.driver.controls(one, signals.value, time, dt)
-		if not one.driver.undefined.is_empty():
-			stop("condition", {"agent": one.agent_name, "operator": one.driver.undefined})
-			return
 		# There is no road any more.
 		if one.at_end() and not one.path.closed:
 			wanted.y = minf(wanted.y, -END_BRAKING)

@@ -145,13 +145,12 @@ def test_an_expectation_that_cannot_be_evaluated_is_named_with_its_place(
     site: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     install(site, "acme", PLUGIN)
-    division = (
-        "expect ratio: always (1m / ego.station < 5)\nexpect at_rest: always (ego.speed < 1m/s)"
-    )
+    division = "expect ratio: always ((ego.station - 1000m) ^ 0.5 < 5m^0.5)\n"
+        "expect at_rest: always (ego.speed < 1m/s)"
     (site / "scene.rl").write_text(SCENE.replace("expect calm", f"{division}\nexpect calm"))
     assert run(["run", str(site / "scene.rl"), "-o", str(site / "out")]) == 1
     printed = capsys.readouterr()
-    assert "error[RL307]: `/` gives no finite number" in printed.err
+    assert "error[RL307]: `^` gives no number" in printed.err
     assert "scene.rl:6:1" in printed.err
     assert "expectation `ratio` in scene 0" in printed.err
     assert "all expectations hold in 0 of 1 scene" in printed.out

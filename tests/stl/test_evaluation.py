@@ -85,7 +85,7 @@ def test_strictness_matters_to_satisfaction_only() -> None:
         ([[0, 1]], {"x": [1, 1]}, "RL301", "shape"),
         (["a"], {"x": [1]}, "RL301", "not numbers"),
         ([0, 1], {"x": [1, float("nan")]}, "RL302", "`x` is nan at position 1"),
-        ([0, 1], {"x": [[1, 1], [1, float("inf")]]}, "RL302", "position 1 of variant 1"),
+        ([0, 1], {"x": [[1, 1], [1, float("nan")]]}, "RL302", "position 1 of variant 1"),
         ([0, 1], {"x": [1, 2, 3]}, "RL303", "has (3,)"),
         ([0, 1], {"x": ["a", "b"]}, "RL303", "type"),
         ([0, 1], {"x": np.zeros((2, 2)), "y": np.zeros((3, 2))}, "RL303", "agree"),
@@ -107,10 +107,41 @@ def test_a_value_that_is_no_number_is_found_in_any_chunk() -> None:
         stl.parse("d > 0 until[0, 2] e > 0").rho(positions, signals)
 
 
-@pytest.mark.parametrize("text", ["1 / x < 2", "x ^ 0.5 < 2", "always (2 / (x - 1) > 0)"])
-def test_terms_that_are_no_number_are_refused(text: str) -> None:
+def test_the_root_of_a_negative_number_is_refused() -> None:
     with pytest.raises(DiagnosticError, match="RL307"):
-        stl.parse(text).robustness([0, 1, 2], {"x": [0.0, 1.0, -1.0]})
+        stl.parse("x ^ 0.5 < 2").robustness([0, 1, 2], {"x": [0.0, 1.0, -1.0]})
+
+
+@pytest.mark.parametrize(
+    ("text", "robustness"),
+    [
+        ("1 / x < 2", [-np.inf, -np.inf, 1.0, 3.0]),
+        ("-1 / x < 2", [np.inf, np.inf, 3.0, 1.0]),
+        ("x / x < 2", [2.0, 2.0, 1.0, 1.0]),
+        ("1 / x == 2 / x", [0.0, 0.0, -1.0, -1.0]),
+        ("x * (1 / x) >= 1", [-1.0, -1.0, 0.0, 0.0]),
+        ("x ^ -1 > 3", [np.inf, np.inf, -2.0, -4.0]),
+    ],
+)
+def test_a_division_by_zero_is_infinite_and_zero_by_zero_is_zero(
+    text: str, robustness: list[float]
+) -> None:
+    """-0 counts as 0, and equal infinities are 0 apart."""
+    found = stl.parse(text).robustness(range(4), {"x": [0.0, -0.0, 1.0, -1.0]})
+    assert found.tolist() == robustness
+
+
+def test_infinite_samples_are_welcome() -> None:
+    """As of a time to collision while nobody comes closer."""
+    formula = stl.parse("always (ttc > 2)")
+    assert formula.rho([0, 1, 2], {"ttc": [np.inf, 5.0, np.inf]}) == 3.0
+    assert formula.rho([0, 1], {"ttc": [np.inf, np.inf]}) == np.inf
+    assert formula.satisfied([0, 1], {"ttc": [np.inf, np.inf]})
+    assert stl.parse("ttc == inf").rho([0], {"ttc": [np.inf]}) == 0.0
+    watched = stl.Monitor(formula)
+    assert watched.push(0.0, {"ttc": np.inf}) == (-np.inf, np.inf)
+    assert watched.push(1.0, {"ttc": 1.0})[1] == -1.0
+    assert "1" in str(formula.explain([0, 1], {"ttc": [np.inf, 1.0]}))
 
 
 @pytest.mark.parametrize("wrap", [2.0, 1.0, float("nan"), float("inf")])

@@ -134,7 +134,7 @@ class _SignalCall:
         if values.shape != trace.time.shape:
             fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
             raise wrong_result(entry, None, fault)
-        if not np.isfinite(values).all():
+        if np.isnan(values).any():
             signal, engine = self.variable, trace.engine
             raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=signal, engine=engine))
         return values

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache, lru_cache
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,9 @@ from .axis import Axis
 from .graph import Graph
 from .operations import BOOLEAN, ROBUST, Function
 from .schedule import Plan
-from .trace import FloatArray, Positions, Signals, Trace
+from .trace import FloatArray, InfiniteSignal, Positions, Signals, Trace
+
+Result = TypeVar("Result")
 
 CHUNK_SAMPLES = 1 << 16
 """Samples of one signal worked on at a time: 512 KiB, so that a few of them fit the cache."""
@@ -59,15 +62,32 @@ def at_start(
     formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at the first sample of each variant, (V,)."""
-    positions = trace.positions.tobytes()
-    return _run(_plan_at_start(formula, leaves is BOOLEAN, positions, trace.wrap), trace)
+    positions, boolean = trace.positions.tobytes(), leaves is BOOLEAN
+
+    def value(infinite: bool) -> FloatArray:
+        return _run(_plan_at_start(formula, boolean, positions, trace.wrap, infinite), trace)
+
+    return finite_first(value)
+
+
+def finite_first(value: Callable[[bool], Result]) -> Result:
+    """`value(False)`; where a signal turns out to be infinite, `value(True)`.
+
+    That infinities are 0 apart takes a look at every difference, which nearly no formula needs.
+    """
+    try:
+        return value(False)
+    except InfiniteSignal:
+        return value(True)
 
 
 @lru_cache(maxsize=64)
-def _plan_at_start(formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None) -> Plan:
+def _plan_at_start(
+    formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
+) -> Plan:
     """Kept, as batch after batch of candidates is evaluated on the same stations."""
     axis = Axis(np.frombuffer(positions), wrap)
-    return Plan.of(Graph.of(formula, BOOLEAN if boolean else ROBUST), axis, (0, 0))
+    return Plan.of(Graph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0))
 
 
 def run_at_start(graph: Graph, trace: Trace, axis: Axis) -> FloatArray:
@@ -87,11 +107,15 @@ def everywhere(
 ) -> FloatArray:
     """The value at every sample of each variant, (V, S)."""
     axis = Axis(trace.positions, trace.wrap)
-    plan = Plan.of(Graph.of(formula, leaves), axis, (0, trace.samples - 1))
-    result = np.empty((trace.variants, trace.samples))
-    for first, last in _chunks(trace, plan):
-        result[first:last] = plan.run(trace, first, last).T
-    return result
+
+    def value(infinite: bool) -> FloatArray:
+        plan = Plan.of(Graph.of(formula, leaves, infinite), axis, (0, trace.samples - 1))
+        result = np.empty((trace.variants, trace.samples))
+        for first, last in _chunks(trace, plan):
+            result[first:last] = plan.run(trace, first, last).T
+        return result
+
+    return finite_first(value)
 
 
 def _chunks(trace: Trace, plan: Plan) -> Iterator[tuple[int, int]]:

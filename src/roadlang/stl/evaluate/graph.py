@@ -29,9 +29,18 @@ from .operations import (
 )
 
 
-def _has_infinity(term: t.Term) -> bool:
-    """Whether a number in a term is infinite; signals never are."""
-    return any(isinstance(part, t.Constant) and math.isinf(part.value) for part in term.walk())
+def can_be_infinite(formula: f.Formula) -> bool:
+    """Whether terms of a formula can be infinite where its signals are finite."""
+    comparisons = (part for part in formula.walk() if isinstance(part, f.Comparison))
+    terms = (
+        term for part in comparisons for side in (part.left, part.right) for term in side.walk()
+    )
+    return any(
+        math.isinf(term.value)
+        if isinstance(term, t.Constant)
+        else isinstance(term, t.Arithmetic) and term.op in ("/", "^")
+        for term in terms
+    )
 
 
 @dataclass(frozen=True)
@@ -43,17 +52,27 @@ class Node:
 
 
 class Graph:
-    """Nodes in an order in which they can be computed. `leaves` gives comparisons their value."""
+    """Nodes in an order in which they can be computed. `leaves` gives comparisons their value.
 
-    def __init__(self, leaves: Mapping[str, Function] = ROBUST) -> None:
+    `infinite`: numbers can be infinite, in terms or in signals; of a graph without, signals that
+    are raise `InfiniteSignal`.
+    """
+
+    def __init__(self, leaves: Mapping[str, Function] = ROBUST, infinite: bool = False) -> None:
         self.leaves = leaves
+        self.infinite = infinite
         self.nodes: list[Node] = []
         self._indices: dict[Node, int] = {}
 
     @classmethod
-    def of(cls, formula: f.Formula, leaves: Mapping[str, Function] = ROBUST) -> Graph:
+    def of(
+        cls,
+        formula: f.Formula,
+        leaves: Mapping[str, Function] = ROBUST,
+        infinite_signals: bool = False,
+    ) -> Graph:
         """The graph of a formula; its last node is the formula itself."""
-        graph = cls(leaves)
+        graph = cls(leaves, infinite_signals or can_be_infinite(formula))
         graph.formula(normal_form(formula))
         return graph
 
@@ -76,10 +95,13 @@ class Graph:
         if isinstance(term, t.Negate):
             return self.add(Pointwise(negative), *parts)
         if isinstance(term, t.Arithmetic):
-            return self.add(Pointwise(TERM_FUNCTIONS[term.op]), *parts)
+            return self.add(self._pointwise(TERM_FUNCTIONS[term.op]), *parts)
         if isinstance(term, t.Apply):
             return self.add(Pointwise(TERM_FUNCTIONS[term.function]), *parts)
         raise TypeError(f"not a term: {term!r}")
+
+    def _pointwise(self, function: Function) -> Pointwise:
+        return Pointwise(OF_INFINITIES.get(function, function) if self.infinite else function)
 
     def formula(self, formula: f.Formula) -> int:
         """Add a formula in normal form and what it is made of."""
@@ -87,10 +109,8 @@ class Graph:
             case f.Truth(value):
                 return self.add(Number(np.inf if value else -np.inf))
             case f.Comparison(op, left, right):
-                leaf = self.leaves[op]
-                if _has_infinity(left) and _has_infinity(right):
-                    leaf = OF_INFINITIES.get(leaf, leaf)
-                return self.add(Pointwise(leaf), self.term(left), self.term(right))
+                leaf = self._pointwise(self.leaves[op])
+                return self.add(leaf, self.term(left), self.term(right))
         parts = [self.formula(part) for part in formula.parts]
         match formula:
             case f.Not():

@@ -111,28 +111,26 @@ def negative(value: FloatArray) -> FloatArray:
     return np.negative(value)
 
 
-_HELP = {
-    "/": "compare without dividing, `a < 2 * b` for `a / b < 2`, or divide by `max(b, 0.01)`",
-    "^": "keep the base of a root positive with `max(x, 0)`",
-}
-
-
 def quotient(left: FloatArray, right: FloatArray) -> FloatArray:
-    """left / right. Raises DiagnosticError RL307 where that is no number."""
+    """left / right; of a zero divisor infinity with the sign of left, and 0 / 0 is 0."""
     with np.errstate(all="ignore"):
-        return _numbers(np.divide(left, right), "/")
+        return _zero_for_nan(np.divide(left, np.add(right, 0.0)))  # -0 + 0 is 0
 
 
 def power(left: FloatArray, right: FloatArray) -> FloatArray:
-    """left ^ right. Raises DiagnosticError RL307 where that is no number."""
+    """left ^ right. Raises DiagnosticError RL307 for the root of a negative number."""
     with np.errstate(all="ignore"):
-        return _numbers(np.power(left, right), "^")
-
-
-def _numbers(values: FloatArray, op: str) -> FloatArray:
-    if not np.isfinite(values).all():
-        raise stl_error(Code.NON_FINITE_TERM, op=op, help=_HELP.get(op, ()))
+        values = np.power(np.add(left, 0.0), right)
+    if np.isnan(values).any():
+        raise stl_error(Code.NON_FINITE_TERM, op="^", help=_HELP)
     return values
+
+
+_HELP = "keep the base of a root positive with `max(x, 0)`"
+
+
+def _zero_for_nan(values: FloatArray) -> FloatArray:
+    return np.where(np.isnan(values), 0.0, values)
 
 
 TERM_FUNCTIONS: dict[str, Function] = {
@@ -167,13 +165,14 @@ ROBUST: dict[str, Function] = {
 """Comparisons as the distance to where they change."""
 
 
-def _of_infinities(leaf: Function) -> Function:
+def _of_infinities(function: Function) -> Function:
     def value(left: FloatArray, right: FloatArray) -> FloatArray:
         with np.errstate(invalid="ignore"):
-            return np.where(np.equal(left, right), 0.0, leaf(left, right))
+            return _zero_for_nan(function(left, right))
 
     return value
 
 
-OF_INFINITIES: dict[Function, Function] = {leaf: _of_infinities(leaf) for leaf in ROBUST.values()}
-"""The same where both sides can be infinite: equal infinities are 0 apart."""
+_FINITE: tuple[Function, ...] = (np.add, np.multiply, *ROBUST.values())
+OF_INFINITIES = {function: _of_infinities(function) for function in _FINITE}
+"""The same where numbers can be infinite: equal infinities are 0 apart, and 0 times one is 0."""

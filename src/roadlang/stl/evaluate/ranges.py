@@ -18,8 +18,8 @@ from ..formula.normal_form import normal_form
 from ..formula.strengthening import strengthened
 from .ahead import extended_axis
 from .axis import Axis
-from .evaluation import run_at_start
-from .graph import Graph
+from .evaluation import finite_first, run_at_start
+from .graph import Graph, can_be_infinite
 from .kernels import GREATEST, LEAST
 from .operations import (
     BOOLEAN,
@@ -47,20 +47,27 @@ def range_at_start(
     formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
 ) -> tuple[FloatArray, FloatArray]:
     """(lo, hi) at the first sample of each variant, each (V,)."""
+    return finite_first(lambda infinite: _range_at_start(formula, trace, leaves, infinite))
+
+
+def _range_at_start(
+    formula: f.Formula, trace: Trace, leaves: Mapping[str, Function], infinite: bool
+) -> tuple[FloatArray, FloatArray]:
     plain = normal_form(formula)
     if trace.wrap is not None or not plain.looks_ahead:
-        graph = Graph.of(formula, leaves)
+        graph = Graph.of(formula, leaves, infinite)
         exact = run_at_start(graph, trace, Axis(trace.positions, trace.wrap))
         return exact, exact
-    lower = _bound_at_start(strengthened(plain), trace, "lower", leaves)
+    infinite = infinite or can_be_infinite(formula)
+    lower, upper = BoundGraph(trace, leaves, infinite), BoundGraph(trace, leaves, infinite)
     other = strengthened(normal_form(formula, greatest=True))
-    return lower, _bound_at_start(other, trace, "upper", leaves)
+    return (
+        _bound_at_start(strengthened(plain), trace, "lower", lower),
+        _bound_at_start(other, trace, "upper", upper),
+    )
 
 
-def _bound_at_start(
-    formula: f.Formula, trace: Trace, side: Side, leaves: Mapping[str, Function]
-) -> FloatArray:
-    graph = BoundGraph(trace, leaves)
+def _bound_at_start(formula: f.Formula, trace: Trace, side: Side, graph: BoundGraph) -> FloatArray:
     graph.bound(formula, side, False)
     extended = replace(trace, signals={**trace.signals, **graph.supplied})
     return run_at_start(graph, extended, extended_axis(formula, trace.positions))
@@ -69,8 +76,8 @@ def _bound_at_start(
 class BoundGraph(Graph):
     """The graph of one end of the range. `given` is what unseen samples are worth."""
 
-    def __init__(self, trace: Trace, leaves: Mapping[str, Function]) -> None:
-        super().__init__(leaves)
+    def __init__(self, trace: Trace, leaves: Mapping[str, Function], infinite: bool) -> None:
+        super().__init__(leaves, infinite)
         self.seen = trace.samples
         self.supplied: dict[str, FloatArray] = {}
         self._constants = {

@@ -31,11 +31,13 @@ class Plan:
 
     `spent[k]` are the nodes that nothing reads after step k. `time_major`: chunks are copied so
     that the rows of one sample lie side by side in memory, as sliding windows want them.
+    `infinite`: signals can be infinite.
     """
 
     steps: tuple[Step | None, ...]
     spent: tuple[tuple[int, ...], ...]
     time_major: bool
+    infinite: bool = False
 
     @classmethod
     def of(cls, graph: Graph, axis: Axis, targets: Span) -> Plan:
@@ -54,7 +56,7 @@ class Plan:
         windowed = (step.windows for step in steps if step is not None)
         time_major = any(windows is not None and windows.count > 1 for windows in windowed)
         reaching = any(step and isinstance(step.node.operation, Reaching) for step in steps)
-        return cls(tuple(steps), _spent(graph), time_major or reaching)
+        return cls(tuple(steps), _spent(graph), time_major or reaching, graph.infinite)
 
     @property
     def width(self) -> int:
@@ -62,7 +64,10 @@ class Plan:
         return max(step.span[1] - step.span[0] + 1 for step in self.steps if step is not None)
 
     def run(self, trace: Trace, first: int, last: int) -> FloatArray:
-        """The result for variants first..last-1, shape (targets, rows)."""
+        """The result for variants first..last-1, shape (targets, rows).
+
+        Raises `InfiniteSignal` where a signal is infinite and the plan is not for such.
+        """
         values: list[FloatArray | None] = []
         for step, spent in zip(self.steps, self.spent, strict=True):
             values.append(None if step is None else self._compute(step, values, trace, first, last))
@@ -87,7 +92,8 @@ class Plan:
                 return trace.given(name, first, last)
             case Read(name):
                 low, high = step.span
-                rows = trace.rows(name, first, last)
+                read = trace.rows if self.infinite else trace.finite_rows
+                rows = read(name, first, last)
                 part = rows.T if rows.shape[1] == 1 else rows[:, low : high + 1].T
                 return np.ascontiguousarray(part) if self.time_major else part
         inputs = [

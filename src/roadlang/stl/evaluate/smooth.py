@@ -19,6 +19,7 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from . import operations as o
 from .axis import Axis, IntArray, Windows
+from .evaluation import finite_first
 from .graph import Graph
 from .kernels import LEAST
 from .schedule import Plan, Step
@@ -57,8 +58,12 @@ def smooth_rho(
             expected="be a single one",
             found=f"it {shape}",
         )
-    plan = Plan.of(Graph.of(formula), Axis(trace.positions, wrap), (0, 0))
-    return _Tape(trace, sharpness).run(plan)
+
+    def value(infinite: bool) -> Smooth:
+        graph = Graph.of(formula, infinite_signals=infinite)
+        return _Tape(trace, sharpness).run(Plan.of(graph, Axis(trace.positions, wrap), (0, 0)))
+
+    return finite_first(value)
 
 
 @dataclass
@@ -105,7 +110,8 @@ class _Tape:
             case o.Number(value):
                 return np.full(1, value), None
             case o.Read(name):
-                row = self.trace.rows(name, 0, 1)[0]
+                read = self.trace.rows if plan.infinite else self.trace.finite_rows
+                row = read(name, 0, 1)[0]
                 return (row if row.size == 1 else row[step.span[0] : step.span[1] + 1]), None
         inputs = []
         for source, need in zip(step.node.inputs, step.needs, strict=True):
@@ -244,10 +250,13 @@ _DERIVATIVES: dict[o.Function, Callable[..., tuple[FloatArray | float, ...]]] = 
     o.difference: lambda x, y: (1.0, -1.0),
     o.ROBUST["<"]: lambda x, y: (-1.0, 1.0),
     o.TERM_FUNCTIONS["*"]: lambda x, y: (y, x),
-    o.quotient: lambda x, y: (1.0 / y, -x / y**2),
+    o.quotient: lambda x, y: (o.quotient(np.ones(1), y), o.quotient(-x, y * y)),
     o.negative: lambda x: (-1.0,),
     o.TERM_FUNCTIONS["abs"]: lambda x: (np.sign(x),),
     o.distance: lambda x, y: (np.sign(x - y), np.sign(y - x)),
     o.closeness: lambda x, y: (np.sign(y - x), np.sign(x - y)),
+}
+_DERIVATIVES |= {
+    of_infinities: _DERIVATIVES[function] for function, of_infinities in o.OF_INFINITIES.items()
 }
 """The derivatives of a function by each of its inputs."""

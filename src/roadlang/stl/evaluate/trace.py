@@ -17,6 +17,10 @@ Positions: TypeAlias = ArrayLike
 Signals: TypeAlias = Mapping[str, ArrayLike]
 
 
+class InfiniteSignal(Exception):
+    """A signal has an infinite sample: it is evaluated by functions that are slower."""
+
+
 @dataclass(frozen=True)
 class Trace:
     """`positions` (S,), strictly increasing; each signal (r, n), r in {1, V}, n in {1, S}.
@@ -66,12 +70,19 @@ class Trace:
         return int(self.positions.size)
 
     def rows(self, name: str, first: int, last: int) -> FloatArray:
-        """Variants first..last-1 of a signal, shape (r, n). Raises DiagnosticError RL302."""
+        """Variants first..last-1 of a signal, shape (r, n). Raises RL302 for NaN."""
         array = self.signals[name]
         part = array if array.shape[0] == 1 else array[first:last]
         values = np.asarray(part, dtype=np.float64)
         if not np.isfinite(values.sum()):
-            _check_finite(name, values, first, self.positions)
+            _check_numbers(name, values, first, self.positions)
+        return values
+
+    def finite_rows(self, name: str, first: int, last: int) -> FloatArray:
+        """As `rows`. Raises `InfiniteSignal` where they are not finite."""
+        values = self.rows(name, first, last)
+        if not np.isfinite(values.sum()) and np.isinf(values).any():
+            raise InfiniteSignal
         return values
 
     def check(self) -> None:
@@ -153,9 +164,9 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
     return array
 
 
-def _check_finite(name: str, values: FloatArray, first: int, positions: FloatArray) -> None:
-    """The sum overflowed or a value is not finite: say where it is in the second case."""
-    wrong = ~np.isfinite(values)
+def _check_numbers(name: str, values: FloatArray, first: int, positions: FloatArray) -> None:
+    """The sum overflowed, or a value is infinite or NaN: say where it is in the last case."""
+    wrong = np.isnan(values)
     if not wrong.any():
         return
     row, column = (int(index) for index in np.argwhere(wrong)[0])
