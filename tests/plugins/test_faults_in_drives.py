@@ -145,9 +145,9 @@ def test_an_expectation_that_cannot_be_evaluated_is_named_with_its_place(
     site: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     install(site, "acme", PLUGIN)
-    division = "expect ratio: always ((ego.station - 1000m) ^ 0.5 < 5m^0.5)\n"
-        "expect at_rest: always (ego.speed < 1m/s)"
-    (site / "scene.rl").write_text(SCENE.replace("expect calm", f"{division}\nexpect calm"))
+    root = "expect ratio: always ((ego.station - 1000m) ^ 0.5 < 5m^0.5)"
+    at_rest = "expect at_rest: always (ego.speed < 1m/s)"
+    (site / "scene.rl").write_text(SCENE.replace("expect calm", f"{root}\n{at_rest}\nexpect calm"))
     assert run(["run", str(site / "scene.rl"), "-o", str(site / "out")]) == 1
     printed = capsys.readouterr()
     assert "error[RL307]: `^` gives no number" in printed.err
