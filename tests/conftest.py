@@ -1,4 +1,7 @@
-"""What all tests share: property tests without a stopwatch, the same examples on every run."""
+"""What all tests share: property tests without a stopwatch, the same examples on every run.
+
+Other examples: `pytest --hypothesis-profile=seeded --hypothesis-seed=1`.
+"""
 
 from hypothesis import HealthCheck, settings
 
@@ -9,6 +12,7 @@ settings.register_profile(
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow],
 )
+settings.register_profile("seeded", parent=settings.get_profile("roadlang"), derandomize=False, database=None)
 settings.load_profile("roadlang")
 
 pytest_plugins = ["roadlang.testing", "tests.scene_texts"]

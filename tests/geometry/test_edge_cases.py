@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from roadlang.geometry import (
@@ -57,6 +57,7 @@ def curve_through(points: Points, closed: bool) -> Curve:
 
 
 @given(lines, st.booleans())
+@example([(0.0, 50.0), (50.0, 0.0)], False)  # its end is one rounding beyond its length
 def test_a_curve_is_finite_wherever_it_is_asked_for(points: Points, closed: bool) -> None:
     curve = curve_through(points, closed)
     s = np.array([-1.0, 0.0, curve.length / 2, curve.length, curve.length + 1.0])

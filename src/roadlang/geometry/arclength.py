@@ -68,10 +68,12 @@ class ArcLength(SharedArrays):
         return np.asarray(u)
 
     def length_at(self, u: Floats) -> Floats:
-        """The arc length at each parameter."""
+        """The arc length at each parameter, within its table cell whatever the rounding."""
         cell = np.searchsorted(self.parameters, u, side="right") - 1
         cell = np.clip(cell, 0, len(self.parameters) - 2)
-        return np.asarray(self.lengths[cell] + path_lengths(self.spline, self.parameters[cell], u))
+        low, high = self.lengths[cell], self.lengths[cell + 1]
+        length = low + path_lengths(self.spline, self.parameters[cell], u)
+        return np.asarray(np.clip(length, low, high))
 
 
 def subdivided(knots: Floats, cuts: int) -> Floats:
