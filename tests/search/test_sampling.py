@@ -96,11 +96,35 @@ def test_the_unlucky_are_told_from_the_impossible(sample: Sample) -> None:
     assert thin.best < 0
 
 
-def test_bounds_settle_a_requirement_without_looking_at_it(sample: Sample) -> None:
+def test_candidates_that_bounds_accept_count_as_tried_and_not_as_rejected(sample: Sample) -> None:
     result = sample(BENT + "require near: always (deviation(bent, main) < 9m)\n", 5)
     (near,) = [row for row in result.table if row.name == "near"]
-    assert near.tried == 0
-    assert all(scene.requirements[1].satisfied for scene in result.scenes)
+    assert (near.tried, near.settled, near.rejected) == (result.candidates, result.candidates, 0)
+    assert near.best == max(scene.requirements[1].robustness for scene in result.scenes)
+
+
+def test_the_best_robustness_is_that_of_an_accepted_scene_not_of_a_rejected_one(
+    sample: Sample,
+) -> None:
+    near = "require near: always (deviation(bent, main) < 2m)\n"
+    (row,) = sample(BENT.replace("require drivable", "expect drivable") + near, 3).table
+    assert 0 < row.rejected < row.tried
+    assert row.share < 1
+    assert row.best is not None
+    assert row.best > 0
+
+
+def test_candidates_that_bounds_accept_have_no_best_robustness_without_a_scene(
+    sample: Sample,
+) -> None:
+    """Of `near` only the robustness of candidates that it rejects is computed: no best one."""
+    text = BENT + "require near: always (deviation(bent, main) < 2m)\n"
+    thin = "require thin: always (abs(curvature(bent)) < 1e-9/m and deviation(bent, main) > 1m)\n"
+    result = sample(text + thin + "sample with random { attempts: 200 }\n", 1)
+    (row,) = [row for row in result.table if row.name == "near"]
+    assert result.scenes == ()
+    assert row.rejected < row.tried
+    assert row.best is None
 
 
 def test_a_grid_visits_every_combination_once(sample: Sample) -> None:

@@ -38,7 +38,8 @@ class RequirementRecord:
     rejected: int
     """candidates that it rejected"""
     best_robustness: float | None = None
-    """of the candidates tested; None where none was"""
+    """of the candidates tested; null where it was not computed, or only of rejected ones while
+    bounds accepted others"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,10 +25,12 @@ ACCEPTED = -1
 @dataclass(frozen=True)
 class AcceptanceResult:
     """`rejected_by` (V,): the index of the requirement, or `ACCEPTED`. `rho` (R, V): the robustness
-    of each requirement, NaN where it was not needed."""
+    of each requirement, NaN where it was not needed. `settled` (R, V): bounds alone have shown that
+    it holds."""
 
     rejected_by: NDArray[np.int64]
     rho: Floats
+    settled: Mask
 
     @property
     def accepted(self) -> Mask:
@@ -67,7 +69,7 @@ class Acceptance:
         """Each requirement is tried on the survivors of those before it."""
         count = candidates.count
         rho = np.full((len(self.requirements), count), np.nan)
-        result = AcceptanceResult(np.full(count, ACCEPTED), rho)
+        result = AcceptanceResult(np.full(count, ACCEPTED), rho, np.zeros(rho.shape, dtype=bool))
         together = [i for i, r in enumerate(self.requirements) if not self._is_varying(r)]
         singly = [i for i, r in enumerate(self.requirements) if self._is_varying(r)]
         rows = self._sift(candidates, np.arange(count), together, result)
@@ -124,6 +126,7 @@ class Acceptance:
                 break
             requirement = self.requirements[index]
             passes = settled_rows(requirement, candidates)
+            result.settled[index, rows] = passes
             if passes.all():
                 continue
             open_rows = np.flatnonzero(~passes)

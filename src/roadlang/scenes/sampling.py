@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -82,6 +82,7 @@ def sample_scenes(
         return _nothing(task.acceptance, impossible, n or 1)
     found = search(task, n, jobs, progress)
     concrete = [sample.result for sample in found.samples]
+    _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
     remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))
     return SamplingResult(
         scenes=tuple(item.scene for item in concrete),
@@ -92,6 +93,15 @@ def sample_scenes(
         remarks=tuple(dict.fromkeys(remarks)),
         diversity=found.diversity,
     )
+
+
+def _see_scenes(stats: RejectionStats, acceptance: Acceptance, scenes: Sequence[Scene]) -> None:
+    """Bounds may have accepted a scene before its robustness was computed: now it is known."""
+    indices = {found.name: i for i, found in enumerate(acceptance.requirements)}
+    for scene in scenes:
+        for verdict in scene.requirements:
+            if verdict.name in indices and verdict.robustness is not None:
+                stats.see(indices[verdict.name], verdict.robustness)
 
 
 def _observed(

@@ -15,10 +15,11 @@ from ..judging.requirement import Requirement
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """`share`: of the candidates that reached this requirement, how many it rejected.
+    """`share`: of the candidates that reached this requirement, `tried`, how many it rejected.
+    `settled`: how many of them satisfy it by bounds alone, without its robustness being computed.
 
-    `best` is the greatest robustness seen, None where it never had to be computed: `impossible`
-    tells that no draw can satisfy it.
+    `best` is the greatest robustness seen; None where it never had to be computed, or only of
+    candidates that it rejected while bounds accepted others. `impossible`: no draw can satisfy it.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Row:
     best: float | None
     implied: bool
     impossible: bool = False
+    settled: int = 0
 
 
 @dataclass
@@ -39,23 +41,31 @@ class RejectionStats:
     candidates: int = 0
     tried: list[int] = field(default_factory=list)
     rejected: list[int] = field(default_factory=list)
+    settled: list[int] = field(default_factory=list)
     best: list[float] = field(default_factory=list)
 
     @classmethod
     def empty(cls, requirements: int) -> RejectionStats:
         """Statistics of no candidates."""
-        return cls(0, [0] * requirements, [0] * requirements, [-np.inf] * requirements)
+        nothing = [[0] * requirements for _ in range(3)]
+        return cls(0, *nothing, [-np.inf] * requirements)
 
     def count(self, result: AcceptanceResult, rows: NDArray[np.bool_]) -> None:
         """Count the candidates at `rows` (V,)."""
         by = result.rejected_by[rows]
         self.candidates += int(rows.sum())
         for index in range(len(self.tried)):
-            reached = ~np.isnan(result.rho[index, rows]) | (by == index)
+            settled = result.settled[index, rows]
+            reached = ~np.isnan(result.rho[index, rows]) | settled | (by == index)
             self.tried[index] += int(reached.sum())
+            self.settled[index] += int(settled.sum())
             self.rejected[index] += int((by == index).sum())
             seen = result.rho[index, rows][~np.isnan(result.rho[index, rows])]
             self.best[index] = max(self.best[index], float(seen.max(initial=-np.inf)))
+
+    def see(self, index: int, robustness: float) -> None:
+        """Take note of the robustness of a candidate that is counted already."""
+        self.best[index] = max(self.best[index], robustness)
 
     def add(self, other: RejectionStats) -> None:
         """Add the counts of `other` to these."""
@@ -63,6 +73,7 @@ class RejectionStats:
         for index in range(len(self.tried)):
             self.tried[index] += other.tried[index]
             self.rejected[index] += other.rejected[index]
+            self.settled[index] += other.settled[index]
             self.best[index] = max(self.best[index], other.best[index])
 
 
@@ -76,6 +87,7 @@ def rows_of(
         if requirement.implied and not rejected:
             continue
         best = stats.best[index]
+        is_seen = np.isfinite(best) and (best >= 0.0 or not stats.settled[index])
         rows.append(
             Row(
                 requirement.name,
@@ -84,9 +96,10 @@ def rows_of(
                 tried,
                 rejected,
                 rejected / tried if tried else 0.0,
-                best if np.isfinite(best) else None,
+                best if is_seen else None,
                 requirement.implied,
                 index in impossible,
+                stats.settled[index],
             )
         )
     return tuple(sorted(rows, key=lambda row: -row.rejected))
