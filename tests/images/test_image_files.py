@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 import zlib
+from hashlib import sha256
 from pathlib import Path
 
 import cv2
@@ -166,4 +167,14 @@ def test_a_geotiff_in_degrees_says_no_scale(tmp_path: Path) -> None:
 @pytest.mark.parametrize("beside", ["a.pgw", "a.pngw", "a.wld"])
 def test_a_world_file_beside_the_picture_says_its_scale(tmp_path: Path, beside: str) -> None:
     (tmp_path / beside).write_text("0.25\n0\n0\n-0.25\n1000\n2000\n")
-    assert opened(written(tmp_path / "a.png", shown())).scale == pytest.approx(0.25)
+    picture = opened(written(tmp_path / "a.png", shown()))
+    assert picture.scale == pytest.approx(0.25)
+    assert picture.found_scale is not None
+    digest = sha256((tmp_path / beside).read_bytes()).hexdigest()
+    assert (picture.found_scale.world_file, picture.found_scale.sha256) == (beside, digest)
+
+
+def test_a_world_file_may_be_turned(tmp_path: Path) -> None:
+    """Pixels that are 0.5 m wide in a picture turned by 30 degrees."""
+    (tmp_path / "a.pgw").write_text("0.4330127\n-0.25\n-0.25\n-0.4330127\n1000\n2000\n")
+    assert opened(written(tmp_path / "a.png", shown())).scale == pytest.approx(0.5)

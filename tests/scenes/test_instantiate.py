@@ -6,6 +6,8 @@ import hashlib
 from collections.abc import Callable
 from pathlib import Path
 
+import cv2
+import numpy as np
 import pytest
 
 from roadlang.scenes.sampling import SamplingResult
@@ -54,6 +56,21 @@ def test_the_files_behind_roads_are_recorded_with_their_digests(
     (scene,) = sample('road main from "line.csv"\n').scenes
     digest = hashlib.sha256(content.encode()).hexdigest()
     assert dict(scene.provenance.inputs) == {"line.csv": digest}
+
+
+def test_the_world_file_that_a_scale_is_from_is_recorded(sample: Sample, tmp_path: Path) -> None:
+    (tmp_path / "maps").mkdir()
+    pixels = np.full((80, 200, 3), 255, np.uint8)
+    cv2.line(pixels, (0, 40), (199, 40), (0, 0, 0), 9)
+    cv2.imwrite(str(tmp_path / "maps/town.png"), pixels)
+    scale = "0.5\n0\n0\n-0.5\n1000\n2000\n"
+    (tmp_path / "maps/town.pgw").write_text(scale)
+    text = 'image drawing from "maps/town.png"\nnetwork town from drawing\n'
+    (scene,) = sample(text + "road main from town { select: longest }\n").scenes
+    inputs = scene.provenance.inputs
+    assert list(inputs) == ["maps/town.pgw", "maps/town.png"]
+    assert inputs["maps/town.pgw"] == hashlib.sha256(scale.encode()).hexdigest()
+    assert scene.roads[0].length == pytest.approx(100, abs=5)
 
 
 def test_remarks_of_networks_that_differ_between_scenes_are_reported(sample: Sample) -> None:

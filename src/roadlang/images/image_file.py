@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import Header, is_whole, read_header
-from .image_scale import scale_in_file
+from .image_scale import FoundScale, scale_in_file
 
 MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
@@ -24,11 +24,16 @@ Pixels = NDArray[np.uint8]
 
 @dataclass(frozen=True)
 class OpenedImage:
-    """`pixels` (height, width, 3) BGR; `scale` in m/px where the file, or one beside it, has it."""
+    """`pixels` (height, width, 3) BGR, and the scale where the file, or one beside it, has it."""
 
     pixels: Pixels
-    scale: float | None
+    found_scale: FoundScale | None
     sha256: str
+
+    @property
+    def scale(self) -> float | None:
+        """Meters per pixel, where known."""
+        return None if self.found_scale is None else self.found_scale.meters
 
 
 def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:

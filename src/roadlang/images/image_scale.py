@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
+from dataclasses import dataclass
 from pathlib import Path
 
 from ..files.reading import UnreadableFile, read_start
@@ -19,12 +21,21 @@ _DEGREES_AT_MOST = 1e-3
 """A pixel of a world file smaller than this is one in degrees: no photo has 1 mm pixels."""
 
 
-def scale_in_file(path: Path, content: bytes, format: str) -> float | None:
-    """m/px where the picture says it; None where it does not, or only in degrees."""
+@dataclass(frozen=True, slots=True)
+class FoundScale:
+    """`meters` per pixel; of a world file beside the picture also its name and sha256."""
+
+    meters: float
+    world_file: str = ""
+    sha256: str = ""
+
+
+def scale_in_file(path: Path, content: bytes, format: str) -> FoundScale | None:
+    """The scale where the picture says it; None where it does not, or only in degrees."""
     if format == "TIFF":
         found = _geotiff(content)
         if found is not None:
-            return found
+            return FoundScale(found)
     return _world_file(path)
 
 
@@ -44,19 +55,21 @@ def _geotiff(content: bytes) -> float | None:
     return None if meters is None else _usable(math.sqrt(abs(scale[0] * scale[1])) * meters)
 
 
-def _world_file(path: Path) -> float | None:
+def _world_file(path: Path) -> FoundScale | None:
     ending = path.suffix
     names = [f"{ending[:2]}{ending[-1]}w", f"{ending}w", ".wld"] if len(ending) > 2 else [".wld"]
     for name in names:
         beside = path.with_suffix(name)
         try:
-            text = read_start(beside, _WORLD_FILE).decode("ascii")
-            numbers = [float(word) for word in text.split()[:6]]
+            data = read_start(beside, _WORLD_FILE)
+            numbers = [float(word) for word in data.decode("ascii").split()[:6]]
         except (UnreadableFile, ValueError):
             continue
         if len(numbers) == 6:
             area = abs(numbers[0] * numbers[3] - numbers[1] * numbers[2])
-            return _usable(math.sqrt(area))
+            scale = _usable(math.sqrt(area))
+            digest = hashlib.sha256(data).hexdigest()
+            return None if scale is None else FoundScale(scale, beside.name, digest)
     return None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -15,7 +16,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..images.image_file import open_image
+from ..images.image_file import OpenedImage, open_image
 from ..ir.picture import Picture
 from ..ir.scenario import FileSource, Image, Input, TextSource
 from ..ir.values import PassCall, Value
@@ -102,12 +103,21 @@ def _from_file(source: FileSource, image: Image, scenario: IndexedScenario) -> _
         if has_reader:
             return _read(source, image, scenario)
         opened = open_image(Path(source.resolved), source.path, image.span)
-        inputs = (Input(source.path, opened.sha256),)
+        inputs = _inputs_of(source, opened)
         return _Draft(Picture(opened.pixels, 1.0, path=source.path), opened.scale, inputs)
 
     # Pictures that are opened are shared; what a reader makes of one depends on its options.
     key = ("image read", image.name) if has_reader else ("image opened", source.resolved)
     return scenario.once(key, make)
+
+
+def _inputs_of(source: FileSource, opened: OpenedImage) -> tuple[Input, ...]:
+    """The picture, and the world file beside it that its scale is from."""
+    picture, found = Input(source.path, opened.sha256), opened.found_scale
+    if found is None or not found.world_file:
+        return (picture,)
+    beside = os.path.join(os.path.dirname(source.path), found.world_file)
+    return (picture, Input(beside, found.sha256))
 
 
 def _read(source: FileSource, image: Image, scenario: IndexedScenario) -> _Draft:
