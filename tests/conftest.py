@@ -12,7 +12,9 @@ settings.register_profile(
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow],
 )
-settings.register_profile("seeded", parent=settings.get_profile("roadlang"), derandomize=False, database=None)
+settings.register_profile(
+    "seeded", parent=settings.get_profile("roadlang"), derandomize=False, database=None
+)
 settings.load_profile("roadlang")
 
 pytest_plugins = ["roadlang.testing", "tests.scene_texts"]

@@ -19,6 +19,8 @@ words = st.text("abcde", min_size=0, max_size=8)
         ("amplitdue", ["amplitude", "phase"], "amplitude"),
         ("aps", ["abs", "gap", "max"], "abs"),
         ("e2", ["e1", "main"], "e1"),
+        ("wodht", ["width", "length"], "width"),  # two slips in five letters
+        ("wodhx", ["width", "length"], None),  # and three
         ("Sine", ["sine", "scale"], "sine"),
         ("pure-pursuit", ["pure_pursuit"], "pure_pursuit"),
         ("curve", ["curvature", "length"], "curvature"),

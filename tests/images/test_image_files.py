@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.images.image_file import MOST_PIXELS, OpenedImage, open_image
+from roadlang.images.image_header import Header, read_header
 
 
 def shown(height: int = 40, width: int = 60, channels: int = 3, depth: str = "uint8") -> np.ndarray:
@@ -76,9 +77,23 @@ def test_sixteen_bits_keep_their_range(tmp_path: Path) -> None:
     assert pixels.max() == 255
 
 
+def test_sixteen_bits_of_a_dark_picture_are_not_stretched(tmp_path: Path) -> None:
+    dark = (shown(depth="uint16") * 0.25).astype(np.uint16)
+    assert opened(written(tmp_path / "a.png", dark)).pixels.max() == 64
+
+
 def test_twelve_bits_in_sixteen_are_stretched(tmp_path: Path) -> None:
     dim = (shown(depth="uint16") // 16).astype(np.uint16)
     assert opened(written(tmp_path / "a.png", dim)).pixels.max() == 255
+
+
+def test_the_size_of_a_jpeg_is_found_behind_its_tables(tmp_path: Path) -> None:
+    """Huffman tables have a marker next to that of the header, and may stand before it."""
+    content = written(tmp_path / "a.jpg", shown(40, 60)).read_bytes()
+    frame, tables = content.index(b"\xff\xc0"), content.index(b"\xff\xc4")
+    behind = content.index(b"\xff\xda")
+    turned = content[:frame] + content[tables:behind] + content[frame:tables] + content[behind:]
+    assert read_header(turned) == Header("JPEG", 60, 40)
 
 
 def test_a_text_file_called_png_is_no_picture(tmp_path: Path) -> None:
@@ -153,11 +168,13 @@ def geotiff(path: Path, scale: float, unit: int, model: int = 1) -> Path:
     return path
 
 
-@pytest.mark.parametrize(("unit", "meters"), [(9001, 0.5), (9002, 0.1524)])
-def test_a_geotiff_says_its_scale_in_meters_or_feet(
+@pytest.mark.parametrize(
+    ("unit", "meters"), [(9001, 0.5), (9002, 0.5 * 0.3048), (9003, 0.5 * 1200 / 3937)]
+)
+def test_a_geotiff_says_its_scale_in_meters_feet_or_survey_feet(
     tmp_path: Path, unit: int, meters: float
 ) -> None:
-    assert opened(geotiff(tmp_path / "a.tif", 0.5, unit)).scale == pytest.approx(meters)
+    assert opened(geotiff(tmp_path / "a.tif", 0.5, unit)).scale == pytest.approx(meters, rel=1e-9)
 
 
 def test_a_geotiff_in_degrees_says_no_scale(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import Diagnostic
+from roadlang.plugins import compatibility
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.registry import AmbiguousKind
 from roadlang.semantics import check_text
@@ -272,3 +273,14 @@ def test_a_plugin_for_another_version_of_roadlang(
     assert load_registry().has("perturb", "zigzag") == (reason is None)
     assert all(found.startswith(str(reason)) for found in broken("good"))
     assert bool(broken("good")) == (reason is not None)
+
+
+@pytest.mark.parametrize(
+    ("version", "fits"), [("0.2.9.dev4", False), ("0.3.0.dev1", True), ("0.3.0", True)]
+)
+def test_a_checkout_on_the_way_to_a_version_is_as_good_as_that_version(
+    site: Path, monkeypatch: pytest.MonkeyPatch, version: str, fits: bool
+) -> None:
+    install(site, "good", GOOD.format(kind="zigzag"), requires="roadlang>=0.3")
+    monkeypatch.setattr(compatibility, "__version__", version)
+    assert load_registry().has("perturb", "zigzag") == fits

@@ -47,8 +47,8 @@ class RejectionStats:
     @classmethod
     def empty(cls, requirements: int) -> RejectionStats:
         """Statistics of no candidates."""
-        nothing = [[0] * requirements for _ in range(3)]
-        return cls(0, *nothing, [-np.inf] * requirements)
+        tried, rejected, settled = ([0] * requirements for _ in range(3))
+        return cls(0, tried, rejected, settled, [-np.inf] * requirements)
 
     def count(self, result: AcceptanceResult, rows: NDArray[np.bool_]) -> None:
         """Count the candidates at `rows` (V,)."""

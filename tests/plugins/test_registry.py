@@ -1,0 +1,42 @@
+"""Looking kinds up by name, and what is said where one is not there."""
+
+from __future__ import annotations
+
+from roadlang.plugins.discovery import load_registry
+from roadlang.plugins.entry_points import Origin
+from roadlang.plugins.registry import BrokenPlugin, Registry
+
+ACME = Origin("acme", "acme-plugin", "1.2")
+OTHER = Origin("other", "other-plugin", "0.3")
+
+
+def test_the_standard_kinds_are_listed_before_those_of_other_plugins() -> None:
+    plugins = dict.fromkeys(entry.origin.plugin for entry in load_registry().entries)
+    assert list(plugins)[:2] == ["standard", "godot"]
+
+
+def test_a_name_with_its_plugin_is_missing_for_the_reasons_of_that_plugin_alone() -> None:
+    broken = BrokenPlugin(ACME, "it has no `name`", "perturb sway")
+    registry = Registry(broken=(broken,))
+    assert registry.broken_kind(["perturb"], "acme.sway") == broken
+    assert registry.broken_kind(["perturb"], "other.sway") is None
+    assert registry.broken_kind(["perturb"], "sway") == broken
+    assert registry.broken_kind(["draw"], "sway") is None
+
+
+def test_a_plugin_that_is_broken_as_a_whole_is_the_reason_for_each_of_its_names() -> None:
+    broken = BrokenPlugin(ACME, "SyntaxError")
+    registry = Registry(broken=(BrokenPlugin(OTHER, "ImportError"), broken))
+    assert registry.broken_kind(["perturb"], "acme.sway") == broken
+    assert registry.broken_kind(["perturb"], "sway") is None
+
+
+def test_hints_name_three_broken_plugins_and_count_the_others() -> None:
+    def hints(count: int) -> tuple[str, ...]:
+        origins = (Origin(f"p{index}", f"p{index}-plugin", "1") for index in range(count))
+        return Registry(broken=tuple(BrokenPlugin(origin, "?") for origin in origins)).hints
+
+    assert hints(0) == ()
+    assert hints(3)[2] == "the plugin p2-plugin 1 could not be loaded: ?"
+    assert len(hints(3)) == 3
+    assert hints(5)[3:] == ("2 more could not be loaded; `roadlang plugins` says why",)
