@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .arrays import Floats, Integers
+from .arrays import Floats
 from .errors import GeometryError
 
 
@@ -21,30 +21,60 @@ def station_gaps(stations: Floats, period: float | None) -> Floats:
 def derivative(
     values: Floats, stations: Floats, period: float | None = None, order: int = 1
 ) -> Floats:
-    """The first or second derivative of `values` (..., S) along `stations` (S,).
+    """The first or second derivative of `values` (..., S) along `stations` (S,); see
+    `Differences`."""
+    return Differences(stations, period).derivative(values, order)
 
-    By second-order differences: each station uses its two neighbors, round the seam with a
-    `period` (meters once round); the ends of an open row use up to four stations. On uneven
-    stations the second derivative is first order. Raises GeometryError for fewer than three
-    stations and for stations that do not increase, or do not end before the period.
+
+class Differences:
+    """Differences along `stations` (S,): each uses its two neighbors, round the seam with a
+    `period` (meters once round); the ends of an open row use up to four stations.
+
+    Second order in the gap; on uneven stations the second derivative is first order. A row of
+    values gives the same numbers whatever other rows there are. Raises GeometryError for fewer than
+    three stations and for stations that do not increase, or do not end before the period.
     """
-    if stations.ndim != 1 or len(stations) < 3:
-        raise GeometryError("differences need at least three stations")
-    gaps = station_gaps(stations, period)
-    if not (gaps > 0.0).all():
-        raise GeometryError("stations must increase, and end before the period")
-    result = np.empty(values.shape)
-    before, center, after = values[..., :-2], values[..., 1:-1], values[..., 2:]
-    inner = result[..., 1:-1]
-    if are_even(gaps):
-        _even(before, center, after, float(gaps[0]), order, inner)
-    else:
-        count = len(stations) - 2
-        _uneven(before, center, after, gaps[:count], gaps[1 : count + 1], order, inner)
-    for end in (0, -1):
-        index, offsets = _at_end(end, stations, gaps, order, period is not None)
-        result[..., end] = values[..., index] @ weights(offsets, order)
-    return result
+
+    def __init__(self, stations: Floats, period: float | None = None) -> None:
+        if stations.ndim != 1 or len(stations) < 3:
+            raise GeometryError("differences need at least three stations")
+        self._gaps = station_gaps(stations, period)
+        if not (self._gaps > 0.0).all():
+            raise GeometryError("stations must increase, and end before the period")
+        self._is_even = are_even(self._gaps)
+        self._ends = {
+            (end, order): _at_end(end, stations, self._gaps, order, period is not None)
+            for end in (0, -1)
+            for order in (1, 2)
+        }
+
+    def derivative(self, values: Floats, order: int = 1, out: Floats | None = None) -> Floats:
+        """(..., S) of `values` (..., S), the first or the second; in `out` where there is one."""
+        result = np.empty(values.shape) if out is None else out
+        before, center, after = values[..., :-2], values[..., 1:-1], values[..., 2:]
+        if not self._is_even:
+            count = values.shape[-1] - 2
+            gaps = self._gaps[:count], self._gaps[1 : count + 1]
+            _uneven(before, center, after, *gaps, order, result[..., 1:-1])
+        elif values.flags.c_contiguous and result.flags.c_contiguous:
+            # One row of numbers is four times as fast as many short ones. What goes across from
+            # the end of a row to the next is at the ends, which come below.
+            flat, inner = values.reshape(-1), result.reshape(-1)[1:-1]
+            _even(flat[:-2], flat[1:-1], flat[2:], float(self._gaps[0]), order, inner)
+        else:
+            _even(before, center, after, float(self._gaps[0]), order, result[..., 1:-1])
+        for end in (0, -1):
+            result[..., end] = self._at_end(values, end, order)
+        return result
+
+    def _at_end(self, values: Floats, end: int, order: int) -> Floats:
+        """(...,) at the first (0) or last (-1) station. Not by `@`: how that rounds depends on how
+        many rows there are."""
+        (first, factor), *others = self._ends[end, order]
+        total = values[..., first] * factor
+        for index, factor in others:
+            total += values[..., index] * factor
+        return np.asarray(total)
 
 
 def are_even(gaps: Floats) -> bool:
@@ -72,16 +102,17 @@ def _weights(places: tuple[float, ...], order: int) -> Floats:
 
 def _at_end(
     end: int, stations: Floats, gaps: Floats, order: int, periodic: bool
-) -> tuple[Integers, Floats]:
-    """The stations that tell the derivative at the first (0) or last (-1), and where they stand
-    from it."""
+) -> list[tuple[int, float]]:
+    """The stations that tell the derivative at the first (0) or last (-1), each with its weight."""
     if periodic:
         index = np.array([-1, 0, 1]) if end == 0 else np.array([-2, -1, 0])
         around = gaps[[-1, 0]] if end == 0 else gaps[[-2, -1]]
-        return index, np.array([-around[0], 0.0, around[1]])
-    nearest = np.arange(min(order + 2, len(stations)))
-    index = nearest if end == 0 else -1 - nearest
-    return index, stations[index] - stations[end]
+        offsets = np.array([-around[0], 0.0, around[1]])
+    else:
+        nearest = np.arange(min(order + 2, len(stations)))
+        index = nearest if end == 0 else -1 - nearest
+        offsets = stations[index] - stations[end]
+    return list(zip(index.tolist(), weights(offsets, order).tolist(), strict=True))
 
 
 def _even(

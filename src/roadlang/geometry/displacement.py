@@ -17,12 +17,10 @@ from .arrays import Booleans, Floats, cached_array, finite
 from .batch import CurveBatch
 from .curve import Curve
 from .differences import derivative
+from .displaced_curvature import SLOWEST, displaced_curvature
 from .errors import GeometryError
 from .folding import fold_of_points, turns_too_much
 from .frame import Frame
-from .row_blocks import blocks
-
-_SLOWEST = 1e-6
 
 
 class DisplacedBatch(CurveBatch):
@@ -56,7 +54,7 @@ class DisplacedBatch(CurveBatch):
     @cached_array
     def slope(self) -> Floats:
         """(V, S) d(displacement)/ds."""
-        return derivative(self.displacement, self.stations, self.period)
+        return self.frame.differences.derivative(self.displacement)
 
     @cached_array
     def heading(self) -> Floats:
@@ -72,9 +70,9 @@ class DisplacedBatch(CurveBatch):
     @cached_array
     def curvature(self) -> Floats:
         """(V, S) 1/m, left positive."""
-        bend = derivative(self.displacement, self.stations, self.period, order=2)
-        return turned_curvature(
-            self.displacement, self.slope, bend, self.frame.curvature, self.frame.curvature_slope
+        frame = self.frame
+        return displaced_curvature(
+            self.displacement, frame.differences, frame.curvature, frame.curvature_slope
         )
 
     @cached_array
@@ -125,7 +123,7 @@ class MovedBatch(CurveBatch):
         """(V, S) 1/m, left positive."""
         faster = derivative(self.forward, self.stations, self.period)
         farther = derivative(self.sideways, self.stations, self.period)
-        speed = np.maximum(self.speed, _SLOWEST)
+        speed = np.maximum(self.speed, SLOWEST)
         turned = (self.forward * farther - self.sideways * faster) / speed**2
         return np.asarray((self.base.speed * self.base.curvature + turned) / speed)
 
@@ -172,36 +170,6 @@ def sample(curve: Curve, stations: ArrayLike) -> DisplacedBatch:
 def undisplaced(frame: Frame) -> DisplacedBatch:
     """The curve of a frame itself as a batch of one."""
     return DisplacedBatch(frame, np.zeros((1, len(frame.stations))))
-
-
-def turned_curvature(
-    displacement: Floats, slope: Floats, bend: Floats, curvature: Floats, curvature_slope: Floats
-) -> Floats:
-    """Curvature (V, S) of `r + e n` from e, e', e'' (V, S) and k, k' (S,) of the base r, v = 1.
-
-    With f = 1 - k e and w^2 = f^2 + e'^2: (f (f k + e'') + e' (k' e + 2 k e')) / w^3. Row by row
-    in blocks that fit the cache.
-    """
-    result = np.empty(displacement.shape)
-    for rows in blocks(displacement):
-        e, de, dde = displacement[rows], slope[rows], bend[rows]
-        out = result[rows]
-        forward = 1.0 - curvature * e
-        square = de * de
-        np.multiply(curvature, forward, out=out)
-        out += dde
-        out *= forward
-        sideways = curvature_slope * e
-        sideways += (2.0 * curvature) * de
-        sideways *= de
-        out += sideways
-        forward *= forward
-        square += forward
-        np.maximum(square, _SLOWEST**2, out=square)
-        np.sqrt(square, out=forward)
-        square *= forward
-        out /= square
-    return result
 
 
 def _pushed(base: CurveBatch, displacement: Floats) -> MovedBatch:

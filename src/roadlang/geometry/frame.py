@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from .arrays import Floats, SharedArrays, finite
 from .curve import Curve
-from .differences import station_gaps
+from .differences import Differences, station_gaps
 from .errors import GeometryError
 from .folding import BaseSteps
 
@@ -54,6 +54,11 @@ class Frame(SharedArrays):
     def normal(self) -> Floats:
         """(S, 2) unit vectors to the left."""
         return np.stack([-np.sin(self.heading), np.cos(self.heading)], axis=-1)
+
+    @cached_property
+    def differences(self) -> Differences:
+        """Derivatives along the stations. Raises GeometryError for fewer than three."""
+        return Differences(self.stations, self.period)
 
     @cached_property
     def steps(self) -> BaseSteps:

@@ -94,7 +94,11 @@ class RoadBatch(Frozen):
     def take(self, rows: NDArray[np.intp]) -> RoadBatch:
         """The variants at `rows`, in every field; what has one row for all variants keeps it."""
         every = {field.name: getattr(self, field.name) for field in fields(self)}
-        chosen = {name: _rows(value, rows) for name, value in every.items()}
+        chosen = {"curves": _rows(self.curves, rows)}
+        if self.displacement is getattr(self.curves, "displacement", None):
+            chosen["displacement"] = chosen["curves"].displacement  # copied once
+        for name in every.keys() - chosen.keys():
+            chosen[name] = _rows(every[name], rows)
         if all(chosen[name] is value for name, value in every.items()):
             return self
         return replace(self, **chosen)

@@ -64,6 +64,8 @@ def displaced(before: RoadBatch, displacement: Floats) -> RoadBatch:
         displacement = _along_normal(displacement, before)
     if before.displacement.any():
         displacement = before.displacement + displacement
+    elif isinstance(curves, DisplacedBatch):
+        displacement = curves.displacement  # one array: rows of it are then copied once
     return replace(before, curves=curves, displacement=displacement)
 
 
