@@ -15,6 +15,7 @@ MOST_LINES, MOST_FUNCTION_LINES = 300, 45
 PUBLIC = ("roadlang.api", "roadlang.commands", "roadlang.geometry")
 """What plugins may import beside `roadlang` itself: `api`, `geometry`, which it exports, and what
 commands need."""
+JUNCTIONS = "geometry/junctions/"
 BESIDE_THE_ROOMS = {"roadlang.testing": frozenset({"numpy", "pytest"})}
 """Third parties of the files that are in no room"""
 COMPUTED_IMPORTS = (
@@ -92,6 +93,18 @@ def third_parties_are_those_of_the_table(house: House) -> Iterator[str]:
             top = found.module.split(".")[0]
             if top and top != "roadlang" and top not in sys.stdlib_module_names | allowed:
                 yield _at(file, found.line, f"imports {top}")
+
+
+def polygons_are_joined_in_one_package(house: House) -> Iterator[str]:
+    """shapely is imported by `geometry/junctions` alone, when a plan is made."""
+    for file in house.files.values():
+        for found in file.imports:
+            if found.module.split(".")[0] != "shapely":
+                continue
+            if not file.path.startswith(f"src/roadlang/{JUNCTIONS}"):
+                yield _at(file, found.line, f"imports {found.module}")
+            elif not found.late:
+                yield _at(file, found.line, f"imports {found.module} before it is needed")
 
 
 def private_names_stay_in_their_file(house: House) -> Iterator[str]:
@@ -211,6 +224,7 @@ RULES: tuple[Rule, ...] = (
     rooms_import_downward,
     the_core_imports_no_kind_and_no_api,
     third_parties_are_those_of_the_table,
+    polygons_are_joined_in_one_package,
     private_names_stay_in_their_file,
     no_circles,
     facades_are_few_and_explained,

@@ -45,6 +45,12 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     (rules.third_parties_are_those_of_the_table, "geometry/curve.py", "import click"),
     (rules.third_parties_are_those_of_the_table, "semantics/check.py", "import numpy as np"),
     (rules.third_parties_are_those_of_the_table, "world/roads.py", "import yaml"),
+    (
+        rules.polygons_are_joined_in_one_package,
+        "geometry/road.py",
+        "def f():\n    import shapely",
+    ),
+    (rules.polygons_are_joined_in_one_package, "geometry/junctions/area.py", "import shapely"),
     (rules.private_names_stay_in_their_file, "world/roads.py", "from .networks import _root"),
     (
         rules.private_names_stay_in_their_file,

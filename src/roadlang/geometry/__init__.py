@@ -12,6 +12,7 @@ Nothing is imported until a name is used.
   folding)
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
+- junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`,
   `close_pairs`
@@ -50,6 +51,10 @@ if TYPE_CHECKING:
     from .frame import Frame as Frame
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
+    from .junctions.model import Junction as Junction
+    from .junctions.model import JunctionPlan as JunctionPlan
+    from .junctions.plan import PlanOptions as PlanOptions
+    from .junctions.plan import plan_junctions as plan_junctions
     from .lane import Lane as Lane
     from .network import Edge as Edge
     from .network import Node as Node
@@ -99,6 +104,10 @@ _HOMES = {
     "CrossSection": "cross_section",
     "Road": "road",
     "offset": "offsetting",
+    "Junction": "junctions.model",
+    "JunctionPlan": "junctions.model",
+    "PlanOptions": "junctions.plan",
+    "plan_junctions": "junctions.plan",
     "Node": "network",
     "Edge": "network",
     "RoadNetwork": "network",

@@ -1,0 +1,1 @@
+"""Random networks, and checks of the junctions planned for them."""

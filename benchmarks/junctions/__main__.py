@@ -1,0 +1,53 @@
+"""Plans junctions of random networks and counts the faults: `python -m benchmarks.junctions`."""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+from benchmarks.junctions.checks import Figures, check_junction, effective_sections
+from benchmarks.junctions.random_networks import KINDS, random_network
+from roadlang.geometry.junctions.plan import plan_junctions
+
+
+def main() -> None:
+    """Prints a row for each kind of network and one for all."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--networks", type=int, default=10, help="of each kind")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kinds", nargs="*", default=list(KINDS))
+    parser.add_argument("--verbose", action="store_true")
+    options = parser.parse_args()
+    print(f"{'kind':16} junctions merged faulty (merged, unreported) turns refused ms/junction")
+    total, seconds = Figures(), 0.0
+    for kind in options.kinds:
+        figures, spent = Figures(), 0.0
+        for number in range(options.networks):
+            drawn = random_network(kind, options.seed * 100_003 + number)
+            start = time.process_time()
+            plan = plan_junctions(drawn.network, drawn.sections)
+            spent += time.process_time() - start
+            sections = effective_sections(plan, drawn.sections)
+            for junction in plan.junctions:
+                report = check_junction(junction, plan, drawn.network, sections)
+                for sums in (figures, total):
+                    sums.add(report, plan)
+                if options.verbose and report.faults:
+                    problems = [p for p in plan.problems if p.junction == junction.id]
+                    print("  ", kind, number, junction.id, junction.nodes, report.faults, problems)
+        seconds += spent
+        _print(kind, figures, spent)
+    _print("all", total, seconds)
+    print(total.faults)
+
+
+def _print(kind: str, figures: Figures, seconds: float) -> None:
+    print(
+        f"{kind:16} {figures.junctions:9} {figures.merged:6} {figures.faulty:6} "
+        f"({figures.faulty_merged}, {figures.unreported}) {figures.turns:5} {figures.refused:7} "
+        f"{1e3 * seconds / max(figures.junctions, 1):.1f}"
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,101 @@
+"""The surface of a junction: stubs of the arms, roads inside and connections, corners rounded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Floats
+from .arms import ArmKey, ArmLine
+from .connecting import Connected
+from .corners import NOSE
+from .model import Arm, Point
+from .places import Place
+from .sweeping import road_beyond, strip, stub
+
+_SIMPLIFIED = 1e-3
+_SAME = 1e-6
+
+
+def surface(
+    place: Place,
+    found: Connected,
+    trims: Mapping[ArmKey, float],
+    widths: Sequence[tuple[float, float]],
+    inside: Sequence[ArmLine],
+) -> Any:
+    """The polygon of a place. `inside` has both ends of each road that lies in it.
+
+    The union of all that is driven on, closed by the corner radius within the hull of the faces,
+    less the roads beyond the faces: what is subtracted last is never run over.
+    """
+    import shapely
+
+    parts = [stub(arm, trims[arm.key]) for arm in found.arms]
+    parts += [stub(line, min(line.length / 2.0, float(line.s[-1]))) for line in inside]
+    parts += [strip(found.fits, row, widths[row]) for row in np.flatnonzero(found.usable).tolist()]
+    base = shapely.union_all(parts)
+    radii = [corner.radius for corner in place.arms.corners if corner.radius is not None]
+    radius = max(radii, default=NOSE)
+    closed = base.buffer(radius, quad_segs=6).buffer(-radius, quad_segs=6)
+    closed = closed.intersection(_hull_of_faces(found))
+    beyond = [road_beyond(arm, trims) for arm in found.arms]
+    roads = shapely.union_all([road for road in beyond if road is not None])
+    area = shapely.union_all([base, closed]).difference(roads)
+    parts = [part for part in shapely.get_parts(area) if part.geom_type == "Polygon"]
+    largest = max(parts, key=lambda part: float(part.area))
+    return shapely.Polygon(largest.exterior)
+
+
+def _hull_of_faces(found: Connected) -> Any:
+    import shapely
+
+    corners = [face.corner(side) for face in found.faces for side in (1, -1)]
+    return shapely.MultiPoint(corners).convex_hull
+
+
+def ring_with_faces(
+    area: Any, found: Connected, trims: Mapping[ArmKey, float]
+) -> tuple[tuple[Point, ...], tuple[Arm, ...], Floats]:
+    """The ring of an area with the corners of all faces among its points, the arms with their
+    indices, and how far each corner was from the ring, (arms, 2)."""
+    import shapely
+
+    simple = area.simplify(_SIMPLIFIED)
+    ring = np.asarray(simple.exterior.coords)[:-1]
+    if shapely.Polygon(ring).exterior.is_ccw is False:
+        ring = ring[::-1]
+    points = [(float(x), float(y)) for x, y in ring]
+    corners = [(face.corner(1), face.corner(-1)) for face in found.faces]
+    gaps = np.array([[_insert(points, corner) for corner in pair] for pair in corners])
+    arms = tuple(
+        Arm(arm.edge.id, arm.end, trims[arm.key], _nearest(points, left), _nearest(points, right))
+        for arm, (left, right) in zip(found.arms, corners, strict=True)
+    )
+    return tuple(points), arms, gaps.reshape(-1, 2)
+
+
+def _insert(points: list[Point], corner: Point) -> float:
+    """Makes a corner a point of the ring where it is not; how far away the ring was."""
+    ring = np.array(points)
+    away = np.hypot(*(ring - corner).T)
+    near = int(away.argmin())
+    if away[near] <= _SAME:
+        points[near] = corner
+        return float(away[near])
+    step = np.roll(ring, -1, axis=0) - ring
+    share = ((np.array(corner) - ring) * step).sum(axis=1) / np.maximum(
+        (step**2).sum(axis=1), 1e-18
+    )
+    foot = ring + np.clip(share, 0.0, 1.0)[:, None] * step
+    gap = np.hypot(*(foot - corner).T)
+    best = int(gap.argmin())
+    if gap[best] <= 2.0 * _SIMPLIFIED:
+        points.insert(best + 1, corner)
+    return float(gap[best])
+
+
+def _nearest(points: list[Point], corner: Point) -> int:
+    return int(np.hypot(*(np.array(points) - corner).T).argmin())

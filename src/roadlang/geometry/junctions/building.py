@@ -1,0 +1,186 @@
+"""A junction of a place whose turns are fitted: its parts, and what could not be built."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Floats
+from .area import ring_with_faces, surface
+from .arms import ArmKey, ArmLane, ArmLine
+from .conflicts import conflicts_of, line_shares
+from .connecting import SHARPEST, Connected
+from .fitting import sampled
+from .lane_pairs import LanePair
+from .model import Connection, Junction, LaneEnd, Point, Problem, Refusal
+from .places import Place
+from .priority import yields
+from .sweeping import TOLERANCE, road_beyond, strip
+
+_TOLERANCE = 0.01
+
+
+@dataclass(frozen=True)
+class Built:
+    """A junction, and what is wrong with it."""
+
+    junction: Junction
+    problems: tuple[Problem, ...]
+
+
+def junction_of(
+    place: Place,
+    found: Connected,
+    trims: Mapping[ArmKey, float],
+    lines: Mapping[ArmKey, ArmLine],
+    ring: Mapping[int, bool],
+) -> Built:
+    """`lines` are both ends of every road of the network, `ring` the roads of roundabouts."""
+    widths = [_widths(found, pair) for pair in found.pairs]
+    rows = [int(row) for row in np.flatnonzero(found.usable)]
+    connections = tuple(_connection(id, found, row, widths[row]) for id, row in enumerate(rows))
+    points, _ = sampled(found.fits, line_shares())
+    conflicts = conflicts_of(connections, points[rows])
+    at_ring = any(arm.edge.id in ring for arm in found.arms)
+    entering = {arm.key for arm in found.arms if arm.edge.id not in ring} if at_ring else set()
+    halves = [line for edge in place.inside for line in (lines[edge, "start"], lines[edge, "end"])]
+    area = surface(place, found, trims, widths, halves)
+    outline, arms, gaps = ring_with_faces(area, found, trims)
+    is_joint = len(place.nodes) == 1 and len(arms) == 2
+    junction = Junction(
+        place.id,
+        place.nodes,
+        "roundabout" if at_ring else "joint" if is_joint else "junction",
+        outline,
+        arms,
+        connections,
+        conflicts,
+        yields(connections, conflicts, entering),
+        tuple(_refusal(found, row) for row in np.flatnonzero(~found.usable).tolist()),
+        place.inside,
+    )
+    return Built(junction, _problems(junction, found, area, trims, widths, gaps))
+
+
+def _widths(found: Connected, pair: LanePair) -> tuple[float, float]:
+    source, target = _lanes(found, pair)
+    return source.width, target.width
+
+
+def _lanes(found: Connected, pair: LanePair) -> tuple[ArmLane, ArmLane]:
+    source = found.lanes[pair.source].inbound[pair.source_lane]
+    return source, found.lanes[pair.target].outbound[pair.target_lane]
+
+
+def _ends(found: Connected, pair: LanePair) -> tuple[LaneEnd, LaneEnd]:
+    source, target = _lanes(found, pair)
+    return (
+        LaneEnd(*found.arms[pair.source].key, source.id),
+        LaneEnd(*found.arms[pair.target].key, target.id),
+    )
+
+
+def _connection(id: int, found: Connected, row: int, widths: tuple[float, float]) -> Connection:
+    pair, face = found.pairs[row], found.faces[found.pairs[row].source]
+    lane, _ = _lanes(found, pair)
+    x, y = face.beside(lane.offset)
+    heading = (face.heading + 2.0 * math.pi) % (2.0 * math.pi) - math.pi
+    stop_line: tuple[Point, Point] = (
+        face.beside(lane.offset - lane.width / 2.0),
+        face.beside(lane.offset + lane.width / 2.0),
+    )
+    pieces = found.fits.pieces(row)
+    ends = _ends(found, pair)
+    return Connection(id, *ends, pair.turn, (x, y, heading), pieces, widths, stop_line)
+
+
+def _refusal(found: Connected, row: int) -> Refusal:
+    pair = found.pairs[row]
+    if found.fits.drivable[row]:
+        over = [found.arms[arm].edge.id for arm in np.flatnonzero(found.swept[row])]
+        reason = f"it runs over road {', '.join(map(str, over))}"
+    else:
+        radius = 1.0 / max(float(found.fits.peak[row]), 1e-9)
+        degrees = abs(math.degrees(pair.angle))
+        reason = f"a turn of {degrees:.0f} degrees has room for a radius of {radius:.1f} m only"
+    return Refusal(*_ends(found, pair), pair.turn, pair.angle, reason)
+
+
+def _problems(
+    junction: Junction,
+    found: Connected,
+    area: Any,
+    trims: Mapping[ArmKey, float],
+    widths: list[tuple[float, float]],
+    gaps: Floats,
+) -> tuple[Problem, ...]:
+    id = junction.id
+    problems = []
+    for refusal in junction.refused:
+        if abs(refusal.angle) <= SHARPEST:
+            kind = "sweep" if "over road" in refusal.reason else "refused"
+            ends = refusal.source.edge, refusal.target.edge
+            problems.append(Problem(kind, id, ends))  # type: ignore[arg-type]
+    served = {connection.source for connection in junction.connections}
+    for arm, lanes in zip(found.arms, found.lanes, strict=True):
+        ways = {LaneEnd(*arm.key, lane.id) for lane in lanes.inbound}
+        if ways - served:
+            problems.append(Problem("stuck", id, (arm.edge.id,)))
+    problems += _overlaps(id, found, trims)
+    problems += _outside(id, found, area, widths)
+    for arm, gap in zip(found.arms, gaps.max(axis=1, initial=0.0), strict=True):
+        if gap > _TOLERANCE:
+            problems.append(Problem("outside", id, (arm.edge.id,), float(gap)))
+    return tuple(dict.fromkeys(problems))
+
+
+def _overlaps(id: int, found: Connected, trims: Mapping[ArmKey, float]) -> list[Problem]:
+    """Roads that overlap beyond their faces."""
+    import shapely
+
+    roads = [road_beyond(arm, trims, TOLERANCE / 2.0) for arm in found.arms]
+    problems = []
+    for (i, first), (j, second) in combinations(enumerate(roads), 2):
+        if first is None or second is None or not shapely.intersects(first, second):
+            continue
+        shared = shapely.intersection(first, second)
+        along = max(float(shared.area) / max(_width(found.arms[k]) for k in (i, j)), 0.01)
+        box = shapely.bounds(shared)
+        along = max(along, float(np.hypot(box[2] - box[0], box[3] - box[1])))
+        edges = found.arms[i].edge.id, found.arms[j].edge.id
+        problems.append(Problem("overlap", id, edges, along))
+    return problems
+
+
+def _width(arm: ArmLine) -> float:
+    return float(arm.left[0] + arm.right[0])
+
+
+def _outside(
+    id: int, found: Connected, area: Any, widths: list[tuple[float, float]]
+) -> list[Problem]:
+    """Connections that leave the area."""
+    import shapely
+
+    rows = np.flatnonzero(found.usable).tolist()
+    if len(rows) == 0:
+        return []
+    outer = area.buffer(_TOLERANCE / 2.0, quad_segs=2)
+    shapely.prepare(outer)
+    problems = []
+    for row in rows:
+        surface = strip(found.fits, row, widths[row])
+        if shapely.covers(outer, surface):
+            continue
+        corners = shapely.points(shapely.get_coordinates(surface))
+        gap = float(shapely.distance(area, corners).max())
+        if gap > _TOLERANCE:
+            pair = found.pairs[row]
+            edges = found.arms[pair.source].edge.id, found.arms[pair.target].edge.id
+            problems.append(Problem("outside", id, edges, gap))
+    return problems

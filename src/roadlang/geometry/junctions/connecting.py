@@ -1,0 +1,146 @@
+"""Fits the connections of a place, and moves its trims outward where they are too tight."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, MutableMapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..arrays import Booleans, Floats
+from .arms import FARTHEST_TRIM, ArmKey, ArmLine, Face
+from .fitting import Ends, Fits, fitted
+from .lane_pairs import ArmLanes, LanePair, lane_pairs
+from .places import SHORTEST_ROAD, Place
+from .sweeping import swept_arms
+
+ROUNDS = 7
+SHARPEST = math.radians(150.0)
+"""Turns beyond it are driven only where they happen to fit."""
+_FURTHER, _AND = 1.25, 0.5
+_MARGIN = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Connected:
+    """The turns of a place: the faces of its arms, which lanes pair, and the curves.
+
+    `found_sweeps` are those of `swept`, once they are known.
+    """
+
+    arms: tuple[ArmLine, ...]
+    faces: tuple[Face, ...]
+    lanes: tuple[ArmLanes, ...]
+    pairs: tuple[LanePair, ...]
+    fits: Fits
+    found_sweeps: Booleans | None = None
+
+    @property
+    def swept(self) -> Booleans:
+        """(N, arms) which arms a curve drives over beyond their faces."""
+        assert self.found_sweeps is not None
+        return self.found_sweeps
+
+    @property
+    def usable(self) -> Booleans:
+        """(N,) the curves that can be driven and drive over no arm beyond its face."""
+        return np.asarray(self.fits.drivable & ~self.swept.any(axis=1))
+
+
+def connected(place: Place, trims: MutableMapping[ArmKey, float]) -> Connected:
+    """The turns of a place. Moves trims in place: 25 % and half a meter a round, up to what the
+    roads leave."""
+    found = _fitted(place, trims)
+    for _ in range(ROUNDS):
+        pushed = _too_tight(found)
+        if not pushed:
+            found = _with_sweeps(found, trims)
+            pushed = {found.arms[arm].key for arm in np.flatnonzero(found.swept.any(axis=0))}
+        moved = [_push(place, key, trims) for key in sorted(pushed)]
+        if not any(moved):
+            break
+        found = _fitted(place, trims)
+    return _with_sweeps(found, trims)
+
+
+def _too_tight(found: Connected) -> set[ArmKey]:
+    return {
+        found.arms[arm].key
+        for pair, drivable in zip(found.pairs, found.fits.drivable, strict=True)
+        if not drivable and abs(pair.angle) <= SHARPEST
+        for arm in (pair.source, pair.target)
+    }
+
+
+def _push(place: Place, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bool:
+    """Moves a trim outward; False if the road leaves no room."""
+    arm = next(arm for arm in place.arms.arms if arm.key == key)
+    other: ArmKey = (key[0], "end" if key[1] == "start" else "start")
+    room = arm.length - trims.get(other, 0.0) - SHORTEST_ROAD
+    limit = min(FARTHEST_TRIM, room, float(arm.s[-1]))
+    wanted = min(trims[key] * _FURTHER + _AND, limit)
+    if wanted <= trims[key] + 1e-6:
+        return False
+    trims[key] = wanted
+    return True
+
+
+def _fitted(place: Place, trims: Mapping[ArmKey, float]) -> Connected:
+    arms = place.arms.arms
+    faces = tuple(arm.face(trims[arm.key]) for arm in arms)
+    lanes = tuple(
+        ArmLanes.of(arm.lanes(trims[arm.key]), face.heading)
+        for arm, face in zip(arms, faces, strict=True)
+    )
+    pairs = lane_pairs(lanes)
+    fits = fitted(_ends(place, faces, lanes, pairs), _hull(arms, faces))
+    return Connected(arms, faces, lanes, pairs, fits)
+
+
+def _with_sweeps(found: Connected, trims: Mapping[ArmKey, float]) -> Connected:
+    """The same, with what the curves drive over."""
+    if found.found_sweeps is not None:
+        return found
+    swept = np.zeros((len(found.pairs), len(found.arms)), dtype=bool)
+    if len(found.pairs) and len(found.arms) > 2:
+        widths = np.array([_widths(pair, found.lanes) for pair in found.pairs])
+        swept = swept_arms(found.arms, trims, found.fits, widths)
+        swept &= found.fits.drivable[:, None]
+    return replace(found, found_sweeps=swept)
+
+
+def _widths(pair: LanePair, lanes: tuple[ArmLanes, ...]) -> tuple[float, float]:
+    source = lanes[pair.source].inbound[pair.source_lane]
+    return source.width, lanes[pair.target].outbound[pair.target_lane].width
+
+
+def _ends(
+    place: Place,
+    faces: tuple[Face, ...],
+    lanes: tuple[ArmLanes, ...],
+    pairs: tuple[LanePair, ...],
+) -> Ends:
+    curbs = {(corner.arm, corner.neighbor): corner.lane_radius for corner in place.arms.corners}
+    rows = []
+    for pair in pairs:
+        source, target = faces[pair.source], faces[pair.target]
+        start = source.beside(lanes[pair.source].inbound[pair.source_lane].offset)
+        stop = target.beside(lanes[pair.target].outbound[pair.target_lane].offset)
+        at_curb = pair.source_lane == pair.target_lane == 0 and pair.angle < 0.0
+        most = curbs.get((pair.source, pair.target), math.inf) if at_curb else math.inf
+        rows.append((*start, source.heading + math.pi, *stop, target.heading, most))
+    table = np.array(rows, dtype=np.float64).reshape(-1, 7)
+    return Ends(table[:, 0:2], table[:, 2], table[:, 3:5], table[:, 5], table[:, 6])
+
+
+def _hull(arms: tuple[ArmLine, ...], faces: tuple[Face, ...]) -> Floats:
+    """(k, 3) half-planes round the faces and the nodes, a meter away from them."""
+    from scipy.spatial import ConvexHull
+
+    points = [face.corner(side) for face in faces for side in (1, -1)]
+    points += [(float(arm.points[0, 0]), float(arm.points[0, 1])) for arm in arms]
+    if len(faces) < 2:
+        return np.zeros((0, 3))
+    equations = ConvexHull(np.array(points)).equations
+    return np.column_stack([equations[:, :2], _MARGIN - equations[:, 2]])

@@ -1,0 +1,70 @@
+"""Corners: how round the curb is between an arm and the next one counter-clockwise."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from .arms import ArmLine
+
+SMALLEST_RADIUS = 4.0
+"""Meters: the tightest curve of the middle of a lane that a car can follow."""
+SLACK = 1.08
+"""How much wider than that a curb lets the lane beside it turn."""
+NOSE = 0.5
+"""Meters: the radius of a corner that nobody turns round, or that is too sharp to turn."""
+_SHARP, _BLUNT, _FLAT = math.radians(30.0), math.radians(60.0), math.radians(135.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """Between `arm` and `neighbor`, which is next counter-clockwise: indices of the arms.
+
+    `angle` from the one to the other, radians. `radius` of the curb in meters, None where the
+    arms are so nearly opposite that there is no corner. `lane_radius` is the greatest that the
+    middle of the curb lane may have, or the arc would cut the curb.
+    """
+
+    arm: int
+    neighbor: int
+    angle: float
+    radius: float | None
+    lane_radius: float
+
+
+def corner_between(
+    arms: tuple[ArmLine, ArmLine],
+    places: tuple[int, int],
+    headings: tuple[float, float],
+    small: bool,
+) -> Corner:
+    """The corner of two arms that leave with `headings`; `small`: as tight as possible."""
+    angle = (headings[1] - headings[0] + math.pi / 4.0) % (2.0 * math.pi) - math.pi / 4.0
+    inner = _curb_to_lane(arms)
+    radius = NOSE if small or inner is None else _radius(angle, inner)
+    if angle >= _FLAT:
+        return Corner(*places, angle, None, math.inf)
+    lane_radius = max(SMALLEST_RADIUS * SLACK, radius + (inner or 0.0))
+    return Corner(*places, angle, radius, lane_radius)
+
+
+def _radius(angle: float, inner: float) -> float:
+    need = max(SLACK * SMALLEST_RADIUS - inner, 1.0)
+    if angle < _SHARP:
+        return NOSE
+    return need if angle < _BLUNT else max(SMALLEST_RADIUS, need)
+
+
+def _curb_to_lane(arms: tuple[ArmLine, ArmLine]) -> float | None:
+    """Meters from the curb to the middle of the lane beside it, the least of the two arms; None
+    where no vehicle can turn from the first into the second."""
+    first, second = arms
+    trims = (min(10.0, arm.s[-1]) for arm in arms)
+    start, stop = (arm.lanes(float(trim)) for arm, trim in zip(arms, trims, strict=True))
+    inbound = [lane for lane in start if lane.inbound]
+    outbound = [lane for lane in stop if lane.outbound]
+    if not inbound or not outbound:
+        return None
+    return min(
+        float(first.left[0]) - inbound[0].offset, float(second.right[0]) + outbound[-1].offset
+    )

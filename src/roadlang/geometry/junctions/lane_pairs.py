@@ -1,0 +1,112 @@
+"""Which lane of an arm leads into which lane of another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from .arms import ArmLane
+from .model import Turn
+
+STRAIGHT, U_TURN = math.radians(35.0), math.radians(165.0)
+
+
+@dataclass(frozen=True, slots=True)
+class ArmLanes:
+    """The lanes into and out of a place at one arm, each from the curb to the middle of the road,
+    and the heading at its face away from the place."""
+
+    inbound: tuple[ArmLane, ...]
+    outbound: tuple[ArmLane, ...]
+    heading: float
+
+    @classmethod
+    def of(cls, lanes: Sequence[ArmLane], heading: float) -> ArmLanes:
+        """`lanes` from left to right, seen from the place."""
+        inbound = tuple(lane for lane in lanes if lane.inbound)
+        outbound = tuple(lane for lane in reversed(lanes) if lane.outbound)
+        return cls(inbound, outbound, heading)
+
+
+@dataclass(frozen=True, slots=True)
+class LanePair:
+    """From a lane of the arm `source` to one of the arm `target`, by indices of the arms and of
+    their lanes from the curb; the change of heading, and the turn that this is."""
+
+    source: int
+    source_lane: int
+    target: int
+    target_lane: int
+    angle: float
+    turn: Turn
+
+
+def turn_of(angle: float) -> Turn:
+    """Of a change of heading, radians."""
+    if abs(angle) < STRAIGHT:
+        return "straight"
+    if abs(angle) > U_TURN:
+        return "u"
+    return "left" if angle > 0.0 else "right"
+
+
+def lane_pairs(arms: Sequence[ArmLanes]) -> tuple[LanePair, ...]:
+    """All turns from each arm into every other arm with a lane that leads away.
+
+    From right to left each turn gets lanes that cross none of the others: right turns those at the
+    curb, left turns those in the middle, the straightest all that are left, or all where there are
+    more turns than lanes.
+    """
+    found: list[LanePair] = []
+    for source, arm in enumerate(arms):
+        if not arm.inbound:
+            continue
+        targets = sorted(
+            (_turned(arm, other), place)
+            for place, other in enumerate(arms)
+            if place != source and other.outbound
+        )
+        shares = _shared([angle for angle, _ in targets], len(arm.inbound))
+        for (angle, target), lanes in zip(targets, shares, strict=True):
+            for lane, into in _into(angle, lanes, len(arms[target].outbound)):
+                found.append(LanePair(source, lane, target, into, angle, turn_of(angle)))
+    return tuple(found)
+
+
+def _turned(arm: ArmLanes, other: ArmLanes) -> float:
+    """The change of heading from the arm's inbound lanes to the other's outbound lanes."""
+    return round((other.heading - arm.heading) % (2.0 * math.pi) - math.pi, 12)
+
+
+def _shared(angles: Sequence[float], lanes: int) -> list[range]:
+    """The lanes, counted from the curb, of each turn from right to left."""
+    if lanes == 1 or len(angles) < 2:
+        return [range(lanes)] * len(angles)
+    straightest = min(range(len(angles)), key=lambda place: (abs(angles[place]), place))
+    rights, lefts = straightest, len(angles) - 1 - straightest
+    enough = lanes >= len(angles)
+    shares = []
+    for place in range(len(angles)):
+        if place == straightest:
+            shares.append(range(rights, lanes - lefts) if enough else range(lanes))
+        elif place < straightest:
+            at = place if enough else 0
+            shares.append(range(at, at + 1))
+        else:
+            at = lanes - (len(angles) - place) if enough else lanes - 1
+            shares.append(range(at, at + 1))
+    return shares
+
+
+def _into(angle: float, lanes: range, targets: int) -> list[tuple[int, int]]:
+    """(source lane, target lane): right and straight from the curb on, left from the middle on.
+
+    Surplus lanes merge into the last; surplus target lanes of a straight turn are fed by the last.
+    """
+    if turn_of(angle) == "left" or (turn_of(angle) == "u" and angle > 0.0):
+        return [(lane, max(targets - 1 - place, 0)) for place, lane in enumerate(reversed(lanes))]
+    pairs = [(lane, min(place, targets - 1)) for place, lane in enumerate(lanes)]
+    if turn_of(angle) == "straight":
+        pairs += [(lanes[-1], extra) for extra in range(len(lanes), targets)]
+    return pairs

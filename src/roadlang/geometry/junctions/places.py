@@ -1,0 +1,126 @@
+"""Places: nodes whose junctions touch are one place, and the roads between them lie inside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ..cross_section import CrossSection
+from ..network import Edge, RoadNetwork
+from .arms import ArmKey, ArmLine
+from .model import Problem
+from .trims import Trimmed, trimmed
+
+SHORTEST_ROAD = 2.0
+"""Meters of a road between two places; what would be shorter is swallowed."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Nodes that make one junction, its arms, and the roads inside it."""
+
+    nodes: tuple[int, ...]
+    arms: Trimmed
+    inside: tuple[int, ...]
+
+    @property
+    def id(self) -> int:
+        """That of the first node."""
+        return self.nodes[0]
+
+
+class PlaceFinder:
+    """Merges the nodes of a network until every road that is left between two places is long
+    enough. `ring` are the roads of roundabouts, which are never swallowed."""
+
+    def __init__(
+        self, network: RoadNetwork, sections: Mapping[int, CrossSection], ring: Mapping[int, bool]
+    ) -> None:
+        self._network = network
+        self._ring = ring
+        self._edges = {edge.id: edge for edge in sorted(network.edges, key=lambda e: e.id)}
+        self.arms: dict[ArmKey, ArmLine] = {}
+        """both ends of every road"""
+        for edge in self._edges.values():
+            for end in ("start", "end"):
+                self.arms[edge.id, end] = ArmLine.of(edge, end, sections[edge.id])
+        self._small: set[ArmKey] = set()
+        self._inside: set[int] = set()
+        self._vanished: set[int] = set()
+        self._place: dict[int, int] = {}
+        for node in sorted(node.id for node in network.nodes):
+            ends = network.edges_at(node)
+            lone_ring = len(ends) == 2 and ends[0] is ends[1]
+            if len(ends) >= 2 and not lone_ring:
+                self._place[node] = node
+
+    def find(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+        """The places by their ids, and the dead ends that vanished inside them."""
+        found: dict[int, Place] = {}
+        changed = set(self._place.values())
+        while changed:
+            found = {id: place for id, place in found.items() if id in self._place.values()}
+            for id in sorted(changed):
+                if id in self._place.values():
+                    found[id] = self._trim(id)
+            changed = self._swallow(found)
+        places = tuple(found[id] for id in sorted(found))
+        vanished = [self._edges[id] for id in sorted(self._vanished)]
+        problems = (
+            Problem("vanished", self._place_of(edge), (edge.id,), edge.length) for edge in vanished
+        )
+        return places, tuple(problems)
+
+    def _place_of(self, edge: Edge) -> int:
+        return self._place.get(edge.start, self._place.get(edge.end, -1))
+
+    def _trim(self, id: int) -> Place:
+        nodes = tuple(sorted(node for node, place in self._place.items() if place == id))
+        arms, inside, lines = [], [], []
+        for edge in self._edges.values():
+            ends = [
+                end for end, node in (("start", edge.start), ("end", edge.end)) if node in nodes
+            ]
+            if edge.id in self._inside:
+                if ends:
+                    inside.append(edge.id)
+                    lines += [self.arms[edge.id, "start"], self.arms[edge.id, "end"]]
+            else:
+                arms += [self.arms[edge.id, end] for end in ends]  # type: ignore[index]
+        return Place(nodes, trimmed(arms, lines, self._small), tuple(inside))
+
+    def _swallow(self, found: Mapping[int, Place]) -> set[int]:
+        """Merges what the trims leave no road between; the ids of the places that changed."""
+        trims = {key: trim for place in found.values() for key, trim in place.arms.trims.items()}
+        changed: set[int] = set()
+        for edge in self._edges.values():
+            if edge.id in self._inside:
+                continue
+            ends: tuple[ArmKey, ArmKey] = (edge.id, "start"), (edge.id, "end")
+            left = edge.length - sum(trims.get(end, 0.0) for end in ends)
+            if left >= SHORTEST_ROAD or not any(end in trims for end in ends):
+                continue
+            places = {self._place[n] for n in (edge.start, edge.end) if n in self._place}
+            is_stub = any(end not in trims for end in ends)
+            if (is_stub or edge.id in self._ring) and ends[0] not in self._small:
+                self._small |= set(ends)
+                changed |= places
+            elif edge.id not in self._ring:
+                self._inside.add(edge.id)
+                if is_stub:
+                    self._vanished.add(edge.id)
+                changed |= self._merge(places)
+        return changed
+
+    def _merge(self, places: set[int]) -> set[int]:
+        """One place of several; the ids that changed or are gone."""
+        first = min(places)
+        for node, place in self._place.items():
+            if place in places:
+                self._place[node] = first
+        return places
+
+
+def all_trims(places: Sequence[Place]) -> dict[ArmKey, float]:
+    """The trims of all arms of all places."""
+    return {key: trim for place in places for key, trim in place.arms.trims.items()}

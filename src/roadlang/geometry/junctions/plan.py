@@ -1,0 +1,83 @@
+"""The plan of all junctions of a network: a pure function of its geometry."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..cross_section import CrossSection
+from ..network import RoadNetwork
+from .arms import ArmKey
+from .building import junction_of
+from .connecting import connected
+from .mirroring import mirrored
+from .model import Junction, JunctionPlan
+from .one_way import sections_with_rings
+from .places import SHORTEST_ROAD, PlaceFinder, all_trims
+from .roundabouts import ring_directions
+
+
+@dataclass(frozen=True, slots=True)
+class PlanOptions:
+    """`left_hand`: traffic keeps left. `roundabouts`: rings that are nearly circles become one-way,
+    and what enters them yields."""
+
+    left_hand: bool = False
+    roundabouts: bool = True
+
+
+def plan_junctions(
+    network: RoadNetwork,
+    sections: Mapping[int, CrossSection],
+    options: PlanOptions | None = None,
+) -> JunctionPlan:
+    """The junctions of a network whose edges have these cross-sections.
+
+    Deterministic: sorted by ids, no random choice. Raises KeyError for an edge without section.
+    """
+    options = options or PlanOptions()
+    if options.left_hand:
+        flipped = {id: section.mirrored() for id, section in sections.items()}
+        image = network.transformed(np.diag([1.0, -1.0]))
+        return mirrored(plan_junctions(image, flipped, PlanOptions(False, options.roundabouts)))
+    rings = ring_directions(network) if options.roundabouts else {}
+    ring, sections = sections_with_rings(sections, rings)
+    finder = PlaceFinder(network, sections, ring)
+    places, problems = finder.find()
+    trims = all_trims(places)
+    _make_room(network, trims)
+    junctions: list[Junction] = []
+    found = list(problems)
+    for place in places:
+        built = junction_of(place, connected(place, trims), trims, finder.arms, ring)
+        junctions.append(built.junction)
+        found += built.problems
+    inside = {edge for place in places for edge in place.inside}
+    return JunctionPlan(
+        tuple(junctions), _trims_by_edge(network, trims, inside), tuple(found), ring
+    )
+
+
+def _make_room(network: RoadNetwork, trims: dict[ArmKey, float]) -> None:
+    """Shortens the trims of short roads that are never swallowed, in proportion."""
+    for edge in network.edges:
+        start, end = trims.get((edge.id, "start"), 0.0), trims.get((edge.id, "end"), 0.0)
+        room = max(edge.length - SHORTEST_ROAD, 0.5 * edge.length)
+        if start + end > room:
+            for key in ((edge.id, "start"), (edge.id, "end")):
+                if key in trims:
+                    trims[key] *= room / (start + end)
+
+
+def _trims_by_edge(
+    network: RoadNetwork, trims: Mapping[ArmKey, float], inside: Collection[int]
+) -> dict[int, tuple[float, float]]:
+    """For every edge; of one inside a junction the two halves."""
+    found = {}
+    for edge in sorted(network.edges, key=lambda edge: edge.id):
+        half = edge.length / 2.0
+        ends = trims.get((edge.id, "start"), 0.0), trims.get((edge.id, "end"), 0.0)
+        found[edge.id] = (half, half) if edge.id in inside else ends
+    return found
