@@ -9,7 +9,8 @@ import pytest
 
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.placement import counts, start_of
+from roadlang.world.copies import counts
+from roadlang.world.placement import start_of
 from tests.straight_road import STRAIGHT
 
 TREES = STRAIGHT + "object trees is tree on main at choice(10m, 30m) { count: integer(0, 3) }\n"

@@ -59,11 +59,16 @@ class CandidateBatch:
         chosen._parent = (self, rows)
         return chosen
 
-    def once(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """What `compute` gives, computed at most once for these candidates."""
+    def once(self, key: Hashable, compute: Callable[[], T], *, inherited: bool = True) -> T:
+        """What `compute` gives, computed at most once for these candidates.
+
+        `inherited`: survivors have their rows of it; else it is computed anew for them.
+        """
         computed: T
         if key in self._computed:
             computed = self._computed[key]
+        elif not inherited:
+            computed = self._computed[key] = compute()
         else:
             found, value = self._inherited(key)
             computed = self._computed[key] = value if found else compute()
@@ -80,9 +85,9 @@ class CandidateBatch:
             return False, None
         parent, rows = self._parent
         if key in parent._computed:
-            return True, _rows_of(parent._computed[key], rows, parent.count)
+            return True, rows_of(parent._computed[key], rows, parent.count)
         found, value = parent._inherited(key)
-        return found, _rows_of(value, rows, parent.count) if found else None
+        return found, rows_of(value, rows, parent.count) if found else None
 
     def uniform(self, place: str, element: int = 0) -> Floats:
         """(V, 1) numbers in [0, 1)."""
@@ -94,6 +99,15 @@ class CandidateBatch:
         if self.record is not None:
             self.record.coordinates[name] = numbers[:, 0]
         return numbers
+
+    def of_scene(self, find: Callable[[CandidateBatch], T]) -> T:
+        """What `find` gives for candidates: a copy has it from its candidate."""
+        return find(self)
+
+    def note_draw(self, place: str, element: int, values: Any) -> None:
+        """Remember what was drawn, where there is a record."""
+        if self.record is not None:
+            self.record.values[coordinate_name(place, element)] = values
 
     def random(self, place: str, element: int = 0) -> BatchRandom:
         """The randomness of a pass."""
@@ -133,14 +147,14 @@ def coordinate_name(place: str, element: int) -> str:
     return f"{place}[{element}]" if element else place
 
 
-def _rows_of(value: Any, rows: NDArray[np.intp], count: int) -> Any:
+def rows_of(value: Any, rows: NDArray[np.intp], count: int) -> Any:
     """The rows of what was computed for `count` candidates; what is alike in all stays."""
     if isinstance(value, np.ndarray):
         return value if value.ndim == 0 or value.shape[0] == 1 else value[rows]
     if isinstance(value, RoadBatch):
         return value.take(rows)
     if isinstance(value, tuple):
-        return tuple(_rows_of(item, rows, count) for item in value)
+        return tuple(rows_of(item, rows, count) for item in value)
     if isinstance(value, dict):
-        return {key: _rows_of(item, rows, count) for key, item in value.items()}
+        return {key: rows_of(item, rows, count) for key, item in value.items()}
     return value

@@ -35,7 +35,7 @@ from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
 from ..plugins.options import OptionSchema, schema_of
 from ..plugins.results import real_numbers
-from .candidates import CandidateBatch, coordinate_name
+from .candidates import CandidateBatch
 from .indexed_scenario import IndexedScenario
 from .kind_instance import KindInstance, check_bounds, scalar
 
@@ -79,15 +79,15 @@ def evaluate(value: Value, candidates: CandidateBatch, element: int = 0) -> Any:
 def named(name: str, candidates: CandidateBatch) -> Any:
     """What a `param` or `let` is. Raises RL478 where it is no number, as after 0 / 0."""
 
-    def make() -> Any:
-        found = evaluate(declared.value, candidates)
+    def make(whole: CandidateBatch) -> Any:
+        found = evaluate(declared.value, whole)
         numbers = np.asarray(found) if isinstance(found, float | np.ndarray) else np.zeros(1)
         if numbers.dtype.kind == "f" and np.isnan(numbers).any():
             raise DiagnosticError(diagnose(Code.NON_FINITE_VALUE, declared.span, name=name))
         return found
 
     declared = candidates.scenario.values[name]
-    return candidates.once(("value", name), make)
+    return candidates.of_scene(lambda whole: whole.once(("value", name), lambda: make(whole)))
 
 
 def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
@@ -111,8 +111,7 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
         return _within_support(found, draw, built, candidates.scenario)
 
     values = candidates.once(("draw", draw.place, element), quantile)
-    if candidates.record is not None:
-        candidates.record.values[coordinate_name(draw.place, element)] = values
+    candidates.note_draw(draw.place, element, values)
     return values
 
 
@@ -163,22 +162,23 @@ def build(
             value = evaluate(written[option.name], candidates, element)
             value = scalar(value) if single else value
             check_bounds(option, value, call)
-            converted = _converted(option, value, candidates, element, single, resolve)
-            fields[option.name] = frozen(converted)
+            made = converted(option, value, candidates, element, single, resolve)
+            fields[option.name] = frozen(made)
         elif not option.required:
             fields[option.name] = option.default
     with plugin_guard(entry, call.span):
         return KindInstance(kind(**fields), entry, call)
 
 
-def _converted(
+def converted(
     option: OptionSchema,
     value: Any,
     candidates: CandidateBatch,
     element: int,
     single: bool,
-    resolve: Resolve | None,
+    resolve: Resolve | None = None,
 ) -> Any:
+    """A value of an option as its kind holds it: calls built, whole numbers whole."""
     if isinstance(value, Entity):
         return resolve(value) if resolve is not None else value.name
     if isinstance(value, PassCall) and not _takes_calls(option.type):
@@ -186,7 +186,7 @@ def _converted(
     if isinstance(value, PassCall):
         return build(value, candidates, element, single=single, resolve=resolve).kind
     if isinstance(value, tuple):
-        return tuple(_converted(option, v, candidates, element, single, resolve) for v in value)
+        return tuple(converted(option, v, candidates, element, single, resolve) for v in value)
     if isinstance(option.type, QuantityType) and option.type.whole and not isinstance(value, str):
         return np.rint(value).astype(np.int64) if isinstance(value, np.ndarray) else round(value)
     return value

@@ -6,7 +6,7 @@ import hashlib
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..ir.batch import mix
 
@@ -23,10 +23,21 @@ def variant_keys(seed: int, scenes: NDArray[np.int64], attempts: NDArray[np.int6
         return mix(words + attempts.astype(np.uint64) * _SILVER)
 
 
-def place_keys(variants: Words, place: str, element: int = 0) -> Words:
-    """(V,) one word for each candidate at a place; `element` numbers its roads or copies."""
+def place_keys(variants: Words, place: str, element: ArrayLike = 0) -> Words:
+    """(V,) one word for each candidate at a place; `element`, a number or (V,), numbers its roads
+    or copies."""
     with np.errstate(over="ignore"):
-        return mix(mix(variants ^ _word(place)) + np.uint64(element) * _GOLDEN)
+        return mix(mix(variants ^ _word(place)) + np.asarray(element, np.uint64) * _GOLDEN)
+
+
+def retried(words: Words, tries: NDArray[np.int64]) -> Words:
+    """The words (V,) of what is drawn again, by the number of the try; those of try 0 as they
+    were."""
+    again = tries > 0
+    if not again.any():
+        return words
+    with np.errstate(over="ignore"):
+        return np.where(again, mix(words ^ (tries.astype(np.uint64) * _SILVER)), words)
 
 
 @lru_cache(maxsize=4096)

@@ -40,12 +40,15 @@ class FrozenList(list[V]):
         return FrozenList, (list(self),)
 
 
+_READ_ONLY = frozenset((float, int, str, bool, type(None), FrozenDict, FrozenList))
+
+
 def frozen(value: Any) -> Any:
     """Maps, lists and arrays, also inside one another, as values that cannot be changed.
 
     Other values are returned as they are.
     """
-    if isinstance(value, FrozenDict | FrozenList):
+    if type(value) in _READ_ONLY:
         return value
     if isinstance(value, Mapping):
         return FrozenDict({key: frozen(item) for key, item in value.items()})

@@ -14,7 +14,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
-from ..world.placement import is_absent, most_copies
+from ..world.copies import is_absent, most_copies
 from ..world.signals import Axis, axes_of, signal
 
 Floats = NDArray[np.float64]

@@ -3,31 +3,30 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterator
 from typing import Any
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.concrete import call_of, concrete
-from ..evaluate.evaluation import build
+from ..evaluate.kind_instance import KindInstance
+from ..ir.read_only import frozen
 from ..ir.scenario import Actor, Network
-from ..ir.scene import SceneActor
+from ..ir.scene import Call, SceneActor
+from ..ir.values import Draw, Measure
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
+from ..world.copies import is_group, most_copies
 from ..world.networks import network_root
-from ..world.placement import counts, kind_call, pose
+from ..world.placement import kinds_of, placed
 
 _UNUSUAL_HEIGHT = 3.0
+_USUAL_HEIGHT = 1.5
 
 
 def scene_actors(actors: tuple[Actor, ...], candidates: CandidateBatch) -> tuple[SceneActor, ...]:
-    """Each actor, or each copy of a group (`trees[0]`)."""
-    placed = []
-    for actor in actors:
-        grouped = "count" in dict(actor.options)
-        for copy in range(1, int(counts(actor, candidates)[0]) + 1):
-            name = f"{actor.name}[{copy - 1}]" if grouped else actor.name
-            placed.append(_placed(name, actor, copy, candidates))
-    return tuple(placed)
+    """Each actor, or each copy of a group (`trees[0]`), of a single candidate."""
+    return tuple(placed for actor in actors for placed in _copies_of(actor, candidates))
 
 
 def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
@@ -60,35 +59,60 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
     return tuple(found)
 
 
-def _placed(name: str, actor: Actor, copy: int, candidates: CandidateBatch) -> SceneActor:
-    call = kind_call(actor, copy, candidates)
-    element = copy if "count" in dict(actor.options) else 0
-    built = build(call, candidates, element, single=True)
-    options = {
-        field.name: concrete(getattr(built.kind, field.name))
-        for field in dataclasses.fields(built.kind)
-    }
-    length = float(options.get("length") or 1.0)
-    width = float(options.get("width") or 1.0)
-    where = pose(actor, (length, width), copy, candidates)
-    return SceneActor(
-        name,
-        actor.name,
-        built.entry.name,
-        where.x,
-        where.y,
-        where.heading,
-        length,
-        width,
-        float(options.get("height") or 1.5),
-        actor.on,
-        where.start,
-        where.offset,
-        where.lane,
-        where.facing,
-        options,
-        tuple(call_of(drive, candidates, element) for drive in actor.drive),
+def _copies_of(actor: Actor, candidates: CandidateBatch) -> Iterator[SceneActor]:
+    where = placed(actor, candidates)
+    kinds = kinds_of(actor, candidates)
+    grouped = is_group(actor)
+    distinct = {id(found): found for found in kinds.instances}
+    options = {key: _concrete_options(found) for key, found in distinct.items()}
+    drives = _drives(actor, candidates)
+    columns = [getattr(where, name)[0].tolist() for name in _POSE]
+    for copy, (x, y, heading, length, width, start, offset, lane, backward) in enumerate(
+        zip(*columns, strict=True)
+    ):
+        instance = kinds.instances[copy]
+        on_road = actor.on is not None
+        yield SceneActor(
+            f"{actor.name}[{copy}]" if grouped else actor.name,
+            actor.name,
+            instance.entry.name,
+            x,
+            y,
+            heading,
+            length,
+            width,
+            float(options[id(instance)].get("height") or _USUAL_HEIGHT),
+            actor.on,
+            start if on_road else None,
+            offset if on_road else None,
+            lane or None,
+            "back" if backward else "forward",
+            options[id(instance)],
+            drives[copy] if len(drives) > 1 else drives[0],
+        )
+
+
+_POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward")
+
+
+def _concrete_options(found: KindInstance) -> Any:
+    fields = dataclasses.fields(found.kind)
+    return frozen({field.name: concrete(getattr(found.kind, field.name)) for field in fields})
+
+
+def _drives(actor: Actor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
+    """The controllers of each copy, or, where all copies have the same, of all."""
+    count = most_copies(actor, candidates)
+    values = [
+        value for call in actor.drive for value in candidates.scenario.dependencies.contents(call)
+    ]
+    differs = any(
+        isinstance(value, Measure) or (isinstance(value, Draw) and value.per == "copy")
+        for value in values
     )
+    copies = range(1, 1 + (count if differs else min(count, 1)))
+    element = (lambda copy: copy) if is_group(actor) else (lambda copy: 0)
+    return [tuple(call_of(c, candidates, element(copy)) for c in actor.drive) for copy in copies]
 
 
 def _kind_defaults(kind: str, candidates: CandidateBatch) -> dict[str, Any]:

@@ -78,12 +78,19 @@ def road_root(name: str, candidates: CandidateBatch) -> RoadRoot:
 
 def lanes_of(name: str, candidates: CandidateBatch) -> int:
     """How many lanes a road of a single candidate has."""
+    return int(lane_counts(name, candidates)[0])
+
+
+def lane_counts(name: str, candidates: CandidateBatch) -> NDArray[np.int64]:
+    """(V,) how many lanes a road has in each candidate."""
     scenario = candidates.scenario
     for link in _roads(scenario.roads[name], scenario):
         option = dict(link.options).get("lanes")
         if option is not None:
-            return max(1, round(float(scalar(evaluate(option, candidates)))))
-    return road_root(name, candidates).lanes or DEFAULT_LANES
+            number = np.asarray(evaluate(option, candidates), float).reshape(-1)
+            found = np.maximum(1, np.rint(number).astype(np.int64))
+            return np.broadcast_to(found, (candidates.count,))
+    return np.full(candidates.count, road_root(name, candidates).lanes or DEFAULT_LANES)
 
 
 def _roads(road: Road, scenario: IndexedScenario) -> Iterator[Road]:

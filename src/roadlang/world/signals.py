@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build
 from ..ir.batch import RoadBatch
 from ..ir.scenario import Network
 from ..ir.values import Entity, PassCall, Value
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
+from .copies import is_group
 from .networks import NetworkRoot, edge_batch, network_root
 from .placement import start_of
 from .roads import road_batch
@@ -89,7 +91,12 @@ def _stations_of(kind: Any) -> set[int]:
 
 
 def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Floats:
-    """A number of the geometry, (V, 1): `length(street)`, `van.start`."""
+    """A number of the geometry, (V, 1): `length(street)`, `van.start`.
+
+    Of a group it is that of the copy `element`; a `CopyBatch` has that of each of its copies.
+    """
+    if isinstance(candidates, CopyBatch):
+        return _of_copies(call, candidates)
 
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
@@ -109,6 +116,19 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
         return values.reshape(-1, 1)
 
     return candidates.once(("number", call_key(call), element), make)
+
+
+def _of_copies(call: PassCall, copies: CopyBatch) -> Floats:
+    actors = copies.scenario.actors
+    named = [e.name for e in copies.scenario.dependencies.entities(call)]
+    if not any(name in actors and is_group(actors[name]) for name in named):
+        return copies.of_scene(lambda whole: measured(call, whole))
+    found = np.empty((copies.count, 1))
+    for copy in np.unique(copies.copies).tolist():
+        rows = np.flatnonzero(copies.copies == copy)
+        values = measured(call, copies.candidates, copy)
+        found[rows] = values[np.minimum(copies.rows[rows], len(values) - 1)]
+    return found
 
 
 def call_key(call: PassCall) -> Hashable:

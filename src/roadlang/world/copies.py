@@ -1,0 +1,148 @@
+"""How many copies an agent or object has, and what kind each of them is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.copies import CopyBatch
+from ..evaluate.evaluation import build, converted, evaluate
+from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
+from ..ir.read_only import frozen
+from ..ir.scenario import Actor
+from ..ir.values import Condition, Draw, Measure, PassCall
+from ..plugins.guard import plugin_guard
+from ..plugins.options import schema_of
+
+Floats = NDArray[np.float64]
+MOST_COPIES = 10_000
+_UNUSUAL_SIZE = 1.0
+"""Meters, of a kind that has no length or width"""
+
+
+def counts(actor: Actor, candidates: CandidateBatch) -> NDArray[np.int64]:
+    """(V,) how many copies there are. Raises RL612."""
+    given = dict(actor.options).get("count")
+    if given is None:
+        return np.ones(candidates.count, dtype=np.int64)
+    value = np.asarray(evaluate(given, candidates), dtype=np.float64).reshape(-1)
+    if not ((value >= 0) & (value <= MOST_COPIES)).all():
+        found = f"{float(value[(value < 0) | (value > MOST_COPIES)][0]):g}"
+        raise DiagnosticError(
+            diagnose(
+                Code.COUNT_OUT_OF_BOUNDS, actor.span, name=actor.name, count=found, most=MOST_COPIES
+            )
+        )
+    return np.broadcast_to(np.rint(value).astype(np.int64), (candidates.count,))
+
+
+def most_copies(actor: Actor, candidates: CandidateBatch) -> int:
+    """The greatest count among these candidates."""
+    return int(counts(actor, candidates).max(initial=0))
+
+
+def is_group(actor: Actor) -> bool:
+    """Whether it has a `count`, so that its copies are numbered."""
+    return any(name == "count" for name, _ in actor.options)
+
+
+def element_of(actor: Actor) -> int:
+    """What `evaluate` is called with for a `CopyBatch` of it."""
+    return 1 if is_group(actor) else 0
+
+
+def is_absent(
+    condition: Condition, copy: int, candidates: CandidateBatch
+) -> NDArray[np.bool_] | None:
+    """(V,) candidates that do not have this copy of a group that a formula speaks of."""
+    absent = None
+    for entity in candidates.scenario.dependencies.entities(condition):
+        if entity.role in ("agent", "object"):
+            actor = candidates.scenario.actors[entity.name]
+            if is_group(actor):
+                missing = counts(actor, candidates) < copy
+                absent = missing if absent is None else absent | missing
+    return absent
+
+
+@dataclass(frozen=True)
+class CopyKinds:
+    """The kind of each copy, candidates one after the other; copies that are alike share one."""
+
+    instances: tuple[KindInstance, ...]
+
+    @cached_property
+    def lengths(self) -> Floats:
+        """(R,) meters along the heading."""
+        return np.array([_size(found.kind, "length") for found in self.instances])
+
+    @cached_property
+    def widths(self) -> Floats:
+        """(R,) meters across the heading."""
+        return np.array([_size(found.kind, "width") for found in self.instances])
+
+
+def kinds_of_copies(actor: Actor, copies: CopyBatch) -> CopyKinds:
+    """What each copy is, its options drawn."""
+    element = element_of(actor)
+    value = evaluate(actor.kind, copies, element)
+    calls = value.reshape(-1).tolist() if isinstance(value, np.ndarray) else [scalar(value)]
+    if len(calls) == 1:
+        calls = calls * copies.count
+    instances: list[KindInstance] = [None] * copies.count  # type: ignore[list-item]
+    for call in {id(call): call for call in calls}.values():
+        rows = np.array([row for row, other in enumerate(calls) if other is call])
+        for row, found in zip(rows, _instances(call, copies.chosen(rows), element), strict=True):
+            instances[row] = found
+    return CopyKinds(tuple(instances))
+
+
+def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInstance]:
+    """The kind of a call for each row: the same where none of its options is drawn."""
+    contents = copies.scenario.dependencies.contents(call)
+    if not any(isinstance(value, Draw | Measure) for value in contents):
+        return [build(call, copies, element, single=True)] * copies.count
+    entry, kind = copies.scenario.kind(call)
+    written = dict(call.options)
+    fields: dict[str, Any] = {o.name: o.default for o in schema_of(kind) if not o.required}
+    columns: dict[str, list[Any]] = {}
+    for option in schema_of(kind):
+        if option.name in written:
+            value = evaluate(written[option.name], copies, element)
+            check_bounds(option, value, call)
+            made = (
+                converted(option, row, copies, element, True) for row in _rows(value, copies.count)
+            )
+            columns[option.name] = list(map(frozen, made))
+    if copies.candidates.record is not None and copies.candidates.count == 1:
+        copies.record_in(copies.candidates.record)
+    with plugin_guard(entry, call.span):
+        return [
+            KindInstance(
+                kind(**fields | {k: rows[row] for k, rows in columns.items()}), entry, call
+            )
+            for row in range(copies.count)
+        ]
+
+
+def _rows(value: Any, count: int) -> list[Any]:
+    """The value of each row, as plain numbers and words, also inside lists and maps."""
+    if isinstance(value, np.ndarray):
+        rows = value.reshape(-1).tolist()
+        return rows if len(rows) == count else rows * count
+    if isinstance(value, tuple):
+        return list(zip(*(_rows(item, count) for item in value), strict=True)) or [()] * count
+    if isinstance(value, dict):
+        columns = {key: _rows(item, count) for key, item in value.items()}
+        return [{key: rows[row] for key, rows in columns.items()} for row in range(count)]
+    return [scalar(value)] * count
+
+
+def _size(kind: Any, name: str) -> float:
+    return float(getattr(kind, name, None) or _UNUSUAL_SIZE)

@@ -1,0 +1,160 @@
+"""Where copies stand by what their statement says: arc length, lane and offset to x, y, heading."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError
+from ..evaluate.copies import CopyBatch
+from ..evaluate.evaluation import evaluate
+from ..evaluate.kind_instance import scalar
+from ..geometry.lanes import lane_ids
+from ..ir.scenario import Actor
+from .copies import element_of
+from .placement_faults import unknown_lane
+from .road_places import RoadPlaces, places_along
+from .roads import lane_counts, road_batch
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Arrays (R,) as in `PlacedBatch`, of the copies of a `CopyBatch`."""
+
+    x: Floats
+    y: Floats
+    heading: Floats
+    start: Floats
+    offset: Floats
+    lane: Integers
+    backward: Mask
+
+
+def poses_of(actor: Actor, copies: CopyBatch, widths: Floats) -> Poses:
+    """Where each copy stands; `widths` (R,) of the copies, in meters. Raises RL613."""
+    if actor.on is None:
+        return _in_the_world(actor, copies)
+    start = starts_of(actor, copies)
+    place = places_along(actor.on, copies.candidates, copies.rows, start)
+    lane = _lanes(actor, copies)
+    offset = _offsets(actor, copies, place, lane, widths)
+    backward = _backward(actor, copies, lane)
+    turned = _number(actor, "heading", copies)
+    heading = place.heading + np.where(backward, math.pi, 0.0) + turned
+    directions = place.heading.tolist()
+    sine = np.array([math.sin(direction) for direction in directions])
+    cosine = np.array([math.cos(direction) for direction in directions])
+    return Poses(
+        place.x - offset * sine,
+        place.y + offset * cosine,
+        np.array([math.remainder(angle, 2 * math.pi) for angle in heading.tolist()]),
+        start,
+        offset,
+        lane,
+        backward,
+    )
+
+
+def starts_of(actor: Actor, copies: CopyBatch) -> Floats:
+    """(R,) arc lengths at which copies begin on their road."""
+    assert actor.on is not None
+    road = road_batch(actor.on, copies.candidates)
+    length = _of_rows(road.length, copies)
+    at = _column(evaluate(actor.at, copies, element_of(actor)), copies)
+    start = at * length if actor.at_fraction else at
+    return np.mod(start, length) if road.closed else start
+
+
+def _in_the_world(actor: Actor, copies: CopyBatch) -> Poses:
+    x, y = (_column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
+    nothing = np.full(copies.count, np.nan)
+    none = np.zeros(copies.count, np.int64)
+    heading = _number(actor, "heading", copies)
+    return Poses(x, y, heading, nothing, nothing, none, none.astype(bool))
+
+
+def _lanes(actor: Actor, copies: CopyBatch) -> Integers:
+    """(R,) lane ids; 0 of what is in no lane."""
+    value = _option(actor, "lane", copies)
+    if value is None:
+        return np.zeros(copies.count, np.int64)
+    return np.rint(_column(value, copies)).astype(np.int64)
+
+
+def _offsets(
+    actor: Actor, copies: CopyBatch, place: RoadPlaces, lane: Integers, widths: Floats
+) -> Floats:
+    """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
+
+    Beside the road it is the near side of the thing that stands `offset` from the edge.
+    """
+    offset = _number(actor, "offset", copies)
+    side = _option(actor, "side", copies)
+    outward = place.width / 2 + offset + widths / 2
+    middle = lane_middles(actor, copies, lane, place.width) + offset
+    found = np.where(lane == 0, offset, middle)
+    if side is None:
+        return found
+    found = np.where(_is_word(side, "left", copies), outward, found)
+    return np.where(_is_word(side, "right", copies), -outward, found)
+
+
+def lane_middles(actor: Actor, copies: CopyBatch, lane: Integers, width: Floats) -> Floats:
+    """(R,) offsets of the middles of lanes, of 0 for lane 0. Raises RL613."""
+    assert actor.on is not None
+    lanes = lane_counts(actor.on, copies.candidates)[copies.rows]
+    middle = np.zeros(copies.count)
+    for id, count in {(i, n) for i, n in zip(lane.tolist(), lanes.tolist(), strict=True) if i != 0}:
+        fault = unknown_lane(actor, id, count)
+        if fault is not None:
+            raise DiagnosticError(fault)
+        chosen = (lane == id) & (lanes == count)
+        share = 0.5 - (lane_ids(count).index(id) + 0.5) / count
+        middle[chosen] = width[chosen] * share
+    return middle
+
+
+def _backward(actor: Actor, copies: CopyBatch, lane: Integers) -> Mask:
+    """(R,) whether copies face against the road: as said, or as their lane runs."""
+    facing = _option(actor, "facing", copies)
+    by_lane = lane > 0
+    if facing is None:
+        return by_lane
+    back, forward = (_is_word(facing, word, copies) for word in ("back", "forward"))
+    return np.where(back, True, np.where(forward, False, by_lane))
+
+
+def _option(actor: Actor, name: str, copies: CopyBatch) -> Any:
+    value = dict(actor.options).get(name)
+    return None if value is None else evaluate(value, copies, element_of(actor))
+
+
+def _number(actor: Actor, name: str, copies: CopyBatch) -> Floats:
+    value = _option(actor, name, copies)
+    return np.zeros(copies.count) if value is None else _column(value, copies)
+
+
+def _column(value: Any, copies: CopyBatch) -> Floats:
+    return np.broadcast_to(np.asarray(value, dtype=np.float64).reshape(-1), (copies.count,))
+
+
+def _of_rows(columns: Floats, copies: CopyBatch) -> Floats:
+    """(V or 1, 1) to (R,)."""
+    column = columns.reshape(-1)
+    return column[np.minimum(copies.rows, len(column) - 1)]
+
+
+def _is_word(value: Any, word: str, copies: CopyBatch) -> Mask:
+    if isinstance(value, np.ndarray):
+        return np.broadcast_to(
+            np.array([item == word for item in value.reshape(-1)]), (copies.count,)
+        )
+    return np.full(copies.count, scalar(value) == word)

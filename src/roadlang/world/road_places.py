@@ -1,0 +1,61 @@
+"""Points along roads, for many arc lengths in many candidates at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..ir.batch import RoadBatch
+from .roads import road_batch
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class RoadPlaces:
+    """Arrays (R,): where the center line is, its heading, and the width of the road there."""
+
+    x: Floats
+    y: Floats
+    heading: Floats
+    width: Floats
+
+
+def places_along(
+    name: str, candidates: CandidateBatch, rows: NDArray[np.intp], at: Floats
+) -> RoadPlaces:
+    """The places at arc lengths `at` (R,) along the road of the candidates at `rows` (R,).
+
+    Arc lengths are those along the road itself; beyond an end, the end.
+    """
+    lines = candidates.once(("lines along", name), lambda: _lines(road_batch(name, candidates)))
+    stations = lines["station"]
+    names = ("x", "y", "heading", "width")
+    found = np.empty((4, len(at)))
+    variants = np.minimum(rows, len(stations) - 1)
+    for variant in np.unique(variants).tolist():
+        chosen = variants == variant
+        where = np.minimum(np.maximum(at[chosen], 0.0), stations[variant, -1])
+        for into, number in zip(found, (lines[name] for name in names), strict=True):
+            row = number[min(variant, len(number) - 1)]
+            into[chosen] = np.interp(where, stations[variant], row)
+    return RoadPlaces(*found)
+
+
+def _lines(road: RoadBatch) -> dict[str, Floats]:
+    """Arc length, x, y, heading and width (V or 1, S) at the points of a road; of a closed one, up
+    to its first point again."""
+    points, heading = road.points, road.heading
+    width = np.broadcast_to(road.width, (len(road.width), points.shape[1]))
+    if road.closed:
+        points = np.concatenate([points, points[:, :1]], axis=1)
+        turns = np.rint((heading[:, -1:] - heading[:, :1]) / (2 * np.pi))
+        heading = np.concatenate([heading, heading[:, :1] + 2 * np.pi * turns], axis=1)
+        width = np.concatenate([width, width[:, :1]], axis=1)
+    x, y = points[..., 0], points[..., 1]
+    steps = np.hypot(np.diff(x, axis=1), np.diff(y, axis=1))
+    stations = np.concatenate([np.zeros((len(points), 1)), np.cumsum(steps, axis=1)], axis=1)
+    return {"station": stations, "x": x, "y": y, "heading": heading, "width": width}
