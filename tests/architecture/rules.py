@@ -241,7 +241,7 @@ _ORDINARY = frozenset({
     "curvature", "deviation", "distance", "frechet", "godot", "heading", "integer", "json",
     "length", "lp_distance", "margin", "pixels", "progress", "random", "road", "scale",
     "segments", "speed", "start", "station", "steering", "straight", "sup_distance", "svg",
-    "time", "width"
+    "time", "width", "x", "y"
 })  # fmt: skip
 """Kinds whose names are words of the language, units, file formats or fields of a scene too"""
 
