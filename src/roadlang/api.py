@@ -98,7 +98,7 @@ if TYPE_CHECKING:
     from .diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, diagnose, did_you_mean
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
-    from .ir.control import Control, Observation
+    from .ir.control import Control, ControlBatch, Observation, ObservationBatch
     from .ir.encoding import scene_from_json, to_json
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.road_bounds import RoadBounds
@@ -118,11 +118,13 @@ if TYPE_CHECKING:
     )
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
+    from .simulation.bodies import Body
+    from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
-    ".ir.control": "Control Observation",
+    ".ir.control": "Control ControlBatch Observation ObservationBatch",
     ".ir.encoding": "scene_from_json to_json",
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.road_bounds": "RoadBounds",
@@ -133,6 +135,8 @@ _LATER = {
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
+    ".simulation.bodies": "Body",
+    ".simulation.simulating": "EngineSettings simulate_scenes",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -164,11 +168,13 @@ __all__ = [
     "Backend",
     "BatchRandom",
     "Between",
+    "Body",
     "Call",
     "Code",
     "Condition",
     "ConstraintNames",
     "Control",
+    "ControlBatch",
     "Controller",
     "Curvature",
     "Diagnostic",
@@ -179,6 +185,7 @@ __all__ = [
     "DrawnValue",
     "DriveSignal",
     "Duration",
+    "EngineSettings",
     "Extraction",
     "Extractor",
     "File",
@@ -198,6 +205,7 @@ __all__ = [
     "Number",
     "ObjectKind",
     "Observation",
+    "ObservationBatch",
     "Perturber",
     "Picture",
     "Piece",
@@ -248,6 +256,7 @@ __all__ = [
     "read_input",
     "record_of",
     "scene_from_json",
+    "simulate_scenes",
     "to_json",
 ]
 

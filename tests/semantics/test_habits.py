@@ -86,7 +86,6 @@ HABITS = [
     ("require r: always (curvature(zebra) < 1/m)", "RL101", "declares `main`", None),
     ("road bent from main\nrequire r: length(bended) > 5m", "RL101", "`bent`", "bent"),
     (PLAN + "road a from plan", "RL228", "extract a network first", None),
-    ("simulate with builtin", "RL212", "the only kind of `simulate` is `godot`", None),
 ]
 
 

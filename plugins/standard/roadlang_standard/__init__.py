@@ -32,6 +32,7 @@ _KINDS = {
     "drive car_follow": "drive_car_follow:CarFollow",
     "drive brake": "drive_brake:Brake",
     "drive crossing": "drive_crossing:Crossing",
+    "simulate builtin": "simulate_builtin:Builtin",
     "signal deviation": "signal_deviation:Deviation",
     "signal distance": "signal_distance:Distance",
     "signal curvature": "signal_curvature:Curvature",
