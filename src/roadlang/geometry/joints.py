@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from .arrays import Floats
 from .network import Edge, RoadNetwork
 from .window import fade
@@ -22,12 +24,22 @@ def anchored_nodes(network: RoadNetwork) -> frozenset[int]:
 
 
 def junction_window(
-    network: RoadNetwork, edge: Edge, stations: Floats, taper: float = FADE_LENGTH
+    network: RoadNetwork,
+    edge: Edge,
+    stations: Floats,
+    taper: float = FADE_LENGTH,
+    trims: tuple[float, float] = (0.0, 0.0),
 ) -> Floats:
-    """(S,) zero where the edge ends at an anchored node, one beyond `taper` meters from there.
+    """(S,) zero up to `trims` meters from the ends of the edge at anchored nodes, one beyond
+    `taper` meters from there. Where less is left between the trims, each end takes half.
 
-    Value, slope and second derivative of a displacement in this window vanish at such ends, so
-    that positions, headings and curvatures there stay what they were.
+    Value, slope and second derivative of a displacement in this window vanish there, so that
+    positions, headings and curvatures stay what they were: a junction planned for the edge fits
+    whatever displaces it.
     """
     anchored = anchored_nodes(network)
-    return fade(stations, edge.length, taper, edge.start in anchored, edge.end in anchored)
+    free = edge.length - sum(trims)
+    if free <= 0.0:
+        return np.zeros_like(stations)
+    at = stations - trims[0]
+    return fade(at, free, taper, edge.start in anchored, edge.end in anchored)

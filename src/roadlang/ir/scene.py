@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .read_only import Frozen
+from .scene_junctions import SceneJunction
 
 SCENE_SCHEMA = "roadlang.scene/2"
 
@@ -45,6 +46,9 @@ class SceneRoad:
     """its number in the network"""
     derived: bool = False
     """true for the last road of a chain: what is driven, drawn in full and built"""
+    trim: tuple[float, float] = (0.0, 0.0)
+    """of a road of a network: how far from its start and from its end the junctions there reach,
+    meters of its stations; between lies the road"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +83,8 @@ class SceneNetwork:
     """meters for each pixel of the mask"""
     mask_origin: tuple[float, float] = (0.0, 0.0)
     """x and y of the corner of the mask, meters"""
+    junctions: tuple[SceneJunction, ...] = ()
+    """where its roads meet"""
 
 
 @dataclass(frozen=True, slots=True)

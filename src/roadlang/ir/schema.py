@@ -102,6 +102,8 @@ class DataclassWriter:
         origin, arguments = typing.get_origin(hint), typing.get_args(hint)
         if origin in (typing.Union, types.UnionType):
             return any_of([self.of(argument) for argument in arguments])
+        if origin is typing.Literal:
+            return {"enum": list(arguments)}
         if origin is tuple and arguments[1:] == (Ellipsis,):
             return array(self.of(arguments[0]))
         if origin is tuple:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from ..ir.scenario import Network, Road
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..world.networks import NetworkRoot, edge_batch, network_root
 from ..world.roads import lanes_of, road_batch, road_root
+from .junctions import scene_junctions
 
 
 def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
@@ -26,11 +28,13 @@ def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
     for network in scenario.networks.values():
         derived = not _has_bent_heirs(network, scenario)
         bottom = _bottom(network, scenario)
-        for edge in network_root(network, candidates).edges:
+        root = network_root(network, candidates)
+        for edge in root.edges:
             batch = edge_batch(network, edge.id, candidates)
-            name, root = f"{network.name}/{edge.id}", f"{bottom}/{edge.id}"
-            whole = scene_road(name, root, batch, DEFAULT_LANES, derived)
-            roads.append(_of_network(whole, network.name, edge.id))
+            name, origin = f"{network.name}/{edge.id}", f"{bottom}/{edge.id}"
+            whole = scene_road(name, origin, batch, DEFAULT_LANES, derived)
+            trim = _trim(whole, edge.length, root.junctions.plans[network.name].trims[edge.id])
+            roads.append(replace(whole, network=network.name, edge=edge.id, trim=trim))
     return tuple(roads)
 
 
@@ -87,10 +91,12 @@ def _root_name(road: Road, candidates: CandidateBatch) -> str:
     return root.id if root.path is not None and ":" not in root.id else road.name
 
 
-def _of_network(road: SceneRoad, network: str, edge: int) -> SceneRoad:
-    from dataclasses import replace
-
-    return replace(road, network=network, edge=edge)
+def _trim(road: SceneRoad, root_length: float, trims: tuple[float, float]) -> tuple[float, float]:
+    """The trims of the root road, as the stations of this one have them."""
+    places = np.array([trims[0], root_length - trims[1]])
+    start, end = np.interp(places, road.reference_stations, road.stations)
+    length = road.length if road.closed else road.stations[-1]
+    return float(start), float(length - end) if trims[1] else 0.0
 
 
 def _bottom(network: Network, scenario: IndexedScenario) -> str:
@@ -125,6 +131,7 @@ def _network(network: Network, candidates: CandidateBatch) -> SceneNetwork:
         float(root.confidence),
         _mask(root),
         root.scale if root.mask is not None else None,
+        junctions=scene_junctions(network.name, root.junctions.plans[network.name]),
     )
 
 

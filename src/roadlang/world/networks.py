@@ -22,6 +22,7 @@ from ..ir.scenario import FileSource, Image, Input, Network
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
+from .junctions import NetworkPlans, network_plans
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
@@ -44,13 +45,17 @@ class NetworkRoot:
     mask: NDArray[np.bool_] | None = None
     scale: float | None = None
     inputs: tuple[Input, ...] = ()
+    junctions: NetworkPlans = field(default_factory=NetworkPlans)
     _frames: dict[int, Frame] = field(default_factory=dict)
 
     def frame(self, edge: int) -> Frame:
-        """The frame of an edge at its stations; always the same object."""
+        """The frame of an edge at its stations, of which one is at each trim; always the same
+        object."""
         if edge not in self._frames:
             curve = self.network.edge(edge).curve
-            self._frames[edge] = Frame.of(curve, self.spacing.stations(curve))
+            even = self.spacing.stations(curve)
+            stations = self.junctions.stations(edge, even, curve.length)
+            self._frames[edge] = Frame.of(curve, stations)
         return self._frames[edge]
 
     @cached_property
@@ -98,7 +103,9 @@ def _perturbed_edge(
     if not calls:
         return batch
     root = network_root(network, candidates)
-    window = junction_window(root.network, root.network.edge(edge), batch.stations)
+    found = root.network.edge(edge)
+    trims = root.junctions.frozen(edge, batch.stations, found.length)
+    window = junction_window(root.network, found, batch.stations, trims=trims)
     for call in calls:
         if edge in _chosen_edges(call, root.network, candidates):
             batch = perturbed(batch, call, candidates, edge, window)
@@ -147,7 +154,8 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
                 help=found.remarks or ("try `extract with contour { threshold: ... }`",),
             )
         )
-    return found
+    plans = network_plans(network, found.network, candidates.scenario)
+    return replace(found, junctions=plans)
 
 
 def _from_file(network: Network, source: FileSource, candidates: CandidateBatch) -> NetworkRoot:

@@ -1,0 +1,146 @@
+"""The junctions of a scene: their surfaces, and how lanes are connected through them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+JunctionControl = Literal["right_first", "yield", "stop", "all_way_stop", "signals"]
+
+
+@dataclass(frozen=True, slots=True)
+class SceneArm:
+    """One end of a road that enters a junction."""
+
+    road: str
+    """name of the road"""
+    end: Literal["start", "end"]
+    """which end of the road"""
+    trim: float
+    """how far from its node the road begins, meters"""
+    left: int
+    """index in the area of the left corner of the face where the road begins, seen from inside"""
+    right: int
+    """index in the area of the right corner"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneLaneEnd:
+    """A lane at one end of its road."""
+
+    road: str
+    """name of the road"""
+    end: Literal["start", "end"]
+    """which end of the road"""
+    lane: int
+    """its id"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneConnection:
+    """The curve from the middle of one lane to the middle of another: lines and arcs."""
+
+    id: int
+    """unique in the junction"""
+    source: SceneLaneEnd
+    """the lane that it leaves"""
+    target: SceneLaneEnd
+    """the lane that it enters"""
+    turn: Literal["left", "straight", "right", "u"]
+    """where it leads"""
+    start: tuple[float, float, float]
+    """x, y (meters) and heading (radians) of its first point"""
+    pieces: tuple[tuple[float, float], ...]
+    """length (meters) and curvature (1/m, positive to the left) of each line and arc, in order"""
+    length: float
+    """of all pieces, meters"""
+    widths: tuple[float, float]
+    """of the lanes that it leaves and enters, meters; linear between"""
+    stop_line: tuple[tuple[float, float], tuple[float, float]]
+    """across the source lane, from its left to its right border: x and y, meters"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneConflict:
+    """Two connections on which vehicles can meet."""
+
+    a: int
+    """id of a connection"""
+    b: int
+    """id of the other"""
+    kind: Literal["cross", "merge", "diverge"]
+    """`diverge`: out of one lane, where the vehicle behind follows the one ahead"""
+    interval_a: tuple[float, float]
+    """where they are close: arc length along `a`, meters"""
+    interval_b: tuple[float, float]
+    """where they are close: arc length along `b`, meters"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneRefusal:
+    """A turn that is allowed, but that no vehicle can drive."""
+
+    source: SceneLaneEnd
+    """the lane that it would leave"""
+    target: SceneLaneEnd
+    """the lane that it would enter"""
+    turn: Literal["left", "straight", "right", "u"]
+    """where it would lead"""
+    reason: str
+    """why there is no connection"""
+
+
+@dataclass(frozen=True, slots=True)
+class SignalPhase:
+    """A phase of the signals: who has green, and for how long. Others have red."""
+
+    connections: tuple[int, ...]
+    """ids of the connections with green; left turns among them yield to oncoming traffic"""
+    green: float
+    """seconds"""
+    yellow: float
+    """seconds, after green"""
+    all_red: float
+    """seconds, after yellow"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneControl:
+    """Who goes first at a junction."""
+
+    kind: JunctionControl = "right_first"
+    """`yield` and `stop`: traffic of the minor roads; `all_way_stop`: in order of arrival"""
+    minor: tuple[str, ...] = ()
+    """names of the roads that yield or stop"""
+    phases: tuple[SignalPhase, ...] = ()
+    """of signals, in order and again from the first"""
+    offset: float = 0.0
+    """seconds of the first phase that have passed when the drive begins"""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneJunction:
+    """A place where roads of a network meet. Roads end at its area (`SceneRoad.trim`)."""
+
+    id: int
+    """unique in the network: the least number of its nodes"""
+    nodes: tuple[int, ...]
+    """numbers of the nodes in the network"""
+    kind: Literal["junction", "roundabout", "joint"]
+    """`joint`: two roads that go on in one another; `roundabout`: one node of its ring"""
+    area: tuple[tuple[float, float], ...] = field(repr=False)
+    """its surface, a ring counter-clockwise: x and y, meters"""
+    arms: tuple[SceneArm, ...]
+    """counter-clockwise"""
+    connections: tuple[SceneConnection, ...] = field(repr=False)
+    """of lanes"""
+    conflicts: tuple[SceneConflict, ...] = field(repr=False, default=())
+    """of connections"""
+    yields: tuple[tuple[int, int], ...] = field(repr=False, default=())
+    """pairs of connections: the first yields to the second"""
+    refused: tuple[SceneRefusal, ...] = ()
+    """turns without connection"""
+    inside: tuple[str, ...] = ()
+    """names of the roads that lie wholly in its area"""
+    control: SceneControl = field(default_factory=SceneControl)
+    """who goes first"""
