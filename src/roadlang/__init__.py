@@ -19,6 +19,7 @@ from .version import __version__
 if TYPE_CHECKING:
     from .diagnostics import Diagnostic, DiagnosticError
     from .session.drives import Drive, DriveSet
+    from .session.falsification import Failure, Falsification
     from .session.loading import LoadedScenario, load, loads
     from .session.profiles import Profiles, RoadProfile
     from .session.scene import RoadArrays, Scene
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 _MODULES = {
     ".diagnostics": "Diagnostic DiagnosticError",
     ".session.drives": "Drive DriveSet",
+    ".session.falsification": "Failure Falsification",
     ".session.loading": "LoadedScenario load loads",
     ".session.profiles": "Profiles RoadProfile",
     ".session.scene": "RoadArrays Scene",
@@ -39,6 +41,8 @@ __all__ = [
     "DiagnosticError",
     "Drive",
     "DriveSet",
+    "Failure",
+    "Falsification",
     "LoadedScenario",
     "NoSceneError",
     "Profiles",

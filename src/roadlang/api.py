@@ -98,7 +98,7 @@ if TYPE_CHECKING:
     from .diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, diagnose, did_you_mean
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
-    from .ir.control import Control, ControlBatch, Observation, ObservationBatch
+    from .ir.control import Control, Observation
     from .ir.encoding import scene_from_json, to_json
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.road_bounds import RoadBounds
@@ -118,13 +118,11 @@ if TYPE_CHECKING:
     )
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
-    from .simulation.bodies import Body
-    from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
-    ".ir.control": "Control ControlBatch Observation ObservationBatch",
+    ".ir.control": "Control Observation",
     ".ir.encoding": "scene_from_json to_json",
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.road_bounds": "RoadBounds",
@@ -135,8 +133,6 @@ _LATER = {
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
-    ".simulation.bodies": "Body",
-    ".simulation.simulating": "EngineSettings simulate_scenes",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -168,13 +164,11 @@ __all__ = [
     "Backend",
     "BatchRandom",
     "Between",
-    "Body",
     "Call",
     "Code",
     "Condition",
     "ConstraintNames",
     "Control",
-    "ControlBatch",
     "Controller",
     "Curvature",
     "Diagnostic",
@@ -185,7 +179,6 @@ __all__ = [
     "DrawnValue",
     "DriveSignal",
     "Duration",
-    "EngineSettings",
     "Extraction",
     "Extractor",
     "File",
@@ -205,7 +198,6 @@ __all__ = [
     "Number",
     "ObjectKind",
     "Observation",
-    "ObservationBatch",
     "Perturber",
     "Picture",
     "Piece",
@@ -256,7 +248,6 @@ __all__ = [
     "read_input",
     "record_of",
     "scene_from_json",
-    "simulate_scenes",
     "to_json",
 ]
 

@@ -68,6 +68,7 @@ HABITS = [
     ("world { friction: 0.4 to 0.9 }", "RL001", "`0.4..0.9`", "0.4..0.9"),
     ("param w = 5metres", "RL203", "`5m`", "5m"),
     (EGO + "expect e: always (ego.cross_track < 5m)", "RL227", "mean", "cross_track_error"),
+    (EGO + "expect e: always (ego.x < 5m)", "RL227", "`station`", None),
     (EGO + "expect e: always (ego.lane == 1)", "RL227", "option `lane`", None),
     (EGO + "expect e: always (ego.wobble < 5m)", "RL227", "its members are `speed`", None),
     (EGO + "expect e: always (speed(ego) < 5m/s)", "RL225", "`ego.speed`", None),
@@ -86,6 +87,7 @@ HABITS = [
     ("require r: always (curvature(zebra) < 1/m)", "RL101", "declares `main`", None),
     ("road bent from main\nrequire r: length(bended) > 5m", "RL101", "`bent`", "bent"),
     (PLAN + "road a from plan", "RL228", "extract a network first", None),
+    ("simulate with builtin", "RL212", "the only kind of `simulate` is `godot`", None),
 ]
 
 

@@ -23,6 +23,7 @@ class Grid(Searcher):
     """Every combination of the values of all draws; the search ends after the last."""
 
     name: ClassVar[str] = "grid"
+    is_adaptive: ClassVar[bool] = False
     steps: Whole = option(
         5, minimum=1, maximum=10_000, help="number of values of each continuous draw"
     )

@@ -22,6 +22,7 @@ class Halton(Searcher):
     """A scrambled Halton sequence: covers the space more evenly than random draws."""
 
     name: ClassVar[str] = "halton"
+    is_adaptive: ClassVar[bool] = False
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
         return _HaltonSearch(len(axes), seed)

@@ -20,6 +20,8 @@ class Random(Searcher):
     """Independent random draws: the share of failures among them estimates the failure rate."""
 
     name: ClassVar[str] = "random"
+    is_adaptive: ClassVar[bool] = False
+    is_random: ClassVar[bool] = True
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
         import numpy as np

@@ -7,4 +7,5 @@ PLANNED = (
     "emit gltf",
     "emit scenic",
     "emit openscenario",
+    "simulate builtin",
 )

@@ -16,6 +16,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "plugins": ("plugins", "List installed plugins and kinds; show the options of a kind."),
     "schema": ("schema", "Print a JSON Schema of an output format or of a kind's options."),
     "run": ("run", "Drive scenes in a simulator and evaluate their expectations."),
+    "falsify": ("falsify", "Search for scenes that violate an expectation."),
     "extract": ("extract", "Extract the roads of an image."),
     "monitor": ("monitor", "Evaluate an STL formula on recorded traces."),
     "mine": ("mine", "Find the tightest parameters with which a formula holds on traces."),

@@ -73,21 +73,23 @@ class DriveCondition:
     @property
     def rho(self) -> float:
         """Robustness, of the worst member."""
-        formula, time = self._formula, self.trace.time
-        return min((float(formula.rho(time, v)) for v in self._values()), default=math.inf)
+        formula, time = self.formula, self.trace.time
+        return min((float(formula.rho(time, v)) for _, v in self.choices()), default=math.inf)
 
     @property
     def truth(self) -> bool:
         """Boolean satisfaction, by every member."""
-        formula, time = self._formula, self.trace.time
-        return all(bool(formula.satisfied(time, values)) for values in self._values())
+        formula, time = self.formula, self.trace.time
+        return all(bool(formula.satisfied(time, values)) for _, values in self.choices())
 
     @property
-    def _formula(self) -> Formula:
+    def formula(self) -> Formula:
+        """The formula by itself."""
         return from_json(self.condition["formula"])
 
-    def _values(self) -> Iterator[dict[str, Any]]:
-        """The variables of the formula, for every choice of a member of each group."""
+    def choices(self) -> Iterator[tuple[dict[str, AgentTrace], dict[str, Any]]]:
+        """For every choice of a member of each group: the members by group, and the variables of
+        the formula."""
         numbers = self.condition.get("numbers", {})
         signals: Mapping[str, Any] = self.condition.get("signals", {})
         calls = {name: _SignalCall(name, call, self) for name, call in signals.items()}
@@ -95,7 +97,7 @@ class DriveCondition:
         for choice in product(*(group(name, self.trace) for name in members)):
             chosen = dict(zip(members, choice, strict=True))
             values = {name: call.values(chosen) for name, call in calls.items()}
-            yield {name: float(number) for name, number in numbers.items()} | values
+            yield chosen, {name: float(number) for name, number in numbers.items()} | values
 
 
 @dataclass(frozen=True)

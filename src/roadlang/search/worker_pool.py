@@ -3,24 +3,47 @@
 from __future__ import annotations
 
 import multiprocessing
+from collections import OrderedDict
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from typing import Any, Generic, TypeVar
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from dataclasses import dataclass
+from typing import Any, Generic, Protocol, TypeVar
 
 State = TypeVar("State")
 Job = TypeVar("Job")
 Result = TypeVar("Result")
+_RESTARTS = 3
+"""How often processes that died are replaced before the work is given up."""
+
+
+class Future(Protocol):
+    """What an executor gives for a job."""
+
+    def result(self) -> Any:
+        """The result, waited for."""
+        ...
+
+
+class Executor(Protocol):
+    """Anything that runs functions elsewhere: of `concurrent.futures`, Dask, joblib, mpi4py."""
+
+    def submit(self, function: Callable[..., Any], /, *arguments: Any) -> Future:
+        """Run a function of picklable arguments."""
+        ...
 
 
 class WorkerPool(Generic[State]):
     """Holds `state` here and, with `processes` above 1, a copy of it in each of as many processes.
 
-    The state is pickled, once for each process, when the first work is handed out to them.
+    The state is pickled, once for each process, when the first work is handed out to them. With an
+    `executor` of `processes` workers the jobs are submitted to that, each with the state, of which
+    every worker keeps one copy.
     """
 
-    def __init__(self, state: State, processes: int) -> None:
+    def __init__(self, state: State, processes: int, executor: Executor | None = None) -> None:
         self._state = state
         self._processes = max(1, processes)
+        self._given = executor
         self._executor: ProcessPoolExecutor | None = None
         self._other_children = frozenset(multiprocessing.active_children())
 
@@ -28,26 +51,48 @@ class WorkerPool(Generic[State]):
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *error: object) -> None:
-        if self._executor is None:
-            return
-        if kind is not None:  # nobody waits for what the workers are doing
-            for process in set(multiprocessing.active_children()) - self._other_children:
-                process.terminate()
-        self._executor.shutdown(wait=True, cancel_futures=True)
+        self._end(at_once=kind is not None)
+
+    @property
+    def workers(self) -> int:
+        """How many jobs are worked on at a time."""
+        return self._processes
 
     def map(
         self, work: Callable[[State, Job], Result], jobs: Sequence[Job], fewest: int = 2
     ) -> Iterator[Result]:
         """`work(state, job)` of each job, in order; of fewer than `fewest` jobs in this process.
 
-        `work` is a function of a module or class, as other processes find it by its name.
+        `work` is a function of a module or class, as other processes find it by its name. A job
+        whose process died is done again by another. Raises `BrokenExecutor` where that happens
+        again and again.
         """
-        if self._processes == 1 or len(jobs) < fewest:
+        if self._given is not None:
+            shared = _Shared(self._state)
+            sent = [self._given.submit(_run_shared, shared, work, job) for job in jobs]
+            yield from (future.result() for future in sent)
+        elif self._processes == 1 or len(jobs) < fewest:
             yield from (work(self._state, job) for job in jobs)
         else:
-            executor = self._started()
-            futures = [executor.submit(_run, work, job) for job in jobs]
-            yield from (future.result() for future in futures)
+            yield from self._map_in_processes(work, jobs)
+
+    def _map_in_processes(
+        self, work: Callable[[State, Job], Result], jobs: Sequence[Job]
+    ) -> Iterator[Result]:
+        done, deaths = 0, 0
+        while done < len(jobs):
+            try:
+                executor = self._started()
+                for future in [executor.submit(_run, work, job) for job in jobs[done:]]:
+                    result = future.result()
+                    done += 1
+                    deaths = 0
+                    yield result
+            except BrokenExecutor:
+                self._end(at_once=True)
+                deaths += 1
+                if deaths > _RESTARTS:
+                    raise
 
     def _started(self) -> ProcessPoolExecutor:
         if self._executor is None:
@@ -59,6 +104,15 @@ class WorkerPool(Generic[State]):
                 initargs=(self._state,),
             )
         return self._executor
+
+    def _end(self, at_once: bool) -> None:
+        if self._executor is None:
+            return
+        if at_once:  # nobody waits for what the workers are doing
+            for process in set(multiprocessing.active_children()) - self._other_children:
+                process.terminate()
+        self._executor.shutdown(wait=True, cancel_futures=True)
+        self._executor = None
 
 
 _process_state: list[Any] = []
@@ -72,3 +126,35 @@ def _start(state: Any) -> None:
 
 def _run(work: Callable[[Any, Job], Result], job: Job) -> Result:
     return work(_process_state[0], job)
+
+
+@dataclass(frozen=True)
+class _Shared:
+    """A state that is sent with every job; a worker makes its own copy of it only once."""
+
+    state: Any
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        import pickle  # noqa: TID251 - what executors do with every argument
+
+        content = pickle.dumps(self.state)
+        return _unpacked, (content,)
+
+
+_COPIES = 4
+_copies: OrderedDict[bytes, _Shared] = OrderedDict()
+"""The states that this process was sent last, by their content."""
+
+
+def _unpacked(content: bytes) -> _Shared:
+    import pickle  # noqa: TID251 - what executors do with every argument
+
+    if content not in _copies:
+        _copies[content] = _Shared(pickle.loads(content))
+        while len(_copies) > _COPIES:
+            _copies.popitem(last=False)
+    return _copies[content]
+
+
+def _run_shared(shared: _Shared, work: Callable[[Any, Job], Result], job: Job) -> Result:
+    return work(shared.state, job)

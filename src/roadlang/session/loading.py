@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
     from ..scenes.sampling import SceneObserver
+    from ..search.worker_pool import Executor
+    from .falsification import Falsification
     from .param_files import ParamFile
     from .scene_set import SceneSet
 
@@ -165,6 +167,46 @@ class LoadedScenario:
         from .scene_set import sampled
 
         return sampled(self, n, seed, jobs, progress, after_pass)
+
+    def falsify(  # noqa: PLR0913 - one parameter for each option
+        self,
+        expects: str | Sequence[str] | None = None,
+        *,
+        searcher: str | None = None,
+        engine: str | None = None,
+        options: Mapping[str, Any] | None = None,
+        seed: int = 0,
+        jobs: int = 1,
+        executor: Executor | None = None,
+        folder: str | Path | None = None,
+        resume: bool = False,
+        progress: Progress | None = None,
+        **settings: Any,
+    ) -> Falsification:
+        """Search the scenes that satisfy every `require` for some that violate an `expect`.
+
+        What is not given is as the file's `falsify` says: `expects`, the most important first,
+        `searcher`, and the settings `evaluations`, `failures`, `seconds`, `batch`, `islands`,
+        `random`. `engine` with its `options` (SI units) is as in `SceneSet.run`. The same scenario,
+        seed and settings give the same outcomes, whatever `jobs` and `executor` (anything with
+        `submit`, of `jobs` workers) are. `folder` keeps a journal, which `resume` goes on with.
+        Raises `DiagnosticError` (RL702 for the journal of another search, RL703, RL705 where there
+        is nothing to violate or to search).
+        """
+        from .falsification import Drives, Workers, falsified
+
+        names = [expects] if isinstance(expects, str) else expects
+        given = {"expects": names, **settings}
+        return falsified(
+            self,
+            seed,
+            searcher,
+            given,
+            Drives(engine, dict(options or {})),
+            Workers(jobs, executor, progress),
+            None if folder is None else Path(folder).absolute(),
+            resume,
+        )
 
     @cached_property
     def _checked(self) -> tuple[Scenario | None, tuple[Diagnostic, ...]]:

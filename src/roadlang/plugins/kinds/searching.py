@@ -68,6 +68,11 @@ class Searcher(Kind):
 
     verb: ClassVar[str] = "falsify"
     required_methods: ClassVar[tuple[str, ...]] = ("start",)
+    is_adaptive: ClassVar[bool] = True
+    """whether it makes use of results; several searches side by side are only made of one that
+    does, as those of another would all ask for the same"""
+    is_random: ClassVar[bool] = False
+    """whether its points are independent random draws, which tell the failure rate"""
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
         """A new search in the unit cube of `axes`; the same axes and seed, the same search."""

@@ -110,6 +110,16 @@ def explain(
     )
 
 
+def decider(
+    formula: f.Formula, positions: Positions, signals: Signals, variant: int = 0
+) -> tuple[f.Formula, int]:
+    """The sub-formula, a comparison where there is one, and the sample that decide the robustness
+    at the first sample."""
+    trace = Trace.of(positions, signals, formula.variables, None).alone(variant)
+    chain, _ = _Finder(trace).chain(formula)
+    return chain[-1]
+
+
 class _Finder:
     """Follows the extremes from the root down; traces of sub-formulas are computed once."""
 

@@ -1,0 +1,154 @@
+"""`roadlang falsify FILE`: a search for scenes that violate an expectation."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..session.scene_files import parse_overrides
+from . import exit_codes
+from .console import echo, note, report, shown, style
+
+if TYPE_CHECKING:
+    from ..session.falsification import Failure, Falsification
+
+_SHOWN = 10
+"""Failures that are listed on the terminal."""
+
+
+@click.command("falsify")
+@click.argument("file")
+@click.option("-o", "--output", "folder", default="out", show_default=True, metavar="DIR")
+@click.option(
+    "--expect",
+    "expects",
+    multiple=True,
+    metavar="NAME",
+    help="An expectation to violate, the most important first; by default all.",
+)
+@click.option("--with", "searcher", metavar="KIND", help="Searcher, in place of the file's.")
+@click.option("--evaluations", type=click.IntRange(min=1), help="Stop after so many candidates.")
+@click.option(
+    "--failures", type=click.IntRange(min=1), help="Stop after so many distinct failures."
+)
+@click.option(
+    "--seconds", type=click.FloatRange(min=0, min_open=True), help="Stop after this time."
+)
+@click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together.")
+@click.option("--islands", type=click.IntRange(min=1), help="Independent searches side by side.")
+@click.option(
+    "--random", type=click.FloatRange(0, 1), help="Share of candidates that are drawn at random."
+)
+@click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
+@click.option(
+    "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
+)
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
+)
+@click.option(
+    "--jobs",
+    type=click.IntRange(min=1, max=256),
+    default=1,
+    show_default=True,
+    help="Number of worker processes; does not change the result.",
+)
+@click.option(
+    "--cluster",
+    metavar="ADDRESS",
+    help="Scheduler of a running Dask cluster to work on, such as tcp://10.0.0.5:8786.",
+)
+@click.option(
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
+)
+@click.option("--resume", is_flag=True, help="Go on with the journal in DIR.")
+@click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON.")
+def command(
+    file: str,
+    folder: str,
+    settings: tuple[str, ...],
+    as_json: bool,
+    expects: tuple[str, ...],
+    duration: float | None,
+    jobs: int,
+    cluster: str | None,
+    **options: Any,
+) -> None:
+    """Search the scenes of FILE that satisfy every `require` for some that violate an `expect`.
+
+    DIR/failures has the distinct failures as scenes, worst first, which `roadlang run` drives
+    again, with their traces and figures; DIR/failing.csv and safe.csv have a row for every scene
+    that was driven, summary.json the failure rate and what was covered. What is finished is kept in
+    DIR/journal.jsonl: `--resume` goes on after an interruption, or with more evaluations. Options
+    come before those of the file's `falsify`. The exit code is 4 if there is a failure, 3 if no
+    scene satisfies the requirements.
+    """
+    from ..session.cluster import cluster as workers
+    from ..session.loading import load
+    from .progress import ProgressBar
+
+    target = Path(folder).absolute()  # before a plugin can change the current folder
+    loaded = load(file).with_params(parse_overrides(settings))
+    report(loaded.check())
+    with workers(cluster, jobs) as (count, executor), ProgressBar("evaluations") as progress:
+        search = loaded.falsify(
+            expects or None,
+            options={} if duration is None else {"duration": duration},
+            jobs=count,
+            executor=executor,
+            folder=target,
+            progress=progress,
+            **options,
+        )
+    search.write(target)
+    if as_json:
+        from ..session.falsification_files import summary
+
+        click.echo(json.dumps(summary(search), indent=2))
+    else:
+        _print(search, target)
+    click.get_current_context().exit(_exit_code(search))
+
+
+def _exit_code(search: Falsification) -> int:
+    if search.failures:
+        return exit_codes.EXPECTATION_VIOLATED
+    return exit_codes.DONE if search.driven else exit_codes.NO_SCENE
+
+
+def _print(search: Falsification, target: Path) -> None:
+    for failure in search.failures[:_SHOWN]:
+        echo(_line(failure))
+    more = len(search.failures) - _SHOWN
+    if more > 0:
+        echo(f"  ... and {more} more")
+    if not search.driven:
+        note("no candidate satisfied the requirements; `roadlang compile` shows which rejects most")
+    failing = sum(outcome.is_failure for outcome in search.driven)
+    echo(
+        f"{len(search.failures)} distinct of {failing} failures in {len(search.driven):,} scenes"
+        f" of {len(search.outcomes):,} evaluations; in {shown(target)}"
+    )
+    rate = search.rate
+    if rate.scenes:
+        echo(
+            f"of scenes drawn at random {rate.low:.2%} to {rate.high:.2%} fail"
+            f" (95 % confidence, {rate.failures} of {rate.scenes})"
+        )
+
+
+def _line(failure: Failure) -> str:
+    name = failure.outcome.violated[0]
+    robustness = failure.robustness[name]
+    rho = "" if robustness is None else f" {robustness:.3g}"
+    moment = failure.outcome.moment
+    place = ""
+    if moment is not None:
+        place = f" at {moment.time:.1f} s"
+        place += "" if moment.station is None else f", s = {moment.station:.0f} m"
+        place += f", {moment.partner}" if moment.partner else ""
+    word = style("violated", fg="red")
+    return f"  {word}  failures/{failure.rank:04d}.json  {name}{rho}{place}"

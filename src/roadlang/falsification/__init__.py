@@ -1,0 +1,1 @@
+"""The search for scenes that violate an expectation: evaluation, grading, journal, statistics."""

@@ -1,0 +1,181 @@
+"""Evaluates points of the search space: candidates, their scenes, their drives. Workers hold it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError
+from ..drive.simulators import Driven, drive_scenes
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.draw_record import DrawRecord
+from ..ir.scenario import Scenario
+from ..ir.scene import Scene
+from ..judging.acceptance import Acceptance, Measurements
+from ..plugins.registry import Registry
+from ..scenes.instantiate import driven_scene, instantiate
+from ..world.index import index_scenario
+from .descriptors import descriptor, measures, moment_of, protagonist
+from .outcome import Outcome
+
+Floats = NDArray[np.float64]
+_PILOT, _PILOT_SIZE = -2, 64
+"""Candidates that the usual size of violations is learned from."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is searched in: the same for all points. `expects`: the expectations to violate, the
+    most important first; `engine` and `options`: the simulator, where it is not the scenario's."""
+
+    scenario: Scenario
+    registry: Registry
+    seed: int
+    axes: tuple[str, ...]
+    expects: tuple[str, ...]
+    engine: str | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+    overrides: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """A point to be evaluated; `index` also keys what no axis chooses."""
+
+    index: int
+    point: tuple[float, ...]
+    is_random: bool = False
+
+
+class Evaluator:
+    """Nothing of an outcome depends on what is evaluated with it."""
+
+    def __init__(self, task: Task) -> None:
+        self.task = task
+        self.scenario = index_scenario(task.scenario, task.registry)
+        self.acceptance = Acceptance(self.scenario)
+
+    def __reduce__(self) -> tuple[type[Evaluator], tuple[Task]]:
+        return Evaluator, (self.task,)
+
+    def evaluate(self, proposals: Sequence[Proposal]) -> list[Outcome]:
+        """The outcome of each, in order. Raises DiagnosticError where no scene can be driven."""
+        measured = self.acceptance.measure(self._candidates(proposals))
+        violations = self._violations(measured)
+        outcomes: dict[int, Outcome] = {}
+        scenes: dict[int, Scene] = {}
+        for row, proposal in enumerate(proposals):
+            violation = None if measured.satisfied[:, row].all() else float(violations[row])
+            if violation is None:
+                try:
+                    scenes[row] = self.scene(proposal)
+                    continue
+                except DiagnosticError as error:
+                    if not _is_of_draws(error):
+                        raise
+                    violation = float(len(self.acceptance.requirements) + 1)
+            outcomes[row] = self._invalid(proposal, violation, measured.rho[:, row])
+        if scenes:
+            task = self.task
+            driven = drive_scenes(list(scenes.values()), task.registry, task.engine, task.options)
+            for row, found in zip(scenes, driven, strict=True):
+                outcomes[row] = self.outcome(proposals[row], found, measured.rho[:, row])
+        return [outcomes[row] for row in range(len(proposals))]
+
+    def scene(self, proposal: Proposal) -> Scene:
+        """The scene of a valid point, as it is driven."""
+        return driven_scene(self._single(proposal), proposal.index, self.task.overrides)
+
+    def full_scene(self, proposal: Proposal) -> Scene:
+        """The same with all that people and figures want."""
+        return instantiate(self._single(proposal), proposal.index, self.task.overrides).scene
+
+    def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
+        """What came of a drive. Raises DiagnosticError where an expectation has no verdict."""
+        task, scene = self.task, driven.scene
+        faults = [driven.judgement.faults.get(name, ()) for name in task.expects]
+        if any(faults):
+            raise DiagnosticError(*(fault for part in faults for fault in part))
+        verdicts = {verdict.name: verdict for verdict in driven.judgement.verdicts}
+        violated = tuple(name for name in task.expects if verdicts[name].satisfied is False)
+        moment = None
+        if violated:
+            moment = moment_of(verdicts[violated[0]], scene, driven.trace, task.registry)
+        name = protagonist(scene, task.expects)
+        return Outcome(
+            proposal.index,
+            proposal.point,
+            proposal.is_random,
+            None,
+            self._named(rho),
+            {name: verdicts[name].robustness for name in task.expects},
+            violated,
+            {**scene.values, **scene.draws},
+            measures(scene, driven.trace, name),
+            descriptor(scene, driven.trace, name, moment),
+            moment,
+        )
+
+    def _invalid(self, proposal: Proposal, violation: float, rho: Floats) -> Outcome:
+        return Outcome(
+            proposal.index, proposal.point, proposal.is_random, violation, self._named(rho)
+        )
+
+    def _named(self, rho: Floats) -> dict[str, float | None]:
+        """Robustness by requirement, without those that go without saying."""
+        return {
+            requirement.name: float(value) if math.isfinite(value) else None
+            for requirement, value in zip(self.acceptance.requirements, rho, strict=True)
+            if not requirement.implied
+        }
+
+    def _candidates(self, proposals: Sequence[Proposal]) -> CandidateBatch:
+        points = np.array([proposal.point for proposal in proposals])
+        points = points.reshape(len(proposals), len(self.task.axes))
+        given = {name: points[:, column] for column, name in enumerate(self.task.axes)}
+        attempts = np.array([proposal.index for proposal in proposals])
+        scenes = np.zeros_like(attempts)
+        return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, given)
+
+    def _single(self, proposal: Proposal) -> CandidateBatch:
+        point = {
+            name: np.array([value])
+            for name, value in zip(self.task.axes, proposal.point, strict=True)
+        }
+        first, attempt = np.zeros(1, np.int64), np.array([proposal.index])
+        record = DrawRecord()
+        return CandidateBatch(self.scenario, self.task.seed, first, attempt, point, record)
+
+    def _violations(self, measured: Measurements) -> Floats:
+        """(V,) over the violated requirements the sum of their lack of robustness, measured in what
+        it usually is and below 1 for each."""
+        rho = np.nan_to_num(measured.rho, nan=0.0, posinf=0.0, neginf=-np.inf)
+        lack = np.maximum(-rho, 0.0) / self._usual
+        size = np.where(np.isfinite(lack), lack / (1.0 + lack), 1.0)
+        return np.asarray(np.where(measured.satisfied, 0.0, 0.01 + size).sum(axis=0))
+
+    @cached_property
+    def _usual(self) -> Floats:
+        """(R, 1) the usual size of a violation of each requirement."""
+        attempts = np.arange(_PILOT_SIZE)
+        pilot = CandidateBatch(
+            self.scenario, self.task.seed, np.full(_PILOT_SIZE, _PILOT), attempts
+        )
+        rho = self.acceptance.measure(pilot).rho
+        lack = np.where(np.isfinite(rho) & (rho < 0.0), -rho, 0.0)
+        mean = lack.sum(axis=1) / np.maximum((lack > 0.0).sum(axis=1), 1)
+        return np.where(mean > 0.0, mean, 1.0)[:, None]
+
+
+def _is_of_draws(error: DiagnosticError) -> bool:
+    """Whether a fault is of these draws, not of the scenario: other draws may do without it."""
+    from ..diagnostics import Code
+
+    ours = (Code.DEGENERATE_ROAD, Code.DRAWN_VALUE_OUT_OF_BOUNDS, Code.POSITION_OFF_ROAD)
+    return all(diagnostic.code in ours for diagnostic in error.diagnostics)

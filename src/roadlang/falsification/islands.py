@@ -1,0 +1,91 @@
+"""Searches side by side, and the candidates that are drawn at random among theirs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..geometry.arrays import read_only
+from ..plugins.guard import plugin_guard, wrong_result
+from ..plugins.kinds import Axis, Search
+from ..plugins.results import real_numbers
+from .evaluator import Proposal
+from .outcome import Outcome
+from .plan import Plan
+
+Floats = NDArray[np.float64]
+
+
+class Islands:
+    """The searches of a plan. Each is asked for a batch in every round."""
+
+    def __init__(self, plan: Plan, axes: Sequence[Axis]) -> None:
+        self._plan = plan
+        self._axes = tuple(axes)
+        self._searches: list[Search] = []
+        for island in range(plan.islands):
+            with plugin_guard(plan.entry, None):
+                self._searches.append(plan.searcher.start(self._axes, _seed(plan.seed, island)))
+        self._asked: list[tuple[Search, list[int], Floats]] = []
+
+    def ask(self, first: int, most: int) -> list[Proposal]:
+        """The candidates of the next round, at most `most`, numbered from `first`; none where all
+        searches have come to their ends."""
+        self._asked = []
+        proposals: list[Proposal] = []
+        for search in self._searches:
+            count = min(self._plan.batch, most - len(proposals))
+            start = first + len(proposals)
+            searched = [i for i in range(start, start + count) if not self._plan.is_random(i)]
+            points = self._points(search, len(searched))
+            has_ended = len(points) < len(searched)
+            searched = searched[: len(points)]
+            # A search that has come to its end takes no more random candidates with it.
+            end = (searched[-1] + 1 if searched else start) if has_ended else start + count
+            chosen = dict(zip(searched, points.tolist(), strict=True))
+            self._asked.append((search, [index - first for index in searched], points))
+            proposals += (self._proposal(index, chosen.get(index)) for index in range(start, end))
+        return proposals
+
+    def tell(self, outcomes: Sequence[Outcome], values: Floats) -> None:
+        """What came of the candidates of the round."""
+        length = max((len(outcome.descriptor) for outcome in outcomes), default=0)
+        for search, rows, points in self._asked:
+            if not rows:
+                continue
+            descriptors = np.full((len(rows), length), np.nan)
+            for row, number in enumerate(rows):
+                found = outcomes[number].descriptor
+                descriptors[row, : len(found)] = found
+            with plugin_guard(self._plan.entry, None):
+                search.tell(read_only(points), read_only(values[rows]), read_only(descriptors))
+
+    def _points(self, search: Search, count: int) -> Floats:
+        if count <= 0:
+            return np.empty((0, len(self._axes)))
+        with plugin_guard(self._plan.entry, None):
+            result = search.ask(count)
+        points = real_numbers(result, "points", self._plan.entry, None)
+        fits = points.ndim == 2 and points.shape[1] == len(self._axes) and len(points) <= count
+        if not fits or not ((points >= 0.0) & (points < 1.0)).all():
+            fault = f"gave points of shape {points.shape}, not {(count, len(self._axes))}"
+            raise wrong_result(self._plan.entry, None, f"{fault}, or beyond [0, 1)")
+        return points
+
+    def _proposal(self, index: int, point: Sequence[float] | None) -> Proposal:
+        if point is None:
+            return Proposal(index, self._random_point(index), True)
+        return Proposal(index, tuple(point), self._plan.searcher.is_random)
+
+    def _random_point(self, index: int) -> tuple[float, ...]:
+        key = _seed(self._plan.seed, -1)
+        random = np.random.Generator(np.random.Philox(key=key, counter=index << 64))
+        return tuple(random.random(len(self._axes)).tolist())
+
+
+def _seed(seed: int, island: int) -> int:
+    """A seed of 63 bits for each island; -1 stands for the random share."""
+    state = np.random.SeedSequence([seed, island + 1]).generate_state(1, np.uint64)[0]
+    return int(state >> np.uint64(1))

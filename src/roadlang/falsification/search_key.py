@@ -1,0 +1,61 @@
+"""A digest of all that the outcomes of a search depend on: which journal can be gone on with."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from ..ir.scenario import FileSource, Image, Network, Road, Scenario
+from ..ir.scenario_json import scenario_to_json
+from .evaluator import Task
+from .plan import Plan
+
+_STOP_RULES = ("evaluations", "failures", "seconds")
+
+
+def search_key(task: Task, plan: Plan) -> str:
+    """Stop rules are left out: a search that has ended can go on with others."""
+    settings = {
+        field.name: getattr(plan, field.name)
+        for field in dataclasses.fields(plan)
+        if field.name not in (*_STOP_RULES, "searcher", "entry")
+    }
+    searcher = {"kind": plan.entry.qualified, "options": dataclasses.asdict(plan.searcher)}  # type: ignore[call-overload]
+    return digest(
+        task.scenario,
+        {
+            **settings,
+            "searcher": searcher,
+            "expects": task.expects,
+            "engine": task.engine,
+            "options": dict(task.options),
+        },
+    )
+
+
+def digest(scenario: Scenario, settings: dict[str, Any]) -> str:
+    """SHA-256 of a scenario, its input files and the settings of a run."""
+    record = scenario_to_json(scenario)
+    text = json.dumps([_without_places(record), settings], sort_keys=True, default=str)
+    content = hashlib.sha256(text.encode())
+    things: tuple[Image | Network | Road, ...] = (
+        *scenario.images, *scenario.networks, *scenario.roads
+    )  # fmt: skip
+    for thing in things:
+        source = thing.source
+        if isinstance(source, FileSource):
+            path = Path(source.resolved)
+            content.update(path.read_bytes() if path.is_file() else b"")
+    return content.hexdigest()
+
+
+def _without_places(value: Any) -> Any:
+    """The record without places in the source, which change with every comment."""
+    if isinstance(value, dict):
+        return {k: _without_places(v) for k, v in value.items() if k not in ("span", "resolved")}
+    if isinstance(value, list | tuple):
+        return [_without_places(item) for item in value]
+    return value

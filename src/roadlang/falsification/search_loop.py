@@ -1,0 +1,99 @@
+"""The search for failures, round after round, until a stop rule ends it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from ..plugins.kinds import Axis
+from ..search.worker_pool import WorkerPool
+from .distinct import DistinctFailures
+from .evaluator import Evaluator, Proposal
+from .grading import Grading
+from .islands import Islands
+from .journal import Journal
+from .outcome import Outcome
+from .plan import Plan
+
+Progress = Callable[[int, int], None]
+Expired = Callable[[], bool]
+FEWEST_AT_ONCE = 8
+"""Candidates for a worker, at least: a simulator drives many at a time in little more time."""
+
+
+@dataclass(frozen=True)
+class SearchResult:
+    """`outcomes` in the order of their numbers; `failures`: the distinct ones, worst first."""
+
+    outcomes: tuple[Outcome, ...]
+    failures: tuple[Outcome, ...]
+
+
+def search_failures(
+    plan: Plan,
+    axes: Sequence[Axis],
+    pool: WorkerPool[Evaluator],
+    expects: Sequence[str],
+    journal: Journal,
+    progress: Progress | None = None,
+    expired: Expired = lambda: False,
+) -> SearchResult:
+    """Search by the plan. `expired` tells whether the time is over."""
+    islands, grading = Islands(plan, axes), Grading(expects)
+    outcomes: list[Outcome] = []
+    distinct = DistinctFailures()
+    values: dict[int, float] = {}
+    while len(outcomes) < plan.evaluations and not expired():
+        proposals = islands.ask(len(outcomes), plan.evaluations - len(outcomes))
+        if not proposals:
+            break
+        found = list(_evaluated(proposals, pool, journal))
+        graded = grading.values(found)
+        islands.tell(found, graded)
+        values |= {outcome.index: float(v) for outcome, v in zip(found, graded, strict=True)}
+        is_over = _add(found, outcomes, distinct, plan.failures)
+        if progress is not None:
+            progress(len(outcomes), plan.evaluations)
+        if is_over:
+            break
+    ranked = sorted(distinct.found, key=lambda outcome: (values[outcome.index], outcome.index))
+    return SearchResult(tuple(outcomes), tuple(ranked))
+
+
+def _add(
+    found: Sequence[Outcome],
+    outcomes: list[Outcome],
+    distinct: DistinctFailures,
+    enough: int | None,
+) -> bool:
+    """Add outcomes up to the one with which there are enough distinct failures."""
+    for outcome in found:
+        outcomes.append(outcome)
+        if outcome.is_failure:
+            distinct.add(outcome)
+            if enough is not None and len(distinct.found) >= enough:
+                return True
+    return False
+
+
+def _evaluated(
+    proposals: Sequence[Proposal], pool: WorkerPool[Evaluator], journal: Journal
+) -> Iterator[Outcome]:
+    """The outcome of each, of the journal where it was evaluated before."""
+    known = {proposal.index: journal.known(proposal) for proposal in proposals}
+    new = [proposal for proposal in proposals if known[proposal.index] is None]
+    found: dict[int, Outcome] = {}
+    for outcomes in pool.map(Evaluator.evaluate, _parts(new, pool.workers)):
+        journal.append(outcomes)
+        found |= {outcome.index: outcome for outcome in outcomes}
+    for proposal in proposals:
+        yield known[proposal.index] or found[proposal.index]
+
+
+def _parts(proposals: Sequence[Proposal], workers: int) -> list[Sequence[Proposal]]:
+    """Equal parts, one for each worker where that is worth it."""
+    if not proposals:
+        return []
+    count = max(1, min(workers, len(proposals) // FEWEST_AT_ONCE))
+    ends = [len(proposals) * part // count for part in range(count + 1)]
+    return [proposals[ends[part] : ends[part + 1]] for part in range(count)]

@@ -1,0 +1,60 @@
+"""Files that grow a line at a time while work goes on, so that what is finished is kept."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+
+SCHEMA = "roadlang.journal/1"
+
+
+class JournalFile:
+    """A header with a key, then lines of JSON. A line that was not finished is left out.
+
+    `lines` are those of an earlier run with the same key, where `resume` says to go on with it;
+    otherwise the file is begun anew. Raises `DiagnosticError` RL702 where the file has another key,
+    RL460 where it cannot be written.
+    """
+
+    def __init__(self, path: Path, key: str, resume: bool) -> None:
+        self.path = path
+        header = json.dumps({"schema": SCHEMA, "key": key}).encode()
+        self.lines: list[bytes] = []
+        try:
+            if resume and path.exists():
+                self.lines = _finished(path, header)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(b"".join(line + b"\n" for line in (header, *self.lines)))
+        except OSError as error:
+            raise _unwritable(path, error) from error
+
+    def append(self, lines: Sequence[bytes]) -> None:
+        """Write lines at once. Raises `DiagnosticError` RL460."""
+        try:
+            with self.path.open("ab") as file:
+                file.write(b"".join(line + b"\n" for line in lines))
+        except OSError as error:
+            raise _unwritable(self.path, error) from error
+
+
+def _finished(path: Path, header: bytes) -> list[bytes]:
+    first, *lines = path.read_bytes().split(b"\n")
+    if first != header:
+        raise DiagnosticError(diagnose(Code.OTHER_JOURNAL, path=str(path)))
+    return [line for line in lines[:-1] if _is_json(line)]
+
+
+def _is_json(line: bytes) -> bool:
+    try:
+        json.loads(line)
+    except ValueError:
+        return False
+    return True
+
+
+def _unwritable(path: Path, error: OSError) -> DiagnosticError:
+    reason = error.strerror or str(error)
+    return DiagnosticError(diagnose(Code.OUTPUT_NOT_WRITTEN, file=str(path), reason=reason))

@@ -1,0 +1,64 @@
+"""When and for whom a drive decides an expectation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..ir.scene import Verdict
+from ..ir.trace import AgentTrace, Trace
+from ..plugins.registry import Registry
+from ..stl.explain.explanation import decider
+from .drives import DriveCondition, group
+
+
+@dataclass(frozen=True)
+class DecidingMoment:
+    """The sample of the trace that decides a formula, and the agents and objects that the deciding
+    comparison is about, in the order in which it names them."""
+
+    sample: int
+    actors: tuple[AgentTrace, ...]
+
+
+def deciding_moment(verdict: Verdict, trace: Trace, registry: Registry) -> DecidingMoment | None:
+    """None for what is no formula over the drive."""
+    if verdict.domain != "drive" or verdict.formula is None or "monitor" in verdict.formula:
+        return None
+    condition = DriveCondition(verdict.formula, trace, registry)
+    formula, time = condition.formula, trace.time
+    choices = list(condition.choices())
+    if not choices or not len(time):
+        return None
+    chosen, values = min(choices, key=lambda choice: float(formula.rho(time, choice[1])))
+    comparison, sample = decider(formula, time, values)
+    signals = {
+        name: call
+        for name, call in verdict.formula.get("signals", {}).items()
+        if name in comparison.variables
+    }
+    return DecidingMoment(sample, tuple(_actors(signals, chosen, trace, sample)))
+
+
+def _actors(
+    signals: Mapping[str, Any], chosen: Mapping[str, AgentTrace], trace: Trace, sample: int
+) -> list[AgentTrace]:
+    """Each once; of a group that a distance is measured to, the member that is nearest then."""
+    found: dict[str, AgentTrace] = {}
+    for call in signals.values():
+        for name in call.get("options", {}).values():
+            members = group(name, trace) if isinstance(name, str) else ()
+            if name in chosen:
+                members = (chosen[name],)
+            if members:
+                first = next(iter(found.values()), members[0])
+                nearest = min(members, key=lambda other: _distance(first, other, sample))
+                found.setdefault(nearest.name, nearest)
+    return list(found.values())
+
+
+def _distance(first: AgentTrace, other: AgentTrace, sample: int) -> float:
+    x = float(first.x[sample] - other.x[sample])
+    y = float(first.y[sample] - other.y[sample])
+    return x * x + y * y

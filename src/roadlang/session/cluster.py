@@ -1,0 +1,43 @@
+"""Workers of a running Dask cluster, as an executor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+
+if TYPE_CHECKING:
+    from ..search.worker_pool import Executor
+
+_PATIENCE = "10s"
+_RETRIES = 5
+"""How often a job is done again whose worker was lost."""
+
+
+@contextmanager
+def cluster(address: str | None, jobs: int) -> Iterator[tuple[int, Executor | None]]:
+    """How many workers there are at the scheduler `address`, and an executor of them; without an
+    address `jobs` and None. Raises `DiagnosticError` RL704 where the cluster cannot be used."""
+    if address is None:
+        yield jobs, None
+        return
+    try:
+        from distributed import Client
+    except ImportError:
+        reason, help_ = "`distributed` is not installed", 'pip install "roadlang[dask]"'
+        fault = diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=reason, help=help_)
+        raise DiagnosticError(fault) from None
+    try:
+        client = Client(address, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as error:
+        reason = str(error) or "no scheduler answers there"
+        fault = diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=reason)
+        raise DiagnosticError(fault) from error
+    with client:
+        workers = sum(client.nthreads().values())
+        if not workers:
+            fault = diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason="it has no workers")
+            raise DiagnosticError(fault)
+        yield workers, client.get_executor(retries=_RETRIES, pure=False)

@@ -1,0 +1,194 @@
+"""The search for failures for Python users: what was found, and its files.
+
+A facade: a scenario is falsified, and a failure is a scene that can be driven again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..falsification.axes import axes_of
+from ..falsification.deadline import deadline
+from ..falsification.evaluator import Evaluator, Proposal, Task
+from ..falsification.journal import Journal, NoJournal, SearchJournal
+from ..falsification.outcome import Outcome
+from ..falsification.plan import Plan
+from ..falsification.search_key import search_key
+from ..falsification.search_loop import SearchResult, search_failures
+from ..falsification.settings import plan_of
+from ..falsification.statistics import (
+    Coverage,
+    FailureRate,
+    best_so_far,
+    coverage,
+    failure_rate,
+)
+from ..search.worker_pool import Executor, WorkerPool
+from ..world.index import index_scenario
+from .scene import Scene
+from .tables import columns_of
+
+if TYPE_CHECKING:
+    from .drives import Drive
+    from .loading import LoadedScenario
+
+Progress = Callable[[int, int], None]
+JOURNAL = "journal.jsonl"
+
+
+@dataclass(frozen=True)
+class Workers:
+    """Who evaluates: `jobs` processes, or an `executor` with as many workers. `progress` is called
+    with what is done and wanted."""
+
+    jobs: int = 1
+    executor: Executor | None = None
+    progress: Progress | None = None
+
+
+@dataclass(frozen=True)
+class Drives:
+    """Where scenes are driven: a simulator by its name, with options in SI units."""
+
+    engine: str | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+
+class Failure:
+    """A scene that violates an expectation. `rank` counts from 1, the worst first."""
+
+    def __init__(self, rank: int, outcome: Outcome, search: Falsification) -> None:
+        self.rank = rank
+        self.outcome = outcome
+        self._search = search
+
+    def __repr__(self) -> str:
+        return f"<failure {self.rank}: {', '.join(self.outcome.violated)} in {self.scene!r}>"
+
+    @property
+    def robustness(self) -> Mapping[str, float | None]:
+        """Of each expectation of the search."""
+        return self.outcome.expectations
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The scene, with all that figures show. Its number is that of the evaluation."""
+        proposal = Proposal(self.outcome.index, self.outcome.point)
+        return Scene(self._search.evaluator.full_scene(proposal), self._search.loaded.registry)
+
+    @cached_property
+    def drive(self) -> Drive:
+        """The scene, driven once more."""
+        drives = self._search.drives
+        return self.scene.run(drives.engine, **drives.options)
+
+
+class Falsification:
+    """What a search came to. `outcomes` are all evaluated candidates in their order."""
+
+    def __init__(
+        self, loaded: LoadedScenario, plan: Plan, evaluator: Evaluator, result: SearchResult
+    ) -> None:
+        self.loaded = loaded
+        self.plan = plan
+        self.evaluator = evaluator
+        self.outcomes = result.outcomes
+        self.failures = tuple(
+            Failure(rank, outcome, self) for rank, outcome in enumerate(result.failures, 1)
+        )
+
+    def __repr__(self) -> str:
+        return f"<{len(self.failures)} distinct failures in {len(self.outcomes):,} evaluations>"
+
+    @property
+    def expects(self) -> tuple[str, ...]:
+        """The expectations of the search, the most important first."""
+        return self.evaluator.task.expects
+
+    @property
+    def drives(self) -> Drives:
+        """Where the scenes were driven."""
+        return Drives(self.evaluator.task.engine, self.evaluator.task.options)
+
+    @property
+    def driven(self) -> tuple[Outcome, ...]:
+        """The candidates that satisfy the requirements."""
+        return tuple(outcome for outcome in self.outcomes if outcome.is_valid)
+
+    @property
+    def rate(self) -> FailureRate:
+        """The share of failures among scenes drawn at random, with its confidence interval."""
+        return failure_rate(self.outcomes)
+
+    @property
+    def coverage(self) -> Mapping[str, Coverage]:
+        """What the drives had of curvature, speed and gap."""
+        return coverage(self.outcomes)
+
+    @property
+    def best(self) -> Mapping[str, Sequence[tuple[int, float]]]:
+        """Of each expectation, the evaluations at which its robustness came lower than before."""
+        return {name: best_so_far(self.outcomes, name) for name in self.expects}
+
+    def rows(self, outcomes: Sequence[Outcome] | None = None) -> list[dict[str, Any]]:
+        """A row for each driven candidate: evaluation, params, draws, coordinates of what a pass
+        draws for itself, robustness, and the moment that decides a violated expectation."""
+        return [self._row(outcome) for outcome in (self.driven if outcomes is None else outcomes)]
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """`rows` as columns for `pandas.DataFrame`."""
+        return columns_of(self.rows())
+
+    def write(self, folder: str | Path) -> None:
+        """Write failures, tables and the summary; see the guide. Raises `DiagnosticError` RL460."""
+        from .falsification_files import write_falsification
+
+        write_falsification(self, Path(folder))
+
+    def _row(self, outcome: Outcome) -> dict[str, Any]:
+        axes = self.evaluator.task.axes
+        passes = {k: v for k, v in zip(axes, outcome.point, strict=True) if k not in outcome.draws}
+        row: dict[str, Any] = {"evaluation": outcome.index, "random": outcome.is_random}
+        row |= {**outcome.draws, **passes, **outcome.expectations}
+        row["violated"] = " ".join(outcome.violated)
+        if outcome.is_failure:
+            moment = outcome.moment
+            for name in ("time", "agent", "x", "y", "station", "partner"):
+                row[f"worst {name}"] = None if moment is None else getattr(moment, name)
+        return row
+
+
+def falsified(
+    loaded: LoadedScenario,
+    seed: int,
+    searcher: str | None,
+    settings: Mapping[str, Any],
+    drives: Drives,
+    workers: Workers,
+    folder: Path | None = None,
+    resume: bool = False,
+) -> Falsification:
+    """Search; `LoadedScenario.falsify` tells what is raised. The journal is in `folder`."""
+    source, registry = loaded.scenario, loaded.registry
+    scenario = index_scenario(source, registry)
+    plan, expects = plan_of(scenario, seed, searcher, settings)
+    axes = axes_of(scenario, seed)
+    if not axes:
+        raise DiagnosticError(diagnose(Code.NOTHING_TO_SEARCH))
+    names = tuple(axis.name for axis in axes)
+    task = Task(
+        source, registry, seed, names, expects, drives.engine, dict(drives.options), loaded.params
+    )
+    evaluator = Evaluator(task)
+    journal: Journal = NoJournal()
+    if folder is not None:
+        journal = SearchJournal(folder / JOURNAL, search_key(task, plan), resume)
+    with WorkerPool(evaluator, workers.jobs, workers.executor) as pool:
+        expired = deadline(plan.seconds)
+        result = search_failures(plan, axes, pool, expects, journal, workers.progress, expired)
+    return Falsification(loaded, plan, evaluator, result)

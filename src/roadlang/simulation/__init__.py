@@ -1,1 +1,0 @@
-"""The embedded engine: scenes driven in batches, without a simulator to install."""

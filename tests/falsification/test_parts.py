@@ -1,0 +1,126 @@
+"""Grading, distinct failures and statistics, each by itself."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roadlang.falsification.distinct import DistinctFailures
+from roadlang.falsification.grading import Grading
+from roadlang.falsification.outcome import Moment, Outcome
+from roadlang.falsification.statistics import (
+    best_so_far,
+    clopper_pearson,
+    coverage,
+    failure_rate,
+)
+
+
+def driven(index: int, violated: str = "", **robustness: float | None) -> Outcome:
+    return Outcome(index, (0.5,), False, None, {}, robustness, tuple(violated.split()))
+
+
+def invalid(index: int, violation: float) -> Outcome:
+    return Outcome(index, (0.5,), False, violation)
+
+
+def test_invalid_is_above_safe_and_safe_above_failing() -> None:
+    outcomes = [
+        invalid(0, 3.0),
+        invalid(1, 0.01),
+        driven(2, a=None),
+        driven(3, a=5.0),
+        driven(4, a=0.1),
+        driven(5, a=0.0),
+        driven(6, "a", a=0.0),
+        driven(7, "a", a=-0.1),
+        driven(8, "a", a=-50.0),
+        driven(9, "a", a=None),
+    ]
+    values = Grading(["a"]).values(outcomes)
+    assert (np.diff(values) < 0).all()
+    assert (values[:2] >= 1).all()
+    assert ((values[2:6] >= 0) & (values[2:6] < 1)).all()
+    assert (values[6:] < 0).all()
+
+
+def test_violating_the_more_important_expectation_counts_for_more() -> None:
+    first, second = driven(0, "a", a=-0.1, b=1.0), driven(1, "b", a=1.0, b=-9.0)
+    values = Grading(["a", "b"]).values([first, second])
+    assert values[0] < values[1] < 0
+
+
+def test_safe_scenes_are_measured_by_the_expectation_they_are_nearest_to_violating() -> None:
+    """Units do not matter: robustness counts in the median of its expectation."""
+    outcomes = [driven(0, a=1.0, b=100.0), driven(1, a=1.0, b=10.0), driven(2, a=0.1, b=100.0)]
+    values = Grading(["a", "b"]).values(outcomes)
+    assert values[1] == pytest.approx(values[2])
+    assert values[0] > values[1]
+
+
+@given(st.lists(st.floats(-10, 10), min_size=2, max_size=20))
+def test_one_expectation_is_graded_as_its_robustness_ranks(robustness: list[float]) -> None:
+    outcomes = [driven(i, "a" if rho < 0 else "", a=rho) for i, rho in enumerate(robustness)]
+    values = Grading(["a"]).values(outcomes)
+    for i, j in zip(range(len(values)), range(1, len(values)), strict=False):
+        if robustness[i] < robustness[j]:
+            assert values[i] <= values[j]
+
+
+def failing(index: int, place: float, expectation: str = "a", partner: str = "") -> Outcome:
+    moment = Moment(expectation, 1.0, "ego", 0.0, 0.0, partner_kind=partner)
+    outcome = driven(index, expectation, **{expectation: -1.0})
+    return replace(outcome, descriptor=(place, 0.0), moment=moment)
+
+
+def test_failures_are_distinct_further_apart_than_one_or_of_another_cause() -> None:
+    distinct = DistinctFailures()
+    assert distinct.add(failing(0, 0.0))
+    assert not distinct.add(failing(1, 1.0))
+    assert distinct.add(failing(2, 1.01))
+    assert distinct.add(failing(3, 0.0, "b"))
+    assert distinct.add(failing(4, 0.0, "a", "pedestrian"))
+    assert not distinct.add(failing(5, 0.5, "a", "pedestrian"))
+    assert [outcome.index for outcome in distinct.found] == [0, 2, 3, 4]
+
+
+@pytest.mark.parametrize(
+    ("successes", "trials", "low", "high"),
+    [(0, 0, 0.0, 1.0), (0, 100, 0.0, 0.0362), (100, 100, 0.9638, 1.0), (7, 50, 0.0582, 0.2674)],
+)
+def test_intervals_of_clopper_and_pearson(
+    successes: int, trials: int, low: float, high: float
+) -> None:
+    assert clopper_pearson(successes, trials) == pytest.approx((low, high), abs=5e-5)
+
+
+def test_the_failure_rate_is_that_of_valid_random_candidates() -> None:
+    outcomes = [
+        replace(driven(i, "a" if i % 5 == 0 else "", a=0.0), is_random=True) for i in range(20)
+    ]
+    outcomes += [driven(20 + i, "a", a=-1.0) for i in range(50)]
+    outcomes += [replace(invalid(70, 1.0), is_random=True)]
+    rate = failure_rate(outcomes)
+    assert (rate.failures, rate.scenes) == (4, 20)
+    assert rate.low < 0.2 < rate.high
+
+
+def test_coverage_counts_scenes_and_failures() -> None:
+    outcomes = [
+        replace(driven(i, "a" if i == 9 else ""), measures={"speed": float(i), "gap": None})
+        for i in range(10)
+    ]
+    found = coverage(outcomes, parts=5)
+    assert set(found) == {"speed"}
+    assert (found["speed"].low, found["speed"].high) == (0.0, 9.0)
+    assert found["speed"].scenes == (2, 2, 2, 2, 2)
+    assert found["speed"].failures == (0, 0, 0, 0, 1)
+
+
+def test_the_best_robustness_goes_down() -> None:
+    outcomes = [driven(i, a=rho) for i, rho in enumerate([3.0, 4.0, None, 1.0, 1.0, -2.0])]
+    assert best_so_far(outcomes, "a") == [(0, 3.0), (3, 1.0), (5, -2.0)]

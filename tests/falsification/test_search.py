@@ -1,0 +1,219 @@
+"""The search for failures, from a scenario to its outcomes, with a small simulator."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roadlang import DiagnosticError, Falsification, Scene
+from roadlang.falsification.evaluator import Proposal
+from roadlang.falsification.outcome import Outcome
+from roadlang.session.loading import LoadedScenario
+from roadlang.testing import scenario
+from tests.falsification.slider import TEXT, Slider
+
+PERTURBED = "perturb with harmonics { modes: 6, amplitude: 30m }"
+FEW: dict[str, Any] = {"evaluations": 200, "seed": 3}
+
+
+def slides(text: str = TEXT, **params: Any) -> LoadedScenario:
+    return scenario(text, kinds=[Slider], **params)
+
+
+@pytest.fixture(scope="module")
+def search() -> Falsification:
+    return slides().falsify(**FEW)
+
+
+def test_a_search_finds_failures_that_chance_seldom_finds() -> None:
+    guided = slides().falsify(evaluations=600, seed=1)
+    chance = slides().falsify(evaluations=600, seed=1, searcher="random")
+    failing = [sum(o.is_failure for o in found.outcomes) for found in (guided, chance)]
+    assert failing[0] > 5 * max(1, failing[1])
+    assert len(guided.failures) > len(chance.failures)
+
+
+def test_every_random_number_is_an_axis(search: Falsification) -> None:
+    axes = search.evaluator.task.axes
+    assert "ego/drive 1/speed" in axes
+    assert sum(name.startswith("bent/perturb 1:0:") for name in axes) == 12
+    assert all(len(outcome.point) == len(axes) for outcome in search.outcomes)
+
+
+def test_what_violates_a_requirement_is_not_driven_and_worth_less_than_any_that_is() -> None:
+    text = TEXT.replace("1 / 14m", "1 / 38m")
+    found = slides(text).falsify(**FEW)
+    invalid = [outcome for outcome in found.outcomes if not outcome.is_valid]
+    assert 0 < len(invalid) < len(found.outcomes)
+    for outcome in invalid:
+        assert outcome.violation is not None
+        assert outcome.violation > 0
+        assert outcome.requirements["gentle"] is not None
+        assert outcome.requirements["gentle"] < 0
+        assert not outcome.expectations
+
+
+def test_each_failure_replays_exactly(search: Falsification, tmp_path: Path) -> None:
+    assert search.failures
+    for failure in search.failures:
+        path = failure.scene.save(tmp_path / "failure.json")
+        again = Scene.from_json(path.read_text())
+        drive = Scene(again.record, search.loaded.registry).run()
+        assert drive.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
+        assert drive.verdicts["in_lane"].satisfied is False
+        assert drive.to_json() == failure.drive.to_json()
+
+
+def test_failures_are_ranked_by_how_badly_they_fail(search: Falsification) -> None:
+    robustness = [failure.robustness["in_lane"] or 0.0 for failure in search.failures]
+    assert robustness == sorted(robustness)
+    assert [failure.rank for failure in search.failures] == list(range(1, len(robustness) + 1))
+
+
+def test_the_moment_that_decides_is_known(search: Falsification) -> None:
+    for failure in search.failures:
+        moment = failure.outcome.moment
+        assert moment is not None
+        drive = failure.drive.to_dict()
+        worst = abs(drive["ego.cross_track_error"]).argmax()
+        assert moment.time == drive["time"][worst]
+        assert moment.station == drive["ego.station"][worst]
+        assert moment.agent == "ego"
+
+
+def test_nothing_depends_on_batches_of_the_evaluation() -> None:
+    """An outcome is the same, whatever is evaluated beside it."""
+    found = slides().falsify(**FEW)
+    some = found.outcomes[7:90:9]
+    proposals = [Proposal(o.index, o.point, o.is_random) for o in some]
+    assert found.evaluator.evaluate(proposals) == list(some)
+
+
+def test_threads_and_any_executor_give_the_same_outcomes(search: Falsification) -> None:
+    with ThreadPoolExecutor(2) as executor:
+        threads = slides().falsify(**FEW, jobs=2, executor=executor)
+    assert threads.outcomes == search.outcomes
+    assert [f.outcome for f in threads.failures] == [f.outcome for f in search.failures]
+
+
+def test_a_search_that_was_interrupted_is_resumed(search: Falsification, tmp_path: Path) -> None:
+    def interrupt(done: int, total: int) -> None:
+        if done >= 80:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        slides().falsify(**FEW, folder=tmp_path, progress=interrupt)
+    journal = tmp_path / "journal.jsonl"
+    with journal.open("ab") as file:
+        file.write(b'{"index": 80, "poi')  # a line that a killed process has not finished
+    counting = Counting()
+    resumed = slides().falsify(**FEW, folder=tmp_path, resume=True, executor=counting)
+    assert resumed.outcomes == search.outcomes
+    assert counting.evaluated == 120
+    assert len(journal.read_text().splitlines()) == 201
+
+
+def test_a_search_goes_on_with_more_evaluations(search: Falsification, tmp_path: Path) -> None:
+    slides().falsify(evaluations=100, seed=3, folder=tmp_path)
+    counting = Counting()
+    longer = slides().falsify(**FEW, folder=tmp_path, resume=True, executor=counting)
+    assert longer.outcomes == search.outcomes
+    assert counting.evaluated <= 120
+
+
+def test_the_journal_of_another_search_is_refused(tmp_path: Path) -> None:
+    slides().falsify(evaluations=40, seed=3, folder=tmp_path)
+    with pytest.raises(DiagnosticError, match="RL702"):
+        slides().falsify(evaluations=40, seed=4, folder=tmp_path, resume=True)
+    with pytest.raises(DiagnosticError, match="RL702"):
+        slides(limit="2m").falsify(evaluations=40, seed=3, folder=tmp_path, resume=True)
+    commented = slides(TEXT.replace("param", "# a remark\nparam", 1))
+    commented.falsify(evaluations=40, seed=3, folder=tmp_path, resume=True)
+
+
+def test_enough_distinct_failures_end_the_search(search: Falsification) -> None:
+    found = slides().falsify(**FEW, failures=2)
+    assert len(found.failures) == 2
+    assert found.outcomes[-1].is_failure
+    assert found.outcomes == search.outcomes[: len(found.outcomes)]
+
+
+def test_no_time_is_enough_for_nothing() -> None:
+    found = slides().falsify(evaluations=200, seconds=1e-9)
+    assert len(found.outcomes) == 0
+    assert found.rate.high == 1.0
+
+
+def test_the_random_share_tells_the_failure_rate(search: Falsification) -> None:
+    drawn = [outcome for outcome in search.outcomes if outcome.is_random]
+    assert len(drawn) == 10
+    assert search.rate.scenes == sum(outcome.is_valid for outcome in drawn)
+    chance = slides().falsify(**FEW, searcher="random")
+    assert chance.rate.scenes == len(chance.driven)
+
+
+def test_a_grid_ends_with_its_last_combination() -> None:
+    text = TEXT.replace(PERTURBED, "")
+    found = slides(text + "\nfalsify with grid { steps: 7, random: 0% }").falsify()
+    assert len(found.outcomes) == 7
+    speeds = [outcome.draws["ego/drive 1/speed"] for outcome in found.outcomes]
+    assert speeds == pytest.approx([8 + 6 * (step + 0.5) / 7 for step in range(7)])
+
+
+def test_the_file_says_how_to_search_and_arguments_come_before_it() -> None:
+    text = TEXT + "\nfalsify with halton { evaluations: 60, random: 10%, expects: in_lane }"
+    found = slides(text).falsify()
+    assert found.plan.entry.name == "halton"
+    assert len(found.outcomes) == 60
+    assert sum(outcome.is_random for outcome in found.outcomes) == 6
+    assert len(slides(text).falsify(evaluations=20, searcher="random").outcomes) == 20
+
+
+def test_several_islands_search_side_by_side() -> None:
+    one = slides().falsify(evaluations=160, seed=3)
+    two = slides().falsify(evaluations=160, seed=3, islands=2)
+    assert len(two.outcomes) == 160
+    assert two.outcomes[:38] == one.outcomes[:38]
+    assert two.outcomes[100:] != one.outcomes[100:]
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        (lambda text: text.split("expect in_lane")[0] + "simulate with slider", "RL703"),
+        (lambda text: text.replace("8m/s..14m/s", "9m/s").replace(PERTURBED, ""), "RL705"),
+    ],
+)
+def test_what_cannot_be_searched_is_refused(change: Callable[[str], str], code: str) -> None:
+    with pytest.raises(DiagnosticError, match=code):
+        slides(change(TEXT)).falsify(evaluations=10)
+
+
+def test_an_expectation_that_does_not_exist_is_refused() -> None:
+    with pytest.raises(DiagnosticError, match="did you mean `in_lane`"):
+        slides().falsify("in_lan", evaluations=10)
+
+
+def test_the_more_important_expectation_ranks_first() -> None:
+    text = TEXT + "\nexpect slow: always (ego.speed < 9m/s)"
+    found = slides(text).falsify(["in_lane", "slow"], evaluations=200, seed=3)
+    names = [failure.outcome.violated[0] for failure in found.failures]
+    assert names == sorted(names)
+    assert set(names) == {"in_lane", "slow"}
+
+
+class Counting:
+    """An executor that counts the candidates, and works in this process."""
+
+    def __init__(self) -> None:
+        self.evaluated = 0
+
+    def submit(self, function: Callable[..., Any], /, *arguments: Any) -> Future[list[Outcome]]:
+        self.evaluated += len(arguments[-1])
+        future: Future[list[Outcome]] = Future()
+        future.set_result(function(*arguments))
+        return future
