@@ -25,7 +25,7 @@ _DATA = (
 )  # fmt: skip
 _SCENE = (
     "Scene", "SceneRoad", "SceneActor", "SceneNetwork", "SceneNode", "SceneSignal", "Profile",
-    "Verdict", "Stretch", "RoadPlace", "Call", "Provenance",
+    "Verdict", "ViolatedSegment", "RoadPlace", "Call", "Provenance",
 )  # fmt: skip
 _DIAGNOSTICS = (
     "Diagnostic", "DiagnosticError", "Label", "Fix", "Code", "diagnose", "did_you_mean",

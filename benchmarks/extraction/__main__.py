@@ -21,7 +21,7 @@ import numpy as np
 from benchmarks.extraction.baselines import Lines, best_threshold, classical, paper_chain
 from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
 from roadlang_standard.extraction.aerial import Request
-from roadlang_standard.extraction.contour import Chain, roads_by_contour
+from roadlang_standard.extraction.contour import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.crosscheck import checked_roads
 from roadlang_standard.extraction.evidence import road_net
 from roadlang_standard.extraction.picture_kind import picture_kind
@@ -63,7 +63,7 @@ def _methods(only: str) -> dict[str, Callable[[Case], Lines]]:
 def _ours(case: Case) -> Lines:
     drawn = picture_kind(case.image).drawn
     found = (
-        roads_by_contour(case.image, Chain())
+        roads_by_contour(case.image, ContourSteps())
         if drawn
         else checked_roads(case.image, Request(), road_net())
     )

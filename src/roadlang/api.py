@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from . import geometry
+from .diagnostics.renamed_names import current_name
 from .ir.dimension import (
     ACCELERATION,
     ANGLE,
@@ -113,8 +114,8 @@ if TYPE_CHECKING:
         SceneNode,
         SceneRoad,
         SceneSignal,
-        Stretch,
         Verdict,
+        ViolatedSegment,
     )
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
@@ -128,7 +129,7 @@ _LATER = {
     ".ir.road_bounds": "RoadBounds",
     ".ir.scene": (
         "Call Profile Provenance RoadPlace Scene SceneActor SceneNetwork SceneNode SceneRoad"
-        " SceneSignal Stretch Verdict"
+        " SceneSignal Verdict ViolatedSegment"
     ),
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
@@ -227,10 +228,10 @@ __all__ = [
     "Signal",
     "Simulator",
     "Speed",
-    "Stretch",
     "String",
     "Trace",
     "Verdict",
+    "ViolatedSegment",
     "Whole",
     "Word",
     "call_of",
@@ -252,7 +253,11 @@ __all__ = [
 ]
 
 
+_RENAMED = {"Stretch": "ViolatedSegment"}
+
+
 def __getattr__(name: str) -> Any:
+    name = current_name(__name__, name, _RENAMED)
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(_HOME[name], __package__), name)

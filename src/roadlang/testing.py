@@ -132,12 +132,12 @@ def road_batch(
     """
     import numpy as np
 
-    from .geometry import Curve, Frame
+    from .geometry import Curve, CurveFrame
     from .world.root_roads import undisplaced_road
     from .world.stations import usual_stations
 
     curve = Curve.through(points, closed=closed)
-    frame = Frame.of(curve, usual_stations(curve))
+    frame = CurveFrame.of(curve, usual_stations(curve))
     widths = np.broadcast_to(np.asarray(width, dtype=float).reshape(-1, 1), (variants, 1))
     return undisplaced_road(name, name, frame, widths, 1.0, variants)
 

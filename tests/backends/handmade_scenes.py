@@ -14,8 +14,8 @@ from roadlang.ir.scene import (
     SceneNetwork,
     SceneNode,
     SceneRoad,
-    Stretch,
     Verdict,
+    ViolatedSegment,
 )
 
 STATIONS = 400
@@ -109,8 +109,8 @@ def bend(scale: float = 1.0, index: int = 0, amplitude: float = 6.0) -> Scene:
         ),
         expectations=(
             Verdict("calm", "always (abs(curvature(bent)) < 0.02/m)", "road", -0.0113, False,
-                    (Stretch("bent", 30.0 * scale, 62.0 * scale),
-                     Stretch("bent", 150.0 * scale, 171.0 * scale))),
+                    (ViolatedSegment("bent", 30.0 * scale, 62.0 * scale),
+                     ViolatedSegment("bent", 150.0 * scale, 171.0 * scale))),
             Verdict("in_lane", "always (abs(ego.cross_track_error) < 1.5m)", "drive", None, None),
         ),
     )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.contour import Chain, roads_by_contour
+from roadlang_standard.extraction.contour import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.picture_kind import picture_kind
 from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
 
@@ -20,7 +20,7 @@ def test_a_circuit_is_one_closed_road_between_its_lines(
     drawn = draw_circuit(seed, size=500)
     changed = {"as drawn": drawn.image, "inverted": 255 - drawn.image}
     image = changed.get(change, as_jpeg(drawn.image, 60))
-    found = roads_by_contour(image, Chain())
+    found = roads_by_contour(image, ContourSteps())
     (road,) = found.roads
     assert found.method == "edge lines"
     assert road.closed
@@ -36,7 +36,7 @@ def test_filled_roads_are_found_to_the_pixel(
     plan: str, ground: Any, ink: Any, distance_to: Any
 ) -> None:
     drawn = draw_filled(plan, 3, 400, ground, ink)
-    found = roads_by_contour(drawn.image, Chain())
+    found = roads_by_contour(drawn.image, ContourSteps())
     seen = np.vstack([road.points for road in found.roads])
     true = [np.asarray(line) for line in drawn.truth.polylines()]
     away = np.min([distance_to(seen, line) for line in true], axis=0)
@@ -51,13 +51,13 @@ def test_the_threshold_can_be_given() -> None:
     image = np.full((60, 200, 3), 200, np.uint8)
     image[20:30] = 150
     image[40:50] = 20
-    both = roads_by_contour(image, Chain(threshold=0.7, road="dark", between=False))
-    dark = roads_by_contour(image, Chain(threshold=0.3, road="dark", between=False))
+    both = roads_by_contour(image, ContourSteps(threshold=0.7, road="dark", between=False))
+    dark = roads_by_contour(image, ContourSteps(threshold=0.3, road="dark", between=False))
     assert (len(both.roads), len(dark.roads)) == (2, 1)
 
 
 def test_a_blank_picture_has_no_road() -> None:
-    found = roads_by_contour(np.full((50, 50, 3), 128, np.uint8), Chain())
+    found = roads_by_contour(np.full((50, 50, 3), 128, np.uint8), ContourSteps())
     assert found.roads == ()
     assert found.remarks
 

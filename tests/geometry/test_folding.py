@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry import Arc, CurveBatch, Frame, Straight, chain, displace, sample
+from roadlang.geometry import Arc, CurveBatch, CurveFrame, Straight, chain, displace, sample
 from roadlang.geometry.folding import LEAST_ADVANCE, turns_too_much
 from tests.geometry.geometry_shapes import circle, curves, line
 
@@ -60,7 +60,7 @@ def test_a_bend_between_two_stations_counts() -> None:
     """At the stations the road is straight; it turns by 80 degrees between two of them."""
     road = chain([Straight(9.75), Arc(0.3, np.radians(80)), Straight(10.0)], spacing=0.01).curve()
     s = np.array([0.0, 3.0, 6.0, 9.0, 12.0, 15.0, 18.0])
-    frame = Frame.of(road, s)
+    frame = CurveFrame.of(road, s)
     assert np.abs(frame.curvature).max() < 1e-3
     np.testing.assert_array_equal(
         displace(frame, s, np.full((2, 7), [[1.0], [4.0]])).folded, [False, True]
@@ -118,7 +118,7 @@ def test_the_quick_test_lets_nothing_pass_that_is_folded(
     curve: Any, height: float, rate: float
 ) -> None:
     s = curve.stations(spacing=1.0)
-    frame = Frame.of(curve, s)
+    frame = CurveFrame.of(curve, s)
     moves = height * np.linspace(0.0, 1.0, 16)[:, None] * np.cos(rate * s)
     sure = frame.steps.surely_smooth(moves)
     assert not (sure & exactly_folded(frame, moves)).any()
@@ -134,7 +134,7 @@ def test_the_quick_test_decides_wide_waves_on_a_country_road(
     s = road.stations(spacing=1.0)
     phase = np.linspace(0.0, 2.0 * np.pi, 32)[:, None]
     moves = height * np.sin(2.0 * np.pi / wavelength * s + phase)
-    assert Frame.of(road, s).steps.surely_smooth(moves).all()
+    assert CurveFrame.of(road, s).steps.surely_smooth(moves).all()
 
 
 @given(curves(), st.floats(-8.0, 8.0), rates)

@@ -11,20 +11,20 @@ import pytest
 
 from roadlang_godot.engine import Engine
 from roadlang_godot.faults import EngineError
-from roadlang_godot.frame import Frame
+from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import polyline
 from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import road_things, strip_thing
 from roadlang_godot.session import Session
-from roadlang_godot.thing import Thing
+from roadlang_godot.thing import ScenePart
 from tests.godot.godot_engines import started
 from tests.godot.godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
 pytestmark = pytest.mark.godot
 
 
-def everything() -> tuple[Thing, ...]:
+def everything() -> tuple[ScenePart, ...]:
     """One of each kind of thing."""
     roads, network = town()
     made = scene(
@@ -36,7 +36,7 @@ def everything() -> tuple[Thing, ...]:
     return layout_of(made).things
 
 
-def begin(session: Session, things: tuple[Thing, ...] | list[Thing]) -> None:
+def begin(session: Session, things: tuple[ScenePart, ...] | list[ScenePart]) -> None:
     session.begin({"name": "test", "extent": 500.0}, clear=True)
     session.update(things)
 
@@ -64,7 +64,7 @@ def test_all_sixteen_tiles_are_proven(session: Session) -> None:
     assert session.probe(*_cell(layout_of(scene(*roads)).frame, 12, 2, 4)) == pytest.approx(0.0)
 
 
-def _cell(frame: Frame, rows: int, column: int, row: int) -> tuple[float, float]:
+def _cell(frame: SceneOrigin, rows: int, column: int, row: int) -> tuple[float, float]:
     """The middle of a cell of 8 m in the engine's coordinates."""
     return 8.0 * (column + 0.5) - frame.x, 8.0 * (rows - row - 0.5) - frame.y
 
@@ -80,7 +80,7 @@ def test_what_the_engine_does_not_hold_is_named(session: Session) -> None:
 
 def test_only_what_changed_is_sent_again(session: Session) -> None:
     line = polyline("main", pieces(straight(900)), 7.0)
-    things = road_things(line, 1, Frame())
+    things = road_things(line, 1, SceneOrigin())
     begin(session, things)
     edges = np.frombuffer(things[4].content, "<f4").reshape(-1, 2, 3).copy()
     edges[3:6, :, 1] += 0.4
@@ -91,7 +91,7 @@ def test_only_what_changed_is_sent_again(session: Session) -> None:
 
 
 def test_what_is_gone_from_the_scene_is_removed(session: Session) -> None:
-    things = road_things(polyline("main", pieces(straight(500)), 7.0), 1, Frame())
+    things = road_things(polyline("main", pieces(straight(500)), 7.0), 1, SceneOrigin())
     begin(session, things)
     session.update(things[:2])
     assert session.prove().things == 2
@@ -147,7 +147,7 @@ def test_a_second_client_is_refused_while_the_first_is_there(fast_engine: Engine
 def test_a_hundred_kilometers_are_proven_built(session: Session) -> None:
     x = np.arange(0, 100_001, 20.0)
     line = polyline("long", np.stack([x, 60 * np.sin(x / 150)], axis=-1), 7.0)
-    things = road_things(line, 1, Frame(50_000.0, 0.0))
+    things = road_things(line, 1, SceneOrigin(50_000.0, 0.0))
     session.begin({"name": "long", "extent": 50_000.0}, clear=True)
     session.update(things)
     proof = session.prove()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang_godot.engine import Engine, connect
-from roadlang_godot.frame import Frame
+from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.line import polyline
 from roadlang_godot.road_mesh import road_things
 from tests.godot.godot_proxy import Proxy, Weather
@@ -20,7 +20,7 @@ STORM = Weather(loss=0.3, double=0.15, reorder=0.2, corrupt=0.05)
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_a_stormy_network_delivers_the_scene_whole_and_once(fast_engine: Engine, seed: int) -> None:
     line = polyline("main", pieces(straight(2000), bend(200, 150), straight(2000)), 7.0)
-    things = road_things(line, 1, Frame())
+    things = road_things(line, 1, SceneOrigin())
     with (
         Proxy(fast_engine.host, fast_engine.port, STORM, seed) as proxy,
         connect(fast_engine.host, proxy.port) as session,

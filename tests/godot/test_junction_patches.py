@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from roadlang_godot.frame import Frame
+from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.junctions import Arm, cuts, order, patch
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
@@ -45,7 +45,7 @@ def painted(polygons: list[np.ndarray]) -> np.ndarray:
 def strips_of(arms: list[Arm], back: list[float]) -> list[np.ndarray]:
     out = []
     for arm, cut in zip(arms, back, strict=True):
-        near = [strip(t) for t in road_things(arm.line, 1, Frame(), cut, 30.0)]
+        near = [strip(t) for t in road_things(arm.line, 1, SceneOrigin(), cut, 30.0)]
         edges = np.concatenate(near)
         out.append(np.concatenate([edges[:, 0], edges[::-1, 1]])[:, [0, 2]])
     return out
@@ -66,18 +66,18 @@ def test_no_two_roads_overlap_after_the_cut(tens: list[int]) -> None:
 def test_the_patch_has_the_very_corners_of_the_roads() -> None:
     arms = star([0, 90, 200])
     back = cuts(arms)
-    made = patch(arms, back, 1, Frame(), "here")
+    made = patch(arms, back, 1, SceneOrigin(), "here")
     head = np.frombuffer(made.body[:2], "<u2")[0]
     corners = {tuple(p) for p in np.frombuffer(made.body[4:], "<f4", int(head) * 3).reshape(-1, 3)}
     for arm, cut in zip(arms, back, strict=True):
-        first = strip(road_things(arm.line, 1, Frame(), cut, 30.0)[0])[0]
+        first = strip(road_things(arm.line, 1, SceneOrigin(), cut, 30.0)[0])[0]
         assert {tuple(first[0]), tuple(first[1])} <= corners
 
 
 def test_patch_and_roads_leave_no_hole_in_a_crossing() -> None:
     arms = star([0, 80, 180, 260])
     back = cuts(arms)
-    made = patch(arms, back, 1, Frame(), "here")
+    made = patch(arms, back, 1, SceneOrigin(), "here")
     count = int(np.frombuffer(made.body[:2], "<u2")[0])
     ring = np.frombuffer(made.body[4:], "<f4", count * 3).reshape(-1, 3)[1:, [0, 2]]
     covered = painted([ring, *strips_of(arms, back)]) > 0

@@ -10,13 +10,13 @@ import pytest
 
 from roadlang.ir.scene import Scene
 from roadlang_godot.engine import Engine
-from roadlang_godot.frame import Frame
+from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.line import polyline
 from roadlang_godot.live import LiveScene
 from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import SURFACE_MARKED, strip_thing
 from roadlang_godot.session import Session
-from roadlang_godot.thing import Thing
+from roadlang_godot.thing import ScenePart
 from tests.godot.godot_engines import until
 from tests.godot.godot_scenes import call, car, pieces, road, scene, straight, thing
 
@@ -29,11 +29,13 @@ def live_session(fresh_engine: Engine) -> Iterator[Session]:
         yield session
 
 
-def raised(height: float) -> Thing:
+def raised(height: float) -> ScenePart:
     """100 m of road at a height."""
     s = np.linspace(0, 100, 41)
     left, right = polyline("main", pieces(straight(100)), 7.0).edges(s)
-    strip = np.stack([Frame().ground(left, height), Frame().ground(right, height)], axis=1)
+    strip = np.stack(
+        [SceneOrigin().ground(left, height), SceneOrigin().ground(right, height)], axis=1
+    )
     return strip_thing("main", strip, s, 2, 1, SURFACE_MARKED)
 
 

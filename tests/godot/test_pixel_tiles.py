@@ -13,7 +13,7 @@ from hypothesis.extra.numpy import arrays
 
 from roadlang_godot import protocol
 from roadlang_godot.faults import EngineError
-from roadlang_godot.frame import Frame
+from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.layout import layout_of
 from roadlang_godot.protocol import Message
 from roadlang_godot.road_tiles import (
@@ -50,7 +50,7 @@ def test_neighbors_agree_about_each_other(pixels: np.ndarray) -> None:
 
 @given(maps)
 def test_every_road_pixel_becomes_one_tile(pixels: np.ndarray) -> None:
-    things = tile_things(pixels, 8.0, (0.0, 0.0), 1, Frame())
+    things = tile_things(pixels, 8.0, (0.0, 0.0), 1, SceneOrigin())
     assert sum(len(thing.content) // 5 for thing in things) == pixels.sum()
     for thing in things:
         assert len(thing.message(0, 1)) + protocol.HEADER_BYTES <= protocol.BULK_DATAGRAM

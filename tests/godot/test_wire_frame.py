@@ -7,14 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang_godot import protocol
-from roadlang_godot.protocol import Frame, pack, unpack
+from roadlang_godot.protocol import OpenedDatagram, pack, unpack
 
 numbers = st.integers(0, 2**32 - 1)
 
 
 @given(st.integers(0, 255), numbers, numbers, st.binary(max_size=2000))
 def test_what_is_packed_is_unpacked(type: int, session: int, seq: int, payload: bytes) -> None:
-    assert unpack(pack(type, session, seq, payload)) == Frame(type, session, seq, payload)
+    assert unpack(pack(type, session, seq, payload)) == OpenedDatagram(type, session, seq, payload)
 
 
 @given(st.binary(max_size=200), st.data())

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.images.image_file import MOST_PIXELS, OpenedImage, open_image
-from roadlang.images.image_header import Header, read_header
+from roadlang.images.image_header import ImageHeader, read_header
 
 
 def shown(height: int = 40, width: int = 60, channels: int = 3, depth: str = "uint8") -> np.ndarray:
@@ -93,7 +93,7 @@ def test_the_size_of_a_jpeg_is_found_behind_its_tables(tmp_path: Path) -> None:
     frame, tables = content.index(b"\xff\xc0"), content.index(b"\xff\xc4")
     behind = content.index(b"\xff\xda")
     turned = content[:frame] + content[tables:behind] + content[frame:tables] + content[behind:]
-    assert read_header(turned) == Header("JPEG", 60, 40)
+    assert read_header(turned) == ImageHeader("JPEG", 60, 40)
 
 
 def test_a_text_file_called_png_is_no_picture(tmp_path: Path) -> None:

@@ -9,12 +9,12 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry import Curve, DisplacedBatch, Frame
+from roadlang.geometry import Curve, CurveFrame, DisplacedBatch
 from roadlang.ir.batch import BatchRandom, RoadBatch
 
 VARIANTS = 4
 CURVE = Curve.through([(0.0, 0.0), (50.0, 10.0), (100.0, 0.0)])
-FRAME = Frame.of(CURVE, CURVE.stations(count=21))
+FRAME = CurveFrame.of(CURVE, CURVE.stations(count=21))
 
 
 @st.composite

@@ -54,7 +54,7 @@ def test_places_are_lines_and_columns(scenario: Scenario) -> None:
 
 
 def test_another_version_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"not a roadlang\.scenario/1"):
+    with pytest.raises(ValueError, match=r"not a roadlang\.scenario/2"):
         scenario_from_json({"schema": "roadlang.scenario/9"})
 
 

@@ -17,7 +17,7 @@ import pytest
 from roadlang import stl, testing
 from roadlang.api import DriveSignal, Monitor, RoadOrNetwork, Signal, Trace
 from roadlang.ir.dimension import PURE
-from roadlang.ir.scenario import Constraint, Scenario
+from roadlang.ir.scenario import Scenario, ScenarioConstraint
 from roadlang.ir.scene import Scene
 from roadlang.ir.values import Condition, Entity, PassCall, SignalBinding
 from roadlang.judging.drives import judge
@@ -143,13 +143,13 @@ def of_drive(formula: stl.Formula) -> Condition:
 
 
 def scene_with(*expectations: Condition | PassCall) -> Scene:
-    tests = tuple(Constraint(f"e{i}", test) for i, test in enumerate(expectations))
+    tests = tuple(ScenarioConstraint(f"e{i}", test) for i, test in enumerate(expectations))
     return sample_scenes(replace(BASE, expectations=tests), REGISTRY).scenes[0]
 
 
 def is_accepted(test: Condition | PassCall) -> bool:
     """Whether sampling accepts the only candidate where it is required."""
-    scenario: Scenario = replace(BASE, requirements=(Constraint("r", test),))
+    scenario: Scenario = replace(BASE, requirements=(ScenarioConstraint("r", test),))
     found = sample_scenes(scenario, REGISTRY)
     if found.scenes:
         assert found.scenes[0].requirements[0].satisfied, "accepted, yet reported as violated"

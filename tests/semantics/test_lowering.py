@@ -9,14 +9,14 @@ import pytest
 from roadlang.ir.scenario import Scenario
 from roadlang.ir.values import (
     Condition,
-    Constant,
-    Draw,
+    ConstantValue,
     Items,
     Measure,
     Operation,
     PassCall,
+    RandomValue,
     Reference,
-    Text,
+    TextValue,
 )
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
@@ -34,7 +34,7 @@ def lowered(text: str) -> Scenario:
 def test_a_draw_is_keyed_by_its_place() -> None:
     [_, bent] = lowered(BENT).roads
     amplitude = bent.passes[0].option("amplitude")
-    assert isinstance(amplitude, Draw)
+    assert isinstance(amplitude, RandomValue)
     assert amplitude.place == "bent/perturb 1/amplitude"
     assert amplitude.per == "scene"
     assert amplitude.call.kind == "standard.uniform"
@@ -66,7 +66,7 @@ def test_a_name_is_one_draw_and_fresh_draws_anew() -> None:
     values = {road.name: road.passes[0].option("amplitude") for road in scenario.roads[1:]}
     assert values["left"] == Reference("amplitude")
     right = values["right"]
-    assert isinstance(right, Draw)
+    assert isinstance(right, RandomValue)
     assert right.place == "right/perturb 1/amplitude"
 
 
@@ -74,9 +74,9 @@ def test_fresh_draws_what_a_name_depends_on_anew_as_well() -> None:
     scenario = lowered("param base = 0m..8m\nparam twice = 2 * base\nparam other = fresh(twice)\n")
     [other] = [named.value for named in scenario.values if named.name == "other"]
     assert isinstance(other, Operation)
-    assert other.operands[0] == Constant(2.0)
+    assert other.operands[0] == ConstantValue(2.0)
     draw = other.operands[1]
-    assert isinstance(draw, Draw)
+    assert isinstance(draw, RandomValue)
     assert draw.place == "other"
 
 
@@ -89,7 +89,7 @@ def test_fresh_draws_what_a_name_depends_on_anew_as_well() -> None:
 )
 def test_a_draw_in_place_is_made_for_each_copy(text: str, per: str) -> None:
     [thing] = lowered(MAIN + text).objects
-    assert isinstance(thing.at, Draw)
+    assert isinstance(thing.at, RandomValue)
     assert thing.at.per == per
     assert thing.at_fraction
 
@@ -107,7 +107,7 @@ def test_a_draw_in_place_is_made_for_each_road_of_a_network() -> None:
     assert [call.kind for call in town.passes] == ["standard.auto"]
     amount, correlation = (bent.passes[0].option(name) for name in ("amplitude", "correlation"))
     assert amount == Reference("amount")
-    assert isinstance(correlation, Draw)
+    assert isinstance(correlation, RandomValue)
     assert correlation.per == "road"
 
 
@@ -169,7 +169,7 @@ def test_options_of_the_kind_go_to_each_kind_that_may_be_chosen() -> None:
         MAIN + "agent a is choice(car, truck, weights: [3, 1]) on main at 5m { mass: 2t }\n"
     )
     kind = scenario.agents[0].kind
-    assert isinstance(kind, Draw)
+    assert isinstance(kind, RandomValue)
     items = kind.call.option("items")
     assert isinstance(items, Items)
     calls = [item for item in items.items if isinstance(item, PassCall)]
@@ -185,8 +185,8 @@ def test_what_goes_without_saying_is_said() -> None:
 
 
 def test_words_are_text_and_strings_do_as_well() -> None:
-    assert dict(lowered("world { weather: rain }").world) == {"weather": Text("rain")}
-    assert dict(lowered('world { weather: "rain" }').world) == {"weather": Text("rain")}
+    assert dict(lowered("world { weather: rain }").world) == {"weather": TextValue("rain")}
+    assert dict(lowered('world { weather: "rain" }').world) == {"weather": TextValue("rain")}
 
 
 def test_the_header_is_that_of_the_including_file(tmp_path: Path) -> None:

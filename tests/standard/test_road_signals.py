@@ -11,7 +11,7 @@ from roadlang.api import BatchRandom, RoadBatch
 from roadlang.geometry import over
 from roadlang.world.perturbation import displaced
 from roadlang_standard.perturb_harmonics import Harmonics
-from roadlang_standard.pieces import Clothoid
+from roadlang_standard.pieces import ClothoidPiece
 from roadlang_standard.signal_clearance import Clearance
 from roadlang_standard.signal_curvature import Curvature
 from roadlang_standard.signal_deviation import Deviation
@@ -57,8 +57,8 @@ def test_a_single_mode_is_a_wave(straight: RoadBatch, random: BatchRandom) -> No
 
 
 def test_a_clothoid_begins_with_its_own_curvature_where_it_has_one() -> None:
-    assert Clothoid(30.0, 0.02).to_segment(0.01).curvatures == (0.01, 0.02)
-    assert Clothoid(30.0, 0.02, start=0.0).to_segment(0.01).curvatures == (0.0, 0.02)
+    assert ClothoidPiece(30.0, 0.02).to_segment(0.01).curvatures == (0.01, 0.02)
+    assert ClothoidPiece(30.0, 0.02, start=0.0).to_segment(0.01).curvatures == (0.0, 0.02)
 
 
 def test_long_tapers_meet_in_the_middle_of_the_interval() -> None:

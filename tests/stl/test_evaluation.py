@@ -138,7 +138,7 @@ def test_infinite_samples_are_welcome() -> None:
     assert formula.rho([0, 1], {"ttc": [np.inf, np.inf]}) == np.inf
     assert formula.satisfied([0, 1], {"ttc": [np.inf, np.inf]})
     assert stl.parse("ttc == inf").rho([0], {"ttc": [np.inf]}) == 0.0
-    watched = stl.Monitor(formula)
+    watched = stl.OnlineMonitor(formula)
     assert watched.push(0.0, {"ttc": np.inf}) == (-np.inf, np.inf)
     assert watched.push(1.0, {"ttc": 1.0})[1] == -1.0
     assert "1" in str(formula.explain([0, 1], {"ttc": [np.inf, 1.0]}))

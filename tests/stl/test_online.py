@@ -13,7 +13,7 @@ from tests.stl_draws import FormulaDraw, draw_trace
 
 
 def _compare(formula: Any, positions: Any, row: Any, every: int = 1) -> None:
-    monitor = stl.Monitor(formula)
+    monitor = stl.OnlineMonitor(formula)
     for k, position in enumerate(positions):
         lo, hi = monitor.push(position, {name: values[k] for name, values in row.items()})
         if k % every == 0:
@@ -46,14 +46,14 @@ def test_folding_the_past_changes_nothing(text: str) -> None:
 
 
 def test_a_step_costs_the_horizon_not_the_past() -> None:
-    monitor = stl.Monitor(stl.parse("always (x < 4 or eventually[0, 2] (x < 3))"))
+    monitor = stl.OnlineMonitor(stl.parse("always (x < 4 or eventually[0, 2] (x < 3))"))
     for k in range(600):
         monitor.push(0.1 * k, {"x": np.sin(k)})
     assert len(monitor._positions) < 200
 
 
 def test_a_wrong_sample_is_refused_and_forgotten() -> None:
-    monitor = stl.Monitor(stl.parse("always (x < 4)"))
+    monitor = stl.OnlineMonitor(stl.parse("always (x < 4)"))
     monitor.push(0, {"x": 1})
     wrong: list[tuple[float, dict[str, float]]]
     wrong = [(0, {"x": 1}), (1, {"x": float("nan")}), (1, {"y": 1})]

@@ -68,9 +68,9 @@ class _Grower:
         text = self.draw(st.one_of(_identifiers, st.sampled_from(_ANY_WORD)))
         return ast.Word(text, span=NOWHERE)
 
-    def kind(self, depth: int = 0) -> ast.Kind:
+    def kind(self, depth: int = 0) -> ast.KindName:
         words = [self.word().text, *(word.text for word in self.some(self.key, 0, 0, 1))]
-        return ast.Kind(".".join(words), span=NOWHERE)
+        return ast.KindName(".".join(words), span=NOWHERE)
 
     def string(self, depth: int = 0) -> ast.String:
         return ast.String(self.draw(_content), span=NOWHERE)
@@ -81,7 +81,7 @@ class _Grower:
     # --- expressions, tight to loose ------------------------------------------------------
 
     def number(self, depth: int = 0) -> ast.Expression:
-        return ast.Number(self.draw(_digits), self.draw(_units), span=NOWHERE)
+        return ast.NumberLiteral(self.draw(_digits), self.draw(_units), span=NOWHERE)
 
     def boolean(self, depth: int = 0) -> ast.Expression:
         return ast.Boolean(self.draw(st.booleans()), span=NOWHERE)
@@ -95,15 +95,15 @@ class _Grower:
     def argument(self, depth: int) -> ast.Argument:
         return ast.Argument(self.value(depth), self.maybe(self.key, 0), span=NOWHERE)
 
-    def call(self, depth: int) -> ast.Call:
+    def call(self, depth: int) -> ast.CallExpression:
         arguments = self.some(self.argument, depth - 1, 0, 2)
-        return ast.Call(self.reference(), arguments, span=NOWHERE)
+        return ast.CallExpression(self.reference(), arguments, span=NOWHERE)
 
     def called_member(self, depth: int) -> ast.Expression:
         return ast.Member(self.call(depth), self.key(), span=NOWHERE)
 
     def group(self, depth: int) -> ast.Expression:
-        return ast.Group(self.formula(depth - 1), span=NOWHERE)
+        return ast.GroupExpression(self.formula(depth - 1), span=NOWHERE)
 
     def point(self, depth: int) -> ast.Expression:
         return ast.Point(self.some(self.formula, depth - 1, 2, 3), span=NOWHERE)
@@ -121,7 +121,7 @@ class _Grower:
         return self._arithmetic("^", self.atom(depth), self.unary(depth - 1))
 
     def negate(self, depth: int) -> ast.Expression:
-        return ast.Negate(self.unary(depth), span=NOWHERE)
+        return ast.NegateExpression(self.unary(depth), span=NOWHERE)
 
     def random_value(self, depth: int) -> ast.Expression:
         return ast.Draw(self.unary(depth), self.unary(depth), span=NOWHERE)
@@ -136,18 +136,18 @@ class _Grower:
         return self._arithmetic(self.pick("+ -"), term(depth), self.unary(depth))
 
     def _arithmetic(self, sign: str, left: ast.Expression, right: ast.Expression) -> ast.Expression:
-        return ast.Arithmetic(sign, left, right, operator_span=NOWHERE, span=NOWHERE)
+        return ast.ArithmeticExpression(sign, left, right, operator_span=NOWHERE, span=NOWHERE)
 
     def comparison(self, depth: int) -> ast.Expression:
         operands = self.some(self.sum, depth, 2, 3)
         signs = tuple(self.pick("< <= > >= == !=") for _ in operands[1:])
-        return ast.Comparison(operands, signs, span=NOWHERE)
+        return ast.ComparisonExpression(operands, signs, span=NOWHERE)
 
-    def interval(self, depth: int) -> ast.Interval:
-        return ast.Interval(self.sum(depth - 1), self.sum(depth - 1), span=NOWHERE)
+    def interval(self, depth: int) -> ast.IntervalExpression:
+        return ast.IntervalExpression(self.sum(depth - 1), self.sum(depth - 1), span=NOWHERE)
 
     def negation(self, depth: int) -> ast.Expression:
-        return ast.Not(self.group(depth), span=NOWHERE)
+        return ast.NotExpression(self.group(depth), span=NOWHERE)
 
     def temporal(self, depth: int) -> ast.Expression:
         inner = self.one_of(self.group, self.group, self.temporal)(depth)
@@ -243,7 +243,7 @@ class _Grower:
             "str": lambda _: self.draw(st.sampled_from(node.words)),
             "Word": self.word,
             "String": self.string,
-            "Kind": self.kind,
+            "KindName": self.kind,
             "Block": lambda _: self.block(2),
             "Expression": expressions.get(name, self.source),
         }[hint.removesuffix(" | None")]

@@ -11,7 +11,7 @@ from roadlang.api import Code
 
 from .drives import plain_name
 from .faults import fault
-from .frame import Frame
+from .frame import SceneOrigin
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -25,7 +25,7 @@ SIGNALS = frozenset(
 )  # fmt: skip
 
 
-def engine_condition(when: Mapping[str, Any], scene: Scene, frame: Frame) -> Any:
+def engine_condition(when: Mapping[str, Any], scene: Scene, frame: SceneOrigin) -> Any:
     """The engine's form of a condition. Raises `EngineError` RL513 for what it cannot evaluate."""
     signals: dict[str, Any] = {
         name: _signal(name, call, scene, frame) for name, call in when.get("signals", {}).items()
@@ -89,7 +89,7 @@ def _term(term: stl.Term, signals: Mapping[str, Any]) -> Any:
     raise fault(Code.UNSUPPORTED_CONDITION, what=str(term))
 
 
-def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> Any:
+def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: SceneOrigin) -> Any:
     """A signal as [kind, agent, ...]; an object that stands still is given by its outline."""
     kind = plain_name(str(call["kind"]))
     if kind not in SIGNALS:
@@ -108,7 +108,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: Frame) -> A
     return out
 
 
-def _outline(wanted: str, name: str, scene: Scene, frame: Frame) -> list[float]:
+def _outline(wanted: str, name: str, scene: Scene, frame: SceneOrigin) -> list[float]:
     found = [actor for actor in scene.objects if wanted in (actor.name, actor.group)]
     if len(found) != 1:
         raise fault(Code.UNSUPPORTED_CONDITION, what=name)

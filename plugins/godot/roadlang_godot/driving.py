@@ -26,7 +26,7 @@ Controls = Mapping[tuple[int, int], tuple[float, float]]
 
 
 @dataclass(frozen=True, slots=True)
-class Drive:
+class GodotDrive:
     """A finished drive: all records, at which tick it ended, and why."""
 
     trace: Records
@@ -34,7 +34,7 @@ class Drive:
     reason: str
 
 
-def run(session: Session, ticks: int, *, every: int = 1, stop_at_end: bool = False) -> Drive:
+def run(session: Session, ticks: int, *, every: int = 1, stop_at_end: bool = False) -> GodotDrive:
     """Let the engine drive for `ticks` physics ticks, recording one in `every`.
 
     With `stop_at_end` the drive ends when every agent has reached the end of its path.
@@ -53,7 +53,7 @@ def run(session: Session, ticks: int, *, every: int = 1, stop_at_end: bool = Fal
     trace = np.concatenate(parts) if parts else records(b"")
     # Messages come in any order; records tell theirs.
     trace = trace[np.lexsort((trace["agent"], trace["world"], trace["tick"]))]
-    return Drive(trace, int(end["tick"]), str(end["reason"]))
+    return GodotDrive(trace, int(end["tick"]), str(end["reason"]))
 
 
 def _gather(session: Session, parts: list[Records]) -> None:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Godot(Backend):
+class GodotBackend(Backend):
     """Build the scene in a running Godot (start it with `roadlang godot`) and verify it."""
 
     name: ClassVar[str] = "godot"

@@ -18,7 +18,7 @@ from pathlib import Path
 from roadlang.api import Code
 
 from .faults import fault
-from .link import Link
+from .link import DatagramLink
 from .link_udp import UdpLink
 from .session import Session
 
@@ -180,7 +180,9 @@ def connect(
     address is no good, RL516 where the package for a WebSocket is missing.
     """
     try:
-        link: Link = _websocket(host, port) if transport == "websocket" else UdpLink(host, port)
+        link: DatagramLink = (
+            _websocket(host, port) if transport == "websocket" else UdpLink(host, port)
+        )
     except OSError as error:
         raise fault(
             Code.UNREACHABLE_ADDRESS, host=host, port=port, reason=error.strerror or error
@@ -188,7 +190,7 @@ def connect(
     return Session(link, patience=patience, name=name, is_running=is_running)
 
 
-def _websocket(host: str, port: int) -> Link:
+def _websocket(host: str, port: int) -> DatagramLink:
     try:
         from .link_websocket import WebSocketLink
     except ImportError as error:

@@ -14,7 +14,7 @@ from .protocol import MAX_COORDINATE
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class SceneOrigin:
     """The engine's origin in the world, so that float32 is fine enough everywhere in the scene."""
 
     x: float = 0.0
@@ -31,8 +31,8 @@ class Frame:
         return local.astype("<f4")
 
 
-def frame_around(points: NDArray[np.float64]) -> tuple[Frame, float]:
+def frame_around(points: NDArray[np.float64]) -> tuple[SceneOrigin, float]:
     """The frame in the middle of (n, 2) points, and how far they reach from it, in meters."""
     low, high = points.min(axis=0), points.max(axis=0)
     middle = np.round((low + high) / 2)
-    return Frame(float(middle[0]), float(middle[1])), float(np.abs(points - middle).max())
+    return SceneOrigin(float(middle[0]), float(middle[1])), float(np.abs(points - middle).max())

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .frame import Frame
-from .line import Floats, Line
+from .frame import SceneOrigin
+from .line import Floats, RoadSamples
 from .protocol import Message
-from .thing import Thing
+from .thing import ScenePart
 
 MARGIN = 1.5
 """How far beyond the point where two edges meet a road is cut, meters."""
@@ -23,7 +23,7 @@ _CORNER_STEPS = 6
 class Arm:
     """One road end at a node: the line, and whether it begins (+1) or ends (-1) there."""
 
-    line: Line
+    line: RoadSamples
     sign: int
 
     def station(self, cut: float) -> float:
@@ -71,7 +71,7 @@ def cuts(arms: list[Arm]) -> list[float]:
     return [min(cut, most, 40.0) for cut, most in zip(out, longest, strict=True)]
 
 
-def patch(arms: list[Arm], cut: list[float], id: int, frame: Frame, label: str) -> Thing:
+def patch(arms: list[Arm], cut: list[float], id: int, frame: SceneOrigin, label: str) -> ScenePart:
     """The paved area between the cut ends of arms in order, with rounded corners."""
     outline: list[Floats] = []
     for i, arm in enumerate(arms):
@@ -90,7 +90,7 @@ def patch(arms: list[Arm], cut: list[float], id: int, frame: Frame, label: str) 
     head = struct.pack("<HH", len(corners), len(triangles))
     body = head + corners.tobytes() + triangles.astype("<u2").tobytes()
     content = corners.tobytes() + triangles.astype("<i4").tobytes()
-    return Thing(Message.PATCH, id, body, content, label)
+    return ScenePart(Message.PATCH, id, body, content, label)
 
 
 def _rounded(

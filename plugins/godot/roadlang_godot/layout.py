@@ -13,14 +13,14 @@ from roadlang.api import Code
 from .conditions import engine_condition
 from .drives import IN_ENGINE, option_values, plain_name
 from .faults import fault
-from .frame import Frame, frame_around
+from .frame import SceneOrigin, frame_around
 from .junctions import Arm, cuts, order, patch
-from .line import Line, line_of
+from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
 from .placed import Placed, agent_thing, object_things, path_things, world_thing
 from .road_mesh import road_things
 from .sky import world_settings
-from .thing import Thing
+from .thing import ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, SceneNetwork
@@ -37,8 +37,8 @@ class Layout:
     """All that is sent of one scene. `agents` maps names to the engine's numbers."""
 
     name: str
-    things: tuple[Thing, ...]
-    frame: Frame
+    things: tuple[ScenePart, ...]
+    frame: SceneOrigin
     extent: float
     agents: Mapping[str, int]
     paths: Mapping[str, int]
@@ -50,7 +50,7 @@ class Layout:
         return {"name": name, "extent": round(self.extent + BESIDE, 1), "ticks": ticks}
 
 
-def layout_of(scene: Scene, road: str = "mesh", frame: Frame | None = None) -> Layout:
+def layout_of(scene: Scene, road: str = "mesh", frame: SceneOrigin | None = None) -> Layout:
     """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
 
     A `frame` that is given stays: what did not move is then not sent again.
@@ -81,7 +81,7 @@ def layout_of(scene: Scene, road: str = "mesh", frame: Frame | None = None) -> L
     return Layout(scene.name, tuple(things), frame, extent, agents, paths, outside)
 
 
-def built_roads(scene: Scene, lines: Mapping[str, Line]) -> list[str]:
+def built_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:
     """Names of the roads that are built: the last of each chain, and those that are driven on.
 
     A road that only repeats edges of a network that is built (a route through a town) is a path
@@ -102,7 +102,7 @@ def built_roads(scene: Scene, lines: Mapping[str, Line]) -> list[str]:
     return list(dict.fromkeys(out))
 
 
-def _covers(network: SceneNetwork, line: Line, lines: Mapping[str, Line]) -> bool:
+def _covers(network: SceneNetwork, line: RoadSamples, lines: Mapping[str, RoadSamples]) -> bool:
     from scipy.spatial import cKDTree
 
     edges = [lines[name] for name in network.roads if name in lines]
@@ -115,11 +115,11 @@ def _covers(network: SceneNetwork, line: Line, lines: Mapping[str, Line]) -> boo
 
 
 def _meshes(
-    scene: Scene, lines: Mapping[str, Line], built: Iterable[str], frame: Frame
-) -> list[Thing]:
+    scene: Scene, lines: Mapping[str, RoadSamples], built: Iterable[str], frame: SceneOrigin
+) -> list[ScenePart]:
     built = list(built)
     trims = {name: [float(lines[name].s[0]), float(lines[name].s[-1])] for name in built}
-    things: list[Thing] = []
+    things: list[ScenePart] = []
     for network in scene.networks:
         for node in network.nodes:
             arms = order(_arms(np.array([node.x, node.y]), node.roads, trims, lines))
@@ -144,7 +144,7 @@ def _arms(
     node: np.ndarray[Any, Any],
     roads: Iterable[str],
     built: Mapping[str, Any],
-    lines: Mapping[str, Line],
+    lines: Mapping[str, RoadSamples],
 ) -> list[Arm]:
     out = []
     for name in dict.fromkeys(roads):
@@ -160,7 +160,7 @@ def _arms(
     return out
 
 
-def _driven_roads(scene: Scene, lines: Mapping[str, Line]) -> list[str]:
+def _driven_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:
     names = [actor.road for actor in scene.agents if actor.road in lines]
     return list(dict.fromkeys(name for name in names if name is not None))
 
@@ -173,10 +173,10 @@ def _agent(
     actor: SceneActor,
     number: int,
     paths: Mapping[str, int],
-    lines: Mapping[str, Line],
+    lines: Mapping[str, RoadSamples],
     scene: Scene,
-    frame: Frame,
-) -> Thing:
+    frame: SceneOrigin,
+) -> ScenePart:
     options = {key: value for key, value in actor.options.items() if _is_plain(value)}
     spec: dict[str, Any] = {
         "name": actor.name,
@@ -204,7 +204,7 @@ def _agent(
     return agent_thing(number, spec)
 
 
-def line_offset(actor: SceneActor, line: Line) -> float:
+def line_offset(actor: SceneActor, line: RoadSamples) -> float:
     """How far left of the center line the line lies that an agent should follow.
 
     The middle of its lane where it has one, else where it stands; who crosses goes its own way.
@@ -215,7 +215,7 @@ def line_offset(actor: SceneActor, line: Line) -> float:
     return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
 
 
-def lane_center(lane: int, line: Line, station: float) -> float:
+def lane_center(lane: int, line: RoadSamples, station: float) -> float:
     """Offset of the middle of a lane (OpenDRIVE numbers: -1 first to the right, 1 to the left)."""
     width = float(line.at(np.array([station]))[2][0])
     each = width / max(line.lanes, 1)
@@ -224,7 +224,7 @@ def lane_center(lane: int, line: Line, station: float) -> float:
     return (abs(lane) - 0.5) * each * (1 if lane > 0 else -1)
 
 
-def _drives(actor: SceneActor, scene: Scene, frame: Frame) -> list[dict[str, Any]]:
+def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[str, Any]]:
     out = []
     for call in actor.drive:
         kind = plain_name(call.kind)

@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Line:
+class RoadSamples:
     """Samples of a road: `s` (n,) arc length, `points` (n, 2), `heading` (n,), `width` (n,).
 
     A closed line has its first sample again at the end.
@@ -65,7 +65,7 @@ class Line:
         return points + left, points - left
 
 
-def line_of(road: SceneRoad) -> Line:
+def line_of(road: SceneRoad) -> RoadSamples:
     """The line of a scene's road."""
     s = np.asarray(road.stations, dtype=float)
     points = np.stack([np.asarray(road.x, dtype=float), np.asarray(road.y, dtype=float)], axis=-1)
@@ -77,12 +77,14 @@ def line_of(road: SceneRoad) -> Line:
         heading = np.append(heading, heading[0])
         width = np.append(width, width[0])
     keep = np.append(True, np.diff(s) > 1e-9)
-    return Line(
+    return RoadSamples(
         road.name, s[keep], points[keep], heading[keep], width[keep], road.lanes, road.closed
     )
 
 
-def polyline(name: str, points: Floats, width: float, lanes: int = 2, closed: bool = False) -> Line:
+def polyline(
+    name: str, points: Floats, width: float, lanes: int = 2, closed: bool = False
+) -> RoadSamples:
     """The line through (n, 2) points; headings are those of the chords on both sides."""
     points = np.asarray(points, dtype=float)
     if closed:
@@ -93,4 +95,4 @@ def polyline(name: str, points: Floats, width: float, lanes: int = 2, closed: bo
     if closed:
         ahead[0] = ahead[-1] = (points[1] - points[-2]) / (steps[0] + steps[-1])
     heading = np.arctan2(ahead[:, 1], ahead[:, 0])
-    return Line(name, s, points, heading, np.full(len(s), float(width)), lanes, closed)
+    return RoadSamples(name, s, points, heading, np.full(len(s), float(width)), lanes, closed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 
-class Link(Protocol):
+class DatagramLink(Protocol):
     """A way to send and receive datagrams."""
 
     def send(self, datagram: bytes) -> None:

@@ -10,9 +10,9 @@ import numpy as np
 from roadlang.api import Code
 
 from .faults import fault
-from .frame import Frame
+from .frame import SceneOrigin
 from .road_tiles import coarsened, tile_things
-from .thing import Thing
+from .thing import ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -21,11 +21,11 @@ SMALLEST_CELL = 2.0
 """Meters; finer pixels are taken together."""
 
 
-def network_tiles(scene: Scene, frame: Frame) -> list[Thing]:
+def network_tiles(scene: Scene, frame: SceneOrigin) -> list[ScenePart]:
     """The tiles of every network that has pixels. Raises `EngineError` RL514 where none has."""
     import cv2
 
-    things: list[Thing] = []
+    things: list[ScenePart] = []
     for network in scene.networks:
         if network.mask is None or network.mask_scale is None:
             continue

@@ -13,10 +13,10 @@ import numpy as np
 from roadlang.api import Code
 
 from .faults import fault
-from .frame import Frame
-from .line import Line
+from .frame import SceneOrigin
+from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, MAX_DATAGRAM, Message
-from .thing import Thing
+from .thing import ScenePart
 
 PATH_SPACING = 1.0
 _RECORD_BYTES = 28
@@ -39,7 +39,9 @@ class Placed:
     name: str = ""
 
 
-def object_things(objects: Iterable[Placed], frame: Frame, first_id: int = 1) -> list[Thing]:
+def object_things(
+    objects: Iterable[Placed], frame: SceneOrigin, first_id: int = 1
+) -> list[ScenePart]:
     """Objects of one sort together, as many as fit; each named one by itself, to be moved."""
     groups: dict[tuple[str, str, bool, str], list[Placed]] = {}
     for one in objects:
@@ -53,7 +55,7 @@ def object_things(objects: Iterable[Placed], frame: Frame, first_id: int = 1) ->
     return things
 
 
-def path_things(line: Line, path: int, frame: Frame) -> list[Thing]:
+def path_things(line: RoadSamples, path: int, frame: SceneOrigin) -> list[ScenePart]:
     """The center line that agents follow, a meter a point, in pieces."""
     count = max(2, round(line.length / PATH_SPACING) + 1)
     s = np.linspace(line.s[0], line.s[-1], count)
@@ -69,23 +71,23 @@ def path_things(line: Line, path: int, frame: Frame) -> list[Thing]:
         part = rows[piece * _POINTS_A_PIECE : (piece + 1) * _POINTS_A_PIECE].tobytes()
         head = struct.pack("<BHH", int(line.closed), pieces, len(part) // 12)
         label = f"path of {line.name}, piece {piece + 1}"
-        things.append(Thing(Message.PATH, path << 16 | piece, head + part, part, label))
+        things.append(ScenePart(Message.PATH, path << 16 | piece, head + part, part, label))
     return things
 
 
-def agent_thing(id: int, spec: Mapping[str, Any]) -> Thing:
+def agent_thing(id: int, spec: Mapping[str, Any]) -> ScenePart:
     """An agent; `docs/godot.md` lists what its specification may hold."""
     return _json_thing(Message.AGENT, id, spec, f"agent {spec.get('name', id)}")
 
 
-def world_thing(settings: Mapping[str, Any]) -> Thing:
+def world_thing(settings: Mapping[str, Any]) -> ScenePart:
     """Sun, weather and friction."""
     return _json_thing(Message.WORLD, 1, settings, "the world's settings")
 
 
 def _objects(
-    id: int, sort: str, color: str, solid: bool, batch: list[Placed], frame: Frame
-) -> Thing:
+    id: int, sort: str, color: str, solid: bool, batch: list[Placed], frame: SceneOrigin
+) -> ScenePart:
     places = frame.ground(np.array([[one.x, one.y] for one in batch]))
     records = np.empty((len(batch), 7), dtype="<f4")
     records[:, :3] = places
@@ -96,12 +98,12 @@ def _objects(
     head = struct.pack("<BHB", int(solid), len(batch), len(name)) + name
     head += struct.pack("<B", len(paint)) + paint
     label = batch[0].name or f"{len(batch)} x {sort}"
-    return Thing(Message.OBJECTS, id, head + records.tobytes(), places.tobytes(), label)
+    return ScenePart(Message.OBJECTS, id, head + records.tobytes(), places.tobytes(), label)
 
 
-def _json_thing(kind: Message, id: int, value: Mapping[str, Any], label: str) -> Thing:
+def _json_thing(kind: Message, id: int, value: Mapping[str, Any], label: str) -> ScenePart:
     body = json.dumps(value, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
     limit = MAX_DATAGRAM - HEADER_BYTES - 12
     if len(body) > limit:
         raise fault(Code.MESSAGE_TOO_LARGE, what=label, size=len(body), limit=limit)
-    return Thing(kind, id, body, body, label)
+    return ScenePart(kind, id, body, body, label)

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from roadlang.api import hookimpl
 
 _KINDS = {
-    "emit godot": "emit_godot:Godot",
-    "simulate godot": "simulate_godot:Godot",
+    "emit godot": "emit_godot:GodotBackend",
+    "simulate godot": "simulate_godot:GodotSimulator",
 }
 
 

@@ -61,7 +61,7 @@ class Message(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class OpenedDatagram:
     """One datagram, opened."""
 
     type: int
@@ -78,7 +78,7 @@ def pack(type: int, session: int, seq: int, payload: bytes) -> bytes:
     return head + _check(head, payload) + payload
 
 
-def unpack(datagram: bytes) -> Frame | None:
+def unpack(datagram: bytes) -> OpenedDatagram | None:
     """The frame in a datagram, or None where anything about it is wrong."""
     if not HEADER_BYTES <= len(datagram) <= MAX_DATAGRAM:
         return None
@@ -88,7 +88,7 @@ def unpack(datagram: bytes) -> Frame | None:
         return None
     if check != _check(datagram[:16], payload):
         return None
-    return Frame(type, session, seq, payload)
+    return OpenedDatagram(type, session, seq, payload)
 
 
 def _check(head: bytes, payload: bytes) -> bytes:

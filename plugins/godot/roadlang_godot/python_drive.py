@@ -12,7 +12,7 @@ import numpy as np
 from roadlang.api import Observation
 
 from .layout import Layout, line_offset
-from .line import Line, line_of
+from .line import RoadSamples, line_of
 from .telemetry import Records
 
 if TYPE_CHECKING:
@@ -77,7 +77,11 @@ class _Ahead:
     """The line that an agent should follow, by distance ahead along its way."""
 
     def __init__(
-        self, actor: SceneActor, line: Line | None, station: float, pose: tuple[float, float, float]
+        self,
+        actor: SceneActor,
+        line: RoadSamples | None,
+        station: float,
+        pose: tuple[float, float, float],
     ) -> None:
         self._line = line
         self._station = station

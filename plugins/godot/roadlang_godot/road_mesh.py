@@ -8,10 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from .frame import Frame
-from .line import Floats, Line
+from .frame import SceneOrigin
+from .line import Floats, RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .thing import Thing
+from .thing import ScenePart
 
 SURFACE_MARKED, SURFACE_PLAIN = 0, 1
 PIECE = 100.0
@@ -24,7 +24,7 @@ _HEAD = struct.Struct("<BBHff")
 _MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - _HEAD.size) // 24
 
 
-def stations(line: Line, start: float, end: float) -> Iterator[Floats]:
+def stations(line: RoadSamples, start: float, end: float) -> Iterator[Floats]:
     """Arc lengths of the pieces between two stations, evenly spaced within each piece.
 
     Neighbors share their common station exactly, so that there is no gap.
@@ -45,7 +45,9 @@ def stations(line: Line, start: float, end: float) -> Iterator[Floats]:
         at = float(at + length)
 
 
-def segment(line: Line, s: Floats, id: int, frame: Frame, surface: int = SURFACE_MARKED) -> Thing:
+def segment(
+    line: RoadSamples, s: Floats, id: int, frame: SceneOrigin, surface: int = SURFACE_MARKED
+) -> ScenePart:
     """The piece of a road with these stations."""
     left, right = line.edges(s)
     strip = np.empty((len(s), 2, 3), dtype="<f4")
@@ -56,18 +58,22 @@ def segment(line: Line, s: Floats, id: int, frame: Frame, surface: int = SURFACE
 
 def strip_thing(
     name: str, strip: NDArray[np.float32], s: Floats, lanes: int, id: int, surface: int
-) -> Thing:
+) -> ScenePart:
     """A segment of (n, 2, 3) left and right edge points in engine coordinates."""
     spacing = float(s[1] - s[0])
     vertices = strip.tobytes()
     head = _HEAD.pack(min(max(lanes, 1), 255), surface, len(s), float(s[0]), spacing)
     label = f"{name} from {s[0]:.0f} m to {s[-1]:.0f} m"
-    return Thing(Message.SEGMENT, id, head + vertices, vertices, label)
+    return ScenePart(Message.SEGMENT, id, head + vertices, vertices, label)
 
 
 def road_things(
-    line: Line, first_id: int, frame: Frame, start: float | None = None, end: float | None = None
-) -> list[Thing]:
+    line: RoadSamples,
+    first_id: int,
+    frame: SceneOrigin,
+    start: float | None = None,
+    end: float | None = None,
+) -> list[ScenePart]:
     """All pieces of a road, or of the part of it between two stations."""
     begin = float(line.s[0]) if start is None else start
     finish = float(line.s[-1]) if end is None else end

@@ -7,9 +7,9 @@ import struct
 import numpy as np
 from numpy.typing import NDArray
 
-from .frame import Frame
+from .frame import SceneOrigin
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .thing import Thing
+from .thing import ScenePart
 
 NORTH, EAST, SOUTH, WEST = 1, 2, 4, 8
 
@@ -43,8 +43,12 @@ def coarsened(road: NDArray[np.bool_], factor: int) -> NDArray[np.bool_]:
 
 
 def tile_things(
-    road: NDArray[np.bool_], cell: float, origin: tuple[float, float], first_id: int, frame: Frame
-) -> list[Thing]:
+    road: NDArray[np.bool_],
+    cell: float,
+    origin: tuple[float, float],
+    first_id: int,
+    frame: SceneOrigin,
+) -> list[ScenePart]:
     """Tiles of (rows, columns) cells of `cell` meters; `origin` is the bottom left corner."""
     masks = neighbor_masks(road)
     rows, columns = np.nonzero(road)
@@ -61,6 +65,6 @@ def tile_things(
         content = b"".join(sorted(record.tobytes() for record in block))
         label = f"tiles around column {block['x'][0]}, row {block['z'][0]}"
         things.append(
-            Thing(Message.TILES, first_id + index, head + block.tobytes(), content, label)
+            ScenePart(Message.TILES, first_id + index, head + block.tobytes(), content, label)
         )
     return things

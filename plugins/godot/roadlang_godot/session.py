@@ -15,10 +15,10 @@ from roadlang.api import Code
 from . import protocol, thing
 from .channel import Channel
 from .faults import fault
-from .link import Link
+from .link import DatagramLink
 from .messages import Proof, as_json, text_of
 from .protocol import Message
-from .thing import Key, Thing
+from .thing import Key, ScenePart
 
 PATIENCE = 5.0
 """Seconds without an answer after which an engine that someone else started counts as gone."""
@@ -43,7 +43,7 @@ class Session:
 
     def __init__(
         self,
-        link: Link,
+        link: DatagramLink,
         *,
         patience: float | None = None,
         name: str = "",
@@ -54,7 +54,7 @@ class Session:
         self._link = link
         self._channel = Channel(getattr(link, "window", protocol.WINDOW))
         self._inbox: deque[tuple[int, bytes]] = deque()
-        self._built: dict[int, dict[Key, tuple[int, Thing]]] = {}
+        self._built: dict[int, dict[Key, tuple[int, ScenePart]]] = {}
         self._revision = 0
         self._request = 0
         self._last_heard = self._last_sent = self._last_pump = time.monotonic()
@@ -92,7 +92,7 @@ class Session:
         self.send(Message.BEGIN, payload, "the scene's beginning")
         self.flush()
 
-    def update(self, things: Iterable[Thing], world: int = 0) -> int:
+    def update(self, things: Iterable[ScenePart], world: int = 0) -> int:
         """Send what differs from what this world holds. Returns how many messages that took."""
         built = self._built.setdefault(world, {})
         wanted = {one.key: one for one in things}

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Godot(Simulator):
+class GodotSimulator(Simulator):
     """Godot with its physics engine: wheels, suspension and tire friction."""
 
     name: ClassVar[str] = "godot"

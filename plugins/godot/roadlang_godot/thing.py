@@ -17,7 +17,7 @@ Key = tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)
-class Thing:
+class ScenePart:
     """A part of a scene. `body` builds it; `content` is what the engine must then hold."""
 
     kind: Message

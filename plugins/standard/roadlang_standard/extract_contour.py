@@ -40,11 +40,11 @@ class Contour(Extractor):
     )
 
     def extract(self, picture: Picture) -> Extraction:
-        from .extraction.contour import Chain, roads_by_contour
+        from .extraction.contour import ContourSteps, roads_by_contour
         from .extraction.pixels import pixels_of
         from .extraction.world import extraction
 
-        chain = Chain(
+        chain = ContourSteps(
             blur=self.blur,
             threshold=None if self.threshold == "auto" else float(self.threshold),
             road=self.road,

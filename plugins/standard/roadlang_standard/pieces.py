@@ -12,7 +12,7 @@ MOST_TURN = math.radians(3600)
 
 
 @dataclass(frozen=True)
-class Straight(Piece):
+class StraightPiece(Piece):
     """A straight line."""
 
     name: ClassVar[str] = "straight"
@@ -28,7 +28,7 @@ class Straight(Piece):
 
 
 @dataclass(frozen=True)
-class Arc(Piece):
+class ArcPiece(Piece):
     """A circular arc."""
 
     name: ClassVar[str] = "arc"
@@ -47,7 +47,7 @@ class Arc(Piece):
 
 
 @dataclass(frozen=True)
-class Clothoid(Piece):
+class ClothoidPiece(Piece):
     """A clothoid: the curvature changes linearly along the arc length, up to `to`."""
 
     name: ClassVar[str] = "clothoid"

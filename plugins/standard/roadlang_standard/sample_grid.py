@@ -22,7 +22,7 @@ MOST = 10_000_000
 
 
 @dataclass(frozen=True)
-class Grid(Sampler):
+class GridSampler(Sampler):
     """A parameter sweep: every combination of the values of all draws."""
 
     name: ClassVar[str] = "grid"

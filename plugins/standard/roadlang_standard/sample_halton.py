@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Halton(Sampler):
+class HaltonSampler(Sampler):
     """A scrambled Halton sequence: covers the space more evenly than random draws."""
 
     name: ClassVar[str] = "halton"

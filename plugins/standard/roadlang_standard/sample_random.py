@@ -9,7 +9,7 @@ from roadlang.api import Sampler, Whole, option
 
 
 @dataclass(frozen=True)
-class Random(Sampler):
+class RandomSampler(Sampler):
     """Independent random draws, repeated until all requirements are satisfied."""
 
     name: ClassVar[str] = "random"

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..ir.contained_values import values_in
 from ..ir.scenario import Named
-from ..ir.values import Draw, Entity, Reference, Value
+from ..ir.values import Entity, RandomValue, Reference, Value
 
 
 class Dependencies:
@@ -33,9 +33,11 @@ class Dependencies:
             self._contents[id(value)] = value, self._walk(value)
         return self._contents[id(value)][1]
 
-    def draws(self, *values: Value | None) -> tuple[Draw, ...]:
+    def draws(self, *values: Value | None) -> tuple[RandomValue, ...]:
         """All draws that values depend on."""
-        return tuple(i for value in values for i in self.contents(value) if isinstance(i, Draw))
+        return tuple(
+            i for value in values for i in self.contents(value) if isinstance(i, RandomValue)
+        )
 
     def entities(self, *values: Value | None) -> tuple[Entity, ...]:
         """All declared things that values name."""

@@ -18,8 +18,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.read_only import frozen
 from ..ir.values import (
     Condition,
-    Constant,
-    Draw,
+    ConstantValue,
     Entity,
     Entries,
     Flag,
@@ -27,8 +26,9 @@ from ..ir.values import (
     Measure,
     Operation,
     PassCall,
+    RandomValue,
     Reference,
-    Text,
+    TextValue,
     Value,
 )
 from ..plugins.guard import plugin_guard, wrong_result
@@ -58,11 +58,11 @@ def evaluate(value: Value, candidates: CandidateBatch, element: int = 0) -> Any:
     `element` counts the roads of a network and the copies of a group from 1: draws made for each
     of them differ by it. A call stays a call: it is built where it is used.
     """
-    if isinstance(value, Constant | Flag | Text):
+    if isinstance(value, ConstantValue | Flag | TextValue):
         return value.value
     if isinstance(value, Reference):
         return named(value.name, candidates)
-    if isinstance(value, Draw):
+    if isinstance(value, RandomValue):
         return drawn(value, candidates, element)
     if isinstance(value, Operation):
         return _operation(value, candidates, element)
@@ -90,7 +90,7 @@ def named(name: str, candidates: CandidateBatch) -> Any:
     return candidates.of_scene(lambda whole: whole.once(("value", name), lambda: make(whole)))
 
 
-def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
+def drawn(draw: RandomValue, candidates: CandidateBatch, element: int = 0) -> Any:
     """(V, 1) values of a draw."""
     element = 0 if draw.per == "scene" else element
 
@@ -115,7 +115,9 @@ def drawn(draw: Draw, candidates: CandidateBatch, element: int = 0) -> Any:
     return values
 
 
-def _within_support(found: Any, draw: Draw, built: KindInstance, scenario: IndexedScenario) -> Any:
+def _within_support(
+    found: Any, draw: RandomValue, built: KindInstance, scenario: IndexedScenario
+) -> Any:
     """The values of a draw, none beyond the support by rounding. Raises RL474 where one is."""
     low, high = scenario.value_bounds.of(draw)
     if found.dtype.kind not in "fiu" or (math.isinf(low) and math.isinf(high)):

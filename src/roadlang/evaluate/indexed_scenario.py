@@ -9,8 +9,16 @@ from typing import Any, TypeVar
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.contained_values import values_in
-from ..ir.scenario import Actor, Image, Named, NameSource, Network, Road, Scenario
-from ..ir.values import Draw, PassCall, Text, Value
+from ..ir.scenario import (
+    Named,
+    NameSource,
+    Scenario,
+    ScenarioActor,
+    ScenarioImage,
+    ScenarioNetwork,
+    ScenarioRoad,
+)
+from ..ir.values import PassCall, RandomValue, TextValue, Value
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
@@ -39,13 +47,13 @@ class IndexedScenario:
         self.measure = measure
         self.observer: PassObserver | None = None
         self.values: dict[str, Named] = {item.name: item for item in source.values}
-        self.images: dict[str, Image] = {item.name: item for item in source.images}
-        self.networks: dict[str, Network] = {item.name: item for item in source.networks}
-        self.roads: dict[str, Road] = {item.name: item for item in source.roads}
-        self._things: dict[str, Image | Network | Road] = {
+        self.images: dict[str, ScenarioImage] = {item.name: item for item in source.images}
+        self.networks: dict[str, ScenarioNetwork] = {item.name: item for item in source.networks}
+        self.roads: dict[str, ScenarioRoad] = {item.name: item for item in source.roads}
+        self._things: dict[str, ScenarioImage | ScenarioNetwork | ScenarioRoad] = {
             **self.images, **self.networks, **self.roads
         }  # fmt: skip
-        self.actors: dict[str, Actor] = {
+        self.actors: dict[str, ScenarioActor] = {
             item.name: item for item in (*source.agents, *source.objects)
         }
         self.dependencies = Dependencies(self.values)
@@ -91,7 +99,7 @@ class IndexedScenario:
         """What a `param` or `let` stands for."""
         return self.values[name].value
 
-    def draws(self) -> Iterator[Draw]:
+    def draws(self) -> Iterator[RandomValue]:
         """Every draw of the scenario; one that is used twice comes twice."""
         for value in values_in(self.source):
             yield from self.dependencies.draws(value)
@@ -111,19 +119,23 @@ class IndexedScenario:
                 found[origin.distribution] = origin.version
         return dict(sorted(found.items()))
 
-    def thing(self, name: str) -> Image | Network | Road:
+    def thing(self, name: str) -> ScenarioImage | ScenarioNetwork | ScenarioRoad:
         """The road, network or image of that name. Raises `KeyError`."""
         return self._things[name]
 
-    def source_of(self, thing: Image | Network | Road) -> Image | Network | Road | None:
+    def source_of(
+        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+    ) -> ScenarioImage | ScenarioNetwork | ScenarioRoad | None:
         """The thing that another is made from, where it has a name."""
         if not isinstance(thing.source, NameSource):
             return None
         return self._things[thing.source.name]
 
-    def chain(self, thing: Image | Network | Road) -> Iterator[Image | Network | Road]:
+    def chain(
+        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+    ) -> Iterator[ScenarioImage | ScenarioNetwork | ScenarioRoad]:
         """A thing, what it is made from, and so on."""
-        link: Image | Network | Road | None = thing
+        link: ScenarioImage | ScenarioNetwork | ScenarioRoad | None = thing
         while link is not None:
             yield link
             link = self.source_of(link)
@@ -137,11 +149,11 @@ class IndexedScenario:
             ("varying", name), lambda: any(map(self._is_drawn, self.chain(self.thing(name))))
         )
 
-    def _is_drawn(self, thing: Image | Network | Road) -> bool:
+    def _is_drawn(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
         shaping = [call for call in thing.passes if call.verb != "perturb"]
         if any(self.kind(call)[1].is_random for call in shaping):
             return True
         options = [value for name, value in thing.options if name not in ("width", "lanes")]
-        if dict(thing.options).get("select") == Text("any"):
+        if dict(thing.options).get("select") == TextValue("any"):
             return True
         return bool(self.dependencies.draws(*shaping, *options))

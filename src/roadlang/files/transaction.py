@@ -23,7 +23,7 @@ _JOURNAL, _UNDO = "journal.json", "undo.json"
 
 
 @dataclass(frozen=True)
-class _Step:
+class _FileStep:
     """A file of the folder, and what stands for it in the transaction's own folder."""
 
     name: str
@@ -110,7 +110,7 @@ def _gathered(
     contents: Mapping[str, bytes],
     removed: Iterable[str],
     marker: str | None,
-) -> list[_Step]:
+) -> list[_FileStep]:
     """Write the new contents, keep the old files, and list the steps, the marker's last."""
     names = sorted(contents, key=lambda name: name == marker)
     gone = [
@@ -123,7 +123,7 @@ def _gathered(
         new = f"new-{number}" if name in contents else None
         if new is not None:
             _write(room / new, contents[name])
-        steps.append(_Step(name, new, _kept(folder / name, room, number)))
+        steps.append(_FileStep(name, new, _kept(folder / name, room, number)))
     for step in steps:
         if step.new is not None:
             _sync(room / step.new)
@@ -145,7 +145,7 @@ def _kept(target: Path, room: Path, number: int) -> str | None:
     return kept.name
 
 
-def _put_in_place(folder: Path, room: Path, steps: list[_Step], marker: str | None) -> None:
+def _put_in_place(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) -> None:
     last = steps[-1] if steps else None
     if last is not None and last.name == marker and last.new and (room / last.new).exists():
         _remove(folder / marker)
@@ -160,7 +160,7 @@ def _put_in_place(folder: Path, room: Path, steps: list[_Step], marker: str | No
     _sync_folder(folder)
 
 
-def _undo(folder: Path, room: Path, steps: list[_Step], marker: str | None) -> None:
+def _undo(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) -> None:
     if steps and steps[-1].name == marker and steps[-1].new and not (room / steps[-1].new).exists():
         _remove(folder / steps[-1].name)
     for step in steps:
@@ -200,15 +200,15 @@ def _sync_folder(folder: Path) -> None:
             os.close(handle)
 
 
-def _as_json(steps: list[_Step], marker: str | None) -> bytes:
+def _as_json(steps: list[_FileStep], marker: str | None) -> bytes:
     return json.dumps({"marker": marker, "steps": [asdict(step) for step in steps]}).encode()
 
 
-def _from_json(content: bytes) -> tuple[list[_Step], str | None]:
+def _from_json(content: bytes) -> tuple[list[_FileStep], str | None]:
     """The steps of a journal. Raises `OSError` for one that names files outside its folder."""
     try:
         record = json.loads(content)
-        steps, marker = [_Step(**step) for step in record["steps"]], record["marker"]
+        steps, marker = [_FileStep(**step) for step in record["steps"]], record["marker"]
         names = [name for step in steps for name in (step.name, step.new, step.old) if name]
         if all(map(is_plain, names)):
             return steps, marker

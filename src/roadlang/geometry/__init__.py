@@ -5,7 +5,7 @@ Nothing is imported until a name is used.
 - curves by arc length: `Curve`; through a few points that are far apart: `through_waypoints`;
   pieces to draw them from: `Straight`, `Arc`, `Clothoid`, `chain`; of straight lines with rounded
   corners: `filleted`
-- many variants at once: `Frame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
+- many variants at once: `CurveFrame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
 - roads: `WidthProfile`, `OffsetProfile`, `Lane`, `CrossSection`, `Road`, `offset` (without
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from .footprints import close_pairs as close_pairs
     from .footprints import distance_between as distance_between
     from .footprints import separation as separation
-    from .frame import Frame as Frame
+    from .frame import CurveFrame as CurveFrame
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
     from .junctions.model import Junction as Junction
@@ -87,7 +87,7 @@ _HOMES = {
     "chain": "segments",
     "filleted": "filleting",
     "through_waypoints": "waypoint_curve",
-    "Frame": "frame",
+    "CurveFrame": "frame",
     "CurveBatch": "batch",
     "DisplacedBatch": "displacement",
     "MovedBatch": "displacement",

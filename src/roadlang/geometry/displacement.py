@@ -20,7 +20,7 @@ from .differences import derivative
 from .displaced_curvature import SLOWEST, displaced_curvature
 from .errors import GeometryError
 from .folding import fold_of_points, turns_too_much
-from .frame import Frame
+from .frame import CurveFrame
 
 
 class DisplacedBatch(CurveBatch):
@@ -29,7 +29,7 @@ class DisplacedBatch(CurveBatch):
     Everything is computed from the frame and the displacement when it is first asked for.
     """
 
-    def __init__(self, frame: Frame, displacement: Floats) -> None:
+    def __init__(self, frame: CurveFrame, displacement: Floats) -> None:
         self.frame = frame
         self.stations = frame.stations
         self.closed = frame.closed
@@ -144,30 +144,31 @@ class MovedBatch(CurveBatch):
 
 
 def displace(
-    base: Curve | Frame | CurveBatch, stations: ArrayLike, displacement: ArrayLike
+    base: Curve | CurveFrame | CurveBatch, stations: ArrayLike, displacement: ArrayLike
 ) -> CurveBatch:
     """`base` moved by `displacement`, meters: along its left normal, (V, S) or (S,), or east and
     north, (V, S, 2).
 
-    A `Frame` as base saves computing it again (its own stations count then); a batch is displaced
-    variant by variant. Raises GeometryError for other shapes and for numbers that are not finite.
+    A `CurveFrame` as base saves computing it again (its own stations count then); a batch is
+    displaced variant by variant. Raises GeometryError for other shapes and for numbers that are not
+    finite.
     """
     if isinstance(base, Curve):
-        base = Frame.of(base, stations)
+        base = CurveFrame.of(base, stations)
     meters = finite(displacement, "a displacement")
     _check_shape(meters, len(base.stations))
     if meters.ndim == 3:
-        return _shifted(undisplaced(base) if isinstance(base, Frame) else base, meters)
+        return _shifted(undisplaced(base) if isinstance(base, CurveFrame) else base, meters)
     meters = np.atleast_2d(meters)
-    return DisplacedBatch(base, meters) if isinstance(base, Frame) else _pushed(base, meters)
+    return DisplacedBatch(base, meters) if isinstance(base, CurveFrame) else _pushed(base, meters)
 
 
 def sample(curve: Curve, stations: ArrayLike) -> DisplacedBatch:
     """The curve itself as a batch of one."""
-    return undisplaced(Frame.of(curve, stations))
+    return undisplaced(CurveFrame.of(curve, stations))
 
 
-def undisplaced(frame: Frame) -> DisplacedBatch:
+def undisplaced(frame: CurveFrame) -> DisplacedBatch:
     """The curve of a frame itself as a batch of one."""
     return DisplacedBatch(frame, np.zeros((1, len(frame.stations))))
 

@@ -16,8 +16,8 @@ from .folding import BaseSteps
 
 
 @dataclass(frozen=True, eq=False)
-class Frame(SharedArrays):
-    """`stations` (S,) of a curve and what it is there; make one with `Frame.of`."""
+class CurveFrame(SharedArrays):
+    """`stations` (S,) of a curve and what it is there; make one with `CurveFrame.of`."""
 
     curve: Curve
     stations: Floats
@@ -31,7 +31,7 @@ class Frame(SharedArrays):
     """(S,) 1/m^2, its derivative by arc length; a jump counts at the two stations beside it"""
 
     @classmethod
-    def of(cls, curve: Curve, stations: ArrayLike) -> Frame:
+    def of(cls, curve: Curve, stations: ArrayLike) -> CurveFrame:
         """The frame at increasing arc lengths."""
         s = finite(stations, "stations")
         if s.ndim != 1 or len(s) < 2 or not (np.diff(s) > 0.0).all():
@@ -67,7 +67,7 @@ class Frame(SharedArrays):
         bending = self.curvature, self.curvature_slope
         return BaseSteps.of(self.points, self.normal, bending, gaps, self.closed)
 
-    def same_as(self, other: Frame) -> bool:
+    def same_as(self, other: CurveFrame) -> bool:
         """Whether displacements along both can be compared number by number."""
         return self is other or (
             self.curve is other.curve and np.array_equal(self.stations, other.stations)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
-from .image_header import Header, is_whole, read_header
+from .image_header import ImageHeader, is_whole, read_header
 from .image_scale import FoundScale, scale_in_file
 
 MOST_PIXELS = 100_000_000
@@ -68,7 +68,7 @@ def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST
     return content
 
 
-def _check_size(header: Header, written: str, span: Span | None) -> None:
+def _check_size(header: ImageHeader, written: str, span: Span | None) -> None:
     size = f"{header.width} x {header.height} px"
     if header.width * header.height > MOST_PIXELS:
         most = f"{MOST_PIXELS // 1_000_000} million pixels can be read"
@@ -102,7 +102,7 @@ def _refusal(
     )
 
 
-def _decoded(content: bytes, header: Header) -> NDArray[np.generic] | None:
+def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
     # Only color mode honors the orientation that cameras note in JPEG files.
     mode = cv2.IMREAD_COLOR if header.format == "JPEG" else cv2.IMREAD_UNCHANGED
     level = _set_log_level(_SILENT)

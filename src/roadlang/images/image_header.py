@@ -10,7 +10,7 @@ from .tiff import TiffError, TiffTags
 
 
 @dataclass(frozen=True, slots=True)
-class Header:
+class ImageHeader:
     """What the first bytes of an image file say of it; sizes are in pixels."""
 
     format: str
@@ -18,19 +18,19 @@ class Header:
     height: int
 
 
-def read_header(content: bytes) -> Header | None:
+def read_header(content: bytes) -> ImageHeader | None:
     """Format and size; None for what is no PNG, JPEG, TIFF, BMP, PNM or WebP file."""
     try:
         if content.startswith(b"\x89PNG\r\n\x1a\n"):
-            return Header("PNG", *struct.unpack(">II", content[16:24]))
+            return ImageHeader("PNG", *struct.unpack(">II", content[16:24]))
         if content.startswith(b"\xff\xd8\xff"):
             return _jpeg(content)
         if content[:4] in (b"II*\x00", b"MM\x00*"):
             tags = TiffTags(content)
-            return Header("TIFF", int(tags.numbers(256)[0]), int(tags.numbers(257)[0]))
+            return ImageHeader("TIFF", int(tags.numbers(256)[0]), int(tags.numbers(257)[0]))
         if content.startswith(b"BM"):
             width, height = struct.unpack("<ii", content[18:26])
-            return Header("BMP", abs(width), abs(height))
+            return ImageHeader("BMP", abs(width), abs(height))
         if content[:1] == b"P" and content[1:2] in _PNM:
             return _pnm(content)
         if content[:4] == b"RIFF" and content[8:12] == b"WEBP":
@@ -60,7 +60,7 @@ def is_whole(format: str, content: bytes) -> bool:
     return True
 
 
-def _jpeg(content: bytes) -> Header | None:
+def _jpeg(content: bytes) -> ImageHeader | None:
     at = 2
     while at + 9 < len(content):
         if content[at] != 0xFF:
@@ -70,11 +70,11 @@ def _jpeg(content: bytes) -> Header | None:
             at += 1
         elif 0xC0 <= marker <= 0xCF and marker not in (0xC4, 0xC8, 0xCC):
             height, width = struct.unpack(">HH", content[at + 5 : at + 9])
-            return Header("JPEG", width, height)
+            return ImageHeader("JPEG", width, height)
         else:
             at += 2 + int(struct.unpack(">H", content[at + 2 : at + 4])[0])
     # Cut off before its size is told: a picture all the same.
-    return Header("JPEG", 8, 8)
+    return ImageHeader("JPEG", 8, 8)
 
 
 _PNM = b"2356"
@@ -83,24 +83,24 @@ _GAP = rb"(?:[ \t\r\n]|#[^\n]*\n)+"
 _PNM_HEADER = re.compile(rb"P[2356]" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)\s")
 
 
-def _pnm(content: bytes) -> Header | None:
+def _pnm(content: bytes) -> ImageHeader | None:
     """PGM and PPM files, which maps of robots are."""
     found = _PNM_HEADER.match(content)
     if found is None:
         return None
     width, height, most = map(int, found.groups())
-    return Header("PNM", width, height) if 0 < most < 65536 else None
+    return ImageHeader("PNM", width, height) if 0 < most < 65536 else None
 
 
-def _webp(content: bytes) -> Header | None:
+def _webp(content: bytes) -> ImageHeader | None:
     chunk = content[12:16]
     if chunk == b"VP8X":
         width = int.from_bytes(content[24:27], "little") + 1
-        return Header("WebP", width, int.from_bytes(content[27:30], "little") + 1)
+        return ImageHeader("WebP", width, int.from_bytes(content[27:30], "little") + 1)
     if chunk == b"VP8 ":
         width, height = struct.unpack("<HH", content[26:30])
-        return Header("WebP", width & 0x3FFF, height & 0x3FFF)
+        return ImageHeader("WebP", width & 0x3FFF, height & 0x3FFF)
     if chunk == b"VP8L":
         bits = int.from_bytes(content[21:25], "little")
-        return Header("WebP", (bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1)
+        return ImageHeader("WebP", (bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1)
     return None

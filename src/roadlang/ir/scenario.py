@@ -8,7 +8,7 @@ from ..diagnostics import Span
 from .dimension import Dimension
 from .values import Condition, PassCall, Value
 
-SCENARIO_SCHEMA = "roadlang.scenario/1"
+SCENARIO_SCHEMA = "roadlang.scenario/2"
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class Input:
 
 
 @dataclass(frozen=True, slots=True)
-class Header:
+class ScenarioHeader:
     """Name and title of a scenario."""
 
     name: str
@@ -66,7 +66,7 @@ Source = FileSource | TextSource | NameSource
 
 
 @dataclass(frozen=True, slots=True)
-class Image:
+class ScenarioImage:
     """`options`: `scale` (m/px), `legend`."""
 
     name: str
@@ -77,7 +77,7 @@ class Image:
 
 
 @dataclass(frozen=True, slots=True)
-class Network:
+class ScenarioNetwork:
     """`passes` in the order written: the `extract` of an image or the `read` of a file, which are
     filled in where the source has none, then `perturb`s."""
 
@@ -89,7 +89,7 @@ class Network:
 
 
 @dataclass(frozen=True, slots=True)
-class Road:
+class ScenarioRoad:
     """`source` is None for a drawn road; `options`: `select`, `width`, `lanes`, `closed`."""
 
     name: str
@@ -100,7 +100,7 @@ class Road:
 
 
 @dataclass(frozen=True, slots=True)
-class Constraint:
+class ScenarioConstraint:
     """A `require` or an `expect`: a formula or the call of a monitor."""
 
     name: str
@@ -120,7 +120,7 @@ class NamedSignal:
 
 
 @dataclass(frozen=True, slots=True)
-class Actor:
+class ScenarioActor:
     """An agent or object. `kind` is the call of an agent or object kind, or a draw among such.
 
     `at` is a length along the road, a fraction of its length (`Operation`s of such too) or a
@@ -143,16 +143,16 @@ class Scenario:
     """All of a scene file and what it includes. Each group in an order in which it can be
     evaluated: what a thing depends on comes before it."""
 
-    header: Header
+    header: ScenarioHeader
     values: tuple[Named, ...] = ()
-    images: tuple[Image, ...] = ()
-    networks: tuple[Network, ...] = ()
-    roads: tuple[Road, ...] = ()
+    images: tuple[ScenarioImage, ...] = ()
+    networks: tuple[ScenarioNetwork, ...] = ()
+    roads: tuple[ScenarioRoad, ...] = ()
     signals: tuple[NamedSignal, ...] = ()
-    requirements: tuple[Constraint, ...] = ()
-    expectations: tuple[Constraint, ...] = ()
-    agents: tuple[Actor, ...] = ()
-    objects: tuple[Actor, ...] = ()
+    requirements: tuple[ScenarioConstraint, ...] = ()
+    expectations: tuple[ScenarioConstraint, ...] = ()
+    agents: tuple[ScenarioActor, ...] = ()
+    objects: tuple[ScenarioActor, ...] = ()
     world: tuple[tuple[str, Value], ...] = ()
     sample: PassCall | None = None
     simulate: PassCall | None = None

@@ -118,7 +118,7 @@ def _revived(value: Any) -> Any:
         from ..stl.formats.json_form import from_json
 
         members["formula"] = from_json(members["formula"])
-    if kind is value_nodes.Constant:
+    if kind is value_nodes.ConstantValue:
         members["value"] = float(members["value"])
     return kind(
         **{

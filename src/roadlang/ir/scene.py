@@ -138,7 +138,7 @@ class SceneActor(Frozen):
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch:
+class ViolatedSegment:
     """Where a requirement is violated: arc length of the root road, meters."""
 
     road: str
@@ -199,7 +199,7 @@ class Verdict(Frozen):
     """in the unit of the comparison that decides; null for what a drive decides"""
     satisfied: bool | None
     """null for what a drive decides"""
-    violated: tuple[Stretch, ...] = ()
+    violated: tuple[ViolatedSegment, ...] = ()
     """where along the roads it fails"""
     formula: Mapping[str, Any] | None = None
     """what a drive must satisfy; null for what is decided here"""

@@ -15,7 +15,7 @@ from .dimension import PURE, Dimension
 
 
 @dataclass(frozen=True, slots=True)
-class Constant:
+class ConstantValue:
     """A number in SI units."""
 
     value: float
@@ -30,7 +30,7 @@ class Flag:
 
 
 @dataclass(frozen=True, slots=True)
-class Text:
+class TextValue:
     """A string, or a word of an option that takes words (`auto` is `Text("auto")`)."""
 
     value: str
@@ -44,7 +44,7 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
-class Draw:
+class RandomValue:
     """A random value; `place` keys the draw: `bent/perturb 1/amplitude`.
 
     `per`: made anew for each "road" of a network or each "copy" of a `count`, else per "scene".
@@ -147,11 +147,11 @@ class PassCall:
 
 
 Value: TypeAlias = (
-    Constant
+    ConstantValue
     | Flag
-    | Text
+    | TextValue
     | Reference
-    | Draw
+    | RandomValue
     | Operation
     | Measure
     | Entity

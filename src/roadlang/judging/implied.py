@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..ir.scenario import Actor, Network, Road
-from ..ir.values import Draw
+from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
+from ..ir.values import RandomValue
 from ..world.networks import edge_batch, network_root
 from ..world.placement import room
 from ..world.roads import road_batch, road_root
@@ -23,9 +23,11 @@ from .requirement import Requirement
 Floats = NDArray[np.float64]
 
 
-def begins_on_road(actor: Actor, scenario: IndexedScenario) -> Requirement:
+def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:
     """An agent or object on a road begins on the road; its very ends belong to it."""
-    drawn = any(isinstance(value, Draw) for value in scenario.dependencies.contents(actor.at))
+    drawn = any(
+        isinstance(value, RandomValue) for value in scenario.dependencies.contents(actor.at)
+    )
     return Requirement(
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",
@@ -40,7 +42,10 @@ def begins_on_road(actor: Actor, scenario: IndexedScenario) -> Requirement:
 
 def perturbed_names(scenario: IndexedScenario) -> list[str]:
     """The roads and networks that have a `perturb` of their own."""
-    things: tuple[Road | Network, ...] = (*scenario.roads.values(), *scenario.networks.values())
+    things: tuple[ScenarioRoad | ScenarioNetwork, ...] = (
+        *scenario.roads.values(),
+        *scenario.networks.values(),
+    )
     return [thing.name for thing in things if any(call.verb == "perturb" for call in thing.passes)]
 
 
@@ -75,7 +80,10 @@ def _unfolded(name: str, candidates: CandidateBatch) -> Floats:
 
 def hidden_perturbations(scenario: IndexedScenario) -> list[str]:
     """The roads and networks whose draws may make a wave too short for their stations."""
-    things: tuple[Road | Network, ...] = (*scenario.roads.values(), *scenario.networks.values())
+    things: tuple[ScenarioRoad | ScenarioNetwork, ...] = (
+        *scenario.roads.values(),
+        *scenario.networks.values(),
+    )
     return [thing.name for thing in things if unknown_features(thing, scenario)]
 
 
@@ -97,8 +105,8 @@ def _room_for_stations(name: str, candidates: CandidateBatch) -> Floats:
     """(V,) meters that the shortest wave or bump is longer than the stations need."""
     scenario = candidates.scenario
     thing = scenario.thing(name)
-    assert isinstance(thing, Road | Network)
-    if isinstance(thing, Road):
+    assert isinstance(thing, ScenarioRoad | ScenarioNetwork)
+    if isinstance(thing, ScenarioRoad):
         frames = {0: road_root(name, candidates).frame}
     else:
         root = network_root(thing, candidates)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..ir.scenario import Actor
+from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, PassCall
 
 
@@ -15,7 +15,7 @@ def names_in(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset
     return frozenset(named)
 
 
-def names_of_actor(actor: Actor, scenario: IndexedScenario) -> frozenset[str]:
+def names_of_actor(actor: ScenarioActor, scenario: IndexedScenario) -> frozenset[str]:
     """The things that decide where an agent or object is, through those that it is placed by."""
     names: set[str] = set()
     pending = [actor]
@@ -37,7 +37,7 @@ def influences(test: Condition | PassCall, scenario: IndexedScenario) -> frozens
     return frozenset(places)
 
 
-def draws_of_start(actor: Actor, scenario: IndexedScenario) -> frozenset[str]:
+def draws_of_start(actor: ScenarioActor, scenario: IndexedScenario) -> frozenset[str]:
     """The places of all draws that can change where an agent or object begins."""
     places = {draw.place for draw in scenario.dependencies.draws(actor.at)}
     for name in names_of_actor(actor, scenario):

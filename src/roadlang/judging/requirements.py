@@ -7,7 +7,7 @@ from functools import partial
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..ir.scenario import Constraint
+from ..ir.scenario import ScenarioConstraint
 from ..ir.values import Condition
 from .cost import cost_of
 from .implied import (
@@ -36,7 +36,7 @@ def requirements_of(scenario: IndexedScenario) -> tuple[Requirement, ...]:
     return tuple(sorted(found, key=lambda requirement: requirement.cost))
 
 
-def _written(constraint: Constraint, scenario: IndexedScenario) -> Requirement:
+def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requirement:
     test = constraint.test
     rho: Callable[[CandidateBatch], Floats]
     truth: Callable[[CandidateBatch], Mask] | None

@@ -15,7 +15,7 @@ from ..evaluate.evaluation import evaluate
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
 from ..world.copies import is_absent, most_copies
-from ..world.signals import Axis, axes_of, signal
+from ..world.signals import EvaluatedRoad, axes_of, signal
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -72,12 +72,14 @@ def traces_of_copy(
     absent = is_absent(condition, copy, candidates)
     if absent is not None and absent.all():
         return
-    for axis in axes_of(condition, candidates) if condition.domain == "road" else (Axis(),):
+    for axis in (
+        axes_of(condition, candidates) if condition.domain == "road" else (EvaluatedRoad(),)
+    ):
         positions, values, wrap = _values(condition, axis, copy, candidates)
         yield ConditionTrace(_road_name(condition, axis), positions, values, wrap, absent)
 
 
-def _road_name(condition: Condition, axis: Axis) -> str:
+def _road_name(condition: Condition, axis: EvaluatedRoad) -> str:
     """The first road that a signal of the formula names, or the edge of a network."""
     for binding in condition.signals:
         for _, value in binding.call.options:
@@ -89,7 +91,7 @@ def _road_name(condition: Condition, axis: Axis) -> str:
 
 
 def _values(
-    condition: Condition, axis: Axis, copy: int, candidates: CandidateBatch
+    condition: Condition, axis: EvaluatedRoad, copy: int, candidates: CandidateBatch
 ) -> tuple[Floats, dict[str, Any], float | None]:
     """Positions (S,), the values of all variables, and the length of a closed road."""
     values: dict[str, Any] = {}
@@ -107,7 +109,9 @@ def _values(
     return positions, values, wrap
 
 
-def _first_road(call: PassCall, axis: Axis, candidates: CandidateBatch) -> RoadBatch | None:
+def _first_road(
+    call: PassCall, axis: EvaluatedRoad, candidates: CandidateBatch
+) -> RoadBatch | None:
     """The first road that a signal names; None of a whole network, which has no axis."""
     for entity in candidates.scenario.dependencies.entities(call):
         if entity.role in ("road", "network"):

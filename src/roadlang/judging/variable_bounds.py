@@ -13,7 +13,7 @@ from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
 from ..ir.road_bounds import RoadBounds
-from ..ir.scenario import Road
+from ..ir.scenario import ScenarioRoad
 from ..ir.values import Condition, Entity, Measure, PassCall, Value
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Kind, Signal, implements
@@ -82,7 +82,7 @@ class VariableBounds:
             for call in link.passes:
                 if call.verb == "perturb":
                     # The passes of a network draw anew for each of its roads.
-                    known = isinstance(link, Road)
+                    known = isinstance(link, ScenarioRoad)
                     bounds[call.place] = self.displacement(call) if known else math.inf
         return RoadBounds(entity.name, root.name, bounds)
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.concrete import condition_json
 from ..evaluate.evaluation import build
-from ..ir.scenario import Constraint
+from ..ir.scenario import ScenarioConstraint
 from ..ir.scene import Verdict
 from ..ir.values import Condition, PassCall
 from ..stl.evaluate.satisfaction import Truth, is_satisfied, zero_satisfies
@@ -21,7 +21,7 @@ from .stated_ranges import check_stated_ranges
 from .violations import violated_stretches
 
 
-def verdict(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
+def verdict(constraint: ScenarioConstraint, candidates: CandidateBatch) -> Verdict:
     """A `require` or `expect` of the only candidate: judged over its roads and numbers; over a
     drive, with all that is needed to judge it by a trace."""
     test = constraint.test

@@ -6,22 +6,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
-from ..ir.scene import Stretch
+from ..ir.scene import ViolatedSegment
 from ..ir.values import Condition
 from ..stl import Always
-from ..stl.evaluate.axis import Axis
+from ..stl.evaluate.axis import SamplePositions
 from .road_conditions import ConditionTrace, condition_traces
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 
-def violated_stretches(condition: Condition, candidates: CandidateBatch) -> tuple[Stretch, ...]:
+def violated_stretches(
+    condition: Condition, candidates: CandidateBatch
+) -> tuple[ViolatedSegment, ...]:
     """Where the formula under the outermost `always` is violated, on each road, of the only
     candidate."""
     formula = condition.formula
     inner = formula.operand if isinstance(formula, Always) else formula
-    found: dict[Stretch, None] = {}
+    found: dict[ViolatedSegment, None] = {}
     for trace in condition_traces(condition, candidates):
         if trace.absent is not None and trace.absent[0]:
             continue
@@ -36,18 +38,18 @@ def violated_stretches(condition: Condition, candidates: CandidateBatch) -> tupl
 def _in_window(formula: Always, trace: ConditionTrace) -> Mask:
     """(S,) the samples that `always[a, b]` looks at from the first one."""
     counted = np.zeros(len(trace.positions), dtype=bool)
-    axis = Axis(trace.positions, trace.wrap)
+    axis = SamplePositions(trace.positions, trace.wrap)
     windows = axis.windows(formula.interval, (0, 0), past=False)
     if windows is not None:
         counted[windows.samples(0)] = True
     return counted
 
 
-def _runs(road: str, positions: Floats, wrong: Mask) -> list[Stretch]:
+def _runs(road: str, positions: Floats, wrong: Mask) -> list[ViolatedSegment]:
     padded = np.concatenate([[False], wrong, [False]])
     starts = np.flatnonzero(padded[1:] & ~padded[:-1])
     ends = np.flatnonzero(~padded[1:] & padded[:-1]) - 1
     return [
-        Stretch(road, float(positions[first]), float(positions[last]))
+        ViolatedSegment(road, float(positions[first]), float(positions[last]))
         for first, last in zip(starts, ends, strict=True)
     ]

@@ -7,14 +7,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..ir.values import (
-    Constant,
-    Draw,
+    ConstantValue,
     Flag,
     Items,
     Operation,
     PassCall,
+    RandomValue,
     Reference,
-    Text,
+    TextValue,
     Value,
 )
 from ..stl.evaluate.interval_arithmetic import (
@@ -54,13 +54,13 @@ class ValueBounds:
         found = None if value is None else self.known(value)
         if found is not None:
             return found
-        if isinstance(value, Constant):
+        if isinstance(value, ConstantValue):
             return value.value, value.value
         if isinstance(value, Reference):
             if value.name not in self._of_names:
                 self._of_names[value.name] = self.of(self.named(value.name))
             return self._of_names[value.name]
-        if isinstance(value, Draw):
+        if isinstance(value, RandomValue):
             if value.place not in self._of_draws:
                 self._of_draws[value.place] = self._of_draw(value)
             return self._of_draws[value.place]
@@ -75,9 +75,9 @@ class ValueBounds:
         """
         if isinstance(value, Reference):
             declared = self.named(value.name)
-            if isinstance(declared, Text | Flag | Items):
+            if isinstance(declared, TextValue | Flag | Items):
                 return self.option(declared)
-        if isinstance(value, Text | Flag):
+        if isinstance(value, TextValue | Flag):
             return value.value
         if isinstance(value, Items):
             return tuple(self.option(item) for item in value.items)
@@ -88,7 +88,7 @@ class ValueBounds:
         """What is known of each option of a call that is written."""
         return {name: self.option(value) for name, value in call.options}
 
-    def _of_draw(self, draw: Draw) -> Bounds:
+    def _of_draw(self, draw: RandomValue) -> Bounds:
         entry, kind = self.kind(draw.call)
         ends = stated_support(entry, kind, self.options(draw.call), draw.call.span)
         return min(ends), max(ends)

@@ -10,9 +10,9 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
 from ..ir.read_only import frozen
-from ..ir.scenario import Actor, Network
+from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene import Call, SceneActor
-from ..ir.values import Draw, Measure
+from ..ir.values import Measure, RandomValue
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
@@ -24,7 +24,9 @@ _UNUSUAL_HEIGHT = 3.0
 _USUAL_HEIGHT = 1.5
 
 
-def scene_actors(actors: tuple[Actor, ...], candidates: CandidateBatch) -> tuple[SceneActor, ...]:
+def scene_actors(
+    actors: tuple[ScenarioActor, ...], candidates: CandidateBatch
+) -> tuple[SceneActor, ...]:
     """Each actor, or each copy of a group (`trees[0]`), of a single candidate."""
     return tuple(placed for actor in actors for placed in _copies_of(actor, candidates))
 
@@ -33,7 +35,9 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
     """What the legends of the images named, beside roads: `town/tree[0]`."""
     found: list[SceneActor] = []
     networks = candidates.scenario.networks.values()
-    bottoms = [n for n in networks if not isinstance(candidates.scenario.source_of(n), Network)]
+    bottoms = [
+        n for n in networks if not isinstance(candidates.scenario.source_of(n), ScenarioNetwork)
+    ]
     for network in bottoms:
         numbers: dict[str, int] = {}
         for thing in network_root(network, candidates).objects:
@@ -59,7 +63,7 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
     return tuple(found)
 
 
-def _copies_of(actor: Actor, candidates: CandidateBatch) -> Iterator[SceneActor]:
+def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[SceneActor]:
     where = placed(actor, candidates)
     kinds = kinds_of(actor, candidates)
     grouped = is_group(actor)
@@ -100,14 +104,14 @@ def _concrete_options(found: KindInstance) -> Any:
     return frozen({field.name: concrete(getattr(found.kind, field.name)) for field in fields})
 
 
-def _drives(actor: Actor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
+def _drives(actor: ScenarioActor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
     """The controllers of each copy, or, where all copies have the same, of all."""
     count = most_copies(actor, candidates)
     values = [
         value for call in actor.drive for value in candidates.scenario.dependencies.contents(call)
     ]
     differs = any(
-        isinstance(value, Measure) or (isinstance(value, Draw) and value.per == "copy")
+        isinstance(value, Measure) or (isinstance(value, RandomValue) and value.per == "copy")
         for value in values
     )
     copies = range(1, 1 + (count if differs else min(count, 1)))

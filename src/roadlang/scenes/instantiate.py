@@ -16,7 +16,7 @@ from ..evaluate.concrete import call_of, concrete
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import evaluate, named
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..ir.scenario import Constraint, Input
+from ..ir.scenario import Input, ScenarioConstraint
 from ..ir.scene import Provenance, Scene, Verdict
 from ..ir.values import Condition, PassCall
 from ..judging.profiles import robustness_profiles, scene_signals, tightest
@@ -100,7 +100,7 @@ def fixed_remarks(scenario: IndexedScenario) -> tuple[str, ...]:
     return tuple(remark for root in roots for remark in root.remarks)
 
 
-def _judged(constraint: Constraint, candidates: CandidateBatch) -> Verdict:
+def _judged(constraint: ScenarioConstraint, candidates: CandidateBatch) -> Verdict:
     found = verdict(constraint, candidates)
     if not isinstance(constraint.test, Condition):
         return found

@@ -14,7 +14,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.lanes import DEFAULT_LANES
 from ..ir.batch import RoadBatch
-from ..ir.scenario import Network, Road
+from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..world.networks import NetworkRoot, edge_batch, network_root
 from ..world.roads import lanes_of, road_batch, road_root
@@ -70,7 +70,7 @@ def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool
     )
 
 
-def _declared(road: Road, candidates: CandidateBatch) -> SceneRoad:
+def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
     scenario = candidates.scenario
     heirs = any(scenario.source_of(other) is road for other in scenario.roads.values())
     batch = road_batch(road.name, candidates)
@@ -78,10 +78,10 @@ def _declared(road: Road, candidates: CandidateBatch) -> SceneRoad:
     return scene_road(road.name, root, batch, lanes_of(road.name, candidates), not heirs)
 
 
-def _root_name(road: Road, candidates: CandidateBatch) -> str:
+def _root_name(road: ScenarioRoad, candidates: CandidateBatch) -> str:
     """The road of the scene that this one was before anything bent it."""
     scenario = candidates.scenario
-    bottom = [link for link in scenario.chain(road) if isinstance(link, Road)][-1]
+    bottom = [link for link in scenario.chain(road) if isinstance(link, ScenarioRoad)][-1]
     root = road_root(road.name, candidates)
     bent_network = root.network is not None and any(
         call.verb == "perturb" for link in scenario.chain(root.network) for call in link.passes
@@ -99,18 +99,18 @@ def _trim(road: SceneRoad, root_length: float, trims: tuple[float, float]) -> tu
     return float(start), float(length - end) if trims[1] else 0.0
 
 
-def _bottom(network: Network, scenario: IndexedScenario) -> str:
-    return [link for link in scenario.chain(network) if isinstance(link, Network)][-1].name
+def _bottom(network: ScenarioNetwork, scenario: IndexedScenario) -> str:
+    return [link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork)][-1].name
 
 
-def _has_bent_heirs(network: Network, scenario: IndexedScenario) -> bool:
+def _has_bent_heirs(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
     """Whether something bent is made from it, which then stands in its place."""
     things: list[Any] = [*scenario.roads.values(), *scenario.networks.values()]
     heirs = [thing for thing in things if thing is not network and network in scenario.chain(thing)]
     return any(call.verb == "perturb" for heir in heirs for call in heir.passes)
 
 
-def _network(network: Network, candidates: CandidateBatch) -> SceneNetwork:
+def _network(network: ScenarioNetwork, candidates: CandidateBatch) -> SceneNetwork:
     root = network_root(network, candidates)
     names = {edge.id: f"{network.name}/{edge.id}" for edge in root.edges}
     nodes = []

@@ -17,7 +17,7 @@ from ..ir.values import PassCall
 from ..judging.acceptance import Acceptance
 from ..plugins.registry import Registry
 from ..search.accepted import Concretize
-from ..search.rejection_report import RejectionStats, Row, as_text, rows_of
+from ..search.rejection_report import RejectionRow, RejectionStats, as_text, rows_of
 from ..search.samplers import Progress
 from ..search.scene_search import SceneSearch
 from ..search.searching import search
@@ -38,7 +38,7 @@ class SamplingResult:
     scenes: tuple[Scene, ...]
     wanted: int
     candidates: int
-    table: tuple[Row, ...]
+    table: tuple[RejectionRow, ...]
     missing: tuple[int, ...] = ()
     impossible: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
@@ -145,7 +145,7 @@ def _nothing(acceptance: Acceptance, impossible: frozenset[int], wanted: int) ->
         requirement = acceptance.requirements[index]
         if requirement.name not in known:
             rows += (
-                Row(requirement.name, requirement.text, requirement.line, 1, 1, 1.0, None,
+                RejectionRow(requirement.name, requirement.text, requirement.line, 1, 1, 1.0, None,
                     requirement.implied, True),
             )  # fmt: skip
     texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))

@@ -11,7 +11,7 @@ import numpy as np
 from ..evaluate.candidates import fixed_candidate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
-from ..ir.scenario import Image
+from ..ir.scenario import ScenarioImage
 from ..judging.acceptance import Acceptance
 from ..world.networks import network_root
 from ..world.roads import road_root
@@ -62,7 +62,9 @@ def default_attempts(acceptance: Acceptance) -> int:
 def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
     if name in scenario.actors:
         return False
-    links = (link for link in scenario.chain(scenario.thing(name)) if isinstance(link, Image))
+    links = (
+        link for link in scenario.chain(scenario.thing(name)) if isinstance(link, ScenarioImage)
+    )
     return any(scenario.is_varying(link.name) for link in links)
 
 

@@ -14,7 +14,7 @@ from ..judging.requirement import Requirement
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class RejectionRow:
     """`share`: of the candidates that reached this requirement, `tried`, how many it rejected.
     `settled`: how many of them satisfy it by bounds alone, without its robustness being computed.
 
@@ -79,7 +79,7 @@ class RejectionStats:
 
 def rows_of(
     stats: RejectionStats, requirements: Sequence[Requirement], impossible: frozenset[int]
-) -> tuple[Row, ...]:
+) -> tuple[RejectionRow, ...]:
     """The table, those that reject most first; what goes without saying only where it rejects."""
     rows = []
     for index, requirement in enumerate(requirements):
@@ -89,7 +89,7 @@ def rows_of(
         best = stats.best[index]
         is_seen = np.isfinite(best) and (best >= 0.0 or not stats.settled[index])
         rows.append(
-            Row(
+            RejectionRow(
                 requirement.name,
                 requirement.text,
                 requirement.line,
@@ -105,7 +105,7 @@ def rows_of(
     return tuple(sorted(rows, key=lambda row: -row.rejected))
 
 
-def as_text(rows: Sequence[Row], candidates: int) -> str:
+def as_text(rows: Sequence[RejectionRow], candidates: int) -> str:
     """The table for people."""
     head = ("requirement", "rejected", "of those tried", "best robustness", "line")
     lines: list[tuple[str, ...]] = [head]

@@ -9,7 +9,7 @@ from ..evaluate.candidates import fixed_candidate
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
-from ..ir.values import Draw, PassCall
+from ..ir.values import PassCall, RandomValue
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
 
@@ -36,7 +36,7 @@ def is_steering(sampler: KindInstance) -> bool:
 class DrawnPlace:
     """A draw that is made once for each scene, as samplers see it."""
 
-    draw: Draw
+    draw: RandomValue
     scenario: IndexedScenario
 
     @property

@@ -16,7 +16,7 @@ from ..files.reading import UnreadableFile, read_file, read_start
 from ..geometry.lanes import DEFAULT_LANES
 from ..images.image_header import read_header
 from ..images.image_scale import scale_in_file
-from ..ir.scenario import Actor, FileSource, Image, Road, Scenario
+from ..ir.scenario import FileSource, Scenario, ScenarioActor, ScenarioImage, ScenarioRoad
 from ..ir.values import Flag, PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
@@ -48,12 +48,12 @@ def _nothing_measured(call: PassCall, candidates: Any, element: int) -> Any:
 def _missing_scales(scenario: IndexedScenario) -> Iterator[Diagnostic]:
     for network in scenario.networks.values():
         image = scenario.source_of(network)
-        if isinstance(image, Image) and not _has_scale(image, scenario):
+        if isinstance(image, ScenarioImage) and not _has_scale(image, scenario):
             yield missing_scale(image)
 
 
-def _has_scale(image: Image, scenario: IndexedScenario) -> bool:
-    chain = [link for link in scenario.chain(image) if isinstance(link, Image)]
+def _has_scale(image: ScenarioImage, scenario: IndexedScenario) -> bool:
+    chain = [link for link in scenario.chain(image) if isinstance(link, ScenarioImage)]
     if any("scale" in dict(link.options) for link in chain):
         return True
     root = chain[-1]
@@ -73,7 +73,7 @@ def _file_has_scale(source: FileSource) -> bool:
     return scale_in_file(path, content, header.format if header else "") is not None
 
 
-def _lane_fault(actor: Actor, scenario: IndexedScenario) -> Diagnostic | None:
+def _lane_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
     lane = dict(actor.options).get("lane")
     lanes = _lanes(actor, scenario)
     if lane is None or lanes is None:
@@ -82,7 +82,7 @@ def _lane_fault(actor: Actor, scenario: IndexedScenario) -> Diagnostic | None:
     return unknown_lane(actor, round(low), lanes) if low == high else None
 
 
-def _lanes(actor: Actor, scenario: IndexedScenario) -> int | None:
+def _lanes(actor: ScenarioActor, scenario: IndexedScenario) -> int | None:
     """How many lanes the road of an agent or object has; None where that is not known yet."""
     for road in _roads(actor, scenario):
         lanes = dict(road.options).get("lanes")
@@ -92,7 +92,7 @@ def _lanes(actor: Actor, scenario: IndexedScenario) -> int | None:
     return DEFAULT_LANES if _drawer(actor, scenario) is not None else None
 
 
-def _position_fault(actor: Actor, scenario: IndexedScenario) -> Diagnostic | None:
+def _position_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
     call = _drawer(actor, scenario)
     if call is None or _may_be_closed(actor, scenario):
         return None
@@ -111,7 +111,7 @@ def _position_fault(actor: Actor, scenario: IndexedScenario) -> Diagnostic | Non
     return _off_road(actor, f"{low:g}m", f"`{actor.on}` is {length:.6g}m long")
 
 
-def _off_road(actor: Actor, position: str, help_: str = "") -> Diagnostic:
+def _off_road(actor: ScenarioActor, position: str, help_: str = "") -> Diagnostic:
     return diagnose(
         Code.POSITION_OFF_ROAD,
         actor.span,
@@ -122,20 +122,20 @@ def _off_road(actor: Actor, position: str, help_: str = "") -> Diagnostic:
     )
 
 
-def _roads(actor: Actor, scenario: IndexedScenario) -> Iterator[Road]:
+def _roads(actor: ScenarioActor, scenario: IndexedScenario) -> Iterator[ScenarioRoad]:
     """The road of an agent or object, the one that it is made from, and so on."""
     road = scenario.roads[str(actor.on)]
-    return (link for link in scenario.chain(road) if isinstance(link, Road))
+    return (link for link in scenario.chain(road) if isinstance(link, ScenarioRoad))
 
 
-def _drawer(actor: Actor, scenario: IndexedScenario) -> PassCall | None:
+def _drawer(actor: ScenarioActor, scenario: IndexedScenario) -> PassCall | None:
     """The `draw with` that the road goes back to; None where it comes from a file or network."""
     bottom = list(_roads(actor, scenario))[-1]
     drawn = [call for call in bottom.passes if call.verb == "draw"]
     return drawn[0] if drawn and bottom.source is None else None
 
 
-def _may_be_closed(actor: Actor, scenario: IndexedScenario) -> bool:
+def _may_be_closed(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
     values = [dict(road.options).get("closed") for road in _roads(actor, scenario)]
     return any(value not in (None, Flag(False)) for value in values)
 
@@ -174,7 +174,7 @@ def _constant_calls(value: Any, scenario: IndexedScenario) -> Any:
     return kinds if None not in kinds else OptionRange(float("-inf"), float("inf"))
 
 
-def _length(actor: Actor, scenario: IndexedScenario) -> float | None:
+def _length(actor: ScenarioActor, scenario: IndexedScenario) -> float | None:
     """Meters; None where it differs between scenes, or cannot be told."""
     if any(scenario.is_varying(road.name) for road in _roads(actor, scenario)):
         return None

@@ -48,7 +48,7 @@ def read_params(name: str) -> ParamFile:
     except (yaml.YAMLError, RecursionError) as error:
         reason = " ".join(str(error).split())
         raise DiagnosticError(diagnose(Code.MALFORMED_YAML, path=name, reason=reason)) from None
-    reader = _Reader(source)
+    reader = _ParamReader(source)
     is_list = isinstance(root, yaml.SequenceNode)
     maps = root.value if isinstance(root, yaml.SequenceNode) else [root]
     sets = tuple(reader.values(node) for node in maps)
@@ -77,7 +77,7 @@ def _malformed(source: Source, error: yaml.MarkedYAMLError) -> Diagnostic:
     return diagnose(Code.MALFORMED_YAML, span, reason=error.problem or "it cannot be parsed")
 
 
-class _Reader:
+class _ParamReader:
     """Collects the faults of a file."""
 
     def __init__(self, source: Source) -> None:

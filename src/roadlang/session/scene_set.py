@@ -14,7 +14,7 @@ from .tables import columns_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
-    from ..search.rejection_report import Row
+    from ..search.rejection_report import RejectionRow
     from .drives import DriveSet
     from .loading import LoadedScenario
 
@@ -83,7 +83,7 @@ class SceneSet(Sequence[Scene]):
         return self.result.candidates
 
     @property
-    def rejections(self) -> tuple[Row, ...]:
+    def rejections(self) -> tuple[RejectionRow, ...]:
         """How many candidates each requirement was tried on and rejected, most rejecting first."""
         return self.result.table
 

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..diagnostics.renamed_names import current_name
+
 if TYPE_CHECKING:
-    from .evaluate.online import Monitor
+    from .evaluate.online import OnlineMonitor
     from .evaluate.smooth import smooth_rho
     from .evaluate.verdicts import Range, Verdict
-    from .explain.causes import Stretch
+    from .explain.causes import ViolationInterval
     from .explain.explanation import Explanation, Link
     from .explain.mining import Mined, Parameter, mine
     from .formats.breach_and_latex import read_breach, read_latex
@@ -50,14 +52,14 @@ _HOMES = {
         "Always And BinaryTemporal Comparison Connective Eventually Formula Historically Iff "
         "Implies Junction Not Once Or Since TemporalOperator Truth UnaryTemporal Until Xor"
     ),
-    "explain.causes": "Stretch",
+    "explain.causes": "ViolationInterval",
     "explain.explanation": "Explanation Link",
     "formats.breach_and_latex": "read_breach read_latex",
     "formula.interval": "Interval UNBOUNDED",
     "formula.normal_form": "normal_form",
     "formats.json_form": "from_json to_json",
     "explain.mining": "Mined Parameter mine",
-    "evaluate.online": "Monitor",
+    "evaluate.online": "OnlineMonitor",
     "evaluate.smooth": "smooth_rho",
     "formula.terms": "Apply Arithmetic Constant Negate Term Variable",
     "formats.text": "parse",
@@ -86,15 +88,14 @@ __all__ = [
     "Junction",
     "Link",
     "Mined",
-    "Monitor",
     "Negate",
     "Not",
     "Once",
+    "OnlineMonitor",
     "Or",
     "Parameter",
     "Range",
     "Since",
-    "Stretch",
     "TemporalOperator",
     "Term",
     "Truth",
@@ -102,6 +103,7 @@ __all__ = [
     "Until",
     "Variable",
     "Verdict",
+    "ViolationInterval",
     "Xor",
     "from_json",
     "mine",
@@ -115,7 +117,11 @@ __all__ = [
 ]
 
 
+_RENAMED = {"Monitor": "OnlineMonitor", "Stretch": "ViolationInterval"}
+
+
 def __getattr__(name: str) -> object:
+    name = current_name(__name__, name, _RENAMED)
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from importlib import import_module

@@ -7,7 +7,15 @@ from math import hypot
 
 from ..diagnostics import Source
 from .parsing.parser import parse
-from .tree.nodes import Actor, Expression, Geometry, ListValue, Negate, Number, Point
+from .tree.nodes import (
+    Actor,
+    Expression,
+    Geometry,
+    ListValue,
+    NegateExpression,
+    NumberLiteral,
+    Point,
+)
 
 Place = tuple[float, float]
 
@@ -57,10 +65,10 @@ def _place(value: Expression | None) -> Place | None:
 
 
 def _meters(value: Expression) -> float | None:
-    if isinstance(value, Negate):
+    if isinstance(value, NegateExpression):
         inner = _meters(value.operand)
         return None if inner is None else -inner
-    if not isinstance(value, Number) or value.unit not in ("m", "cm", "km", ""):
+    if not isinstance(value, NumberLiteral) or value.unit not in ("m", "cm", "km", ""):
         return None
     return value.value * {"cm": 0.01, "km": 1000.0}.get(value.unit, 1.0)
 

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build
-from ..geometry import Frame
-from ..ir.scenario import Network
+from ..geometry import CurveFrame
+from ..ir.scenario import ScenarioNetwork
 from ..ir.values import PassCall
 from .networks import network_root
 from .perturbation import displacement_by
@@ -49,9 +49,9 @@ def aliasing_remarks(candidate: CandidateBatch) -> tuple[str, ...]:
     )
 
 
-def _roots(thing: Root, candidate: CandidateBatch) -> Iterator[tuple[int, Frame]]:
+def _roots(thing: Root, candidate: CandidateBatch) -> Iterator[tuple[int, CurveFrame]]:
     """The numbers and frames of the roads that a pass perturbs."""
-    if not isinstance(thing, Network):
+    if not isinstance(thing, ScenarioNetwork):
         yield 0, road_root(thing.name, candidate).frame
         return
     root = network_root(thing, candidate)
@@ -59,10 +59,10 @@ def _roots(thing: Root, candidate: CandidateBatch) -> Iterator[tuple[int, Frame]
         yield edge.id, root.frame(edge.id)
 
 
-def _is_aliased(call: PassCall, candidate: CandidateBatch, element: int, frame: Frame) -> bool:
+def _is_aliased(call: PassCall, candidate: CandidateBatch, element: int, frame: CurveFrame) -> bool:
     gaps = len(frame.stations) - (0 if frame.closed else 1)
     count = FINER * gaps + (0 if frame.closed else 1)
-    fine = Frame.of(frame.curve, frame.curve.stations(count=count))
+    fine = CurveFrame.of(frame.curve, frame.curve.stations(count=count))
     coarse, exact = None, None
     with suppress(DiagnosticError):  # a kind that has run before, but not with so many stations
         coarse = _displacement(call, candidate, element, frame)
@@ -79,7 +79,9 @@ def _is_aliased(call: PassCall, candidate: CandidateBatch, element: int, frame: 
     return missed > TOLERANCE * _greatest(exact) + 1e-9
 
 
-def _displacement(call: PassCall, candidate: CandidateBatch, element: int, frame: Frame) -> Floats:
+def _displacement(
+    call: PassCall, candidate: CandidateBatch, element: int, frame: CurveFrame
+) -> Floats:
     road = undisplaced_road(call.place, call.place, frame, np.ones((1, 1)), 1.0)
     built = build(call, candidate, element)
     return displacement_by(built, road, candidate.random(call.place, element), candidate)

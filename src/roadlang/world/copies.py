@@ -15,8 +15,8 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build, converted, evaluate
 from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
 from ..ir.read_only import frozen
-from ..ir.scenario import Actor
-from ..ir.values import Condition, Draw, Measure, PassCall
+from ..ir.scenario import ScenarioActor
+from ..ir.values import Condition, Measure, PassCall, RandomValue
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 
@@ -26,7 +26,7 @@ _UNUSUAL_SIZE = 1.0
 """Meters, of a kind that has no length or width"""
 
 
-def counts(actor: Actor, candidates: CandidateBatch) -> NDArray[np.int64]:
+def counts(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[np.int64]:
     """(V,) how many copies there are. Raises RL612."""
     given = dict(actor.options).get("count")
     if given is None:
@@ -42,17 +42,17 @@ def counts(actor: Actor, candidates: CandidateBatch) -> NDArray[np.int64]:
     return np.broadcast_to(np.rint(value).astype(np.int64), (candidates.count,))
 
 
-def most_copies(actor: Actor, candidates: CandidateBatch) -> int:
+def most_copies(actor: ScenarioActor, candidates: CandidateBatch) -> int:
     """The greatest count among these candidates."""
     return int(counts(actor, candidates).max(initial=0))
 
 
-def is_group(actor: Actor) -> bool:
+def is_group(actor: ScenarioActor) -> bool:
     """Whether it has a `count`, so that its copies are numbered."""
     return any(name == "count" for name, _ in actor.options)
 
 
-def element_of(actor: Actor) -> int:
+def element_of(actor: ScenarioActor) -> int:
     """What `evaluate` is called with for a `CopyBatch` of it."""
     return 1 if is_group(actor) else 0
 
@@ -88,7 +88,7 @@ class CopyKinds:
         return np.array([_size(found.kind, "width") for found in self.instances])
 
 
-def kinds_of_copies(actor: Actor, copies: CopyBatch) -> CopyKinds:
+def kinds_of_copies(actor: ScenarioActor, copies: CopyBatch) -> CopyKinds:
     """What each copy is, its options drawn."""
     element = element_of(actor)
     value = evaluate(actor.kind, copies, element)
@@ -106,7 +106,7 @@ def kinds_of_copies(actor: Actor, copies: CopyBatch) -> CopyKinds:
 def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInstance]:
     """The kind of a call for each row: the same where none of its options is drawn."""
     contents = copies.scenario.dependencies.contents(call)
-    if not any(isinstance(value, Draw | Measure) for value in contents):
+    if not any(isinstance(value, RandomValue | Measure) for value in contents):
         return [build(call, copies, element, single=True)] * copies.count
     entry, kind = copies.scenario.kind(call)
     written = dict(call.options)

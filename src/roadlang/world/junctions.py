@@ -13,7 +13,7 @@ from ..geometry import CrossSection, RoadNetwork
 from ..geometry.junctions.model import JunctionPlan
 from ..geometry.junctions.plan import plan_junctions
 from ..geometry.lanes import DEFAULT_LANES
-from ..ir.scenario import Network
+from ..ir.scenario import ScenarioNetwork
 
 Floats = NDArray[np.float64]
 _CLOSE = 0.01
@@ -59,7 +59,7 @@ class NetworkPlans:
 
 
 def network_plans(
-    bottom: Network, geometry: RoadNetwork, scenario: IndexedScenario
+    bottom: ScenarioNetwork, geometry: RoadNetwork, scenario: IndexedScenario
 ) -> NetworkPlans:
     """The plans of a network and of those made from it."""
     made: dict[int, JunctionPlan] = {}
@@ -73,8 +73,8 @@ def network_plans(
     return NetworkPlans(plans, _greatest(geometry, plans.values()))
 
 
-def _networks(network: Network, scenario: IndexedScenario) -> Iterable[Network]:
-    return (link for link in scenario.chain(network) if isinstance(link, Network))
+def _networks(network: ScenarioNetwork, scenario: IndexedScenario) -> Iterable[ScenarioNetwork]:
+    return (link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork))
 
 
 def _sections(geometry: RoadNetwork) -> dict[int, CrossSection]:

@@ -14,11 +14,11 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..geometry import Edge, Frame, RoadNetwork, WidthProfile
+from ..geometry import CurveFrame, Edge, RoadNetwork, WidthProfile
 from ..geometry.joints import junction_window
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
-from ..ir.scenario import FileSource, Image, Input, Network
+from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
@@ -46,16 +46,16 @@ class NetworkRoot:
     scale: float | None = None
     inputs: tuple[Input, ...] = ()
     junctions: NetworkPlans = field(default_factory=NetworkPlans)
-    _frames: dict[int, Frame] = field(default_factory=dict)
+    _frames: dict[int, CurveFrame] = field(default_factory=dict)
 
-    def frame(self, edge: int) -> Frame:
+    def frame(self, edge: int) -> CurveFrame:
         """The frame of an edge at its stations, of which one is at each trim; always the same
         object."""
         if edge not in self._frames:
             curve = self.network.edge(edge).curve
             even = self.spacing.stations(curve)
             stations = self.junctions.stations(edge, even, curve.length)
-            self._frames[edge] = Frame.of(curve, stations)
+            self._frames[edge] = CurveFrame.of(curve, stations)
         return self._frames[edge]
 
     @cached_property
@@ -64,7 +64,7 @@ class NetworkRoot:
         return self.network.edges
 
 
-def network_root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
+def network_root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     """The network at the bottom of a chain of networks."""
     scenario = candidates.scenario
     bottom: Any = list(_networks(network, scenario))[-1]
@@ -72,12 +72,12 @@ def network_root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     return candidates.root(("network root", bottom.name), drawn, partial(_root, bottom))
 
 
-def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+def edge_batch(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> RoadBatch:
     """One road of a network in all candidates, perturbed by all passes."""
 
     def make() -> RoadBatch:
         origin = candidates.scenario.source_of(network)
-        if isinstance(origin, Network):
+        if isinstance(origin, ScenarioNetwork):
             batch = edge_batch(origin, edge, candidates)
         else:
             batch = _root_edge(network, edge, candidates)
@@ -87,7 +87,7 @@ def edge_batch(network: Network, edge: int, candidates: CandidateBatch) -> RoadB
     return candidates.once(("edge", network.name, edge), make)
 
 
-def _root_edge(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+def _root_edge(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> RoadBatch:
     root = network_root(network, candidates)
     frame = root.frame(edge)
     found = root.network.edge(edge)
@@ -97,7 +97,7 @@ def _root_edge(network: Network, edge: int, candidates: CandidateBatch) -> RoadB
 
 
 def _perturbed_edge(
-    batch: RoadBatch, network: Network, edge: int, candidates: CandidateBatch
+    batch: RoadBatch, network: ScenarioNetwork, edge: int, candidates: CandidateBatch
 ) -> RoadBatch:
     calls = [call for call in network.passes if call.verb == "perturb"]
     if not calls:
@@ -133,17 +133,17 @@ def _no_such_road(id: int, network: RoadNetwork, span: Span | None) -> Diagnosti
     )
 
 
-def _networks(network: Network, scenario: IndexedScenario) -> Any:
-    return (link for link in scenario.chain(network) if isinstance(link, Network))
+def _networks(network: ScenarioNetwork, scenario: IndexedScenario) -> Any:
+    return (link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork))
 
 
-def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
+def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     source = network.source
     if isinstance(source, FileSource):
         found = _from_file(network, source, candidates)
     else:
         image = candidates.scenario.source_of(network)
-        assert isinstance(image, Image)
+        assert isinstance(image, ScenarioImage)
         found = _extracted(network, image, candidates)
     if not found.network.edges:
         raise DiagnosticError(
@@ -158,7 +158,9 @@ def _root(network: Network, candidates: CandidateBatch) -> NetworkRoot:
     return replace(found, junctions=plans)
 
 
-def _from_file(network: Network, source: FileSource, candidates: CandidateBatch) -> NetworkRoot:
+def _from_file(
+    network: ScenarioNetwork, source: FileSource, candidates: CandidateBatch
+) -> NetworkRoot:
     scenario = candidates.scenario
     content = read_file(source, "network", network.passes, scenario, network.span)
     value: Extraction | RoadNetwork = content.value
@@ -189,7 +191,9 @@ def _root_of(
     )
 
 
-def _extracted(network: Network, image: Image, candidates: CandidateBatch) -> NetworkRoot:
+def _extracted(
+    network: ScenarioNetwork, image: ScenarioImage, candidates: CandidateBatch
+) -> NetworkRoot:
     call = next(call for call in network.passes if call.verb == "extract")
     loaded = load_picture(image.name, candidates)
     built = build(call, candidates, single=True)

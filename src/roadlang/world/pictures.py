@@ -18,7 +18,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..images.image_file import OpenedImage, open_image
 from ..ir.picture import Picture
-from ..ir.scenario import FileSource, Image, Input, TextSource
+from ..ir.scenario import FileSource, Input, ScenarioImage, TextSource
 from ..ir.values import PassCall, Value
 from ..plugins.registry import KindEntry
 from .placement_faults import missing_scale
@@ -36,7 +36,7 @@ class LoadedPicture:
 
 
 @dataclass(frozen=True, eq=False)
-class _Draft:
+class _UnscaledPicture:
     """A picture whose scale may not be known yet."""
 
     picture: Picture
@@ -57,12 +57,12 @@ def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
     return LoadedPicture(replace(draft.picture, scale=draft.scale), draft.inputs)
 
 
-def _draft(image: Image, candidates: CandidateBatch) -> _Draft:
+def _draft(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
     drawn = candidates.scenario.is_varying(image.name)
     return candidates.root(("picture", image.name), drawn, partial(_adjusted, image))
 
 
-def _adjusted(image: Image, candidates: CandidateBatch) -> _Draft:
+def _adjusted(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
     """The picture with its scale and legend, after all its passes."""
     draft = _base(image, candidates)
     options = {key: scalar(evaluate(value, candidates)) for key, value in image.options}
@@ -77,17 +77,17 @@ def _adjusted(image: Image, candidates: CandidateBatch) -> _Draft:
     return draft
 
 
-def _base(image: Image, candidates: CandidateBatch) -> _Draft:
+def _base(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
     source = image.source
     if isinstance(source, TextSource):
         rows = tuple(source.text.rstrip().split("\n")) if source.text.strip() else ()
         if not rows:
             raise DiagnosticError(diagnose(Code.EMPTY_TEXT_IMAGE, image.span, name=image.name))
-        return _Draft(Picture(None, 1.0, characters=_squared(rows)), None)
+        return _UnscaledPicture(Picture(None, 1.0, characters=_squared(rows)), None)
     if isinstance(source, FileSource):
         return _from_file(source, image, candidates.scenario)
     origin = candidates.scenario.source_of(image)
-    assert isinstance(origin, Image)
+    assert isinstance(origin, ScenarioImage)
     return _draft(origin, candidates)
 
 
@@ -96,15 +96,17 @@ def _squared(rows: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(row.ljust(width) for row in rows)
 
 
-def _from_file(source: FileSource, image: Image, scenario: IndexedScenario) -> _Draft:
+def _from_file(
+    source: FileSource, image: ScenarioImage, scenario: IndexedScenario
+) -> _UnscaledPicture:
     has_reader = any(call.verb == "read" for call in image.passes)
 
-    def make() -> _Draft:
+    def make() -> _UnscaledPicture:
         if has_reader:
             return _read(source, image, scenario)
         opened = open_image(Path(source.resolved), source.path, image.span)
         inputs = _inputs_of(source, opened)
-        return _Draft(Picture(opened.pixels, 1.0, path=source.path), opened.scale, inputs)
+        return _UnscaledPicture(Picture(opened.pixels, 1.0, path=source.path), opened.scale, inputs)
 
     # Pictures that are opened are shared; what a reader makes of one depends on its options.
     key = ("image read", image.name) if has_reader else ("image opened", source.resolved)
@@ -120,13 +122,13 @@ def _inputs_of(source: FileSource, opened: OpenedImage) -> tuple[Input, ...]:
     return (picture, Input(beside, found.sha256))
 
 
-def _read(source: FileSource, image: Image, scenario: IndexedScenario) -> _Draft:
+def _read(source: FileSource, image: ScenarioImage, scenario: IndexedScenario) -> _UnscaledPicture:
     content = read_file(source, "image", image.passes, scenario, image.span)
     pixels = np.asarray(content.value, np.uint8)
     if pixels.ndim == 2:
         pixels = np.repeat(pixels[..., None], 3, axis=2)
     colors = np.ascontiguousarray(pixels[..., :3])
-    return _Draft(Picture(colors, 1.0, path=source.path), None, content.inputs)
+    return _UnscaledPicture(Picture(colors, 1.0, path=source.path), None, content.inputs)
 
 
 def _after(call: PassCall, before: Picture, candidates: CandidateBatch) -> Picture:

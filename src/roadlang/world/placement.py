@@ -11,7 +11,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..ir.placed_batch import PlacedBatch
-from ..ir.scenario import Actor
+from ..ir.scenario import ScenarioActor
 from .copies import CopyKinds, counts, is_group, kinds_of_copies, most_copies
 from .poses import poses_of, starts_of
 from .roads import road_batch
@@ -19,7 +19,7 @@ from .roads import road_batch
 Floats = NDArray[np.float64]
 
 
-def kinds_of(actor: Actor, candidates: CandidateBatch) -> CopyKinds:
+def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
     """The kind of every copy, candidates one after the other."""
 
     def make() -> CopyKinds:
@@ -34,7 +34,7 @@ def kinds_of(actor: Actor, candidates: CandidateBatch) -> CopyKinds:
     return candidates.once(("kinds", actor.name), make, inherited=False)
 
 
-def placed(actor: Actor, candidates: CandidateBatch) -> PlacedBatch:
+def placed(actor: ScenarioActor, candidates: CandidateBatch) -> PlacedBatch:
     """Where every copy of an agent or object is."""
 
     def make() -> dict[str, NDArray[Any]]:
@@ -62,7 +62,7 @@ _FAR = 1e9
 _POSE = ("x", "y", "heading", "start", "offset", "lane", "backward")
 
 
-def start_of(actor: Actor, candidates: CandidateBatch, copy: int = 1) -> Floats:
+def start_of(actor: ScenarioActor, candidates: CandidateBatch, copy: int = 1) -> Floats:
     """(V, 1) arc length at which a copy (counted from 1) of an agent or object begins."""
     if actor.on is None:
         raise DiagnosticError(
@@ -71,7 +71,7 @@ def start_of(actor: Actor, candidates: CandidateBatch, copy: int = 1) -> Floats:
     return placed(actor, candidates).copy(copy if is_group(actor) else 1).start
 
 
-def room(actor: Actor, candidates: CandidateBatch) -> Floats:
+def room(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
     """(V,) meters from where each copy begins to the nearer end of its road; the least of all."""
     assert actor.on is not None
     road = road_batch(actor.on, candidates)

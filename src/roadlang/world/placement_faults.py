@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..geometry.lanes import lane_ids
-from ..ir.scenario import Actor, Image
+from ..ir.scenario import ScenarioActor, ScenarioImage
 
 
-def missing_scale(image: Image) -> Diagnostic:
+def missing_scale(image: ScenarioImage) -> Diagnostic:
     """RL406: neither the image nor its file says how large a pixel is."""
     help_ = "add `scale: 0.35m/px` with the true number"
     return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
 
 
-def unknown_lane(actor: Actor, lane: int, lanes: int) -> Diagnostic | None:
+def unknown_lane(actor: ScenarioActor, lane: int, lanes: int) -> Diagnostic | None:
     """RL613, where a road of so many lanes has none of this number."""
     known = lane_ids(lanes)
     if lane in known:

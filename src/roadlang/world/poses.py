@@ -14,7 +14,7 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
 from ..geometry.lanes import lane_ids
-from ..ir.scenario import Actor
+from ..ir.scenario import ScenarioActor
 from .copies import element_of
 from .placement_faults import unknown_lane
 from .road_places import RoadPlaces, places_along
@@ -38,7 +38,7 @@ class Poses:
     backward: Mask
 
 
-def poses_of(actor: Actor, copies: CopyBatch, widths: Floats) -> Poses:
+def poses_of(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> Poses:
     """Where each copy stands; `widths` (R,) of the copies, in meters. Raises RL613."""
     if actor.on is None:
         return _in_the_world(actor, copies)
@@ -63,7 +63,7 @@ def poses_of(actor: Actor, copies: CopyBatch, widths: Floats) -> Poses:
     )
 
 
-def starts_of(actor: Actor, copies: CopyBatch) -> Floats:
+def starts_of(actor: ScenarioActor, copies: CopyBatch) -> Floats:
     """(R,) arc lengths at which copies begin on their road."""
     assert actor.on is not None
     road = road_batch(actor.on, copies.candidates)
@@ -73,7 +73,7 @@ def starts_of(actor: Actor, copies: CopyBatch) -> Floats:
     return np.mod(start, length) if road.closed else start
 
 
-def _in_the_world(actor: Actor, copies: CopyBatch) -> Poses:
+def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> Poses:
     x, y = (_column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
     nothing = np.full(copies.count, np.nan)
     none = np.zeros(copies.count, np.int64)
@@ -81,7 +81,7 @@ def _in_the_world(actor: Actor, copies: CopyBatch) -> Poses:
     return Poses(x, y, heading, nothing, nothing, none, none.astype(bool))
 
 
-def _lanes(actor: Actor, copies: CopyBatch) -> Integers:
+def _lanes(actor: ScenarioActor, copies: CopyBatch) -> Integers:
     """(R,) lane ids; 0 of what is in no lane."""
     value = _option(actor, "lane", copies)
     if value is None:
@@ -90,7 +90,7 @@ def _lanes(actor: Actor, copies: CopyBatch) -> Integers:
 
 
 def _offsets(
-    actor: Actor, copies: CopyBatch, place: RoadPlaces, lane: Integers, widths: Floats
+    actor: ScenarioActor, copies: CopyBatch, place: RoadPlaces, lane: Integers, widths: Floats
 ) -> Floats:
     """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
 
@@ -107,7 +107,7 @@ def _offsets(
     return np.where(_is_word(side, "right", copies), -outward, found)
 
 
-def lane_middles(actor: Actor, copies: CopyBatch, lane: Integers, width: Floats) -> Floats:
+def lane_middles(actor: ScenarioActor, copies: CopyBatch, lane: Integers, width: Floats) -> Floats:
     """(R,) offsets of the middles of lanes, of 0 for lane 0. Raises RL613."""
     assert actor.on is not None
     lanes = lane_counts(actor.on, copies.candidates)[copies.rows]
@@ -122,7 +122,7 @@ def lane_middles(actor: Actor, copies: CopyBatch, lane: Integers, width: Floats)
     return middle
 
 
-def _backward(actor: Actor, copies: CopyBatch, lane: Integers) -> Mask:
+def _backward(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> Mask:
     """(R,) whether copies face against the road: as said, or as their lane runs."""
     facing = _option(actor, "facing", copies)
     by_lane = lane > 0
@@ -132,12 +132,12 @@ def _backward(actor: Actor, copies: CopyBatch, lane: Integers) -> Mask:
     return np.where(back, True, np.where(forward, False, by_lane))
 
 
-def _option(actor: Actor, name: str, copies: CopyBatch) -> Any:
+def _option(actor: ScenarioActor, name: str, copies: CopyBatch) -> Any:
     value = dict(actor.options).get(name)
     return None if value is None else evaluate(value, copies, element_of(actor))
 
 
-def _number(actor: Actor, name: str, copies: CopyBatch) -> Floats:
+def _number(actor: ScenarioActor, name: str, copies: CopyBatch) -> Floats:
     value = _option(actor, name, copies)
     return np.zeros(copies.count) if value is None else _column(value, copies)
 

@@ -15,11 +15,11 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..geometry import Curve, Frame, Path, WidthProfile
+from ..geometry import Curve, CurveFrame, Path, WidthProfile
 from ..geometry import Road as RoadShape
 from ..geometry.lanes import DEFAULT_LANES
 from ..ir.batch import RoadBatch
-from ..ir.scenario import FileSource, Input, Network, Road
+from ..ir.scenario import FileSource, Input, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from .networks import NetworkRoot, edge_batch, network_root
@@ -40,11 +40,11 @@ class RoadRoot:
     `inputs`: the files that it was made from, `confidence` that of the extractor in its network."""
 
     id: str
-    frame: Frame
+    frame: CurveFrame
     width: WidthProfile | None = None
     lanes: int | None = None
     path: Path | None = None
-    network: Network | None = None
+    network: ScenarioNetwork | None = None
     inputs: tuple[Input, ...] = ()
     confidence: float = 1.0
 
@@ -55,7 +55,7 @@ def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
 
     def make() -> RoadBatch:
         origin = candidates.scenario.source_of(road)
-        if isinstance(origin, Road):
+        if isinstance(origin, ScenarioRoad):
             batch = road_batch(origin.name, candidates)
         else:
             batch = _unperturbed(road, candidates)
@@ -93,11 +93,11 @@ def lane_counts(name: str, candidates: CandidateBatch) -> NDArray[np.int64]:
     return np.full(candidates.count, road_root(name, candidates).lanes or DEFAULT_LANES)
 
 
-def _roads(road: Road, scenario: IndexedScenario) -> Iterator[Road]:
-    return (link for link in scenario.chain(road) if isinstance(link, Road))
+def _roads(road: ScenarioRoad, scenario: IndexedScenario) -> Iterator[ScenarioRoad]:
+    return (link for link in scenario.chain(road) if isinstance(link, ScenarioRoad))
 
 
-def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
+def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) -> Floats:
     option = dict(road.options).get("width")
     if option is None:
         return before.width
@@ -111,7 +111,7 @@ def _width(road: Road, before: RoadBatch, candidates: CandidateBatch) -> Floats:
     return value
 
 
-def _unperturbed(road: Road, candidates: CandidateBatch) -> RoadBatch:
+def _unperturbed(road: ScenarioRoad, candidates: CandidateBatch) -> RoadBatch:
     """A root road, or the way through a network that has been perturbed before."""
     root = road_root(road.name, candidates)
     stations = root.frame.stations
@@ -125,11 +125,11 @@ def _unperturbed(road: Road, candidates: CandidateBatch) -> RoadBatch:
     return displaced(batch, _along_path(root, network, candidates))
 
 
-def _is_perturbed(network: Network, scenario: IndexedScenario) -> bool:
+def _is_perturbed(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
     return any(call.verb == "perturb" for link in scenario.chain(network) for call in link.passes)
 
 
-def _along_path(root: RoadRoot, network: Network, candidates: CandidateBatch) -> Floats:
+def _along_path(root: RoadRoot, network: ScenarioNetwork, candidates: CandidateBatch) -> Floats:
     """(V, S) displacements of the edges under a path, at the stations of the path."""
     assert root.path is not None
     traveled = root.frame.stations * (root.path.length / root.frame.curve.length)
@@ -162,7 +162,7 @@ def _interpolated(batch: RoadBatch, at: Floats) -> Floats:
     return displacement[:, right - 1] * (1.0 - share) + displacement[:, right] * share
 
 
-def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
+def _root(road: ScenarioRoad, candidates: CandidateBatch) -> RoadRoot:
     scenario = candidates.scenario
     if road.source is None:
         curve = _drawn(road, candidates)
@@ -170,7 +170,7 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
     if isinstance(road.source, FileSource):
         return _from_file(road, road.source, candidates)
     network = scenario.source_of(road)
-    assert isinstance(network, Network)
+    assert isinstance(network, ScenarioNetwork)
     root = network_root(network, candidates)
     path = selected(road, root, candidates)
     steps = path.steps
@@ -184,13 +184,13 @@ def _root(road: Road, candidates: CandidateBatch) -> RoadRoot:
 
 
 def _path_root(
-    root: NetworkRoot, path: Path, network: Network, candidates: CandidateBatch
+    root: NetworkRoot, path: Path, network: ScenarioNetwork, candidates: CandidateBatch
 ) -> RoadRoot:
     """The same way through the same network is one root, whichever road statement names it."""
     steps = "+".join(f"{step.edge}:{step.start:.6g}:{step.stop:.6g}" for step in path.steps)
     keeper = candidates if candidates.scenario.is_varying(network.name) else candidates.scenario
 
-    def frame() -> Frame:
+    def frame() -> CurveFrame:
         return _frame(path.curve, network, candidates.scenario)
 
     id = f"{root.name}/{steps}"
@@ -199,11 +199,13 @@ def _path_root(
     return RoadRoot(id, shared, width, None, path, network, root.inputs, root.confidence)
 
 
-def _frame(curve: Curve, thing: Road | Network, scenario: IndexedScenario) -> Frame:
-    return Frame.of(curve, station_spacing(thing, scenario).stations(curve))
+def _frame(
+    curve: Curve, thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario
+) -> CurveFrame:
+    return CurveFrame.of(curve, station_spacing(thing, scenario).stations(curve))
 
 
-def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
+def _drawn(road: ScenarioRoad, candidates: CandidateBatch) -> Curve:
     calls = [call for call in road.passes if call.verb == "draw"]
     if not calls:
         raise DiagnosticError(diagnose(Code.MISSING_SOURCE, road.span, name=road.name))
@@ -217,7 +219,7 @@ def _drawn(road: Road, candidates: CandidateBatch) -> Curve:
     return verified(calls[0], road.name, _checked(curve, road, calls[0]), candidates)
 
 
-def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
+def _from_file(road: ScenarioRoad, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
     content = read_file(source, "road", road.passes, candidates.scenario, road.span)
     found: Curve | RoadShape = content.value
     curve = found.curve if isinstance(found, RoadShape) else found
@@ -233,12 +235,12 @@ def _from_file(road: Road, source: FileSource, candidates: CandidateBatch) -> Ro
     return RoadRoot(road.name, frame, width, lanes, inputs=content.inputs)
 
 
-def _is_closed(road: Road, candidates: CandidateBatch) -> bool:
+def _is_closed(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
     option = dict(road.options).get("closed")
     return option is not None and bool(scalar(evaluate(option, candidates)))
 
 
-def _checked(curve: Any, road: Road, call: PassCall) -> Curve:
+def _checked(curve: Any, road: ScenarioRoad, call: PassCall) -> Curve:
     span = call.span or road.span
     usable = isinstance(curve, Curve) and np.isfinite(curve.points).all() and 0 < curve.length < 1e7
     if not usable:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import DisplacedBatch, Frame
+from ..geometry import CurveFrame, DisplacedBatch
 from ..ir.batch import RoadBatch
 
 
 def undisplaced_road(
     name: str,
     root: str,
-    frame: Frame,
+    frame: CurveFrame,
     width: NDArray[np.float64],
     confidence: float,
     variants: int = 1,

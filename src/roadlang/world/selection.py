@@ -8,13 +8,13 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import scalar
 from ..geometry import Path, Step
-from ..ir.scenario import Road
+from ..ir.scenario import ScenarioRoad
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from .networks import NetworkRoot
 
 
-def selected(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
+def selected(road: ScenarioRoad, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     """The way through the network. Raises RL472 where there is none."""
     option = dict(road.options).get("select")
     choice: Any = "longest" if option is None else evaluate(option, candidates)
@@ -35,7 +35,7 @@ def _called(call: PassCall, root: NetworkRoot, candidates: CandidateBatch) -> Pa
     return path
 
 
-def _any(road: Road, root: NetworkRoot, candidates: CandidateBatch) -> Path:
+def _any(road: ScenarioRoad, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     share = float(candidates.uniform(f"{road.name}/select")[0, 0])
     edge = root.edges[min(int(share * len(root.edges)), len(root.edges) - 1)]
     return Path(root.network, (Step(edge.id, 0.0, edge.length),))

@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build
 from ..ir.batch import RoadBatch
-from ..ir.scenario import Network
+from ..ir.scenario import ScenarioNetwork
 from ..ir.values import Entity, PassCall, Value
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Axis:
+class EvaluatedRoad:
     """What a road formula runs along: a road, or one edge of each network it names."""
 
     edge: int | None = None
@@ -41,7 +41,7 @@ class Axis:
         return edge_with_others(network, self.edge, candidates)
 
 
-def edge_with_others(network: Network, edge: int, candidates: CandidateBatch) -> RoadBatch:
+def edge_with_others(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> RoadBatch:
     """A road of a network that knows the other roads."""
     root = network_root(network, candidates)
     others = tuple(
@@ -50,20 +50,20 @@ def edge_with_others(network: Network, edge: int, candidates: CandidateBatch) ->
     return replace(edge_batch(network, edge, candidates), others=others)
 
 
-def axes_of(call: Value, candidates: CandidateBatch) -> tuple[Axis, ...]:
+def axes_of(call: Value, candidates: CandidateBatch) -> tuple[EvaluatedRoad, ...]:
     """The axes of a formula or call: one for each road of the networks that it names."""
     scenario = candidates.scenario
     names = [e.name for e in scenario.dependencies.entities(call) if e.role == "network"]
     if not names:
-        return (Axis(),)
+        return (EvaluatedRoad(),)
     ids = [
         {edge.id for edge in network_root(scenario.networks[name], candidates).edges}
         for name in names
     ]
-    return tuple(Axis(edge) for edge in sorted(set.intersection(*ids)))
+    return tuple(EvaluatedRoad(edge) for edge in sorted(set.intersection(*ids)))
 
 
-def signal(call: PassCall, axis: Axis, candidates: CandidateBatch) -> Floats:
+def signal(call: PassCall, axis: EvaluatedRoad, candidates: CandidateBatch) -> Floats:
     """(V, S) or (1, S) values along an axis; (V, 1) of a number."""
 
     def make() -> Floats:
@@ -101,7 +101,7 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
             return start_of(candidates.scenario.actors[entity.name], candidates, element)
-        return Axis().resolve(entity, candidates)
+        return EvaluatedRoad().resolve(entity, candidates)
 
     def make() -> Floats:
         built = build(call, candidates, resolve=resolve)

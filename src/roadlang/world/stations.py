@@ -20,11 +20,11 @@ from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import Curve
-from ..ir.scenario import Image, Network, Road
+from ..ir.scenario import ScenarioImage, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall
 from .shortest_features import shortest_feature, states_feature
 
-Root: TypeAlias = Road | Network
+Root: TypeAlias = ScenarioRoad | ScenarioNetwork
 
 SPACING = 1.0
 FEWEST, USUAL_MOST = 51, 2001
@@ -134,7 +134,7 @@ def station_spacing(thing: Root, scenario: IndexedScenario) -> StationSpacing:
 
 def root_of(thing: Root, scenario: IndexedScenario) -> Root:
     """The road or network that a road or network derives from, through all statements."""
-    links = [link for link in scenario.chain(thing) if not isinstance(link, Image)]
+    links = [link for link in scenario.chain(thing) if not isinstance(link, ScenarioImage)]
     return links[-1]
 
 

@@ -12,7 +12,7 @@ _TURN = np.deg2rad(38)
 
 
 @dataclass
-class Chain:
+class LineChain:
     """Lines one after another, each with the way it is run through."""
 
     parts: list[tuple[Line, bool]]
@@ -30,7 +30,7 @@ class Chain:
         return sum(line.length for line, _ in self.parts)
 
 
-def chains(graph: Graph, look: float) -> list[Chain]:
+def chains(graph: Graph, look: float) -> list[LineChain]:
     """All lines in chains that go straight on at nodes, longest chain first.
 
     `look` is how far from the node the direction of a line is taken, in pixels.
@@ -46,7 +46,7 @@ def chains(graph: Graph, look: float) -> list[Chain]:
                 parts = parts + _onward(line, 1, follow, left)
                 back = _onward(line, 0, follow, left)
                 parts = [(part, not ahead) for part, ahead in reversed(back)] + parts
-            found.append(Chain(parts))
+            found.append(LineChain(parts))
     return sorted(found, key=lambda chain: -chain.length)
 
 

@@ -14,7 +14,7 @@ from .tones import Image, Layer, away_from, tones
 
 
 @dataclass(frozen=True)
-class Chain:
+class ContourSteps:
     """The steps. `threshold` is a gray in 0..1, None finds it (Otsu 1979).
 
     `road` says which side of the threshold is road: "dark", "light", or "auto".
@@ -30,7 +30,7 @@ class Chain:
     min_length: float | None = None
 
 
-def roads_by_contour(image: Image, chain: Chain) -> FoundNetwork:
+def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
     """Roads (pixels) of a picture (h, w, 3) whose road differs from all else by its tone."""
     gray = _gray(image, chain)
     if chain.blur > 0:
@@ -45,7 +45,7 @@ def roads_by_contour(image: Image, chain: Chain) -> FoundNetwork:
     return replace(found, scores={"threshold": round(level / 255, 4)})
 
 
-def _gray(image: Image, chain: Chain) -> Layer:
+def _gray(image: Image, chain: ContourSteps) -> Layer:
     """Gray; or, where no threshold is given and gray parts no tones, distance to the paper."""
     gray: Layer = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.float32)
     if chain.threshold is not None or chain.road != "auto":
@@ -79,7 +79,7 @@ def _soft(gray: Layer, level: float) -> Layer | None:
     return np.clip(0.5 + 0.5 * np.where(gray < level, below, above), 0, 1).astype(np.float32)
 
 
-def _surface(light: Layer, chain: Chain) -> tuple[Layer, str]:
+def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
     sides = {"light": light, "dark": 1 - light}
     if chain.road != "auto":
         return sides[chain.road], "contour"

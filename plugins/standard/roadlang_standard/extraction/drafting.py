@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .chains import Chain, chains
+from .chains import LineChain, chains
 from .edges import recentered, sides, usual_width, widths
 from .found import FoundNetwork, FoundRoad
 from .graph import Graph, Line
@@ -59,7 +59,7 @@ def draft(graph: Graph, surface: Layer, score: Layer, manner: Draft, method: str
 
 
 def _draw(
-    chain: Chain,
+    chain: LineChain,
     graph: Graph,
     surface: Layer,
     manner: Draft,
@@ -84,7 +84,7 @@ def _draw(
     _split(chain, nodes, graph, curve, placed, curves)
 
 
-def _concatenated(chain: Chain) -> Floats:
+def _concatenated(chain: LineChain) -> Floats:
     pieces = [line.points if forward else line.points[::-1] for line, forward in chain.parts]
     return resample(np.vstack([pieces[0], *[piece[1:] for piece in pieces[1:]]]))
 
@@ -125,7 +125,7 @@ def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
 
 
 def _split(
-    chain: Chain,
+    chain: LineChain,
     nodes: list[int],
     graph: Graph,
     curve: Floats,

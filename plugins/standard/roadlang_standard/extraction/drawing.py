@@ -17,7 +17,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Ribbon:
+class RoadRegion:
     """A road-like region: its mask in a window, its usual width in pixels, length over width."""
 
     window: tuple[slice, slice]
@@ -87,7 +87,7 @@ def has_edge_lines(ink: Mask) -> bool:
     return bool(_between(ink))
 
 
-def _between(ink: Mask) -> list[Ribbon]:
+def _between(ink: Mask) -> list[RoadRegion]:
     pen = _pen_width(ink)
     if pen > 0.02 * min(ink.shape) + 3:
         return []
@@ -102,7 +102,7 @@ def _between(ink: Mask) -> list[Ribbon]:
     return []
 
 
-def _edged(ribbons: list[Ribbon], ink: Mask, pen: float) -> bool:
+def _edged(ribbons: list[RoadRegion], ink: Mask, pen: float) -> bool:
     """Whether the ink is mostly the edge of the ribbons: not so between two filled roads."""
     if pen > 0.6 * max(ribbon.width for ribbon in ribbons):
         return False
@@ -110,7 +110,7 @@ def _edged(ribbons: list[Ribbon], ink: Mask, pen: float) -> bool:
     return bool(near[ink].mean() > 0.5)
 
 
-def _union(ribbons: list[Ribbon], shape: tuple[int, ...]) -> NDArray[np.uint8]:
+def _union(ribbons: list[RoadRegion], shape: tuple[int, ...]) -> NDArray[np.uint8]:
     union = np.zeros(shape, np.uint8)
     for ribbon in ribbons:
         union[ribbon.window] |= ribbon.part.astype(np.uint8)
@@ -124,7 +124,7 @@ def _pen_width(ink: Mask) -> float:
     return 2 * float(np.quantile(ridge, 0.7)) - 1 if len(ridge) else np.inf
 
 
-def _ribbons(ink: Mask) -> list[Ribbon]:
+def _ribbons(ink: Mask) -> list[RoadRegion]:
     """The road-like regions of the paper: the longest, and pieces as wide as it."""
     count, labels, stats, _ = cv2.connectedComponentsWithStats(
         (~ink).astype(np.uint8), connectivity=4
@@ -142,7 +142,7 @@ def _ribbons(ink: Mask) -> list[Ribbon]:
             continue
         window = (slice(y, y + h), slice(x, x + w))
         elongation = float(area) / max(width, 1.0) ** 2
-        found.append(Ribbon(window, part[1:-1, 1:-1], width, elongation))
+        found.append(RoadRegion(window, part[1:-1, 1:-1], width, elongation))
     long = [ribbon for ribbon in found if ribbon.elongation > 12]
     if not long:
         return []
@@ -156,7 +156,7 @@ def _rim(labels: NDArray[np.int32], key: int) -> int:
     return int(sum((edge == key).sum() for edge in edges))
 
 
-def _surface(ribbons: list[Ribbon], ink: Mask, pen: float) -> Layer:
+def _surface(ribbons: list[RoadRegion], ink: Mask, pen: float) -> Layer:
     """The ribbons grown to the middle of the lines around them; thin lines across them vanish."""
     union = _union(ribbons, ink.shape)
     if len(ribbons) > 1:

@@ -19,7 +19,7 @@ ROAD = "road"
 
 
 @dataclass(frozen=True)
-class Thing:
+class LegendObject:
     """An object in pixels: center, sides, and heading (radians, clockwise as y runs down)."""
 
     kind: str
@@ -32,7 +32,7 @@ class Thing:
 
 def read_text(
     rows: Sequence[str], legend: Mapping[str, str], thickness: float = 1.0
-) -> tuple[FoundNetwork, tuple[Thing, ...]]:
+) -> tuple[FoundNetwork, tuple[LegendObject, ...]]:
     """Roads between the centers of road characters, and a thing for each other character."""
     width = max((len(row) for row in rows), default=0)
     cells = np.array([list(row.ljust(width)) for row in rows], dtype="<U1").reshape(
@@ -41,7 +41,7 @@ def read_text(
     kinds = dict(legend)
     road = np.isin(cells, [c for c, kind in kinds.items() if kind == ROAD])
     things = tuple(
-        Thing(kinds[str(cells[y, x])], float(x), float(y), 1.0, 1.0)
+        LegendObject(kinds[str(cells[y, x])], float(x), float(y), 1.0, 1.0)
         for y, x in np.argwhere(~road)
         if str(cells[y, x]) in kinds
     )
@@ -50,7 +50,7 @@ def read_text(
 
 def read_colors(
     image: Image, legend: Mapping[str, str], thickness: float | None = None
-) -> tuple[FoundNetwork, tuple[Thing, ...]]:
+) -> tuple[FoundNetwork, tuple[LegendObject, ...]]:
     """Roads and things of a drawing (h, w, 3): each pixel belongs to the legend's nearest color.
 
     A color that is far from all of the legend's is nothing. One-pixel roads are read cell by cell.
@@ -84,7 +84,7 @@ def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> N
     return label
 
 
-def _things(mask: NDArray[np.bool_], kind: str) -> list[Thing]:
+def _things(mask: NDArray[np.bool_], kind: str) -> list[LegendObject]:
     found, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     things = []
     for outline in found:
@@ -92,5 +92,5 @@ def _things(mask: NDArray[np.bool_], kind: str) -> list[Thing]:
         (x, y), (a, b), angle = cv2.minAreaRect(corners)
         length, width, turn = (a + 1, b + 1, angle) if a >= b else (b + 1, a + 1, angle + 90)
         heading = float(np.deg2rad((turn + 90) % 180 - 90))
-        things.append(Thing(kind, float(x), float(y), float(length), float(width), heading))
+        things.append(LegendObject(kind, float(x), float(y), float(length), float(width), heading))
     return sorted(things, key=lambda thing: (thing.y, thing.x))

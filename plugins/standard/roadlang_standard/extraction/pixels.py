@@ -8,7 +8,7 @@ from roadlang.api import Code
 
 from .colors import NAMES, bgr
 from .found import FoundNetwork
-from .legend import ROAD, Thing, read_colors, read_text
+from .legend import ROAD, LegendObject, read_colors, read_text
 from .tones import Image
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def pixels_of(picture: Picture, kind: str) -> Image:
 
 def read_legend(
     picture: Picture, thickness: float | None
-) -> tuple[FoundNetwork, tuple[Thing, ...]]:
+) -> tuple[FoundNetwork, tuple[LegendObject, ...]]:
     """Roads and things of a picture with a legend. Raises DiagnosticError RL421 to RL423."""
     from roadlang.api import DiagnosticError, diagnose
 

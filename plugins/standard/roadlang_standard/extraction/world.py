@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .found import Floats, FoundNetwork, FoundRoad
-from .legend import Thing
+from .legend import LegendObject
 from .smoothing import resample
 
 if TYPE_CHECKING:
@@ -19,7 +19,10 @@ _DOUBTFUL = 0.5
 
 
 def extraction(
-    picture: Picture, found: FoundNetwork, things: Sequence[Thing] = (), remarks: Sequence[str] = ()
+    picture: Picture,
+    found: FoundNetwork,
+    things: Sequence[LegendObject] = (),
+    remarks: Sequence[str] = (),
 ) -> Extraction:
     """The found roads as splines in meters, joined at nodes; doubtful ones are remarked on."""
     from roadlang.api import Extraction
@@ -62,7 +65,7 @@ def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool) -> Cur
     return Curve.through(world) if len(world) > 1 and not road.closed else None
 
 
-def _object(picture: Picture, thing: Thing) -> FoundObject:
+def _object(picture: Picture, thing: LegendObject) -> FoundObject:
     from roadlang.api import FoundObject
 
     x, y = picture.to_world(np.array([[thing.x, thing.y]]))[0]

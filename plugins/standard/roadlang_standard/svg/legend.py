@@ -22,7 +22,7 @@ _OUTCOME = 7.5
 
 
 @dataclass(frozen=True)
-class Row:
+class LegendRow:
     """One requirement or expectation of the legend."""
 
     mark: str
@@ -36,7 +36,7 @@ class Row:
 class Legend:
     """Rows laid out `width` pixels wide at a font size; long formulas take several lines."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[LegendRow, ...]
     width: float
     size: float
 
@@ -46,11 +46,11 @@ class Legend:
         longest = max((len(row.name) for row in self.rows), default=0)
         return (2.9 + 0.62 * min(longest, _LONGEST_NAME)) * self.size
 
-    def _lines(self, row: Row) -> list[str]:
+    def _lines(self, row: LegendRow) -> list[str]:
         room = self.width - self._formula - _OUTCOME * self.size
         return wrapped(row.formula, letters(room, self.size))
 
-    def _height(self, row: Row) -> float:
+    def _height(self, row: LegendRow) -> float:
         return (_LINE * len(self._lines(row)) + _ROW_GAP) * self.size
 
     @property
@@ -66,7 +66,7 @@ class Legend:
             y += self._height(row)
         return group(cells, class_="legend", font_size=self.size, fill=palette.INK)
 
-    def _cells(self, row: Row, x: float, base: float) -> Iterator[str]:
+    def _cells(self, row: LegendRow, x: float, base: float) -> Iterator[str]:
         size = self.size
         yield _mark(row, x + 0.6 * size, base - 0.34 * size, size)
         yield text(_short(row.name), x + 1.9 * size, base, font_weight="600")
@@ -87,19 +87,19 @@ def legend_of(scene: Scene, width: float, size: float) -> Legend:
     rows = [_row(verdict, colors.get(verdict.name)) for verdict in verdicts[:_MOST_ROWS]]
     if len(verdicts) > _MOST_ROWS:
         rest = f"and {len(verdicts) - _MOST_ROWS} more"
-        rows.append(Row("none", palette.QUIET_INK, rest, "", ""))
+        rows.append(LegendRow("none", palette.QUIET_INK, rest, "", ""))
     return Legend(tuple(rows), width, size)
 
 
-def _row(verdict: Verdict, color: str | None) -> Row:
+def _row(verdict: Verdict, color: str | None) -> LegendRow:
     if verdict.satisfied is None:
-        return Row("open", palette.UNKNOWN, verdict.name, verdict.text, "when driven")
+        return LegendRow("open", palette.UNKNOWN, verdict.name, verdict.text, "when driven")
     mark = "tick" if verdict.satisfied else "cross"
     outcome = "" if verdict.robustness is None else rho(verdict.robustness)
-    return Row(mark, color or palette.SATISFIED, verdict.name, verdict.text, outcome)
+    return LegendRow(mark, color or palette.SATISFIED, verdict.name, verdict.text, outcome)
 
 
-def _mark(row: Row, x: float, y: float, size: float) -> str:
+def _mark(row: LegendRow, x: float, y: float, size: float) -> str:
     line = {"fill": "none", "stroke": row.color, "stroke_width": 0.17 * size,
             "stroke_linecap": "round", "stroke_linejoin": "round"}  # fmt: skip
     r = 0.36 * size

@@ -22,7 +22,7 @@ _TICKS = 8
 
 
 @dataclass(frozen=True)
-class Row:
+class ProfileRow:
     """A curve over arc length with a dot at `station`; a robustness is filled down to zero."""
 
     name: str
@@ -32,7 +32,7 @@ class Row:
     signal: bool = False
 
 
-def rows_of(scene: Scene) -> list[Row]:
+def rows_of(scene: Scene) -> list[ProfileRow]:
     """The `let` signals, then the judged constraints; of networks, the road of the extreme."""
     rows = []
     for signal in scene.signals:
@@ -42,12 +42,12 @@ def rows_of(scene: Scene) -> list[Row]:
         if largest is not None and largest.values:
             peak = max(range(len(largest.values)), key=lambda i: abs(largest.values[i]))
             note = f"up to {number_text(largest.values[peak])} {signal.unit}".rstrip()
-            rows.append(Row(signal.name, note, largest, largest.stations[peak], signal=True))
+            rows.append(ProfileRow(signal.name, note, largest, largest.stations[peak], signal=True))
     for verdict in (*scene.requirements, *scene.expectations):
         place = verdict.tightest
         shown = [p for p in verdict.profiles if place is not None and p.road == place.road]
         if place is not None and shown and verdict.robustness is not None:
-            rows.append(Row(verdict.name, rho(verdict.robustness), shown[0], place.station))
+            rows.append(ProfileRow(verdict.name, rho(verdict.robustness), shown[0], place.station))
     return rows[:_MOST_ROWS]
 
 
@@ -56,12 +56,12 @@ def number_text(value: float) -> str:
     return f"{value:.3g}".replace("-", "\N{MINUS SIGN}")
 
 
-def height(rows: Sequence[Row], size: float) -> float:
+def height(rows: Sequence[ProfileRow], size: float) -> float:
     """Pixels that the rows and their axis take."""
     return (len(rows) * _ROW + 2.4) * size if rows else 0.0
 
 
-def profiles(rows: Sequence[Row], x: float, y: float, width: float, size: float) -> str:
+def profiles(rows: Sequence[ProfileRow], x: float, y: float, width: float, size: float) -> str:
     """The plots from (x, y) down, all over the same arc length."""
     if not rows:
         return ""
@@ -76,7 +76,7 @@ def profiles(rows: Sequence[Row], x: float, y: float, width: float, size: float)
 
 
 def _row(
-    row: Row, x: float, top: float, left: float, right: float, length: float, size: float
+    row: ProfileRow, x: float, top: float, left: float, right: float, length: float, size: float
 ) -> Iterator[str]:
     import numpy as np
 

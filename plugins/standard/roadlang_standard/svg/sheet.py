@@ -11,7 +11,7 @@ from . import furniture, palette
 from .drawing import Style, document, map_of
 from .markup import element, group, rho, text
 from .profiles import number_text
-from .viewport import Box, Viewport, bounds, within
+from .viewport import BoundingBox, Viewport, bounds, within
 from .wrapping import letters, wrapped
 
 if TYPE_CHECKING:
@@ -94,14 +94,14 @@ def _value(value: object, unit: str) -> str:
     return f"{number_text(value)}\N{NO-BREAK SPACE}{unit}" if unit else number_text(value)
 
 
-def _around(scenes: Sequence[Scene]) -> Box:
+def _around(scenes: Sequence[Scene]) -> BoundingBox:
     whole = bounds(scenes[0])
     for scene in scenes[1:]:
         whole = whole.around(bounds(scene))
     return whole
 
 
-def _columns(count: int, whole: Box) -> int:
+def _columns(count: int, whole: BoundingBox) -> int:
     """As many as make the sheet about as wide as tall, for cells of the shape of `whole`."""
     shape = min(max(whole.height / max(whole.width, 1e-9), 0.35), 1.3)
     return max(1, min(count, round(math.sqrt(count * (shape + 0.15) * 1.3))))

@@ -23,7 +23,7 @@ _SMALLEST_SPAN = 20.0
 
 
 @dataclass(frozen=True)
-class Box:
+class BoundingBox:
     """A rectangle in meters."""
 
     left: float
@@ -39,9 +39,9 @@ class Box:
     def height(self) -> float:
         return self.top - self.bottom
 
-    def around(self, other: Box) -> Box:
+    def around(self, other: BoundingBox) -> BoundingBox:
         """The smallest box around both."""
-        return Box(
+        return BoundingBox(
             min(self.left, other.left),
             min(self.bottom, other.bottom),
             max(self.right, other.right),
@@ -53,7 +53,7 @@ class Box:
 class Viewport:
     """The map's rectangle in the drawing: `x`, `y`, `width`, `height` in pixels, showing `box`."""
 
-    box: Box
+    box: BoundingBox
     x: float
     y: float
     width: float
@@ -74,7 +74,7 @@ class Viewport:
         return np.stack([east, south], axis=-1)
 
 
-def fitted(box: Box, x: float, y: float, width: float) -> Viewport:
+def fitted(box: BoundingBox, x: float, y: float, width: float) -> Viewport:
     """A viewport `width` pixels wide on `box` with a margin, widened to a pleasant shape."""
     margin = _MARGIN * max(box.width, box.height, _SMALLEST_SPAN)
     wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
@@ -83,7 +83,7 @@ def fitted(box: Box, x: float, y: float, width: float) -> Viewport:
     return _centered(box, wide, tall, Viewport(box, x, y, width, width * tall / wide))
 
 
-def within(box: Box, frame: Viewport) -> Viewport:
+def within(box: BoundingBox, frame: Viewport) -> Viewport:
     """A viewport of the size and place of `frame` (its box is ignored) that shows all of `box`."""
     margin = _MARGIN * max(box.width, box.height, _SMALLEST_SPAN)
     wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
@@ -93,30 +93,32 @@ def within(box: Box, frame: Viewport) -> Viewport:
     return _centered(box, wide, tall, frame)
 
 
-def _centered(box: Box, wide: float, tall: float, frame: Viewport) -> Viewport:
+def _centered(box: BoundingBox, wide: float, tall: float, frame: Viewport) -> Viewport:
     east, north = (box.left + box.right) / 2, (box.bottom + box.top) / 2
-    shown = Box(east - wide / 2, north - tall / 2, east + wide / 2, north + tall / 2)
+    shown = BoundingBox(east - wide / 2, north - tall / 2, east + wide / 2, north + tall / 2)
     return Viewport(shown, frame.x, frame.y, frame.width, frame.height)
 
 
-def bounds(scene: Scene) -> Box:
+def bounds(scene: Scene) -> BoundingBox:
     """All of a scene in meters: roads with their width, agents and objects."""
     boxes = list(_road_boxes(scene)) + list(_actor_boxes(scene))
     if not boxes:
-        return Box(-50.0, -50.0, 50.0, 50.0)
+        return BoundingBox(-50.0, -50.0, 50.0, 50.0)
     whole = boxes[0]
     for box in boxes[1:]:
         whole = whole.around(box)
     return whole
 
 
-def _road_boxes(scene: Scene) -> Iterable[Box]:
+def _road_boxes(scene: Scene) -> Iterable[BoundingBox]:
     for road in scene.roads:
         half = max(road.width) / 2
-        yield Box(min(road.x) - half, min(road.y) - half, max(road.x) + half, max(road.y) + half)
+        yield BoundingBox(
+            min(road.x) - half, min(road.y) - half, max(road.x) + half, max(road.y) + half
+        )
 
 
-def _actor_boxes(scene: Scene) -> Iterable[Box]:
+def _actor_boxes(scene: Scene) -> Iterable[BoundingBox]:
     for actor in (*scene.agents, *scene.objects):
         reach = math.hypot(actor.length, actor.width) / 2
-        yield Box(actor.x - reach, actor.y - reach, actor.x + reach, actor.y + reach)
+        yield BoundingBox(actor.x - reach, actor.y - reach, actor.x + reach, actor.y + reach)

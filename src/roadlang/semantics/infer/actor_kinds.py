@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...ir.values import Draw, Items, PassCall, Value
+from ...ir.values import Items, PassCall, RandomValue, Value
 from ...plugins.options import OptionSchema, schema_of
 from ...plugins.registry import KindEntry
 from ..checker import Checker
@@ -14,7 +14,7 @@ def calls_in(value: Value) -> list[PassCall]:
     """The calls of kinds in `car`, or in `choice(car, truck)`."""
     if isinstance(value, PassCall) and value.verb in ("agent", "object"):
         return [value]
-    if isinstance(value, Draw):
+    if isinstance(value, RandomValue):
         return [call for _, option in value.call.options for call in calls_in(option)]
     if isinstance(value, Items):
         return [call for item in value.items for call in calls_in(item)]
@@ -48,7 +48,7 @@ def with_options(checker: Checker, value: Value, options: tuple[tuple[str, Value
         names = {name for name, _ in options}
         kept = tuple(given for given in value.options if given[0] not in names)
         return replace(value, options=(*kept, *options))
-    if isinstance(value, Draw):
+    if isinstance(value, RandomValue):
         inner = tuple(
             (name, with_options(checker, option, options)) for name, option in value.call.options
         )

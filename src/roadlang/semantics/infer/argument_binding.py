@@ -17,7 +17,11 @@ from .option_binding import BoundOptions, bound_of, infer_option, report_missing
 
 
 def bind_arguments(
-    checker: Checker, call: ast.Call, schema: Sequence[OptionSchema], rest: str, context: Context
+    checker: Checker,
+    call: ast.CallExpression,
+    schema: Sequence[OptionSchema],
+    rest: str,
+    context: Context,
 ) -> BoundOptions:
     """The arguments against the schema; `rest` names the list that takes all without a name."""
     return _Binder(checker, call, schema, rest, context).bind()
@@ -27,7 +31,7 @@ class _Binder:
     def __init__(
         self,
         checker: Checker,
-        call: ast.Call,
+        call: ast.CallExpression,
         schema: Sequence[OptionSchema],
         rest: str,
         context: Context,

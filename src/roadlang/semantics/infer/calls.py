@@ -27,7 +27,7 @@ _VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select")
 _COUNTS = {"abs": (1, 1), "min": (2, None), "max": (2, None), "fresh": (1, 1)}
 
 
-def infer_call(checker: Checker, call: ast.Call, context: Context) -> TypedExpression:
+def infer_call(checker: Checker, call: ast.CallExpression, context: Context) -> TypedExpression:
     """`f(x)`; which `f` is meant depends on what is expected here and, for overloads, on `x`."""
     name = dotted(call.function)
     if name is None:
@@ -62,7 +62,9 @@ def dotted(expression: ast.Expression) -> str | None:
     return None
 
 
-def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) -> TypedExpression:
+def _no_function(
+    checker: Checker, call: ast.CallExpression, name: str, context: Context
+) -> TypedExpression:
     span = call.function.span
     if context.verbs:
         find_kind(checker, context.verbs[0], name, span)
@@ -82,7 +84,9 @@ def _no_function(checker: Checker, call: ast.Call, name: str, context: Context) 
     return unknown(call.span)
 
 
-def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> TypedExpression:
+def _built_in(
+    checker: Checker, call: ast.CallExpression, name: str, context: Context
+) -> TypedExpression:
     if not _counted(checker, call, name):
         return unknown(call.span)
     if name == "fresh":
@@ -104,7 +108,7 @@ def _built_in(checker: Checker, call: ast.Call, name: str, context: Context) -> 
     return signal_of_functions(checker, name, arguments, call.span, dimension)
 
 
-def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
+def _counted(checker: Checker, call: ast.CallExpression, name: str) -> bool:
     """Whether a built-in function has as many arguments as it takes, none of them named."""
     least, most = _COUNTS[name]
     count = len(call.arguments)
@@ -123,9 +127,9 @@ def _counted(checker: Checker, call: ast.Call, name: str) -> bool:
     return True
 
 
-def _fresh(checker: Checker, call: ast.Call, context: Context) -> TypedExpression:
+def _fresh(checker: Checker, call: ast.CallExpression, context: Context) -> TypedExpression:
     value = call.arguments[0].value
-    while isinstance(value, ast.Group):
+    while isinstance(value, ast.GroupExpression):
         value = value.inner
     if not isinstance(value, ast.Name):
         return checker.report(Code.FRESH_WITHOUT_DRAW, value.span, what=value.span.text)
@@ -140,7 +144,7 @@ def _fresh(checker: Checker, call: ast.Call, context: Context) -> TypedExpressio
 
 
 def of_kind(
-    checker: Checker, call: ast.Call, verb: str, name: str, context: Context
+    checker: Checker, call: ast.CallExpression, verb: str, name: str, context: Context
 ) -> TypedExpression:
     """Type a call of the kind that is registered as `name` under `verb`."""
     found = find_kind(checker, verb, name, call.function.span)
@@ -173,7 +177,7 @@ def _named_twice(bound: BoundOptions) -> str | None:
 
 
 def _overloaded(
-    checker: Checker, call: ast.Call, verbs: list[str], name: str, context: Context
+    checker: Checker, call: ast.CallExpression, verbs: list[str], name: str, context: Context
 ) -> TypedExpression:
     """The one of several functions whose options take what the arguments name."""
     roles = [_role(checker, argument.value) for argument in call.arguments]
@@ -200,7 +204,7 @@ def _overloaded(
 
 def _role(checker: Checker, value: ast.Expression) -> str | None:
     """The role of the thing an argument names; None for values."""
-    while isinstance(value, ast.Group):
+    while isinstance(value, ast.GroupExpression):
         value = value.inner
     if not isinstance(value, ast.Name):
         return None

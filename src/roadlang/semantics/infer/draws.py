@@ -6,7 +6,7 @@ from typing import Any
 
 from ...diagnostics import Code, DiagnosticError
 from ...ir.dimension import PURE
-from ...ir.values import Constant, Draw, Items, PassCall, Value
+from ...ir.values import ConstantValue, Items, PassCall, RandomValue, Value
 from ...plugins.option_types import AnyType, ListType, QuantityType
 from ...plugins.stated_bounds import stated_support
 from ...syntax.tree import nodes as ast
@@ -19,7 +19,11 @@ from .option_binding import BoundOptions
 
 
 def draw_of(
-    checker: Checker, call: ast.Call, found: ResolvedKind, bound: BoundOptions, context: Context
+    checker: Checker,
+    call: ast.CallExpression,
+    found: ResolvedKind,
+    bound: BoundOptions,
+    context: Context,
 ) -> TypedExpression:
     """The draw that the call of a distribution stands for."""
     kind = _type_of(checker, found, bound)
@@ -33,7 +37,7 @@ def draw_of(
             Code.REVERSED_RANGE, call.span, what="range", help="the lower end comes first"
         )
     dimension = kind.dimension if isinstance(kind, ty.Quantity) else PURE
-    value = Draw(place, drawn, context.per, dimension)
+    value = RandomValue(place, drawn, context.per, dimension)
     bounds = checker.bounds_of(value)
     return TypedExpression(
         call.span, kind, value, random=True, bounds=bounds, items=_items(found, bound)
@@ -108,7 +112,7 @@ def _is_reversed(checker: Checker, call: PassCall, found: ResolvedKind) -> bool:
 
 def constant_of(value: Value) -> Any:
     """A constant number, or a tuple of such; None for anything else."""
-    if isinstance(value, Constant):
+    if isinstance(value, ConstantValue):
         return value.value
     if isinstance(value, Items):
         parts = tuple(constant_of(item) for item in value.items)

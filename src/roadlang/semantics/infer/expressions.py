@@ -7,17 +7,17 @@ from dataclasses import replace
 
 from ...diagnostics import Code, Span
 from ...ir.values import (
-    Constant,
-    Draw,
+    ConstantValue,
     Entity,
     Entries,
     Flag,
     Items,
     Operation,
     PassCall,
+    RandomValue,
     Reference,
     SignalBinding,
-    Text,
+    TextValue,
 )
 from ...stl.evaluate.interval_arithmetic import negated as negated_bounds
 from ...stl.formula.formulas import Truth
@@ -33,7 +33,7 @@ from ..types.expression_types import (
     ConstraintType,
     CoordinatesType,
     DeclaredType,
-    Evidence,
+    DomainEvidence,
     MappingType,
     Quantity,
     SequenceType,
@@ -50,7 +50,9 @@ def infer_string(
     checker: Checker, string: ast.String | ast.Text, context: Context
 ) -> TypedExpression:
     """A string or bare text: a word that options may accept."""
-    return TypedExpression(string.span, StringType(frozenset({string.value})), Text(string.value))
+    return TypedExpression(
+        string.span, StringType(frozenset({string.value})), TextValue(string.value)
+    )
 
 
 def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> TypedExpression:
@@ -60,12 +62,14 @@ def infer_boolean(checker: Checker, boolean: ast.Boolean, context: Context) -> T
     )
 
 
-def infer_group(checker: Checker, group: ast.Group, context: Context) -> TypedExpression:
+def infer_group(checker: Checker, group: ast.GroupExpression, context: Context) -> TypedExpression:
     """Parentheses: what is inside them."""
     return checker.infer(group.inner, context)
 
 
-def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> TypedExpression:
+def infer_negation(
+    checker: Checker, negation: ast.NegateExpression, context: Context
+) -> TypedExpression:
     """`-x` of a number or signal."""
     operand = checker.infer(negation.operand, context)
     if operand.is_unknown:
@@ -79,8 +83,8 @@ def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> 
     value = operand.value
     assert value is not None
     negated = (
-        Constant(-value.value, value.dimension)
-        if isinstance(value, Constant)
+        ConstantValue(-value.value, value.dimension)
+        if isinstance(value, ConstantValue)
         else Operation("negate", (value,))
     )
     return replace(
@@ -88,7 +92,9 @@ def infer_negation(checker: Checker, negation: ast.Negate, context: Context) -> 
     )
 
 
-def infer_arithmetic(checker: Checker, node: ast.Arithmetic, context: Context) -> TypedExpression:
+def infer_arithmetic(
+    checker: Checker, node: ast.ArithmeticExpression, context: Context
+) -> TypedExpression:
     """`+ - * / ^` of numbers, or of signals and numbers."""
     left = checker.infer(node.left, context)
     right = checker.infer(node.right, context)
@@ -135,7 +141,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
         bare=all(k.bare for k in kinds),
         whole=low.constant is not None and low.constant == high.constant and kinds[0].whole,
     )
-    value = Draw(place, call, context.per, dimension)
+    value = RandomValue(place, call, context.per, dimension)
     bounds = checker.bounds_of(value)
     return TypedExpression(draw.span, kind, value, random=True, bounds=bounds, range=True)
 
@@ -184,7 +190,7 @@ def infer_name(checker: Checker, name: ast.Name, context: Context) -> TypedExpre
     """A word of the option, a declared thing, a kind, a built-in name."""
     text = name.text
     if text in context.words:
-        return TypedExpression(name.span, StringType(frozenset({text}), word=True), Text(text))
+        return TypedExpression(name.span, StringType(frozenset({text}), word=True), TextValue(text))
     declaration = checker.program.declarations.get(text)
     if text in checker.program.spoiled and text != "time":
         return unknown(name.span)
@@ -193,14 +199,18 @@ def infer_name(checker: Checker, name: ast.Name, context: Context) -> TypedExpre
         return _declared(checker, name, declaration.role, context)
     if text == "inf":
         kind = Quantity(fits_any=True)
-        return TypedExpression(name.span, kind, Constant(math.inf), bounds=(math.inf, math.inf))
+        return TypedExpression(
+            name.span, kind, ConstantValue(math.inf), bounds=(math.inf, math.inf)
+        )
     if text == "time":
-        return checker.infer(ast.Call(name, (), span=name.span), context)
+        return checker.infer(ast.CallExpression(name, (), span=name.span), context)
     verb = verb or _verb_in_definition(checker, text, context)
     if verb is not None:
-        return checker.infer(ast.Call(name, (), span=name.span), replace(context, verbs=(verb,)))
+        return checker.infer(
+            ast.CallExpression(name, (), span=name.span), replace(context, verbs=(verb,))
+        )
     if context.strings:
-        return TypedExpression(name.span, StringType(frozenset({text})), Text(text))
+        return TypedExpression(name.span, StringType(frozenset({text})), TextValue(text))
     return report_unresolved(checker, name, context)
 
 
@@ -208,7 +218,7 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
     text, span = name.text, name.span
     checker.use(text, context)
     if role in ("require", "expect"):
-        return TypedExpression(span, ConstraintType(role), Text(text))
+        return TypedExpression(span, ConstraintType(role), TextValue(text))
     if role not in ("param", "let"):
         return TypedExpression(span, DeclaredType(role), Entity(text, role))
     found = checker.definition(text)
@@ -220,7 +230,7 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
     if found.value is None:
         return _signal_or_formula(found, text, span)
     if isinstance(found.type, Quantity):
-        constant = isinstance(found.value, Constant)
+        constant = isinstance(found.value, ConstantValue)
         value = found.value if constant else Reference(text)
         kind = replace(found.type, bare=False)
         return replace(found, span=span, type=kind, value=value, range=False)
@@ -229,7 +239,7 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
 
 def _signal_or_formula(found: TypedExpression, text: str, span: Span) -> TypedExpression:
     """What a `let` names; a signal by itself is a variable of that name in formulas."""
-    evidence = Evidence(found.evidence.domain, span, text) if found.evidence else None
+    evidence = DomainEvidence(found.evidence.domain, span, text) if found.evidence else None
     if not isinstance(found.term, Variable) or len(found.signals) != 1:
         return replace(found, span=span, evidence=evidence)
     signal = found.signals[0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...ir.values import Text
+from ...ir.values import TextValue
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -28,6 +28,6 @@ def check_file(
         if fault is not None:
             checker.diagnostics.append(fault)
             return None
-    if isinstance(typed.value, Text):
-        return replace(typed, value=Text(str(folder / typed.value.value)))
+    if isinstance(typed.value, TextValue):
+        return replace(typed, value=TextValue(str(folder / typed.value.value)))
     return typed

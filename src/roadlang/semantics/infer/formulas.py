@@ -21,7 +21,7 @@ from ..types.arithmetic import common_domain, terms_of
 from ..types.dimensions import common_dimension, dimension_of, unit_missing
 from ..types.expression_types import (
     BooleanType,
-    Evidence,
+    DomainEvidence,
     FormulaType,
     Quantity,
     SignalType,
@@ -31,7 +31,9 @@ from ..types.expression_types import (
 from ..types.number_terms import distinct
 
 
-def infer_comparison(checker: Checker, node: ast.Comparison, context: Context) -> TypedExpression:
+def infer_comparison(
+    checker: Checker, node: ast.ComparisonExpression, context: Context
+) -> TypedExpression:
     """`a < b`, or a chain: each operator holds."""
     parts = [checker.infer(operand, context) for operand in node.operands]
     if any(part.is_unknown for part in parts):
@@ -66,7 +68,7 @@ def _is_whole(typed: TypedExpression) -> bool:
 def _formula(
     span: Span,
     formula: Formula,
-    evidence: Evidence | None,
+    evidence: DomainEvidence | None,
     parts: Sequence[TypedExpression],
     numbers: tuple[NumberBinding, ...],
 ) -> TypedExpression:
@@ -83,7 +85,7 @@ def _formula(
     )
 
 
-def infer_not(checker: Checker, node: ast.Not, context: Context) -> TypedExpression:
+def infer_not(checker: Checker, node: ast.NotExpression, context: Context) -> TypedExpression:
     """`not f` of a formula."""
     operand = _operand(checker, node.operand, context, "`not`")
     if operand.formula is None:
@@ -173,7 +175,7 @@ def _flag(value: Reference) -> dict[str, Any]:
 
 
 def _ends(
-    checker: Checker, interval: ast.Interval | None, context: Context
+    checker: Checker, interval: ast.IntervalExpression | None, context: Context
 ) -> tuple[TypedExpression, ...] | None:
     """The two ends of an interval, constant numbers; () where there is none."""
     if interval is None:
@@ -201,7 +203,7 @@ def _interval(
     checker: Checker,
     node: ast.Temporal | ast.Binding,
     ends: tuple[TypedExpression, ...],
-    evidence: Evidence | None,
+    evidence: DomainEvidence | None,
 ) -> Interval | TypedExpression | None:
     """The interval in the unit of the formula's domain; unknown, reported, where it is not."""
     if evidence is None:
@@ -245,7 +247,7 @@ def _in_order(checker: Checker, ends: tuple[TypedExpression, ...]) -> Interval |
 
 
 def _wrong_unit(
-    checker: Checker, wrong: Sequence[TypedExpression], evidence: Evidence
+    checker: Checker, wrong: Sequence[TypedExpression], evidence: DomainEvidence
 ) -> TypedExpression:
     from ...diagnostics import Label
 

@@ -66,13 +66,13 @@ _OPTIONS = {
 _SIDES = {"right": "-1", "left": "1"}
 
 
-def function_help(call: ast.Call, name: str) -> tuple[str, tuple[Fix, ...]] | None:
+def function_help(call: ast.CallExpression, name: str) -> tuple[str, tuple[Fix, ...]] | None:
     """Help and fix for a function of another language; None if it is not known."""
     if name not in _FUNCTIONS:
         return None
     fixes: tuple[Fix, ...] = ()
     plain = [argument for argument in call.arguments if argument.key is None]
-    numbers = all(isinstance(argument.value, ast.Number) for argument in plain)
+    numbers = all(isinstance(argument.value, ast.NumberLiteral) for argument in plain)
     if name in _RANGES and len(plain) == len(call.arguments) == 2 and numbers:
         low, high = (argument.value.span.text for argument in plain)
         return f"write `{low}..{high}`", (Fix(call.span, f"{low}..{high}"),)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, nearest
-from ...ir.values import Entries, Text, Value
+from ...ir.values import Entries, TextValue, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -48,7 +48,7 @@ def check_legend(
         else:
             if text not in schema.words:
                 complete = _is_kind(checker, verb, text, entry.value, schema) and complete
-            entries[key] = Text(text)
+            entries[key] = TextValue(text)
     if not complete:
         return None
     return TypedExpression(value.span, MappingType(), Entries(tuple(entries.items())))

@@ -61,7 +61,9 @@ def _of_nothing(
     if checker.program.incomplete:
         return unknown(member.span)
     for verb in checker.registry.shipped_first((*context.verbs, "agent", "object"), parts):
-        return of_kind(checker, ast.Call(member, (), span=member.span), verb, parts, context)
+        return of_kind(
+            checker, ast.CallExpression(member, (), span=member.span), verb, parts, context
+        )
     if context.verbs:
         find_kind(checker, context.verbs[0], parts, member.span)
         return unknown(member.span)

@@ -9,7 +9,7 @@ from ...plugins.attribution import PluginFault, attributed
 from ...plugins.kinds import Signal
 from ...stl.formula.terms import Variable
 from ..checker import Checker, ResolvedKind
-from ..types.expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
+from ..types.expression_types import DomainEvidence, Quantity, SignalType, TypedExpression, unknown
 from ..types.number_terms import call_text
 from .draws import constant_of
 from .option_binding import BoundOptions
@@ -40,7 +40,7 @@ def measured(
         span,
         SignalType(domain, dimension),
         term=Variable(text),
-        evidence=Evidence(domain, span, " ".join(span.text.split())),
+        evidence=DomainEvidence(domain, span, " ".join(span.text.split())),
         signals=(SignalBinding(text, call, dimension),),
     )
 

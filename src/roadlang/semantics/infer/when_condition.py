@@ -53,7 +53,7 @@ def _only_past(checker: Checker, expression: ast.Expression, typed: TypedExpress
     return True
 
 
-def _looks_ahead(node: ast.Node) -> bool:
+def _looks_ahead(node: ast.SyntaxNode) -> bool:
     if not isinstance(node, ast.Temporal | ast.Binding):
         return False
     operator = COMPOUNDS[node.word]

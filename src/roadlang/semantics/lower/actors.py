@@ -26,7 +26,9 @@ from ..types.expression_types import (
 )
 
 
-def lower_actor(checker: Checker, spec: StatementSpec, declaration: Declaration) -> ir.Actor | None:
+def lower_actor(
+    checker: Checker, spec: StatementSpec, declaration: Declaration
+) -> ir.ScenarioActor | None:
     """The statement, or None, reported."""
     statement = declaration.statement
     assert isinstance(statement, ast.Actor)
@@ -49,7 +51,7 @@ def lower_actor(checker: Checker, spec: StatementSpec, declaration: Declaration)
     value = with_options(checker, kind.value, kind_options)
     fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
     road = on if isinstance(on, str) else None
-    return ir.Actor(name, value, road, at.value, fraction, placement, drive, statement.span)
+    return ir.ScenarioActor(name, value, road, at.value, fraction, placement, drive, statement.span)
 
 
 def _has_count(statement: ast.Actor) -> bool:

@@ -18,7 +18,7 @@ from ..names.program import Declaration
 
 def lower_constraint(
     checker: Checker, spec: StatementSpec, declaration: Declaration
-) -> ir.Constraint | None:
+) -> ir.ScenarioConstraint | None:
     """`require` or `expect`: a formula or the call of a monitor."""
     statement = declaration.statement
     assert isinstance(statement, ast.Constraint)
@@ -44,12 +44,12 @@ def lower_constraint(
         )  # fmt: skip
         return None
     warn_if_trivial(checker, statement, typed)
-    return ir.Constraint(name, condition_of(statement.formula, typed), statement.span)
+    return ir.ScenarioConstraint(name, condition_of(statement.formula, typed), statement.span)
 
 
 def _judged(
-    checker: Checker, statement: ast.Constraint, kind: ast.Kind, context: Context
-) -> ir.Constraint | None:
+    checker: Checker, statement: ast.Constraint, kind: ast.KindName, context: Context
+) -> ir.ScenarioConstraint | None:
     found = find_kind(checker, "monitor", kind.text, kind.span)
     if found is None:
         return None
@@ -69,4 +69,6 @@ def _judged(
             help=help_,
         )
         return None
-    return None if call is None else ir.Constraint(statement.name.text, call, statement.span)
+    return (
+        None if call is None else ir.ScenarioConstraint(statement.name.text, call, statement.span)
+    )

@@ -23,11 +23,15 @@ from ..types.expression_types import DeclaredType, TypedExpression
 from .randomness import is_random
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
-_MAKERS: dict[str, Any] = {"image": ir.Image, "network": ir.Network, "road": ir.Road}
+_MAKERS: dict[str, Any] = {
+    "image": ir.ScenarioImage,
+    "network": ir.ScenarioNetwork,
+    "road": ir.ScenarioRoad,
+}
 
 
 @dataclass(frozen=True, slots=True)
-class _Source:
+class _ReadSource:
     """A source that was read; `fine` is False where it was reported."""
 
     source: ir.Source | None
@@ -36,7 +40,7 @@ class _Source:
 
 def lower_geometry(
     checker: Checker, spec: StatementSpec, declaration: Declaration
-) -> ir.Image | ir.Network | ir.Road | None:
+) -> ir.ScenarioImage | ir.ScenarioNetwork | ir.ScenarioRoad | None:
     """The statement, or None, reported."""
     statement = declaration.statement
     assert isinstance(statement, ast.Geometry)
@@ -60,7 +64,7 @@ def lower_geometry(
         return None
     if isinstance(source.source, ir.FileSource):
         checker.program.inputs.append(source.source.resolved)
-    lowered: ir.Image | ir.Network | ir.Road = _MAKERS[word](
+    lowered: ir.ScenarioImage | ir.ScenarioNetwork | ir.ScenarioRoad = _MAKERS[word](
         name, source.source, bound.values, made, statement.span
     )
     return lowered
@@ -83,35 +87,37 @@ def _spacing_is_fixed(
     return False
 
 
-def _source(checker: Checker, statement: ast.Geometry, folder: Path, context: Context) -> _Source:
+def _source(
+    checker: Checker, statement: ast.Geometry, folder: Path, context: Context
+) -> _ReadSource:
     source, word = statement.source, statement.word
     if source is None:
-        return _Source(None)
+        return _ReadSource(None)
     if isinstance(source, ast.String):
         picture = word == "image" and not _has_reader(statement)
         fault = file_fault(folder, source.value, source.span, picture=picture)
         if fault is not None:
             checker.diagnostics.append(fault)
-            return _Source(None, fine=False)
+            return _ReadSource(None, fine=False)
         resolved = os.path.join(folder, source.value)
-        return _Source(ir.FileSource(source.value, resolved))
+        return _ReadSource(ir.FileSource(source.value, resolved))
     if isinstance(source, ast.Text):
         if word == "image":
-            return _Source(ir.TextSource(source.value))
+            return _ReadSource(ir.TextSource(source.value))
         expected = _expected_source(word)
         checker.report(
             Code.WRONG_TYPE, source.span, what=f"`{word}`", expected=expected, found="a text image"
         )
-        return _Source(None, fine=False)
+        return _ReadSource(None, fine=False)
     typed = checker.infer(source, context)
     if typed.is_unknown:
-        return _Source(None, fine=False)
+        return _ReadSource(None, fine=False)
     value = typed.value
     fits = isinstance(typed.type, DeclaredType) and typed.type.role in _SOURCE_ROLES[word]
     if fits and isinstance(value, Entity):
-        return _Source(ir.NameSource(value.name, value.role))
+        return _ReadSource(ir.NameSource(value.name, value.role))
     _report_source(checker, word, typed)
-    return _Source(None, fine=False)
+    return _ReadSource(None, fine=False)
 
 
 def _report_source(checker: Checker, word: str, typed: TypedExpression) -> None:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from ...ir.contained_values import values_in
-from ...ir.values import Draw, Measure, Reference, Value
+from ...ir.values import Measure, RandomValue, Reference, Value
 from ..checker import Checker
 
 
 def is_random(checker: Checker, value: Value) -> bool:
     """Whether a value is drawn, measured, or depends on one that is."""
-    if isinstance(value, Draw | Measure):
+    if isinstance(value, RandomValue | Measure):
         return True
     if isinstance(value, Reference):
         return checker.definition(value.name).random

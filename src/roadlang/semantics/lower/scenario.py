@@ -46,12 +46,12 @@ def _lower_one(checker: Checker, declaration: PlacedStatement) -> Any:
     return spec.lower(checker, spec, declaration)
 
 
-def _header(checker: Checker) -> ir.Header:
+def _header(checker: Checker) -> ir.ScenarioHeader:
     program = checker.program
     if not program.headers:
-        return ir.Header(program.path.stem)
+        return ir.ScenarioHeader(program.path.stem)
     header = program.headers[0]
-    return ir.Header(header.name.text, header.title.value if header.title else "")
+    return ir.ScenarioHeader(header.name.text, header.title.value if header.title else "")
 
 
 def _unnamed(checker: Checker) -> dict[str, Any]:

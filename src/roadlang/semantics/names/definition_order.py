@@ -35,7 +35,7 @@ def definition_order(program: Program, *roles: str) -> list[str]:
     return order
 
 
-def definition_of(program: Program, name: str) -> ast.Node:
+def definition_of(program: Program, name: str) -> ast.SyntaxNode:
     """What a name is declared as: a value, here or from outside, or a whole statement."""
     setting = program.settings.get(name)
     if setting is not None:
@@ -44,6 +44,6 @@ def definition_of(program: Program, name: str) -> ast.Node:
     return statement.value if isinstance(statement, ast.Param | ast.Let) else statement
 
 
-def names_in(node: ast.Node) -> Iterator[str]:
+def names_in(node: ast.SyntaxNode) -> Iterator[str]:
     """The names that a part of the tree mentions, left to right."""
     return (part.text for part, _ in walk(node) if isinstance(part, ast.Name))

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from ...diagnostics import Span
 from ...syntax.tree import nodes as ast
 
-Node = TypeVar("Node", bound=ast.Node)
+Node = TypeVar("Node", bound=ast.SyntaxNode)
 
 
 @dataclass
@@ -50,7 +50,7 @@ def _rewritten(node: Any, space: Namespace, unknown: Unknown) -> Any:
         return _member(node, space, unknown)
     if isinstance(node, tuple):
         return tuple(_rewritten(item, space, unknown) for item in node)
-    if not isinstance(node, ast.Node) or isinstance(node, ast.Word | ast.Kind):
+    if not isinstance(node, ast.SyntaxNode) or isinstance(node, ast.Word | ast.KindName):
         return node
     changes = {
         name: after
@@ -60,7 +60,7 @@ def _rewritten(node: Any, space: Namespace, unknown: Unknown) -> Any:
     return replace(node, **changes) if changes else node
 
 
-def _fields(node: ast.Node) -> Iterable[tuple[str, Any]]:
+def _fields(node: ast.SyntaxNode) -> Iterable[tuple[str, Any]]:
     return ((item.name, getattr(node, item.name)) for item in fields(node) if item.name != "span")
 
 

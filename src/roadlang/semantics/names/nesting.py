@@ -11,7 +11,13 @@ from .program import Program
 MOST_LEVELS = 200
 """Later passes go through values by recursion, several frames a level, within Python's limit."""
 
-_FOLDED = (ast.Number, ast.Name, ast.Negate, ast.Arithmetic, ast.Group)
+_FOLDED = (
+    ast.NumberLiteral,
+    ast.Name,
+    ast.NegateExpression,
+    ast.ArithmeticExpression,
+    ast.GroupExpression,
+)
 """What is computed when it is checked, if it names nothing else: it is not nested afterwards."""
 
 

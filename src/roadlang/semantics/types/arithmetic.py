@@ -10,13 +10,13 @@ from typing import Any
 
 from ...diagnostics import Code, Label, Span
 from ...ir.dimension import PURE, Dimension
-from ...ir.values import Constant, NumberBinding, Operation, Value
+from ...ir.values import ConstantValue, NumberBinding, Operation, Value
 from ...stl.evaluate.interval_arithmetic import arithmetic, of_function
 from ...stl.formula import terms as t
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from .dimensions import common_dimension, dimension_of
-from .expression_types import Evidence, Quantity, SignalType, TypedExpression, unknown
+from .expression_types import DomainEvidence, Quantity, SignalType, TypedExpression, unknown
 from .number_terms import distinct, term_of
 
 _OPERATIONS = {"+": ops.add, "-": ops.sub, "*": ops.mul, "/": ops.truediv, "^": ops.pow}
@@ -29,7 +29,7 @@ def signal_negation(operand: TypedExpression, span: Span) -> TypedExpression:
 
 
 def signal_arithmetic(
-    checker: Checker, node: ast.Arithmetic, left: TypedExpression, right: TypedExpression
+    checker: Checker, node: ast.ArithmeticExpression, left: TypedExpression, right: TypedExpression
 ) -> TypedExpression:
     """`left operator right` of two numbers, or with a signal on at least one side."""
     dimension = _dimension(checker, node, left, right)
@@ -51,13 +51,13 @@ def signal_arithmetic(
         return unknown(node.span)
     random = left.random or right.random
     bounds = arithmetic(node.operator, left.bounds, right.bounds)
-    if isinstance(value, Constant):
+    if isinstance(value, ConstantValue):
         bounds = (value.value, value.value)
     return TypedExpression(node.span, kind, value, random=random, bounds=bounds)
 
 
 def _dimension(
-    checker: Checker, node: ast.Arithmetic, left: TypedExpression, right: TypedExpression
+    checker: Checker, node: ast.ArithmeticExpression, left: TypedExpression, right: TypedExpression
 ) -> Dimension | None:
     if node.operator in "+-":
         return common_dimension(checker, (left, right), "added" if node.operator == "+" else
@@ -87,7 +87,7 @@ def _dimension(
 
 def _folded(
     checker: Checker,
-    node: ast.Arithmetic,
+    node: ast.ArithmeticExpression,
     left: TypedExpression,
     right: TypedExpression,
     dimension: Dimension,
@@ -95,13 +95,13 @@ def _folded(
     a, b = left.value, right.value
     assert a is not None
     assert b is not None
-    if not (isinstance(a, Constant) and isinstance(b, Constant)):
+    if not (isinstance(a, ConstantValue) and isinstance(b, ConstantValue)):
         return Operation(node.operator, (a, b))
     number = _computed(node.operator, a.value, b.value)
     if number is None:
         checker.report(Code.NOT_FINITE, node.span, what="this")
         return None
-    return Constant(number, dimension)
+    return ConstantValue(number, dimension)
 
 
 def _computed(operator: str, a: float, b: float) -> float | None:
@@ -117,7 +117,7 @@ def _computed(operator: str, a: float, b: float) -> float | None:
 
 def _of_signals(
     checker: Checker,
-    node: ast.Arithmetic,
+    node: ast.ArithmeticExpression,
     sides: tuple[TypedExpression, TypedExpression],
     dimension: Dimension,
 ) -> TypedExpression:
@@ -158,12 +158,12 @@ def _constant(value: float) -> Any:
 
 def common_domain(
     checker: Checker, parts: Sequence[TypedExpression]
-) -> Evidence | TypedExpression | None:
+) -> DomainEvidence | TypedExpression | None:
     """The domain that signals and formulas share; None where all are numbers.
 
     Unknown, reported with both places, where a road signal meets a drive signal.
     """
-    found: Evidence | None = None
+    found: DomainEvidence | None = None
     for part in parts:
         if part.evidence is None:
             continue
@@ -179,11 +179,11 @@ def common_domain(
     return found
 
 
-def _domain(evidence: Evidence) -> str:
+def _domain(evidence: DomainEvidence) -> str:
     return "the road" if evidence.domain == "road" else "the drive"
 
 
-def _what(evidence: Evidence) -> str:
+def _what(evidence: DomainEvidence) -> str:
     return f"a signal over {_domain(evidence)}"
 
 
@@ -196,7 +196,7 @@ def of_functions(
     constants = [argument.constant for argument in arguments]
     value: Value = Operation(name, values)
     if all(constant is not None for constant in constants):
-        value = Constant(bounds[0], dimension)
+        value = ConstantValue(bounds[0], dimension)
     random = any(argument.random for argument in arguments)
     kind = Quantity(dimension)
     return TypedExpression(span, kind, value, random=random, bounds=bounds)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...diagnostics import Code, Fix, nearest
-from ...ir.values import Items, Reference, Text, Value
+from ...ir.values import Items, Reference, TextValue, Value
 from ...plugins import option_types as opt
 from ...plugins.options import Constraints, OptionSchema
 from ..checker import Checker
@@ -238,7 +238,7 @@ def _word(
     if not wrong:
         return typed
     words = ", ".join(f"`{word}`" for word in limits.words)
-    places = [item.span for item in typed.items if item.value == Text(wrong[0])]
+    places = [item.span for item in typed.items if item.value == TextValue(wrong[0])]
     place = places[0] if places else typed.span
     is_written = place.text.strip('"') == wrong[0]
     meant = nearest(wrong[0], limits.words) if is_written else None
@@ -252,7 +252,7 @@ def _names(
     checker: Checker, typed: TypedExpression, expected: opt.NamesType, what: str
 ) -> TypedExpression | None:
     if _matches(typed, expected) and isinstance(typed.type, ty.ConstraintType):
-        return replace(typed, value=Items((Text(typed.span.text),)))
+        return replace(typed, value=Items((TextValue(typed.span.text),)))
     if not isinstance(typed.type, ty.SequenceType):
         return _mismatch(checker, typed, expected, Constraints(), what)
     for item in typed.items:
@@ -260,7 +260,7 @@ def _names(
             if not item.is_unknown:
                 _mismatch(checker, item, expected, Constraints(), what)
             return None
-    names = (Text(item.span.text) for item in typed.items)
+    names = (TextValue(item.span.text) for item in typed.items)
     return replace(typed, value=Items(tuple(names)))
 
 

@@ -9,7 +9,7 @@ from functools import cache
 from ...diagnostics import Code, Fix, Label, nearest
 from ...ir.dimension import ANGLE, Dimension
 from ...ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
-from ...ir.values import Constant
+from ...ir.values import ConstantValue
 from ...plugins.options import Constraints
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -26,7 +26,7 @@ _MEANT = {
 }  # fmt: skip
 
 
-def infer_number(checker: Checker, number: ast.Number, context: Context) -> TypedExpression:
+def infer_number(checker: Checker, number: ast.NumberLiteral, context: Context) -> TypedExpression:
     """`8m`: the quantity in SI units."""
     value = float(number.digits)
     if not number.unit:
@@ -34,7 +34,7 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
             return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}`")
         whole = value.is_integer()
         kind = Quantity(fits_any=value == 0, bare=True, whole=whole)
-        return TypedExpression(number.span, kind, Constant(value), bounds=(value, value))
+        return TypedExpression(number.span, kind, ConstantValue(value), bounds=(value, value))
     unit = _unit(checker, number)
     if unit is None:
         return unknown(number.span)
@@ -45,11 +45,11 @@ def infer_number(checker: Checker, number: ast.Number, context: Context) -> Type
         return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}{number.unit}`")
     kind = Quantity(unit.dimension, whole=unit.dimension.is_pure and value.is_integer())
     return TypedExpression(
-        number.span, kind, Constant(value, unit.dimension), bounds=(value, value)
+        number.span, kind, ConstantValue(value, unit.dimension), bounds=(value, value)
     )
 
 
-def _unit(checker: Checker, number: ast.Number) -> Unit | None:
+def _unit(checker: Checker, number: ast.NumberLiteral) -> Unit | None:
     try:
         return _parse(number.unit)
     except TwoSlashes:
@@ -66,7 +66,7 @@ def _unit(checker: Checker, number: ast.Number) -> Unit | None:
     return None
 
 
-def _report_unknown_unit(checker: Checker, number: ast.Number, word: str) -> None:
+def _report_unknown_unit(checker: Checker, number: ast.NumberLiteral, word: str) -> None:
     # `5mtr` looks like `m` and `tr` to a matcher of strings; people mean what they spell out.
     meant = _MEANT.get(word.lower()) or nearest(word, UNITS)
     if meant is None:

@@ -146,7 +146,7 @@ Type: TypeAlias = (
 
 
 @dataclass(frozen=True, slots=True)
-class Evidence:
+class DomainEvidence:
     """Which domain an expression has, and the place that says so."""
 
     domain: str
@@ -170,7 +170,7 @@ class TypedExpression:
     bounds: Bounds = UNKNOWN
     term: Term | None = None
     formula: Formula | None = None
-    evidence: Evidence | None = None
+    evidence: DomainEvidence | None = None
     signals: tuple[SignalBinding, ...] = ()
     numbers: tuple[NumberBinding, ...] = ()
     items: tuple[TypedExpression, ...] = ()

@@ -6,8 +6,7 @@ from collections.abc import Iterable
 from typing import TypeVar
 
 from ...ir.values import (
-    Constant,
-    Draw,
+    ConstantValue,
     Entity,
     Entries,
     Flag,
@@ -16,9 +15,10 @@ from ...ir.values import (
     NumberBinding,
     Operation,
     PassCall,
+    RandomValue,
     Reference,
     SignalBinding,
-    Text,
+    TextValue,
     Value,
 )
 from ...stl.formula import terms as t
@@ -28,7 +28,7 @@ B = TypeVar("B", SignalBinding, NumberBinding)
 
 def term_of(value: Value) -> tuple[t.Term, tuple[NumberBinding, ...]]:
     """The term of a number, with a variable for each thing in it that a scene decides."""
-    if isinstance(value, Constant):
+    if isinstance(value, ConstantValue):
         return t.Constant(value.value), ()
     if not isinstance(value, Operation):
         variable = text_of(value)
@@ -54,13 +54,13 @@ def distinct(bindings: Iterable[B]) -> tuple[B, ...]:
 def text_of(value: Value | None) -> str:
     """A value as the language writes it, in SI units; it names variables of formulas."""
     match value:
-        case Constant(number, dimension):
+        case ConstantValue(number, dimension):
             return f"{number:.12g}{_glued(dimension.unit)}"
         case Flag(flag):
             return "true" if flag else "false"
-        case Text(text) | Reference(text) | Entity(text, _):
+        case TextValue(text) | Reference(text) | Entity(text, _):
             return text
-        case Draw(place=place):
+        case RandomValue(place=place):
             return place
         case Measure(call):
             return call.place

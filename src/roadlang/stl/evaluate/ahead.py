@@ -7,11 +7,11 @@ import math
 import numpy as np
 
 from ..formula import formulas as f
-from .axis import TOLERANCE, Axis
+from .axis import TOLERANCE, SamplePositions
 from .trace import FloatArray
 
 
-def extended_axis(formula: f.Formula, positions: FloatArray) -> Axis:
+def extended_axis(formula: f.Formula, positions: FloatArray) -> SamplePositions:
     """The samples seen and stand-ins for all later ones that `formula` can tell from each other.
 
     To a formula that looks back from seen samples only, every later sample is like the other:
@@ -25,7 +25,9 @@ def extended_axis(formula: f.Formula, positions: FloatArray) -> Axis:
     borders = np.concatenate([[last], marks, [math.inf]])
     lows = np.insert(borders[:-1] + slack, np.arange(1, borders.size - 1), marks)
     highs = np.insert(borders[1:] - slack, np.arange(0, borders.size - 2) + 1, marks)
-    return Axis(np.concatenate([positions, lows]), None, np.concatenate([positions, highs]))
+    return SamplePositions(
+        np.concatenate([positions, lows]), None, np.concatenate([positions, highs])
+    )
 
 
 def _looks_back_from_later(formula: f.Formula, later: bool) -> bool:

@@ -65,7 +65,7 @@ class Windows:
 
 
 @dataclass(frozen=True)
-class Axis:
+class SamplePositions:
     """The samples of a trace: `positions` (S,), and the length of the road if it is closed.
 
     `ends` (S,) differs from `positions` for stand-ins only (`ahead.py`): such a sample is anywhere

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..formula import formulas as f
-from .axis import Axis
-from .graph import Graph
+from .axis import SamplePositions
+from .graph import FormulaGraph
 from .operations import BOOLEAN, ROBUST, Function
 from .schedule import Plan
-from .trace import FloatArray, InfiniteSignal, Positions, Signals, Trace
+from .trace import FloatArray, InfiniteSignal, Positions, SampledSignals, Signals
 
 Result = TypeVar("Result")
 
@@ -26,7 +26,7 @@ def rho(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> FloatArray:
     """Robustness at the first sample: (V,), or a scalar where no signal has a variant axis."""
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     values = at_start(formula, trace, ROBUST)
     return values if trace.batched else values[0]
 
@@ -35,7 +35,7 @@ def robustness(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> FloatArray:
     """Robustness at every sample: (V, S), or (S,) where no signal has a variant axis."""
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     values = everywhere(formula, trace, ROBUST)
     return values if trace.batched else values[0]
 
@@ -44,7 +44,7 @@ def satisfied(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> NDArray[np.bool_]:
     """Boolean satisfaction at the first sample, strictness observed: (V,) or a scalar."""
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     values = at_start(formula, trace, BOOLEAN) > 0
     return values if trace.batched else values[0]
 
@@ -53,13 +53,13 @@ def truth(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> NDArray[np.bool_]:
     """Boolean satisfaction at every sample: (V, S) or (S,)."""
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     values = everywhere(formula, trace, BOOLEAN) > 0
     return values if trace.batched else values[0]
 
 
 def at_start(
-    formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
+    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at the first sample of each variant, (V,)."""
     positions, boolean = trace.positions.tobytes(), leaves is BOOLEAN
@@ -86,16 +86,16 @@ def _plan_at_start(
     formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
 ) -> Plan:
     """Kept, as batch after batch of candidates is evaluated on the same stations."""
-    axis = Axis(np.frombuffer(positions), wrap)
-    return Plan.of(Graph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0))
+    axis = SamplePositions(np.frombuffer(positions), wrap)
+    return Plan.of(FormulaGraph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0))
 
 
-def run_at_start(graph: Graph, trace: Trace, axis: Axis) -> FloatArray:
+def run_at_start(graph: FormulaGraph, trace: SampledSignals, axis: SamplePositions) -> FloatArray:
     """The last node of `graph` at the first sample of each variant, (V,)."""
     return _run(Plan.of(graph, axis, (0, 0)), trace)
 
 
-def _run(plan: Plan, trace: Trace) -> FloatArray:
+def _run(plan: Plan, trace: SampledSignals) -> FloatArray:
     result = np.empty(trace.variants)
     for first, last in _chunks(trace, plan):
         result[first:last] = plan.run(trace, first, last)[0]
@@ -103,13 +103,13 @@ def _run(plan: Plan, trace: Trace) -> FloatArray:
 
 
 def everywhere(
-    formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
+    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at every sample of each variant, (V, S)."""
-    axis = Axis(trace.positions, trace.wrap)
+    axis = SamplePositions(trace.positions, trace.wrap)
 
     def value(infinite: bool) -> FloatArray:
-        plan = Plan.of(Graph.of(formula, leaves, infinite), axis, (0, trace.samples - 1))
+        plan = Plan.of(FormulaGraph.of(formula, leaves, infinite), axis, (0, trace.samples - 1))
         result = np.empty((trace.variants, trace.samples))
         for first, last in _chunks(trace, plan):
             result[first:last] = plan.run(trace, first, last).T
@@ -118,7 +118,7 @@ def everywhere(
     return finite_first(value)
 
 
-def _chunks(trace: Trace, plan: Plan) -> Iterator[tuple[int, int]]:
+def _chunks(trace: SampledSignals, plan: Plan) -> Iterator[tuple[int, int]]:
     """Ranges of variants that are evaluated together."""
     _keep_freed_memory()
     size = CHUNK_SAMPLES if plan.time_major else 2 * CHUNK_SAMPLES

@@ -17,9 +17,9 @@ from .operations import (
     ROBUST,
     TERM_FUNCTIONS,
     Function,
-    Number,
+    NumberOperation,
     Operation,
-    Pointwise,
+    PointwiseOperation,
     Reaching,
     Read,
     Sliding,
@@ -44,14 +44,14 @@ def can_be_infinite(formula: f.Formula) -> bool:
 
 
 @dataclass(frozen=True)
-class Node:
+class FormulaNode:
     """An operation and the indices of the nodes that feed it; all of them come before it."""
 
     operation: Operation
     inputs: tuple[int, ...]
 
 
-class Graph:
+class FormulaGraph:
     """Nodes in an order in which they can be computed. `leaves` gives comparisons their value.
 
     `infinite`: numbers can be infinite, in terms or in signals; of a graph without, signals that
@@ -61,8 +61,8 @@ class Graph:
     def __init__(self, leaves: Mapping[str, Function] = ROBUST, infinite: bool = False) -> None:
         self.leaves = leaves
         self.infinite = infinite
-        self.nodes: list[Node] = []
-        self._indices: dict[Node, int] = {}
+        self.nodes: list[FormulaNode] = []
+        self._indices: dict[FormulaNode, int] = {}
 
     @classmethod
     def of(
@@ -70,7 +70,7 @@ class Graph:
         formula: f.Formula,
         leaves: Mapping[str, Function] = ROBUST,
         infinite_signals: bool = False,
-    ) -> Graph:
+    ) -> FormulaGraph:
         """The graph of a formula; its last node is the formula itself."""
         graph = cls(leaves, infinite_signals or can_be_infinite(formula))
         graph.formula(normal_form(formula))
@@ -78,7 +78,7 @@ class Graph:
 
     def add(self, operation: Operation, *inputs: int) -> int:
         """The index of this node, made only if there is none like it."""
-        node = Node(operation, inputs)
+        node = FormulaNode(operation, inputs)
         if node not in self._indices:
             self._indices[node] = len(self.nodes)
             self.nodes.append(node)
@@ -88,37 +88,39 @@ class Graph:
         """Add a term and what it is made of."""
         match term:
             case t.Constant(value):
-                return self.add(Number(value))
+                return self.add(NumberOperation(value))
             case t.Variable(name):
                 return self.add(Read(name))
         parts = [self.term(part) for part in term.parts]
         if isinstance(term, t.Negate):
-            return self.add(Pointwise(negative), *parts)
+            return self.add(PointwiseOperation(negative), *parts)
         if isinstance(term, t.Arithmetic):
             return self.add(self._pointwise(TERM_FUNCTIONS[term.op]), *parts)
         if isinstance(term, t.Apply):
-            return self.add(Pointwise(TERM_FUNCTIONS[term.function]), *parts)
+            return self.add(PointwiseOperation(TERM_FUNCTIONS[term.function]), *parts)
         raise TypeError(f"not a term: {term!r}")
 
-    def _pointwise(self, function: Function) -> Pointwise:
-        return Pointwise(OF_INFINITIES.get(function, function) if self.infinite else function)
+    def _pointwise(self, function: Function) -> PointwiseOperation:
+        return PointwiseOperation(
+            OF_INFINITIES.get(function, function) if self.infinite else function
+        )
 
     def formula(self, formula: f.Formula) -> int:
         """Add a formula in normal form and what it is made of."""
         match formula:
             case f.Truth(value):
-                return self.add(Number(np.inf if value else -np.inf))
+                return self.add(NumberOperation(np.inf if value else -np.inf))
             case f.Comparison(op, left, right):
                 leaf = self._pointwise(self.leaves[op])
                 return self.add(leaf, self.term(left), self.term(right))
         parts = [self.formula(part) for part in formula.parts]
         match formula:
             case f.Not():
-                return self.add(Pointwise(negative), *parts)
+                return self.add(PointwiseOperation(negative), *parts)
             case f.Junction():
                 if not parts:
                     return self.formula(f.Truth(formula.least))
-                return self.add(Pointwise(least if formula.least else greatest), *parts)
+                return self.add(PointwiseOperation(least if formula.least else greatest), *parts)
             case f.UnaryTemporal(interval):
                 extreme = LEAST if formula.least else GREATEST
                 return self.add(Sliding(extreme, interval, formula.past), *parts)

@@ -12,13 +12,13 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon
 from .ranges import range_at_start
-from .trace import Trace
+from .trace import SampledSignals
 from .verdicts import Verdict, decided
 
 _SETTLED_AT_ONCE = 64
 
 
-class Monitor:
+class OnlineMonitor:
     """Watches the robustness of one formula at the first sample of a growing trace.
 
     For `always p` and `eventually p` without bounds, samples that can no longer change `p` are
@@ -44,7 +44,7 @@ class Monitor:
         if self._positions and not position > self._positions[-1]:
             pair = f"{self._positions[-1]:g} is followed by {position:g}"
             raise stl_error(Code.INVALID_POSITIONS, problem=pair)
-        Trace.of([position], values, self._names).check()
+        SampledSignals.of([position], values, self._names).check()
         self._positions.append(float(position))
         for name in self._names:
             self._values[name].append(float(values[name]))
@@ -67,7 +67,7 @@ class Monitor:
         if self._foldable:
             self._fold(trace)
 
-    def _fold(self, trace: Trace) -> None:
+    def _fold(self, trace: SampledSignals) -> None:
         """Settle the samples whose windows have ended, many at a time."""
         assert isinstance(self.formula, f.UnaryTemporal)
         body = self.formula.operand
@@ -87,9 +87,9 @@ class Monitor:
         for column in self._values.values():
             del column[:settled]
 
-    def _trace(self) -> Trace:
+    def _trace(self) -> SampledSignals:
         signals = {name: np.asarray(values) for name, values in self._values.items()}
-        return Trace.of(self._positions, signals, self._names)
+        return SampledSignals.of(self._positions, signals, self._names)
 
 
 def _is_foldable(formula: f.Formula) -> bool:

@@ -26,14 +26,14 @@ class Read:
 
 
 @dataclass(frozen=True)
-class Number:
+class NumberOperation:
     """The same value at every sample."""
 
     value: float
 
 
 @dataclass(frozen=True)
-class Pointwise:
+class PointwiseOperation:
     """`function` of the inputs, sample by sample."""
 
     function: Function
@@ -78,7 +78,9 @@ class AtUnseen:
     function: Function
 
 
-Operation: TypeAlias = Read | Number | Given | Pointwise | Sliding | Reaching | Extend | AtUnseen
+Operation: TypeAlias = (
+    Read | NumberOperation | Given | PointwiseOperation | Sliding | Reaching | Extend | AtUnseen
+)
 
 
 def least(*values: FloatArray) -> FloatArray:

@@ -17,9 +17,9 @@ from ..formula import formulas as f
 from ..formula.normal_form import normal_form
 from ..formula.strengthening import strengthened
 from .ahead import extended_axis
-from .axis import Axis
+from .axis import SamplePositions
 from .evaluation import finite_first, run_at_start
-from .graph import Graph, can_be_infinite
+from .graph import FormulaGraph, can_be_infinite
 from .kernels import GREATEST, LEAST
 from .operations import (
     BOOLEAN,
@@ -28,8 +28,8 @@ from .operations import (
     Extend,
     Function,
     Given,
-    Number,
-    Pointwise,
+    NumberOperation,
+    PointwiseOperation,
     Reaching,
     Sliding,
     greatest,
@@ -37,26 +37,26 @@ from .operations import (
     negative,
 )
 from .static_truth import static_truth
-from .trace import FloatArray, Trace
+from .trace import FloatArray, SampledSignals
 from .unseen import unseen_range
 
 Side: TypeAlias = Literal["lower", "upper"]
 
 
 def range_at_start(
-    formula: f.Formula, trace: Trace, leaves: Mapping[str, Function] = ROBUST
+    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
 ) -> tuple[FloatArray, FloatArray]:
     """(lo, hi) at the first sample of each variant, each (V,)."""
     return finite_first(lambda infinite: _range_at_start(formula, trace, leaves, infinite))
 
 
 def _range_at_start(
-    formula: f.Formula, trace: Trace, leaves: Mapping[str, Function], infinite: bool
+    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function], infinite: bool
 ) -> tuple[FloatArray, FloatArray]:
     plain = normal_form(formula)
     if trace.wrap is not None or not plain.looks_ahead:
-        graph = Graph.of(formula, leaves, infinite)
-        exact = run_at_start(graph, trace, Axis(trace.positions, trace.wrap))
+        graph = FormulaGraph.of(formula, leaves, infinite)
+        exact = run_at_start(graph, trace, SamplePositions(trace.positions, trace.wrap))
         return exact, exact
     infinite = infinite or can_be_infinite(formula)
     lower, upper = BoundGraph(trace, leaves, infinite), BoundGraph(trace, leaves, infinite)
@@ -67,16 +67,20 @@ def _range_at_start(
     )
 
 
-def _bound_at_start(formula: f.Formula, trace: Trace, side: Side, graph: BoundGraph) -> FloatArray:
+def _bound_at_start(
+    formula: f.Formula, trace: SampledSignals, side: Side, graph: BoundGraph
+) -> FloatArray:
     graph.bound(formula, side, False)
     extended = replace(trace, signals={**trace.signals, **graph.supplied})
     return run_at_start(graph, extended, extended_axis(formula, trace.positions))
 
 
-class BoundGraph(Graph):
+class BoundGraph(FormulaGraph):
     """The graph of one end of the range. `given` is what unseen samples are worth."""
 
-    def __init__(self, trace: Trace, leaves: Mapping[str, Function], infinite: bool) -> None:
+    def __init__(
+        self, trace: SampledSignals, leaves: Mapping[str, Function], infinite: bool
+    ) -> None:
         super().__init__(leaves, infinite)
         self.seen = trace.samples
         self.supplied: dict[str, FloatArray] = {}
@@ -93,12 +97,16 @@ class BoundGraph(Graph):
         match formula:
             case f.Not(operand):
                 other: Side = "upper" if side == "lower" else "lower"
-                return self.add(Pointwise(negative), self.bound(operand, other, later))
+                return self.add(PointwiseOperation(negative), self.bound(operand, other, later))
             case f.Junction(operands):
                 function = least if formula.least else greatest
                 parts = _state_parts_together(type(formula), operands)
                 bounds = [self.bound(part, side, later) for part in parts]
-                return bounds[0] if len(bounds) == 1 else self.add(Pointwise(function), *bounds)
+                return (
+                    bounds[0]
+                    if len(bounds) == 1
+                    else self.add(PointwiseOperation(function), *bounds)
+                )
             case f.BinaryTemporal():
                 return self._reach(formula, side, later)
             case f.UnaryTemporal():
@@ -142,7 +150,7 @@ class BoundGraph(Graph):
         return result
 
     def _extended(self, seen: int, unseen: float) -> int:
-        return self.add(Extend(self.seen), seen, self.add(Number(unseen)))
+        return self.add(Extend(self.seen), seen, self.add(NumberOperation(unseen)))
 
     def _unseen(self, formula: f.Formula, side: Side) -> int:
         lowest, highest = unseen_range(formula, self._constants)

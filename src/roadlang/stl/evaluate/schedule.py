@@ -6,20 +6,29 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .axis import Axis, Windows
-from .graph import Graph, Node
+from .axis import SamplePositions, Windows
+from .graph import FormulaGraph, FormulaNode
 from .kernels import slide, until
-from .operations import AtUnseen, Extend, Given, Number, Pointwise, Reaching, Read, Sliding
-from .trace import FloatArray, Trace
+from .operations import (
+    AtUnseen,
+    Extend,
+    Given,
+    NumberOperation,
+    PointwiseOperation,
+    Reaching,
+    Read,
+    Sliding,
+)
+from .trace import FloatArray, SampledSignals
 
 Span = tuple[int, int]
 
 
 @dataclass(frozen=True)
-class Step:
+class ScheduledStep:
     """One node over the samples `span`; `needs` is, per input, the samples that it reads of it."""
 
-    node: Node
+    node: FormulaNode
     span: Span
     needs: tuple[Span | None, ...]
     windows: Windows | None = None
@@ -34,16 +43,16 @@ class Plan:
     `infinite`: signals can be infinite.
     """
 
-    steps: tuple[Step | None, ...]
+    steps: tuple[ScheduledStep | None, ...]
     spent: tuple[tuple[int, ...], ...]
     time_major: bool
     infinite: bool = False
 
     @classmethod
-    def of(cls, graph: Graph, axis: Axis, targets: Span) -> Plan:
+    def of(cls, graph: FormulaGraph, axis: SamplePositions, targets: Span) -> Plan:
         """Schedule the last node of `graph` over the samples `targets` (first, last)."""
         needed: dict[int, Span] = {len(graph.nodes) - 1: targets}
-        steps: list[Step | None] = [None] * len(graph.nodes)
+        steps: list[ScheduledStep | None] = [None] * len(graph.nodes)
         for index in range(len(graph.nodes) - 1, -1, -1):
             if index not in needed:
                 continue
@@ -63,7 +72,7 @@ class Plan:
         """The most samples that any node is computed at."""
         return max(step.span[1] - step.span[0] + 1 for step in self.steps if step is not None)
 
-    def run(self, trace: Trace, first: int, last: int) -> FloatArray:
+    def run(self, trace: SampledSignals, first: int, last: int) -> FloatArray:
         """The result for variants first..last-1, shape (targets, rows).
 
         Raises `InfiniteSignal` where a signal is infinite and the plan is not for such.
@@ -79,14 +88,14 @@ class Plan:
 
     def _compute(
         self,
-        step: Step,
+        step: ScheduledStep,
         values: list[FloatArray | None],
-        trace: Trace,
+        trace: SampledSignals,
         first: int,
         last: int,
     ) -> FloatArray:
         match step.node.operation:
-            case Number(value):
+            case NumberOperation(value):
                 return np.full((1, 1), value)
             case Given(name):
                 return trace.given(name, first, last)
@@ -111,11 +120,11 @@ class Plan:
         return value[need[0] - step.span[0] : need[1] - step.span[0] + 1]
 
 
-def _derived(step: Step, inputs: list[FloatArray]) -> FloatArray:
+def _derived(step: ScheduledStep, inputs: list[FloatArray]) -> FloatArray:
     """What a node computes from the samples of its inputs that it needs."""
     windows = step.windows
     match step.node.operation:
-        case Pointwise(function):
+        case PointwiseOperation(function):
             return function(*inputs)
         case Sliding(extreme):
             if windows is None:
@@ -147,18 +156,18 @@ def _derived(step: Step, inputs: list[FloatArray]) -> FloatArray:
     raise TypeError(f"not an operation: {step.node.operation!r}")
 
 
-def _step(node: Node, axis: Axis, targets: Span) -> Step:
+def _step(node: FormulaNode, axis: SamplePositions, targets: Span) -> ScheduledStep:
     match node.operation:
         case Sliding(_, interval, past) | Reaching(interval, past):
             path = isinstance(node.operation, Reaching)
             windows = axis.windows(interval, targets, past=past, path=path)
             span = None if windows is None else windows.span
-            return Step(node, targets, (span,) * len(node.inputs), windows)
+            return ScheduledStep(node, targets, (span,) * len(node.inputs), windows)
         case Extend(seen):
-            return Step(node, targets, (_before(targets, seen), _behind(targets, seen)))
+            return ScheduledStep(node, targets, (_before(targets, seen), _behind(targets, seen)))
         case AtUnseen(seen):
-            return Step(node, targets, (targets, _behind(targets, seen)))
-    return Step(node, targets, (targets,) * len(node.inputs))
+            return ScheduledStep(node, targets, (targets, _behind(targets, seen)))
+    return ScheduledStep(node, targets, (targets,) * len(node.inputs))
 
 
 def _before(span: Span, seen: int) -> Span | None:
@@ -169,7 +178,7 @@ def _behind(span: Span, seen: int) -> Span | None:
     return (max(span[0], seen), span[1]) if span[1] >= seen else None
 
 
-def _spent(graph: Graph) -> tuple[tuple[int, ...], ...]:
+def _spent(graph: FormulaGraph) -> tuple[tuple[int, ...], ...]:
     last_use = {source: k for k, node in enumerate(graph.nodes) for source in node.inputs}
     spent: list[list[int]] = [[] for _ in graph.nodes]
     for source, index in last_use.items():

@@ -18,12 +18,12 @@ from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from . import operations as o
-from .axis import Axis, IntArray, Windows
+from .axis import IntArray, SamplePositions, Windows
 from .evaluation import finite_first
-from .graph import Graph
+from .graph import FormulaGraph
 from .kernels import LEAST
-from .schedule import Plan, Step
-from .trace import FloatArray, Positions, Signals, Trace
+from .schedule import Plan, ScheduledStep
+from .trace import FloatArray, Positions, SampledSignals, Signals
 
 Backward = Callable[[FloatArray], tuple[FloatArray, ...]]
 """From the gradient by a node to the gradients by its inputs."""
@@ -49,7 +49,7 @@ def smooth_rho(
     Gradients have shape (S,), or (1,) for a signal that is one number. Raises DiagnosticError as
     `rho` does, RL303 for a batch, and RL343 for terms without a derivative rule (`^`).
     """
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     if trace.batched:
         shape = "has a variant axis"
         raise stl_error(
@@ -60,8 +60,10 @@ def smooth_rho(
         )
 
     def value(infinite: bool) -> Smooth:
-        graph = Graph.of(formula, infinite_signals=infinite)
-        return _Tape(trace, sharpness).run(Plan.of(graph, Axis(trace.positions, wrap), (0, 0)))
+        graph = FormulaGraph.of(formula, infinite_signals=infinite)
+        return _Tape(trace, sharpness).run(
+            Plan.of(graph, SamplePositions(trace.positions, wrap), (0, 0))
+        )
 
     return finite_first(value)
 
@@ -70,7 +72,7 @@ def smooth_rho(
 class _Tape:
     """Computes a plan forward and remembers how to go back."""
 
-    trace: Trace
+    trace: SampledSignals
     sharpness: float
 
     def run(self, plan: Plan) -> Smooth:
@@ -95,7 +97,7 @@ class _Tape:
                     _add(gradients[source], plan.steps[source], need, part)
         return Smooth(float(values[-1][0]), by_name)
 
-    def _placed(self, step: Step, gradient: FloatArray) -> FloatArray:
+    def _placed(self, step: ScheduledStep, gradient: FloatArray) -> FloatArray:
         assert isinstance(step.node.operation, o.Read)
         samples = self.trace.signals[step.node.operation.name].shape[1]
         placed = np.zeros(samples)
@@ -104,10 +106,10 @@ class _Tape:
         return placed
 
     def _forward(
-        self, plan: Plan, step: Step, values: list[FloatArray]
+        self, plan: Plan, step: ScheduledStep, values: list[FloatArray]
     ) -> tuple[FloatArray, Backward | None]:
         match step.node.operation:
-            case o.Number(value):
+            case o.NumberOperation(value):
                 return np.full(1, value), None
             case o.Read(name):
                 read = self.trace.rows if plan.infinite else self.trace.finite_rows
@@ -123,7 +125,7 @@ class _Tape:
             whole = values[source]
             inputs.append(whole if whole.size == 1 else whole[start : start + _length(need)])
         match step.node.operation:
-            case o.Pointwise(function):
+            case o.PointwiseOperation(function):
                 return self._pointwise(function, inputs)
             case o.Sliding(extreme):
                 if step.windows is None:
@@ -229,7 +231,7 @@ def _gathered(windows: Windows, starts: IntArray) -> tuple[IntArray, NDArray[np.
 
 
 def _add(
-    target: FloatArray, step: Step | None, need: tuple[int, int] | None, part: FloatArray
+    target: FloatArray, step: ScheduledStep | None, need: tuple[int, int] | None, part: FloatArray
 ) -> None:
     """Add a gradient to the samples of the node that it is about."""
     if step is None or need is None:

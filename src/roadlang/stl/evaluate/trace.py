@@ -22,7 +22,7 @@ class InfiniteSignal(Exception):
 
 
 @dataclass(frozen=True)
-class Trace:
+class SampledSignals:
     """`positions` (S,), strictly increasing; each signal (r, n), r in {1, V}, n in {1, S}.
 
     `batched` is False when no signal had two dimensions, whether the formula reads it or not;
@@ -45,7 +45,7 @@ class Trace:
         signals: Signals,
         names: Iterable[str],
         wrap: float | None = None,
-    ) -> Trace:
+    ) -> SampledSignals:
         """Check the signals called `names`. Raises DiagnosticError RL300 to RL306."""
         stations = checked_positions(positions)
         checked = {name: _checked_signal(name, signals, stations) for name in sorted(names)}
@@ -96,13 +96,13 @@ class Trace:
         part = array if array.shape[0] == 1 else array[first:last]
         return np.asarray(part, dtype=np.float64).T
 
-    def alone(self, variant: int) -> Trace:
+    def alone(self, variant: int) -> SampledSignals:
         """The trace of one variant."""
         chosen = {
             name: array if array.shape[0] == 1 else array[variant : variant + 1]
             for name, array in self.signals.items()
         }
-        return Trace(self.positions, chosen, 1, False, self.wrap, self.constants)
+        return SampledSignals(self.positions, chosen, 1, False, self.wrap, self.constants)
 
 
 def _variants(signals: Signals) -> int | None:

@@ -12,7 +12,7 @@ from ..formula import formulas as f
 from .operations import BOOLEAN
 from .ranges import range_at_start
 from .satisfaction import is_satisfied
-from .trace import FloatArray, Positions, Signals, Trace
+from .trace import FloatArray, Positions, SampledSignals, Signals
 
 Verdict: TypeAlias = Literal["satisfied", "violated", "unknown"]
 
@@ -28,7 +28,7 @@ def robustness_range(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> Range:
     """[lo, hi] at the first sample."""
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     lo, hi = range_at_start(formula, trace)
     return Range(lo, hi) if trace.batched else Range(lo[0], hi[0])
 
@@ -37,7 +37,7 @@ def verdict(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> NDArray[np.str_] | Verdict:
     """The verdict of one trace, or an array (V,) of verdicts."""
-    trace = Trace.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     verdicts = verdicts_of(formula, trace)
     if trace.batched:
         return verdicts
@@ -45,12 +45,14 @@ def verdict(
     return alone
 
 
-def verdicts_of(formula: f.Formula, trace: Trace) -> NDArray[np.str_]:
+def verdicts_of(formula: f.Formula, trace: SampledSignals) -> NDArray[np.str_]:
     """Verdicts (V,) at the first sample."""
     return decided(formula, trace, *range_at_start(formula, trace))
 
 
-def decided(formula: f.Formula, trace: Trace, lo: FloatArray, hi: FloatArray) -> NDArray[np.str_]:
+def decided(
+    formula: f.Formula, trace: SampledSignals, lo: FloatArray, hi: FloatArray
+) -> NDArray[np.str_]:
     """Verdicts (V,) by the range (lo, hi): both ends of it satisfy the formula, none, or one."""
 
     @cache

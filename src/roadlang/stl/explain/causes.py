@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..evaluate.axis import Axis
+from ..evaluate.axis import SamplePositions
 from ..evaluate.evaluation import everywhere
 from ..evaluate.operations import BOOLEAN
-from ..evaluate.trace import FloatArray, Trace
+from ..evaluate.trace import FloatArray, SampledSignals
 from ..formula import formulas as f
 from ..formula.interval import Interval
 from ..formula.normal_form import normal_form
@@ -19,7 +19,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Stretch:
+class ViolationInterval:
     """Neighboring samples, `start` to `end`, at all of which `predicate` (of `signals`) fails."""
 
     start: float
@@ -30,7 +30,7 @@ class Stretch:
     worst_position: float
 
 
-def violated_stretches(formula: f.Formula, trace: Trace) -> tuple[Stretch, ...]:
+def violated_stretches(formula: f.Formula, trace: SampledSignals) -> tuple[ViolationInterval, ...]:
     """All stretches to blame if the one trace violates `formula` at its start; else none."""
     plain = normal_form(formula)
     finder = _Blame(trace)
@@ -48,9 +48,9 @@ def violated_stretches(formula: f.Formula, trace: Trace) -> tuple[Stretch, ...]:
 class _Blame:
     """Spreads blame from the root to the comparisons, for all samples at once."""
 
-    def __init__(self, trace: Trace) -> None:
+    def __init__(self, trace: SampledSignals) -> None:
         self.trace = trace
-        self.axis = Axis(trace.positions, trace.wrap)
+        self.axis = SamplePositions(trace.positions, trace.wrap)
         self.guarded: dict[f.Comparison, Mask] = {}
 
     def spread(self, formula: f.Formula, asked: Mask, holding: bool) -> None:
@@ -100,14 +100,16 @@ class _Blame:
         return reached
 
 
-def _stretches(comparison: f.Comparison, mask: Mask, trace: Trace) -> list[Stretch]:
+def _stretches(
+    comparison: f.Comparison, mask: Mask, trace: SampledSignals
+) -> list[ViolationInterval]:
     margins: FloatArray = everywhere(comparison, trace)[0]
     edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(np.int8)))
     found = []
     for first, behind in zip(edges[::2], edges[1::2], strict=True):
         worst = int(first + np.argmin(margins[first:behind]))
         found.append(
-            Stretch(
+            ViolationInterval(
                 start=float(trace.positions[first]),
                 end=float(trace.positions[behind - 1]),
                 predicate=str(comparison),

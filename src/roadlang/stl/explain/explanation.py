@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from ..evaluate.axis import Axis
+from ..evaluate.axis import SamplePositions
 from ..evaluate.evaluation import everywhere
 from ..evaluate.ranges import range_at_start
-from ..evaluate.trace import FloatArray, Positions, Signals, Trace
+from ..evaluate.trace import FloatArray, Positions, SampledSignals, Signals
 from ..evaluate.verdicts import Verdict, verdicts_of
 from ..formula import formulas as f
-from .causes import Stretch, violated_stretches
+from .causes import ViolationInterval, violated_stretches
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Explanation:
     predicate: str
     values: dict[str, float]
     window_empty: bool
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[ViolationInterval, ...]
 
     def to_json(self) -> dict[str, Any]:
         """Plain dicts, lists and numbers; infinities as the texts "inf" and "-inf"."""
@@ -83,7 +83,7 @@ def explain(
     wrap: float | None = None,
 ) -> Explanation:
     """Explain the robustness at the first sample of one variant."""
-    trace = Trace.of(positions, signals, formula.variables, wrap).alone(variant)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap).alone(variant)
     lo, hi = range_at_start(formula, trace)
     finder = _Finder(trace)
     chain, empty = finder.chain(formula)
@@ -123,9 +123,9 @@ def decider(
 class _Finder:
     """Follows the extremes from the root down; traces of sub-formulas are computed once."""
 
-    def __init__(self, trace: Trace) -> None:
+    def __init__(self, trace: SampledSignals) -> None:
         self.trace = trace
-        self.axis = Axis(trace.positions, trace.wrap)
+        self.axis = SamplePositions(trace.positions, trace.wrap)
         self._traces: dict[f.Formula, FloatArray] = {}
 
     def values(self, formula: f.Formula) -> FloatArray:

@@ -60,7 +60,7 @@ def mine(
     first is made tightest, then the second given the first, and so on. Raises DiagnosticError
     RL341 where no corner of the box of parameters holds, RL342 for wrong parameters.
     """
-    search = _Search(text, tuple(parameters), tuple(recordings), margin)
+    search = _ParameterSearch(text, tuple(parameters), tuple(recordings), margin)
     search.check()
     values, ends = search.loosest()
     at_bound = []
@@ -75,7 +75,7 @@ def mine(
 
 
 @dataclass(frozen=True)
-class _Search:
+class _ParameterSearch:
     text: str
     parameters: tuple[Parameter, ...]
     recordings: tuple[Recording, ...]

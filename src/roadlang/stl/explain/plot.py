@@ -9,7 +9,7 @@ from html import escape
 import numpy as np
 
 from ..evaluate.evaluation import everywhere
-from ..evaluate.trace import FloatArray, Positions, Signals, Trace
+from ..evaluate.trace import FloatArray, Positions, SampledSignals, Signals
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.terms import number_text
@@ -37,7 +37,7 @@ def plot_svg(
     are constants are dashed lines; a dot marks the sample that decides.
     """
     why = explain(formula, positions, signals, variant=variant, wrap=wrap)
-    trace = Trace.of(positions, signals, formula.variables, wrap).alone(variant)
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap).alone(variant)
     names = sorted(formula.variables)
     height = _TOP + (1 + len(names)) * (_PANEL + _GAP) + 22
     parts = [
@@ -108,7 +108,7 @@ class _Panel:
         yield f'<text x="{_LEFT}" y="{top - 6}" fill="{self.color}">{escape(self.title)}</text>'
 
 
-def _robustness_panel(formula: f.Formula, trace: Trace, why: Explanation) -> _Panel:
+def _robustness_panel(formula: f.Formula, trace: SampledSignals, why: Explanation) -> _Panel:
     """Of `always p` and `eventually p`, the robustness of p says where: that is drawn."""
     ahead = isinstance(formula, f.UnaryTemporal) and not formula.past
     shown = formula.parts[0] if ahead else formula
@@ -120,7 +120,7 @@ def _robustness_panel(formula: f.Formula, trace: Trace, why: Explanation) -> _Pa
 
 
 def _signal_panel(
-    formula: f.Formula, trace: Trace, why: Explanation, name: str, index: int
+    formula: f.Formula, trace: SampledSignals, why: Explanation, name: str, index: int
 ) -> _Panel:
     values = np.broadcast_to(trace.rows(name, 0, 1)[0], (trace.samples,))
     panel = _Panel(name, _COLORS[index % len(_COLORS)], trace.positions, values)

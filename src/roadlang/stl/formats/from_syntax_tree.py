@@ -21,13 +21,27 @@ from ..formula import terms as t
 from ..formula.interval import Interval, interval_help
 from . import unit_factors as units
 
-_NUMBER_NODES = (ast.Number, ast.Name, ast.Member, ast.Negate, ast.Arithmetic, ast.Call)
-_FORMULA_NODES = (ast.Boolean, ast.Comparison, ast.Not, ast.Temporal, ast.Binding, ast.Logic)
+_NUMBER_NODES = (
+    ast.NumberLiteral,
+    ast.Name,
+    ast.Member,
+    ast.NegateExpression,
+    ast.ArithmeticExpression,
+    ast.CallExpression,
+)
+_FORMULA_NODES = (
+    ast.Boolean,
+    ast.ComparisonExpression,
+    ast.NotExpression,
+    ast.Temporal,
+    ast.Binding,
+    ast.Logic,
+)
 _NOTHING = f.Truth(False)
 _ZERO = t.Constant(0.0)
 
 
-class Reader:
+class FormulaReader:
     """Converts expressions; what is wrong with them is collected in `faults`."""
 
     def __init__(self) -> None:
@@ -37,13 +51,13 @@ class Reader:
     def formula(self, node: ast.Expression) -> f.Formula:
         """A statement that holds or not. A number in its place is RL320."""
         match node:
-            case ast.Group(inner):
+            case ast.GroupExpression(inner):
                 return self.formula(inner)
             case ast.Boolean(value):
                 return f.Truth(value)
-            case ast.Comparison():
+            case ast.ComparisonExpression():
                 return self._comparison(node)
-            case ast.Not(operand):
+            case ast.NotExpression(operand):
                 return f.Not(self.formula(operand))
             case ast.Temporal(word, interval, operand):
                 bounds = self._interval(interval)
@@ -53,7 +67,9 @@ class Reader:
                 return f.compound(word, [before, self.formula(right)], bounds)
             case ast.Logic(word, operands):
                 return f.compound(word, [self.formula(operand) for operand in operands])
-        if isinstance(node, ast.Call) and _dotted(node.function) not in get_args(t.FunctionName):
+        if isinstance(node, ast.CallExpression) and _dotted(node.function) not in get_args(
+            t.FunctionName
+        ):
             self._unknown_function(node.function)
             return _NOTHING
         if isinstance(node, _NUMBER_NODES):
@@ -72,23 +88,23 @@ class Reader:
     def term(self, node: ast.Expression) -> t.Term:
         """A number at each sample. A statement in its place is RL321."""
         match node:
-            case ast.Group(inner):
+            case ast.GroupExpression(inner):
                 return self.term(inner)
-            case ast.Number():
+            case ast.NumberLiteral():
                 return t.Constant(self._number(node))
             case ast.Name(text):
                 return t.Constant(math.inf) if text == "inf" else t.Variable(text)
             case ast.Member():
                 return t.Variable(_dotted(node))
-            case ast.Negate(operand):
+            case ast.NegateExpression(operand):
                 negated = self.term(operand)
                 if isinstance(negated, t.Constant):
                     return t.Constant(-negated.value)
                 return t.Negate(negated)
-            case ast.Arithmetic(operator, left, right):
+            case ast.ArithmeticExpression(operator, left, right):
                 op = cast(t.ArithmeticOperator, operator)
                 return t.Arithmetic(op, self.term(left), self.term(right))
-            case ast.Call():
+            case ast.CallExpression():
                 return self._call(node)
         if isinstance(node, _FORMULA_NODES):
             hint = "for two formulas that hold together write `iff`, for exactly one `xor`"
@@ -99,7 +115,7 @@ class Reader:
             self._unfit(node)
         return _ZERO
 
-    def _comparison(self, node: ast.Comparison) -> f.Formula:
+    def _comparison(self, node: ast.ComparisonExpression) -> f.Formula:
         """`a < b < c` says both, of the same `b`."""
         terms = [self.term(operand) for operand in node.operands]
         pairs = tuple(
@@ -108,7 +124,7 @@ class Reader:
         )
         return pairs[0] if len(pairs) == 1 else f.And(pairs)
 
-    def _call(self, node: ast.Call) -> t.Term:
+    def _call(self, node: ast.CallExpression) -> t.Term:
         name = _dotted(node.function)
         known = get_args(t.FunctionName)
         arguments = [self.term(argument.value) for argument in node.arguments]
@@ -136,7 +152,7 @@ class Reader:
         fixes = (Fix(node.span, found),) if found else ()
         self._fault(Code.UNKNOWN_FORMULA_FUNCTION, node.span, help=hints, fixes=fixes, name=name)
 
-    def _number(self, node: ast.Number) -> float:
+    def _number(self, node: ast.NumberLiteral) -> float:
         try:
             return node.value * units.factor(node.unit)
         except KeyError:
@@ -150,7 +166,7 @@ class Reader:
             )
             return 0.0
 
-    def _interval(self, node: ast.Interval | None) -> Interval | None:
+    def _interval(self, node: ast.IntervalExpression | None) -> Interval | None:
         if node is None:
             return None
         low, high = self._bound(node.low), self._bound(node.high)
@@ -177,10 +193,10 @@ class Reader:
         )
         return 0.0
 
-    def _check_axis(self, node: ast.Interval) -> None:
+    def _check_axis(self, node: ast.IntervalExpression) -> None:
         """A formula is about one axis: meters along a road, or seconds."""
         for bound in (node.low, node.high):
-            axis = units.axis_of(bound.unit) if isinstance(bound, ast.Number) else None
+            axis = units.axis_of(bound.unit) if isinstance(bound, ast.NumberLiteral) else None
             if axis is None:
                 continue
             self._axes.setdefault(axis, bound.span)

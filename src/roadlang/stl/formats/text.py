@@ -9,7 +9,7 @@ from dataclasses import replace
 from ...diagnostics import Diagnostic, DiagnosticError, Source
 from ...syntax.parsing.parser import parse_formula
 from ..formula import formulas as f
-from .from_syntax_tree import Reader
+from .from_syntax_tree import FormulaReader
 
 _BREACH = re.compile(r"\b(?:alw|ev|until|once|hist)_\s*\[|\b\w+\s*\[\s*t\s*[-+\]]|\balw\b")
 
@@ -26,7 +26,7 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
     errors = [diagnostic for diagnostic in diagnostics if diagnostic.is_error]
     if expression is None or errors:
         raise DiagnosticError(*_with_origin(text, errors))
-    reader = Reader()
+    reader = FormulaReader()
     formula = reader.formula(expression)
     if reader.faults:
         raise DiagnosticError(*reader.faults)

@@ -64,7 +64,7 @@ class Builder:
         end: int,
         word: Token,
         name: Token,
-        kind: ast.Kind,
+        kind: ast.KindName,
         block: ast.Block | None,
     ) -> ast.Constraint:
         span = Span(self.source, start, end)
@@ -84,13 +84,13 @@ class Builder:
         return ast.Option(key, value, span=Span(self.source, start, end))
 
     def pass_(
-        self, start: int, end: int, verb: Token, kind: ast.Kind, block: ast.Block | None
+        self, start: int, end: int, verb: Token, kind: ast.KindName, block: ast.Block | None
     ) -> ast.Pass:
         return ast.Pass(self._word(verb), kind, block, span=Span(self.source, start, end))
 
-    def kind(self, start: int, end: int, *words: Token) -> ast.Kind:
+    def kind(self, start: int, end: int, *words: Token) -> ast.KindName:
         text = ".".join(word[1] for word in words)
-        return ast.Kind(text, span=Span(self.source, start, end))
+        return ast.KindName(text, span=Span(self.source, start, end))
 
     def key(self, start: int, end: int, token: Token) -> ast.Word:
         return self._word(token)
@@ -109,12 +109,12 @@ class Builder:
     ) -> ast.MapEntry:
         return ast.MapEntry(key, value, span=Span(self.source, start, end))
 
-    def number(self, start: int, end: int, token: Token) -> ast.Number:
+    def number(self, start: int, end: int, token: Token) -> ast.NumberLiteral:
         text = token[1]
         match = _DIGITS.match(text)
         assert match is not None, "the lexer lets only numbers through"
         digits = match[0]
-        return ast.Number(digits, text[len(digits) :], span=Span(self.source, start, end))
+        return ast.NumberLiteral(digits, text[len(digits) :], span=Span(self.source, start, end))
 
     def string(self, start: int, end: int, token: Token) -> ast.String:
         return ast.String(unescaped(token[1]), span=Span(self.source, start, end))
@@ -135,9 +135,9 @@ class Builder:
 
     def call(
         self, start: int, end: int, function: ast.Name | ast.Member, *arguments: ast.Argument | None
-    ) -> ast.Call:
+    ) -> ast.CallExpression:
         present = tuple(argument for argument in arguments if argument is not None)
-        return ast.Call(function, present, span=Span(self.source, start, end))
+        return ast.CallExpression(function, present, span=Span(self.source, start, end))
 
     def positional(self, start: int, end: int, value: ast.Expression) -> ast.Argument:
         return ast.Argument(value, span=Span(self.source, start, end))
@@ -145,14 +145,16 @@ class Builder:
     def named(self, start: int, end: int, key: ast.Word, value: ast.Expression) -> ast.Argument:
         return ast.Argument(value, key, span=Span(self.source, start, end))
 
-    def group(self, start: int, end: int, inner: ast.Expression) -> ast.Group:
-        return ast.Group(inner, span=Span(self.source, start, end))
+    def group(self, start: int, end: int, inner: ast.Expression) -> ast.GroupExpression:
+        return ast.GroupExpression(inner, span=Span(self.source, start, end))
 
     def point(self, start: int, end: int, *items: ast.Expression) -> ast.Point:
         return ast.Point(items, span=Span(self.source, start, end))
 
-    def negate(self, start: int, end: int, sign: Token, operand: ast.Expression) -> ast.Negate:
-        return ast.Negate(operand, span=Span(self.source, start, end))
+    def negate(
+        self, start: int, end: int, sign: Token, operand: ast.Expression
+    ) -> ast.NegateExpression:
+        return ast.NegateExpression(operand, span=Span(self.source, start, end))
 
     def draw(
         self, start: int, end: int, low: ast.Expression, dots: Token, high: ast.Expression
@@ -161,23 +163,27 @@ class Builder:
 
     def arithmetic(
         self, start: int, end: int, left: ast.Expression, sign: Token, right: ast.Expression
-    ) -> ast.Arithmetic:
+    ) -> ast.ArithmeticExpression:
         span = Span(self.source, start, end)
-        return ast.Arithmetic(sign[1], left, right, operator_span=self._span(sign), span=span)
+        return ast.ArithmeticExpression(
+            sign[1], left, right, operator_span=self._span(sign), span=span
+        )
 
-    def comparison(self, start: int, end: int, *parts: Any) -> ast.Comparison:
+    def comparison(self, start: int, end: int, *parts: Any) -> ast.ComparisonExpression:
         signs = tuple(sign[1] for sign in parts[1::2])
-        return ast.Comparison(tuple(parts[::2]), signs, span=Span(self.source, start, end))
+        return ast.ComparisonExpression(
+            tuple(parts[::2]), signs, span=Span(self.source, start, end)
+        )
 
-    def not_(self, start: int, end: int, word: Token, operand: ast.Expression) -> ast.Not:
-        return ast.Not(operand, span=Span(self.source, start, end))
+    def not_(self, start: int, end: int, word: Token, operand: ast.Expression) -> ast.NotExpression:
+        return ast.NotExpression(operand, span=Span(self.source, start, end))
 
     def temporal(
         self,
         start: int,
         end: int,
         word: Token,
-        interval: ast.Interval | None,
+        interval: ast.IntervalExpression | None,
         operand: ast.Expression,
     ) -> ast.Temporal:
         span = Span(self.source, start, end)
@@ -186,8 +192,8 @@ class Builder:
 
     def interval(
         self, start: int, end: int, low: ast.Expression, high: ast.Expression
-    ) -> ast.Interval:
-        return ast.Interval(low, high, span=Span(self.source, start, end))
+    ) -> ast.IntervalExpression:
+        return ast.IntervalExpression(low, high, span=Span(self.source, start, end))
 
     def binding(
         self,
@@ -195,7 +201,7 @@ class Builder:
         end: int,
         left: ast.Expression,
         word: Token,
-        interval: ast.Interval | None,
+        interval: ast.IntervalExpression | None,
         right: ast.Expression,
     ) -> ast.Binding:
         span = Span(self.source, start, end)

@@ -41,7 +41,7 @@ def check(tree: ast.File) -> Checked:
     return checked
 
 
-def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
+def check_nodes(root: ast.SyntaxNode) -> tuple[list[Diagnostic], bool]:
     """What is wrong below one node, and whether it is shallow enough for later passes."""
     found: list[Diagnostic] = []
     for node, depth in walk(root):
@@ -52,7 +52,7 @@ def check_nodes(root: ast.Node) -> tuple[list[Diagnostic], bool]:
                 found.extend(_separated(node.items))
             case ast.MapValue():
                 found.extend(_separated(node.entries))
-            case ast.Arithmetic():
+            case ast.ArithmeticExpression():
                 found.extend(_draw_beside(node))
             case ast.Draw(low=ast.Draw()):
                 found.append(diagnose(Code.CHAINED_RANGE, node.span))
@@ -86,9 +86,9 @@ def _declared_name(statement: ast.Statement) -> Iterator[Diagnostic]:
         yield diagnose(Code.STATEMENT_WORD_AS_NAME, name.span, word=name.text, help=help)
 
 
-def _separated(items: Iterable[ast.Node]) -> Iterator[Diagnostic]:
+def _separated(items: Iterable[ast.SyntaxNode]) -> Iterator[Diagnostic]:
     """Two items on one line have a comma or a `}` between them."""
-    previous: ast.Node | None = None
+    previous: ast.SyntaxNode | None = None
     for item in items:
         if previous is not None:
             start, end = previous.span.end, item.span.start
@@ -103,15 +103,15 @@ def _separated(items: Iterable[ast.Node]) -> Iterator[Diagnostic]:
         previous = item
 
 
-def _key_length(item: ast.Node) -> int:
+def _key_length(item: ast.SyntaxNode) -> int:
     word = getattr(item, "key", None) or getattr(item, "verb", None)
-    return word.span.end - word.span.start if isinstance(word, ast.Node) else 1
+    return word.span.end - word.span.start if isinstance(word, ast.SyntaxNode) else 1
 
 
 # --- draws ---------------------------------------------------------------------------------------
 
 
-def _draw_beside(node: ast.Arithmetic) -> Iterator[Diagnostic]:
+def _draw_beside(node: ast.ArithmeticExpression) -> Iterator[Diagnostic]:
     """`a + 1m..2m` draws between 1 m and 2 m; many a reader thinks otherwise."""
     sign = f" {node.operator} "
     if isinstance(node.right, ast.Draw):
@@ -185,13 +185,13 @@ def _open_temporal(node: ast.Expression) -> ast.Temporal | None:
         match node:
             case ast.Temporal():
                 found, node = found or node, node.operand
-            case ast.Not():
+            case ast.NotExpression():
                 node = node.operand
             case ast.Binding() if found is None:
                 node = node.right
             case ast.Logic() if found is None:
                 node = node.operands[-1]
-            case ast.Group():
+            case ast.GroupExpression():
                 return None
             case _:
                 return found
@@ -206,15 +206,15 @@ def _innermost(node: ast.Temporal) -> ast.Temporal:
 # --- texts ---------------------------------------------------------------------------------------
 
 
-def _text(node: ast.Node) -> str:
+def _text(node: ast.SyntaxNode) -> str:
     return node.span.text
 
 
-def _between(left: ast.Node, right: ast.Node) -> str:
+def _between(left: ast.SyntaxNode, right: ast.SyntaxNode) -> str:
     return left.span.source.text[left.span.end : right.span.start]
 
 
-def _sign_between(left: ast.Node, right: ast.Node) -> Span:
+def _sign_between(left: ast.SyntaxNode, right: ast.SyntaxNode) -> Span:
     source: Source = left.span.source
     between = _between(left, right)
     start = left.span.end + len(between) - len(between.lstrip())

@@ -37,7 +37,7 @@ class _Printer:
         self.next = 0
         self.text = tree.span.source.text
 
-    def sequence(self, nodes: Sequence[ast.Node], indent: int, start: int, end: int) -> None:
+    def sequence(self, nodes: Sequence[ast.SyntaxNode], indent: int, start: int, end: int) -> None:
         """Nodes and comments between two offsets, blank lines kept, one at a time."""
         self._first, self._behind = True, start
         for node in nodes:
@@ -71,7 +71,7 @@ class _Printer:
             return 2
         return max(2, comment.span.column - 1 - len(written))
 
-    def _node(self, node: ast.Node, indent: int) -> None:
+    def _node(self, node: ast.SyntaxNode, indent: int) -> None:
         content = part(node)
         if not self._commented(node.span.start, node.span.end):
             flat = _flat(content) if _on_one_line(content.braced) else None
@@ -102,14 +102,14 @@ class _Printer:
     def _commented(self, start: int, end: int) -> bool:
         return bisect_left(self.places, start) < bisect_left(self.places, end)
 
-    def _in_braces(self, node: ast.Node, content: Part) -> bool:
+    def _in_braces(self, node: ast.SyntaxNode, content: Part) -> bool:
         """Whether all comments of a node stand inside its braces."""
         return content.braced is not None and not self._commented(
             node.span.start, content.braced.span.start
         )
 
 
-def _items(braced: Braced) -> Sequence[ast.Node]:
+def _items(braced: Braced) -> Sequence[ast.SyntaxNode]:
     return braced.items if isinstance(braced, ast.Block) else braced.entries
 
 

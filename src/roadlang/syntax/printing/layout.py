@@ -10,7 +10,7 @@ WIDTH = 100
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LineBreak:
     """A place where a line may break; `flat` stands there when it does not. A hard one must."""
 
     flat: str = " "
@@ -32,11 +32,11 @@ class Group:
     inner: Doc
 
 
-Doc: TypeAlias = str | Line | Nest | Group | tuple["Doc", ...]
+Doc: TypeAlias = str | LineBreak | Nest | Group | tuple["Doc", ...]
 
-LINE = Line()
-SOFT = Line("")
-HARD = Line(hard=True)
+LINE = LineBreak()
+SOFT = LineBreak("")
+HARD = LineBreak(hard=True)
 
 
 def joined(separator: Doc, docs: Iterable[Doc]) -> Doc:
@@ -69,7 +69,7 @@ def render(doc: Doc, *, column: int = 0, indent: int = 0, width: int = WIDTH) ->
                 out.append(" " * owed + top)
                 owed = 0
             column += len(top)
-        elif isinstance(top, Line):
+        elif isinstance(top, LineBreak):
             if flat and not top.hard:
                 out.append(top.flat)
                 column += len(top.flat)
@@ -93,7 +93,7 @@ def _fits(doc: Doc, room: int, behind: Sequence[tuple[int, bool, Doc]]) -> bool:
         flat, top = stack.pop()
         if isinstance(top, str):
             room -= len(top)
-        elif isinstance(top, Line):
+        elif isinstance(top, LineBreak):
             if top.hard or not flat:
                 return not (top.hard and flat)
             room -= len(top.flat)

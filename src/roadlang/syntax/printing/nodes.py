@@ -28,10 +28,10 @@ def one_line(node: ast.Expression) -> str:
     return render(expression(node), width=10**9)
 
 
-def expression(node: ast.Node) -> Doc:
+def expression(node: ast.SyntaxNode) -> Doc:
     """An expression in canonical words; no parentheses are added or taken away."""
     match node:
-        case ast.Number():
+        case ast.NumberLiteral():
             return node.digits + node.unit
         case ast.String():
             return quoted(node.value)
@@ -39,23 +39,23 @@ def expression(node: ast.Node) -> Doc:
             return _text(node.value)
         case ast.Boolean():
             return "true" if node.value else "false"
-        case ast.Name() | ast.Word() | ast.Kind():
+        case ast.Name() | ast.Word() | ast.KindName():
             return node.text
         case ast.Member():
             return (expression(node.of), ".", node.name.text)
-        case ast.Call():
+        case ast.CallExpression():
             return (expression(node.function), enclosed("(", _all(node.arguments), ")"))
         case ast.Argument(key=None):
             return expression(node.value)
         case ast.Argument(key=ast.Word(text=key)):
             return (key, ": ", expression(node.value))
-        case ast.Group():
+        case ast.GroupExpression():
             return Group(("(", Nest(2, (SOFT, expression(node.inner))), SOFT, ")"))
         case ast.Point():
             return enclosed("(", _all(node.items), ")")
         case ast.ListValue():
             return enclosed("[", _all(node.items), "]")
-        case ast.Interval():
+        case ast.IntervalExpression():
             return enclosed("[", [expression(node.low), expression(node.high)], "]")
         case ast.MapValue():
             return braces([(item, False) for item in map(_flat_entry, node.entries)])
@@ -63,23 +63,23 @@ def expression(node: ast.Node) -> Doc:
             return _operation(node)
 
 
-def _operation(node: ast.Node) -> Doc:
+def _operation(node: ast.SyntaxNode) -> Doc:
     match node:
-        case ast.Negate():
+        case ast.NegateExpression():
             return ("-", expression(node.operand))
         case ast.Draw():
             return (expression(node.low), "..", expression(node.high))
-        case ast.Arithmetic(operator="^"):
+        case ast.ArithmeticExpression(operator="^"):
             # `2m^2` is one number, two square meters: a number and `^` are kept apart.
-            sign = " ^ " if isinstance(node.left, ast.Number) else "^"
+            sign = " ^ " if isinstance(node.left, ast.NumberLiteral) else "^"
             return (expression(node.left), sign, expression(node.right))
-        case ast.Arithmetic():
+        case ast.ArithmeticExpression():
             return _chain([expression(node.left), expression(node.right)], [node.operator])
-        case ast.Comparison():
+        case ast.ComparisonExpression():
             return _chain(_all(node.operands), list(node.operators))
         case ast.Logic():
             return _chain(_all(node.operands), [node.word] * (len(node.operands) - 1))
-        case ast.Not():
+        case ast.NotExpression():
             return ("not ", expression(node.operand))
         case ast.Temporal():
             return (node.word, *_interval(node.interval), " ", expression(node.operand))
@@ -90,11 +90,11 @@ def _operation(node: ast.Node) -> Doc:
     raise TypeError(f"no expression: {type(node).__name__}")
 
 
-def _interval(interval: ast.Interval | None) -> tuple[Doc, ...]:
+def _interval(interval: ast.IntervalExpression | None) -> tuple[Doc, ...]:
     return () if interval is None else (expression(interval),)
 
 
-def _all(nodes: tuple[ast.Node, ...]) -> list[Doc]:
+def _all(nodes: tuple[ast.SyntaxNode, ...]) -> list[Doc]:
     return [expression(node) for node in nodes]
 
 
@@ -129,7 +129,7 @@ def braces(items: list[tuple[Doc, bool]]) -> Doc:
     return Group(("{", Nest(2, (LINE, *inner)), LINE, "}"))
 
 
-def part(node: ast.Node) -> Part:
+def part(node: ast.SyntaxNode) -> Part:
     """A statement, an item of a block or an entry of a map."""
     match node:
         case ast.Option(key=key, value=value) | ast.MapEntry(key=key, value=value):

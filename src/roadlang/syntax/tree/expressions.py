@@ -13,7 +13,7 @@ from ...diagnostics import Span
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class SyntaxNode:
     """Anything written at one place."""
 
     span: Span = field(compare=False, repr=False, kw_only=True)
@@ -23,14 +23,14 @@ class Node:
 
 
 @dataclass(frozen=True, slots=True)
-class Word(Node):
+class Word(SyntaxNode):
     """A name where it is declared, an option key, a verb, a member."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
-class Comment(Node):
+class Comment(SyntaxNode):
     """`# text`, with the mark. `own_line`: nothing else stands on its line."""
 
     text: str
@@ -41,7 +41,7 @@ class Comment(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Number(Node):
+class NumberLiteral(SyntaxNode):
     """`8`, `0.35m/px`, `95%`: the digits as written and the unit text glued to them."""
 
     digits: str
@@ -54,35 +54,35 @@ class Number(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class String(Node):
+class String(SyntaxNode):
     """`"text"`, escapes resolved."""
 
     value: str
 
 
 @dataclass(frozen=True, slots=True)
-class Text(Node):
+class Text(SyntaxNode):
     """A triple-quoted text, dedented."""
 
     value: str
 
 
 @dataclass(frozen=True, slots=True)
-class Boolean(Node):
+class Boolean(SyntaxNode):
     """`true` or `false`."""
 
     value: bool
 
 
 @dataclass(frozen=True, slots=True)
-class Name(Node):
+class Name(SyntaxNode):
     """A reference; the checker knows to what. `acme.mpc` is a `Member`."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
-class Member(Node):
+class Member(SyntaxNode):
     """`ego.speed`."""
 
     of: Expression
@@ -90,7 +90,7 @@ class Member(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Argument(Node):
+class Argument(SyntaxNode):
     """An argument of a call, `x` or `key: x`."""
 
     value: Expression
@@ -98,7 +98,7 @@ class Argument(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Call(Node):
+class CallExpression(SyntaxNode):
     """`f(x, key: y)`; `function` is a name or a dotted name."""
 
     function: Name | Member
@@ -106,14 +106,14 @@ class Call(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Negate(Node):
+class NegateExpression(SyntaxNode):
     """`-operand`."""
 
     operand: Expression
 
 
 @dataclass(frozen=True, slots=True)
-class Arithmetic(Node):
+class ArithmeticExpression(SyntaxNode):
     """`operator` is one of `+ - * / ^`."""
 
     operator: str
@@ -123,7 +123,7 @@ class Arithmetic(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Draw(Node):
+class Draw(SyntaxNode):
     """`low..high`: a uniform draw."""
 
     low: Expression
@@ -131,7 +131,7 @@ class Draw(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison(Node):
+class ComparisonExpression(SyntaxNode):
     """`a < b` or a chain `a < b < c`: one more operand than operators (`< <= > >= == !=`)."""
 
     operands: tuple[Expression, ...]
@@ -139,14 +139,14 @@ class Comparison(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Not(Node):
+class NotExpression(SyntaxNode):
     """`not operand`."""
 
     operand: Expression
 
 
 @dataclass(frozen=True, slots=True)
-class Interval(Node):
+class IntervalExpression(SyntaxNode):
     """`[low, high]` behind a temporal word."""
 
     low: Expression
@@ -154,28 +154,28 @@ class Interval(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Temporal(Node):
+class Temporal(SyntaxNode):
     """`always`, `eventually`, `once`, `historically`; `word` is canonical, as habits are read."""
 
     word: str
-    interval: Interval | None
+    interval: IntervalExpression | None
     operand: Expression
     word_span: Span = field(compare=False, repr=False, kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)
-class Binding(Node):
+class Binding(SyntaxNode):
     """`left until[a, b] right`, `left since[a, b] right`; `word` is canonical."""
 
     word: str
-    interval: Interval | None
+    interval: IntervalExpression | None
     left: Expression
     right: Expression
     word_span: Span = field(compare=False, repr=False, kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)
-class Logic(Node):
+class Logic(SyntaxNode):
     """`and`, `or` (flattened, two or more operands), `implies`, `iff`, `xor` (two operands)."""
 
     word: str
@@ -183,28 +183,28 @@ class Logic(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Group(Node):
+class GroupExpression(SyntaxNode):
     """`(x)`: kept, since the parentheses rule and `fmt` need it."""
 
     inner: Expression
 
 
 @dataclass(frozen=True, slots=True)
-class Point(Node):
+class Point(SyntaxNode):
     """`(x, y)`."""
 
     items: tuple[Expression, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class ListValue(Node):
+class ListValue(SyntaxNode):
     """`[a, b, c]`: a list, an interval or a stretch; never a draw."""
 
     items: tuple[Expression, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class MapEntry(Node):
+class MapEntry(SyntaxNode):
     """`key: value` in a map."""
 
     key: Word | String
@@ -212,29 +212,29 @@ class MapEntry(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class MapValue(Node):
+class MapValue(SyntaxNode):
     """`{ key: value, ... }` as a value."""
 
     entries: tuple[MapEntry, ...]
 
 
 Expression: TypeAlias = (
-    Number
+    NumberLiteral
     | String
     | Text
     | Boolean
     | Name
     | Member
-    | Call
-    | Negate
-    | Arithmetic
+    | CallExpression
+    | NegateExpression
+    | ArithmeticExpression
     | Draw
-    | Comparison
-    | Not
+    | ComparisonExpression
+    | NotExpression
     | Temporal
     | Binding
     | Logic
-    | Group
+    | GroupExpression
     | Point
     | ListValue
     | MapValue
@@ -245,14 +245,14 @@ Expression: TypeAlias = (
 
 
 @dataclass(frozen=True, slots=True)
-class Kind(Node):
+class KindName(SyntaxNode):
     """The name of a kind, `sine` or `acme.sine`: `text` is the dotted whole."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
-class Option(Node):
+class Option(SyntaxNode):
     """`key: value` in a block."""
 
     key: Word
@@ -260,16 +260,16 @@ class Option(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Pass(Node):
+class Pass(SyntaxNode):
     """`verb with kind { ... }`."""
 
     verb: Word
-    kind: Kind
+    kind: KindName
     block: Block | None
 
 
 @dataclass(frozen=True, slots=True)
-class Block(Node):
+class Block(SyntaxNode):
     """Options and passes in the order written.
 
     `complete` is False when an item could not be read (and has been reported): an option that

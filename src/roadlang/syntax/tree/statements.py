@@ -6,11 +6,11 @@ import re
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from .expressions import Block, Comment, Expression, Kind, Node, String, Word
+from .expressions import Block, Comment, Expression, KindName, String, SyntaxNode, Word
 
 
 @dataclass(frozen=True, slots=True)
-class Statement(Node):
+class Statement(SyntaxNode):
     """What begins with a statement word.
 
     `words` are those that may begin it; where there are several, the field `word` says which.
@@ -89,7 +89,7 @@ class Constraint(Statement):
     word: str
     name: Word
     formula: Expression | None
-    kind: Kind | None = None
+    kind: KindName | None = None
     block: Block | None = None
 
 
@@ -123,7 +123,7 @@ class RunStep(Statement):
     words = ("sample", "simulate", "falsify")
     layout = "{word} with {kind} {block}"
     word: str
-    kind: Kind | None
+    kind: KindName | None
     block: Block | None
 
 
@@ -133,7 +133,7 @@ class Emit(Statement):
 
     words = ("emit",)
     layout = "emit {kind} {block}"
-    kind: Kind
+    kind: KindName
     block: Block | None
 
 
@@ -147,7 +147,7 @@ BY_RULE: dict[str, type[Statement]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class File(Node):
+class File(SyntaxNode):
     """A whole file. Comments stand beside the tree, in order of place.
 
     `spoiled` are the names that statements declare which could not be read (and have been

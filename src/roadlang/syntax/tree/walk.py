@@ -10,7 +10,7 @@ from typing import Any
 from . import nodes as ast
 
 
-def children(node: ast.Node) -> Iterator[ast.Node]:
+def children(node: ast.SyntaxNode) -> Iterator[ast.SyntaxNode]:
     """The expressions and blocks directly below a node, in order of place.
 
     Words and names of kinds are no children, and an argument stands for its value.
@@ -21,7 +21,9 @@ def children(node: ast.Node) -> Iterator[ast.Node]:
         for child in value if isinstance(value, tuple) else (value,):
             if isinstance(child, ast.Argument):
                 yield child.value
-            elif isinstance(child, ast.Node) and not isinstance(child, ast.Word | ast.Kind):
+            elif isinstance(child, ast.SyntaxNode) and not isinstance(
+                child, ast.Word | ast.KindName
+            ):
                 yield child
 
 
@@ -30,7 +32,7 @@ def _field_names(node: Any) -> tuple[str, ...]:
     return tuple(field.name for field in fields(node) if not field.name.endswith("span"))
 
 
-def walk(root: ast.Node) -> Iterator[tuple[ast.Node, int]]:
+def walk(root: ast.SyntaxNode) -> Iterator[tuple[ast.SyntaxNode, int]]:
     """Every node of a tree with its depth, a node before what is below it."""
     stack = [(root, 1)]
     while stack:
