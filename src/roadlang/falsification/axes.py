@@ -12,7 +12,7 @@ from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..ir.values import Draw
+from ..ir.values import RandomValue
 from ..plugins.kinds import Axis
 from ..scenes.instantiate import driven_scene
 
@@ -42,7 +42,7 @@ def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
     return tuple(_axis(name, draws.get(_ELEMENT.sub("", name)), scenario) for name in names)
 
 
-def _axis(name: str, draw: Draw | None, scenario: IndexedScenario) -> Axis:
+def _axis(name: str, draw: RandomValue | None, scenario: IndexedScenario) -> Axis:
     """An axis of a random number: one that a pass draws for itself is continuous."""
     if draw is None or scenario.dependencies.draws(*(value for _, value in draw.call.options)):
         return Axis(name)

@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ..ir.scenario import FileSource, Image, Network, Road, Scenario
+from ..ir.scenario import FileSource, ScenarioImage, ScenarioNetwork, ScenarioRoad, Scenario
 from ..ir.scenario_json import scenario_to_json
 from .evaluator import Task
 from .plan import Plan
@@ -41,7 +41,7 @@ def digest(scenario: Scenario, settings: dict[str, Any]) -> str:
     record = scenario_to_json(scenario)
     text = json.dumps([_without_places(record), settings], sort_keys=True, default=str)
     content = hashlib.sha256(text.encode())
-    things: tuple[Image | Network | Road, ...] = (
+    things: tuple[ScenarioImage | ScenarioNetwork | ScenarioRoad, ...] = (
         *scenario.images, *scenario.networks, *scenario.roads
     )  # fmt: skip
     for thing in things:

@@ -115,7 +115,7 @@ def decider(
 ) -> tuple[f.Formula, int]:
     """The sub-formula, a comparison where there is one, and the sample that decide the robustness
     at the first sample."""
-    trace = Trace.of(positions, signals, formula.variables, None).alone(variant)
+    trace = SampledSignals.of(positions, signals, formula.variables, None).alone(variant)
     chain, _ = _Finder(trace).chain(formula)
     return chain[-1]
 
