@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ..ir.scenario import FileSource, ScenarioImage, ScenarioNetwork, ScenarioRoad, Scenario
+from ..ir.scenario import FileSource, Scenario, ScenarioImage, ScenarioNetwork, ScenarioRoad
 from ..ir.scenario_json import scenario_to_json
 from .evaluator import Task
 from .plan import Plan
