@@ -40,6 +40,8 @@ USE = {
     "read": "`read with KIND { ... }`; without it the file's name decides",
     "draw": "`draw with KIND { ... }` in a `road`",
     "piece": "a call in `draw with segments { pieces: [...] }`",
+    "lane": "a call in `left: [...]` or `right: [...]` of a `road` or `network`; each also takes "
+    "`width`, `speed_limit` and `marking`",
     "select": "a call in `select:` of a `road`",
     "perturb": "`perturb with KIND { ... }` in a `network` or `road`; each also takes "
     "`over: [a, b]`, `taper`, and in a network `roads: [ids]`",

@@ -242,7 +242,8 @@ RULES: tuple[Rule, ...] = (
 _QUALIFIED = re.compile(r"(standard|godot)\.")
 _ORDINARY = frozenset({
     "acceleration", "auto", "clearance", "confidence", "contacts", "cross_track_error", "crossing",
-    "curvature", "deviation", "distance", "frechet", "gap", "godot", "heading", "integer", "json",
+    "curvature", "deviation", "distance", "drive", "frechet", "gap", "godot", "heading", "integer",
+    "json",
     "length", "lp_distance", "margin", "pixels", "progress", "random", "road", "scale",
     "segments", "speed", "start", "station", "steering", "straight", "sup_distance", "svg",
     "time", "width"

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.contained_values import values_in
 from ..ir.scenario import (
+    LANE_OPTIONS,
     Named,
     NameSource,
     Scenario,
@@ -153,7 +154,8 @@ class IndexedScenario:
         shaping = [call for call in thing.passes if call.verb != "perturb"]
         if any(self.kind(call)[1].is_random for call in shaping):
             return True
-        options = [value for name, value in thing.options if name not in ("width", "lanes")]
+        across = ("width", *LANE_OPTIONS)
+        options = [value for name, value in thing.options if name not in across]
         if dict(thing.options).get("select") == TextValue("any"):
             return True
         return bool(self.dependencies.draws(*shaping, *options))

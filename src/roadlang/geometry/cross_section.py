@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from .arrays import Booleans, Floats, Integers
 from .errors import GeometryError
-from .lane import Direction, Lane, Marking
-from .lanes import lane_ids
+from .lane import Lane
+from .lanes import Direction, Marking, lane_ids
 from .profile import OffsetProfile
 from .width import WidthProfile
 
@@ -30,6 +30,26 @@ def border_offsets(
         first, last = drivable_borders(drivable)
         return np.asarray((from_left[first] + from_left[last]) / 2.0 - from_left)
     return np.asarray(from_left[center] + offset - from_left)
+
+
+def scaled_widths(widths: Floats, drivable: Booleans, total: Floats) -> Floats:
+    """Widths (L, ...) with the drivable lanes stretched in proportion, until these and what lies
+    between them are `total` (...) wide. All are stretched, if none is drivable.
+
+    Raises GeometryError where what lies between them leaves them no width.
+    """
+    first, last = drivable_borders(drivable)
+    stretched = drivable if drivable.any() else ~drivable
+    own = widths[stretched].sum(axis=0)
+    left = total - (widths[first:last].sum(axis=0) - own)
+    if not (left > 0.0).all():
+        raise GeometryError("the lanes between drivable lanes are wider than the road")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        factor = left / own
+    if not np.isfinite(factor).all():
+        raise GeometryError("drivable lanes without width cannot be stretched")
+    choice = stretched.reshape(-1, *(1,) * (widths.ndim - 1))
+    return np.where(choice, widths * factor, widths)
 
 
 def drivable_borders(drivable: Booleans) -> tuple[int, int]:
@@ -227,21 +247,12 @@ class CrossSection:
         stations = np.union1d(width.stations, self._stations)
         if width.period is not None:
             stations = np.unique(np.mod(stations, width.period))
-        stretched = self._drivable if self._drivable.any() else ~self._drivable
-        total = sum(
-            lane.width.at(stations) for lane, s in zip(self.lanes, stretched, strict=True) if s
-        )
-        left = width.at(stations) - (self.drivable_width(stations) - total)
-        if not (left > 0.0).all():
-            raise GeometryError("the lanes between drivable lanes are wider than the road")
-        factor = left / total
+        widths = np.stack([lane.width.at(stations) for lane in self.lanes])
+        scaled = scaled_widths(widths, self._drivable, width.at(stations))
+        kept = self._drivable.any() & ~self._drivable
         lanes = (
-            replace(
-                lane, width=WidthProfile(stations, lane.width.at(stations) * factor, width.period)
-            )
-            if stretches
-            else lane
-            for lane, stretches in zip(self.lanes, stretched, strict=True)
+            lane if keeps else replace(lane, width=WidthProfile(stations, new, width.period))
+            for lane, new, keeps in zip(self.lanes, scaled, kept, strict=True)
         )
         return replace(self, lanes=tuple(lanes))
 

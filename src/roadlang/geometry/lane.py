@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, TypeAlias, get_args
 
 from .errors import GeometryError
+from .lanes import DIRECTIONS, MARKINGS, Direction, Marking
 from .width import WidthProfile
-
-Direction: TypeAlias = Literal["forward", "backward", "both", "none"]
-Marking: TypeAlias = Literal["solid", "broken", "double", "none", "curb"]
-
-DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
-MARKINGS: tuple[Marking, ...] = get_args(Marking)
 
 _OPPOSITE: dict[Direction, Direction] = {
     "forward": "backward",
@@ -29,9 +23,10 @@ class Lane:
     `id` is that of OpenDRIVE: -1 the first to the right of the reference line, 1 the first to its
     left. `kind` is a name ("drive", "sidewalk", ...) that geometry does not interpret. `direction`
     is that of travel along the curve of the road; `drivable` means for motor vehicles;
-    `speed_limit` is in m/s; `marking` is the line toward the outer neighbor. Raises GeometryError
-    for the id 0, a word that is none of `DIRECTIONS` or `MARKINGS`, and a limit that is not
-    positive.
+    `speed_limit` is in m/s; `marking` is the line toward the outer neighbor; `users` says who may
+    use it ("bus", "bicycle"), where that is known; `raised` lanes lie behind a curb. Raises
+    GeometryError for the id 0, a word that is none of `DIRECTIONS` or `MARKINGS`, and a limit that
+    is not positive.
     """
 
     id: int
@@ -41,6 +36,8 @@ class Lane:
     drivable: bool = True
     speed_limit: float | None = None
     marking: Marking = "none"
+    users: tuple[str, ...] = ()
+    raised: bool = False
 
     def __post_init__(self) -> None:
         if self.id == 0:

@@ -1,6 +1,14 @@
-"""How lanes are numbered. Imports no numpy: scene files are checked without it."""
+"""How lanes are numbered, run and are marked. Imports no numpy: files are checked without it."""
 
 from __future__ import annotations
+
+from typing import Literal, TypeAlias, get_args
+
+Direction: TypeAlias = Literal["forward", "backward", "both", "none"]
+Marking: TypeAlias = Literal["solid", "broken", "double", "none", "curb"]
+
+DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
+MARKINGS: tuple[Marking, ...] = get_args(Marking)
 
 DEFAULT_LANES = 2
 

@@ -10,6 +10,17 @@ from .values import Condition, PassCall, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
 
+LANE_OPTIONS = (
+    "lanes",
+    "left",
+    "right",
+    "oneway",
+    "sidewalks",
+    "center_marking",
+    "speed_limit",
+)
+"""The options of roads and networks that say which lanes there are, and nothing of the curve."""
+
 
 @dataclass(frozen=True, slots=True)
 class Input:
@@ -90,7 +101,8 @@ class ScenarioNetwork:
 
 @dataclass(frozen=True, slots=True)
 class ScenarioRoad:
-    """`source` is None for a drawn road; `options`: `select`, `width`, `lanes`, `closed`."""
+    """`source` is None for a drawn road; `options`: `select`, `width`, `closed`, the
+    `LANE_OPTIONS`."""
 
     name: str
     source: Source | None

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from .read_only import Frozen
 from .scene_junctions import SceneJunction
+from .scene_lane import SceneLane
+
+if TYPE_CHECKING:
+    from ..geometry import CrossSection
 
 SCENE_SCHEMA = "roadlang.scene/2"
 
@@ -31,9 +35,9 @@ class SceneRoad:
     curvature: tuple[float, ...] = field(repr=False)
     """1/m, positive to the left"""
     width: tuple[float, ...] = field(repr=False)
-    """from edge to edge, meters"""
+    """of the drivable lanes, from edge to edge, meters"""
     lanes: int
-    """how many, both directions together"""
+    """how many drivable ones, both directions together"""
     closed: bool
     """whether the end joins the start"""
     length: float
@@ -49,6 +53,28 @@ class SceneRoad:
     trim: tuple[float, float] = (0.0, 0.0)
     """of a road of a network: how far from its start and from its end the junctions there reach,
     meters of its stations; between lies the road"""
+    lane_list: tuple[SceneLane, ...] = field(default=(), repr=False)
+    """its lanes from left to right; empty in a scene of an earlier version: `lanes` equal ones"""
+    center_marking: Literal["solid", "broken", "double", "none", "curb"] = "broken"
+    """the line between lanes 1 and -1"""
+    center_offset: tuple[float, ...] = field(default=(), repr=False)
+    """how far left of the curve that line lies, meters: one number, or one for each station; empty:
+    the drivable lanes lie in the middle"""
+    speed_limit: float | None = None
+    """m/s, of lanes that have none of their own; null where nothing is said"""
+
+    def cross_section(self) -> CrossSection:
+        """The lanes as geometry has them, by arc length along this road.
+
+        Raises GeometryError for lanes that cannot be.
+        """
+        from .scene_section import equal_lanes, listed_lanes
+
+        period = self.length if self.closed else None
+        if not self.lane_list:
+            return equal_lanes(self.lanes, self.stations, self.width, period)
+        marking, offset = self.center_marking, self.center_offset
+        return listed_lanes(self.lane_list, marking, offset, self.stations, period)
 
 
 @dataclass(frozen=True, slots=True)

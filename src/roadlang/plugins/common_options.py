@@ -17,6 +17,7 @@ from .annotations import (
     Whole,
     Word,
 )
+from .lane_options import LaneOptions
 from .option_types import ListType, QuantityType
 from .options import OptionSchema, option, schema_of
 
@@ -141,6 +142,7 @@ class FalsifyOptions:
 
 
 _OF_VERB = {
+    "lane": LaneOptions,
     "perturb": NetworkPerturbOptions,
     "drive": DriveOptions,
     "agent": PlacementOptions,

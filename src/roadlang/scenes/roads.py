@@ -11,13 +11,19 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry.lanes import DEFAULT_LANES
+from ..evaluate.kind_instance import scalar
+from ..geometry import WidthProfile
 from ..ir.batch import RoadBatch
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
-from ..world.networks import NetworkRoot, edge_batch, network_root
-from ..world.roads import lanes_of, road_batch, road_root
+from ..ir.scene_section import lane_members
+from ..world.cross_sections import LaneBatch
+from ..world.lane_plan import lane_plan
+from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
+from ..world.road_lanes import lanes_of
+from ..world.roads import road_batch, road_root
 from .junctions import scene_junctions
 
 
@@ -32,9 +38,11 @@ def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
         for edge in root.edges:
             batch = edge_batch(network, edge.id, candidates)
             name, origin = f"{network.name}/{edge.id}", f"{bottom}/{edge.id}"
-            whole = scene_road(name, origin, batch, DEFAULT_LANES, derived)
-            trim = _trim(whole, edge.length, root.junctions.plans[network.name].trims[edge.id])
-            roads.append(replace(whole, network=network.name, edge=edge.id, trim=trim))
+            lanes = lanes_of_edge(network, edge.id, candidates)
+            limit = _speed_limit(network, candidates)
+            road = scene_road(name, origin, batch, lanes, limit, derived)
+            trim = _trim(road, edge.length, root.junctions.plans[network.name].trims[edge.id])
+            roads.append(replace(road, network=network.name, edge=edge.id, trim=trim))
     return tuple(roads)
 
 
@@ -43,7 +51,14 @@ def scene_networks(candidates: CandidateBatch) -> tuple[SceneNetwork, ...]:
     return tuple(_network(network, candidates) for network in candidates.scenario.networks.values())
 
 
-def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool) -> SceneRoad:
+def scene_road(
+    name: str,
+    root: str,
+    batch: RoadBatch,
+    lanes: LaneBatch,
+    speed_limit: float | None,
+    derived: bool,
+) -> SceneRoad:
     """The first variant of a batch. Raises RL475 where it is no road any more."""
     points, count = batch.points[0], len(batch.stations)
     steps = np.hypot(*np.diff(points, axis=0).T)
@@ -53,6 +68,9 @@ def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool
     numbers = (arc, points, heading, curvature, width)
     if not all(np.isfinite(array).all() for array in numbers) or not (steps > 0).all():
         raise DiagnosticError(diagnose(Code.DEGENERATE_ROAD, None, name=name))
+    length = float(batch.length[0, 0])
+    profile = WidthProfile(arc, width, length if batch.closed else None)
+    section = lanes.cross_section(profile, batch.stations)
     return SceneRoad(
         name=name,
         stations=_floats(arc),
@@ -62,11 +80,13 @@ def scene_road(name: str, root: str, batch: RoadBatch, lanes: int, derived: bool
         heading=_floats(heading),
         curvature=_floats(curvature),
         width=_floats(width),
-        lanes=lanes,
+        lanes=section.lane_count,
         closed=batch.closed,
-        length=float(batch.length[0, 0]),
+        length=length,
         root=root,
         derived=derived,
+        speed_limit=speed_limit,
+        **lane_members(section, arc),
     )
 
 
@@ -75,7 +95,13 @@ def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
     heirs = any(scenario.source_of(other) is road for other in scenario.roads.values())
     batch = road_batch(road.name, candidates)
     root = _root_name(road, candidates)
-    return scene_road(road.name, root, batch, lanes_of(road.name, candidates), not heirs)
+    lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
+    return scene_road(road.name, root, batch, lanes, limit, not heirs)
+
+
+def _speed_limit(thing: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch) -> float | None:
+    value = lane_plan(thing, candidates.scenario).speed_limit
+    return None if value is None else float(scalar(evaluate(value, candidates)))
 
 
 def _root_name(road: ScenarioRoad, candidates: CandidateBatch) -> str:

@@ -7,6 +7,7 @@ the end of a road is the road drawn.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +18,12 @@ from ..geometry.lanes import DEFAULT_LANES
 from ..images.image_header import read_header
 from ..images.image_scale import scale_in_file
 from ..ir.scenario import FileSource, Scenario, ScenarioActor, ScenarioImage, ScenarioRoad
-from ..ir.values import Flag, PassCall
+from ..ir.values import ConstantValue, Flag, PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
 from ..plugins.registry import Registry
 from ..plugins.stated_bounds import OptionRange, corners
+from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
 
 _ROUNDING = 1e-9
@@ -75,21 +77,21 @@ def _file_has_scale(source: FileSource) -> bool:
 
 def _lane_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
     lane = dict(actor.options).get("lane")
-    lanes = _lanes(actor, scenario)
+    lanes = _lane_ids(actor, scenario)
     if lane is None or lanes is None:
         return None
     low, high = scenario.value_bounds.of(lane)
     return unknown_lane(actor, round(low), lanes) if low == high else None
 
 
-def _lanes(actor: ScenarioActor, scenario: IndexedScenario) -> int | None:
-    """How many lanes the road of an agent or object has; None where that is not known yet."""
-    for road in _roads(actor, scenario):
-        lanes = dict(road.options).get("lanes")
-        if lanes is not None:
-            low, high = scenario.value_bounds.of(lanes)
-            return round(low) if low == high else None
-    return DEFAULT_LANES if _drawer(actor, scenario) is not None else None
+def _lane_ids(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[int, ...] | None:
+    """The lanes of the road of an agent or object; None where they are not known yet."""
+    plan = lane_plan(scenario.roads[str(actor.on)], scenario)
+    if plan.owner is None and _drawer(actor, scenario) is not None:
+        plan = replace(
+            plan, owner=scenario.roads[str(actor.on)], lanes=ConstantValue(DEFAULT_LANES)
+        )
+    return known_ids(plan, scenario)
 
 
 def _position_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:

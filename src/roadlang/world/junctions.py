@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..evaluate.candidates import fixed_candidate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import CrossSection, RoadNetwork
 from ..geometry.junctions.model import JunctionPlan
-from ..geometry.junctions.plan import plan_junctions
-from ..geometry.lanes import DEFAULT_LANES
+from ..geometry.junctions.plan import PlanOptions, plan_junctions
 from ..ir.scenario import ScenarioNetwork
+from .lane_building import built_lanes
+from .lane_plan import LanePlan, is_left, lane_plan
 
 Floats = NDArray[np.float64]
 _CLOSE = 0.01
@@ -62,13 +64,15 @@ def network_plans(
     bottom: ScenarioNetwork, geometry: RoadNetwork, scenario: IndexedScenario
 ) -> NetworkPlans:
     """The plans of a network and of those made from it."""
-    made: dict[int, JunctionPlan] = {}
+    made: dict[LanePlan, JunctionPlan] = {}
     plans: dict[str, JunctionPlan] = {}
     for network in scenario.networks.values():
         if list(_networks(network, scenario))[-1] is bottom:
-            key = DEFAULT_LANES
+            plan = lane_plan(network, scenario)
+            key = replace(plan, owner=None, speed_limit=None)
             if key not in made:
-                made[key] = plan_junctions(geometry, _sections(geometry))
+                options = PlanOptions(left_hand=is_left(scenario))
+                made[key] = plan_junctions(geometry, _sections(plan, geometry, scenario), options)
             plans[network.name] = made[key]
     return NetworkPlans(plans, _greatest(geometry, plans.values()))
 
@@ -77,9 +81,14 @@ def _networks(network: ScenarioNetwork, scenario: IndexedScenario) -> Iterable[S
     return (link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork))
 
 
-def _sections(geometry: RoadNetwork) -> dict[int, CrossSection]:
+def _sections(
+    plan: LanePlan, geometry: RoadNetwork, scenario: IndexedScenario
+) -> dict[int, CrossSection]:
+    candidate = fixed_candidate(scenario)
     return {
-        edge.id: edge.cross_section or CrossSection.of_lane_count(DEFAULT_LANES, edge.width)
+        edge.id: built_lanes(plan, candidate, edge.cross_section).cross_section(
+            edge.width, edge.width.stations
+        )
         for edge in geometry.edges
     }
 

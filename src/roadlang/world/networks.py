@@ -22,7 +22,10 @@ from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
+from .cross_sections import LaneBatch
 from .junctions import NetworkPlans, network_plans
+from .lane_building import built_lanes
+from .lane_plan import lane_plan
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
@@ -85,6 +88,13 @@ def edge_batch(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) 
         return _perturbed_edge(named, network, edge, candidates)
 
     return candidates.once(("edge", network.name, edge), make)
+
+
+def lanes_of_edge(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> LaneBatch:
+    """The lanes of one road of a network, of candidates that have the same ones."""
+    found = network_root(network, candidates).network.edge(edge)
+    plan = lane_plan(network, candidates.scenario)
+    return built_lanes(plan, candidates, found.cross_section)
 
 
 def _root_edge(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> RoadBatch:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ..diagnostics import Code, Diagnostic, diagnose
-from ..geometry.lanes import lane_ids
 from ..ir.scenario import ScenarioActor, ScenarioImage
 
 
@@ -13,9 +12,8 @@ def missing_scale(image: ScenarioImage) -> Diagnostic:
     return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
 
 
-def unknown_lane(actor: ScenarioActor, lane: int, lanes: int) -> Diagnostic | None:
-    """RL613, where a road of so many lanes has none of this number."""
-    known = lane_ids(lanes)
+def unknown_lane(actor: ScenarioActor, lane: int, known: tuple[int, ...]) -> Diagnostic | None:
+    """RL613, where the lanes of a road have other numbers."""
     if lane in known:
         return None
     help_ = f"its lanes are {', '.join(map(str, known))}"

@@ -9,16 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
-from ..geometry.lanes import lane_ids
 from ..ir.scenario import ScenarioActor
 from .copies import element_of
-from .placement_faults import unknown_lane
-from .road_places import RoadPlaces, places_along
-from .roads import lane_counts, road_batch
+from .lane_places import LanePlaces, lane_places
+from .road_places import places_along
+from .roads import road_batch
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -45,8 +43,9 @@ def poses_of(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> Poses:
     start = starts_of(actor, copies)
     place = places_along(actor.on, copies.candidates, copies.rows, start)
     lane = _lanes(actor, copies)
-    offset = _offsets(actor, copies, place, lane, widths)
-    backward = _backward(actor, copies, lane)
+    lanes = lane_places(actor, copies, place, lane)
+    offset = _offsets(actor, copies, lanes, lane, widths)
+    backward = _backward(actor, copies, lanes.backward)
     turned = _number(actor, "heading", copies)
     heading = place.heading + np.where(backward, math.pi, 0.0) + turned
     directions = place.heading.tolist()
@@ -90,7 +89,7 @@ def _lanes(actor: ScenarioActor, copies: CopyBatch) -> Integers:
 
 
 def _offsets(
-    actor: ScenarioActor, copies: CopyBatch, place: RoadPlaces, lane: Integers, widths: Floats
+    actor: ScenarioActor, copies: CopyBatch, lanes: LanePlaces, lane: Integers, widths: Floats
 ) -> Floats:
     """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
 
@@ -98,34 +97,17 @@ def _offsets(
     """
     offset = _number(actor, "offset", copies)
     side = _option(actor, "side", copies)
-    outward = place.width / 2 + offset + widths / 2
-    middle = lane_middles(actor, copies, lane, place.width) + offset
-    found = np.where(lane == 0, offset, middle)
+    found = np.where(lane == 0, offset, lanes.middle + offset)
     if side is None:
         return found
-    found = np.where(_is_word(side, "left", copies), outward, found)
-    return np.where(_is_word(side, "right", copies), -outward, found)
+    outward = offset + widths / 2
+    found = np.where(_is_word(side, "left", copies), lanes.left + outward, found)
+    return np.where(_is_word(side, "right", copies), lanes.right - outward, found)
 
 
-def lane_middles(actor: ScenarioActor, copies: CopyBatch, lane: Integers, width: Floats) -> Floats:
-    """(R,) offsets of the middles of lanes, of 0 for lane 0. Raises RL613."""
-    assert actor.on is not None
-    lanes = lane_counts(actor.on, copies.candidates)[copies.rows]
-    middle = np.zeros(copies.count)
-    for id, count in {(i, n) for i, n in zip(lane.tolist(), lanes.tolist(), strict=True) if i != 0}:
-        fault = unknown_lane(actor, id, count)
-        if fault is not None:
-            raise DiagnosticError(fault)
-        chosen = (lane == id) & (lanes == count)
-        share = 0.5 - (lane_ids(count).index(id) + 0.5) / count
-        middle[chosen] = width[chosen] * share
-    return middle
-
-
-def _backward(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> Mask:
+def _backward(actor: ScenarioActor, copies: CopyBatch, by_lane: Mask) -> Mask:
     """(R,) whether copies face against the road: as said, or as their lane runs."""
     facing = _option(actor, "facing", copies)
-    by_lane = lane > 0
     if facing is None:
         return by_lane
     back, forward = (_is_word(facing, word, copies) for word in ("back", "forward"))

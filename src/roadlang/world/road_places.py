@@ -16,12 +16,14 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class RoadPlaces:
-    """Arrays (R,): where the center line is, its heading, and the width of the road there."""
+    """Arrays (R,): where the center line is, its heading, the width of the road there, and the arc
+    length of the root road at that place."""
 
     x: Floats
     y: Floats
     heading: Floats
     width: Floats
+    station: Floats
 
 
 def places_along(
@@ -32,9 +34,9 @@ def places_along(
     Arc lengths are those along the road itself; beyond an end, the end.
     """
     lines = candidates.once(("lines along", name), lambda: _lines(road_batch(name, candidates)))
-    stations = lines["station"]
-    names = ("x", "y", "heading", "width")
-    found = np.empty((4, len(at)))
+    stations = lines["along"]
+    names = ("x", "y", "heading", "width", "station")
+    found = np.empty((5, len(at)))
     variants = np.minimum(rows, len(stations) - 1)
     for variant in np.unique(variants).tolist():
         chosen = variants == variant
@@ -46,16 +48,18 @@ def places_along(
 
 
 def _lines(road: RoadBatch) -> dict[str, Floats]:
-    """Arc length, x, y, heading and width (V or 1, S) at the points of a road; of a closed one, up
-    to its first point again."""
-    points, heading = road.points, road.heading
+    """Arc length, x, y, heading, width and arc length of the root (V or 1, S) at the points of a
+    road; of a closed one, up to its first point again."""
+    points, heading, root = road.points, road.heading, road.stations
     width = np.broadcast_to(road.width, (len(road.width), points.shape[1]))
     if road.closed:
         points = np.concatenate([points, points[:, :1]], axis=1)
         turns = np.rint((heading[:, -1:] - heading[:, :1]) / (2 * np.pi))
         heading = np.concatenate([heading, heading[:, :1] + 2 * np.pi * turns], axis=1)
         width = np.concatenate([width, width[:, :1]], axis=1)
+        root = np.append(root, road.period or 0.0)
     x, y = points[..., 0], points[..., 1]
     steps = np.hypot(np.diff(x, axis=1), np.diff(y, axis=1))
-    stations = np.concatenate([np.zeros((len(points), 1)), np.cumsum(steps, axis=1)], axis=1)
-    return {"station": stations, "x": x, "y": y, "heading": heading, "width": width}
+    arc = np.concatenate([np.zeros((len(points), 1)), np.cumsum(steps, axis=1)], axis=1)
+    parts = {"along": arc, "x": x, "y": y, "heading": heading, "width": width}
+    return parts | {"station": root[None, :]}

@@ -15,13 +15,13 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..geometry import Curve, CurveFrame, Path, WidthProfile
-from ..geometry import Road as RoadShape
-from ..geometry.lanes import DEFAULT_LANES
+from ..geometry import CrossSection, Curve, CurveFrame, Path, Road, WidthProfile
 from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, Input, ScenarioNetwork, ScenarioRoad
-from ..ir.values import PassCall
+from ..ir.values import PassCall, Value
 from ..plugins.guard import wrong_result
+from .lane_building import built_lanes
+from .lane_plan import LanePlan, is_fixed, lane_plan
 from .networks import NetworkRoot, edge_batch, network_root
 from .perturbation import displaced, perturbed
 from .reading import read_file
@@ -36,17 +36,22 @@ DEFAULT_WIDTH = 7.0
 
 @dataclass(frozen=True, eq=False)
 class RoadRoot:
-    """A road before any `perturb`. `path`: the path of the network that it was selected as;
-    `inputs`: the files that it was made from, `confidence` that of the extractor in its network."""
+    """A road before any `perturb`.
+
+    `section`, `lanes`: the lanes that its file gives it; `path`: the path of the network that it
+    was selected as; `inputs`: the files that it was made from; `confidence`: that of the extractor
+    in its network.
+    """
 
     id: str
     frame: CurveFrame
     width: WidthProfile | None = None
-    lanes: int | None = None
+    section: CrossSection | None = None
     path: Path | None = None
     network: ScenarioNetwork | None = None
     inputs: tuple[Input, ...] = ()
     confidence: float = 1.0
+    lanes: int | None = None
 
 
 def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
@@ -76,32 +81,22 @@ def road_root(name: str, candidates: CandidateBatch) -> RoadRoot:
     return candidates.root(("road root", bottom.name), drawn, partial(_root, bottom))
 
 
-def lanes_of(name: str, candidates: CandidateBatch) -> int:
-    """How many lanes a road of a single candidate has."""
-    return int(lane_counts(name, candidates)[0])
-
-
-def lane_counts(name: str, candidates: CandidateBatch) -> NDArray[np.int64]:
-    """(V,) how many lanes a road has in each candidate."""
-    scenario = candidates.scenario
-    for link in _roads(scenario.roads[name], scenario):
-        option = dict(link.options).get("lanes")
-        if option is not None:
-            number = np.asarray(evaluate(option, candidates), float).reshape(-1)
-            found = np.maximum(1, np.rint(number).astype(np.int64))
-            return np.broadcast_to(found, (candidates.count,))
-    return np.full(candidates.count, road_root(name, candidates).lanes or DEFAULT_LANES)
-
-
 def _roads(road: ScenarioRoad, scenario: IndexedScenario) -> Iterator[ScenarioRoad]:
     return (link for link in scenario.chain(road) if isinstance(link, ScenarioRoad))
 
 
 def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) -> Floats:
-    option = dict(road.options).get("width")
-    if option is None:
-        return before.width
-    value = np.atleast_2d(np.asarray(evaluate(option, candidates), float))
+    """As written; of listed lanes on a road that was not measured, what they add up to."""
+    options = dict(road.options)
+    if "width" in options:
+        return _written_width(road, options["width"], candidates)
+    if options.keys() & {"left", "right"} and not _is_measured(road, candidates):
+        return _extent(road, lane_plan(road, candidates.scenario), candidates)
+    return before.width
+
+
+def _written_width(road: ScenarioRoad, written: Value, candidates: CandidateBatch) -> Floats:
+    value = np.atleast_2d(np.asarray(evaluate(written, candidates), float))
     if not (value > 0).all() or not np.isfinite(value).all():
         raise DiagnosticError(
             diagnose(
@@ -109,6 +104,22 @@ def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) ->
             )
         )
     return value
+
+
+def _is_measured(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
+    """Whether the width of a road comes from a picture or file, with nothing written over it."""
+    links = list(_roads(road, candidates.scenario))
+    if any(dict(link.options).keys() & {"width", "left", "right"} for link in links[1:]):
+        return False
+    return road_root(road.name, candidates).width is not None
+
+
+def _extent(road: ScenarioRoad, plan: LanePlan, candidates: CandidateBatch) -> Floats:
+    """(V, 1) meters from edge to edge of the drivable lanes as listed."""
+    if is_fixed(plan, candidates.scenario):
+        return built_lanes(plan, candidates).extent()
+    singles = (candidates.take(np.array([row])) for row in range(candidates.count))
+    return np.concatenate([built_lanes(plan, single).extent() for single in singles])
 
 
 def _unperturbed(road: ScenarioRoad, candidates: CandidateBatch) -> RoadBatch:
@@ -221,10 +232,11 @@ def _drawn(road: ScenarioRoad, candidates: CandidateBatch) -> Curve:
 
 def _from_file(road: ScenarioRoad, source: FileSource, candidates: CandidateBatch) -> RoadRoot:
     content = read_file(source, "road", road.passes, candidates.scenario, road.span)
-    found: Curve | RoadShape = content.value
-    curve = found.curve if isinstance(found, RoadShape) else found
-    width = found.width if isinstance(found, RoadShape) else None
-    lanes = found.lanes if isinstance(found, RoadShape) else None
+    found: Curve | Road = content.value
+    curve = found.curve if isinstance(found, Road) else found
+    width = found.width if isinstance(found, Road) else None
+    section = found.section if isinstance(found, Road) else None
+    lanes = found.lanes if isinstance(found, Road) else None
     closed = dict(road.options).get("closed")
     if closed is not None and bool(scalar(evaluate(closed, candidates))) != curve.closed:
         curve = Curve.through(curve.points, not curve.closed)
@@ -232,7 +244,7 @@ def _from_file(road: ScenarioRoad, source: FileSource, candidates: CandidateBatc
     reading = next(call for call in road.passes if call.verb == "read")
     curve = verified(reading, road.name, _checked(curve, road, reading), candidates)
     frame = _frame(curve, road, candidates.scenario)
-    return RoadRoot(road.name, frame, width, lanes, inputs=content.inputs)
+    return RoadRoot(road.name, frame, width, section, inputs=content.inputs, lanes=lanes)
 
 
 def _is_closed(road: ScenarioRoad, candidates: CandidateBatch) -> bool:

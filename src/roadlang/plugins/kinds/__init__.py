@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from .base import Kind
 from .drives import Controller, Simulator
+from .lanes import LaneDirection, LaneKind, LaneMarking
 from .outputs import AgentKind, Backend, ObjectKind
 from .pictures import Adjuster, Extractor, Reader
 from .roads import Drawer, Perturber, Piece, Selector
@@ -18,7 +19,7 @@ from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
     Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
-    Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
+    LaneKind, Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
     Simulator, Searcher, Backend, AgentKind, ObjectKind,
 )  # fmt: skip
 VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)
@@ -50,6 +51,9 @@ __all__ = [
     "DriveSignal",
     "Extractor",
     "Kind",
+    "LaneDirection",
+    "LaneKind",
+    "LaneMarking",
     "Monitor",
     "ObjectKind",
     "Perturber",

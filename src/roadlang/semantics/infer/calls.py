@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from ...diagnostics import Code, nearest
 from ...ir.values import Entity, PassCall
+from ...plugins.common_options import common_options
 from ...plugins.option_types import EntityType as EntityOption
 from ...plugins.option_types import UnionType
 from ...plugins.options import OptionSchema
@@ -23,7 +24,7 @@ from .kinds import find_kind, verbs_with
 from .option_binding import BoundOptions
 from .signals import measured
 
-_VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select")
+_VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select", "lane")
 _COUNTS = {"abs": (1, 1), "min": (2, None), "max": (2, None), "fresh": (1, 1)}
 
 
@@ -156,7 +157,8 @@ def of_kind(
         return checker.report(Code.UNKNOWN_FUNCTION, call.function.span, name=name, help=help_)
     inner = context if verb == "distribution" else replace(context, words=(), verbs=())
     rest = found.kind.rest
-    bound = bind_arguments(checker, call, found.schema, rest, inner)
+    schema = (*common_options(verb), *found.schema) if verb == "lane" else found.schema
+    bound = bind_arguments(checker, call, schema, rest, inner)
     if not bound.complete:
         return unknown(call.span)
     if verb == "distribution":
@@ -166,7 +168,10 @@ def of_kind(
     if verb in ("signal", "drive_signal", "number"):
         return measured(checker, call.span, found, bound, name)
     random = any(typed.random for typed in bound.given.values())
-    value = PassCall(verb, found.entry.qualified, bound.values, name, call.span)
+    own = {option.name for option in found.schema}
+    options = tuple(item for item in bound.values if item[0] in own)
+    common = tuple(item for item in bound.values if item[0] not in own)
+    value = PassCall(verb, found.entry.qualified, options, name, call.span, common)
     return TypedExpression(call.span, KindCallType(verb), value, random)
 
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Whole, Word
+from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Word
 from ...plugins.option_types import CallType, KindNameType, MapType, RecordType
 from ...plugins.options import option
+from .lane_options import CrossSectionOptions
 
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
@@ -42,7 +43,7 @@ class ImageOptions:
 
 
 @dataclass(frozen=True)
-class NetworkOptions:
+class NetworkOptions(CrossSectionOptions):
     """Options of `network`."""
 
     station_spacing: Length = option(
@@ -51,7 +52,7 @@ class NetworkOptions:
 
 
 @dataclass(frozen=True)
-class RoadOptions:
+class RoadOptions(CrossSectionOptions):
     """Options of `road`."""
 
     select: Selection = option(
@@ -64,11 +65,9 @@ class RoadOptions:
         None,
         above=0,
         maximum=200,
-        help="width from edge to edge; by default that of the source",
+        help="width of the drivable lanes, from edge to edge; by default that of the source, or of "
+        "the lanes",
         example="7m",
-    )
-    lanes: Whole = option(
-        2, minimum=1, maximum=32, help="number of lanes, both directions together"
     )
     closed: Flag = option(None, help="whether the road is a loop; by default as in the source")
     station_spacing: Length = option(
@@ -116,6 +115,12 @@ class WorldOptions:
         maximum=2,
         help="friction coefficient of the road: about 1 if dry, 0.5 if wet, 0.1 on ice",
         example="0.7",
+    )
+    traffic: Word = option(
+        None,
+        words=("right", "left"),
+        help="the side on which vehicles drive; by default the right",
+        example="left",
     )
     sun: Sun = option(
         None, help="position of the sun", example="{ azimuth: 90deg, elevation: 30deg }"

@@ -7,7 +7,11 @@ from collections.abc import Iterable
 from ...plugins import option_types as opt
 from ...plugins.describing import with_article
 
-_CALLS = {"piece": "a piece of a road, such as `straight(80m)`", "select": "a way to choose a road"}
+_CALLS = {
+    "piece": "a piece of a road, such as `straight(80m)`",
+    "select": "a way to choose a road",
+    "lane": "a lane, such as `drive(3.25m)`",
+}
 
 
 def describe(expected: opt.OptionType, words: Iterable[str] = ()) -> str:

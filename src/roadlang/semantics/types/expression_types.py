@@ -117,7 +117,11 @@ class KindCallType:
     verb: str
 
     def __str__(self) -> str:
-        nouns = {"piece": "a piece of a road", "select": "a way to choose a road"}
+        nouns = {
+            "piece": "a piece of a road",
+            "select": "a way to choose a road",
+            "lane": "a lane",
+        }
         return nouns.get(self.verb, f"a kind of {self.verb}")
 
 

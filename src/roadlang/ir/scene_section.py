@@ -1,0 +1,87 @@
+"""Between the cross-section of a road and the numbers of a scene."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..geometry import CrossSection, Lane, OffsetProfile, WidthProfile
+from .scene_lane import SceneLane
+
+if TYPE_CHECKING:
+    from ..geometry.lanes import Marking
+
+Floats = NDArray[np.float64]
+
+
+def equal_lanes(
+    count: int, stations: tuple[float, ...], width: tuple[float, ...], period: float | None
+) -> CrossSection:
+    """The lanes of a scene that does not list them."""
+    profile = WidthProfile(np.array(stations), np.array(width), period)
+    return CrossSection.of_lane_count(count, profile)
+
+
+def listed_lanes(
+    listed: tuple[SceneLane, ...],
+    center_marking: Marking,
+    center_offset: tuple[float, ...],
+    stations: tuple[float, ...],
+    period: float | None,
+) -> CrossSection:
+    """The lanes that a scene lists. Raises GeometryError for impossible ones."""
+    lanes = tuple(
+        Lane(
+            lane.id,
+            lane.kind,
+            WidthProfile(*_profile(stations, lane.width), period),
+            lane.direction,
+            lane.drivable,
+            lane.speed_limit,
+            lane.marking,
+            lane.users,
+            lane.raised,
+        )
+        for lane in listed
+    )
+    offset = None
+    if center_offset:
+        offset = OffsetProfile(*_profile(stations, center_offset), period)
+    return CrossSection(lanes, center_marking, offset)
+
+
+def lane_members(section: CrossSection, stations: Floats) -> dict[str, Any]:
+    """`lane_list`, `center_marking` and `center_offset` of a road with these stations."""
+    offset = section.center_offset
+    return {
+        "lane_list": tuple(
+            SceneLane(
+                lane.id,
+                lane.kind,
+                lane.direction,
+                _numbers(lane.width.at(stations)),
+                lane.drivable,
+                lane.speed_limit,
+                lane.marking,
+                lane.users,
+                lane.raised,
+            )
+            for lane in section.lanes
+        ),
+        "center_marking": section.center_marking,
+        "center_offset": () if offset is None else _numbers(offset.at(stations)),
+    }
+
+
+def _profile(stations: tuple[float, ...], values: tuple[float, ...]) -> tuple[Floats, Floats]:
+    """One number is for all of the road."""
+    places = np.array(stations) if len(values) > 1 else np.zeros(1)
+    return places, np.array(values)
+
+
+def _numbers(values: Floats) -> tuple[float, ...]:
+    """One number where all are the same."""
+    numbers: list[float] = values.tolist()
+    return tuple(numbers[:1]) if len(set(numbers)) == 1 else tuple(numbers)

@@ -1,0 +1,75 @@
+"""The lanes of declared roads, for many candidates or for one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate
+from ..geometry import Path
+from ..ir.scenario import ScenarioNetwork
+from ..ir.values import ConstantValue
+from .cross_sections import LaneBatch
+from .lane_building import built_lanes
+from .lane_plan import LanePlan, is_fixed, lane_plan
+from .roads import RoadRoot, road_root
+
+Rows = NDArray[np.intp]
+
+
+def lanes_of(name: str, candidates: CandidateBatch) -> LaneBatch:
+    """The lanes of a road of a single candidate."""
+    ((_, lanes),) = lane_parts(name, candidates)
+    return lanes
+
+
+def lane_parts(name: str, candidates: CandidateBatch) -> tuple[tuple[Rows, LaneBatch], ...]:
+    """Candidates that have the same lanes, apart from widths, and these lanes.
+
+    Each candidate is in one part; all are in one part where the lanes themselves are not drawn.
+    """
+
+    def make() -> tuple[tuple[Rows, LaneBatch], ...]:
+        plan = lane_plan(candidates.scenario.roads[name], candidates.scenario)
+        return tuple(
+            (rows, _lanes(alike, name, candidates, rows))
+            for rows, alike in _alike(plan, candidates)
+        )
+
+    return candidates.once(("lanes", name), make, inherited=False)
+
+
+def _alike(plan: LanePlan, candidates: CandidateBatch) -> Iterator[tuple[Rows, LanePlan]]:
+    every = np.arange(candidates.count)
+    if is_fixed(plan, candidates.scenario):
+        yield every, plan
+    elif plan.lanes is not None and is_fixed(replace(plan, lanes=None), candidates.scenario):
+        numbers = np.asarray(evaluate(plan.lanes, candidates), float).reshape(-1)
+        counts = np.broadcast_to(np.maximum(1, np.rint(numbers)), (candidates.count,))
+        for count in np.unique(counts).tolist():
+            yield np.flatnonzero(counts == count), replace(plan, lanes=ConstantValue(count))
+    else:
+        for row in every:
+            yield np.array([row]), plan
+
+
+def _lanes(plan: LanePlan, name: str, candidates: CandidateBatch, rows: Rows) -> LaneBatch:
+    part = candidates if len(rows) == candidates.count else candidates.take(rows)
+    root = road_root(name, part)
+    lanes = built_lanes(plan, part, root.section, root.lanes)
+    return lanes.reversed(root.frame.curve.length) if _is_reversed(plan, root) else lanes
+
+
+def _is_reversed(plan: LanePlan, root: RoadRoot) -> bool:
+    """Whether lanes that a network gives are seen from the other end: most of a path through it
+    runs against the direction of the edges."""
+    return isinstance(plan.owner, ScenarioNetwork) and _runs_backward(root.path)
+
+
+def _runs_backward(path: Path | None) -> bool:
+    steps = () if path is None else path.steps
+    return sum(step.stop - step.start for step in steps) < 0.0
