@@ -136,8 +136,9 @@ def test_how_a_value_is_written(value: Any, text: str) -> None:
 
 
 def test_values_that_the_language_cannot_write_are_refused(file: Path) -> None:
-    with pytest.raises(ValueError, match="`reach` is nan"):
-        roadlang.load(file, reach=float("nan"))
+    for number in ("nan", "inf", "-inf"):
+        with pytest.raises(ValueError, match=f"`reach` is {number}"):
+            roadlang.load(file, reach=float(number))
     with pytest.raises(TypeError, match="a dict"):
         roadlang.load(file, reach={})  # type: ignore[arg-type]
 
@@ -172,6 +173,14 @@ def test_rejections_are_counted(file: Path) -> None:
     (row,) = scenes.rejections
     assert (row.name, scenes.candidates - row.rejected) == ("near", 5)
     assert scenes.rejection_table.startswith(f"{scenes.candidates} candidates tried")
+
+
+def test_requirements_are_recorded_in_the_order_of_the_file(tmp_path: Path) -> None:
+    """However often each rejects, and whatever they are called."""
+    limits = {"zeal": "20m", "calm": "2m", "mild": "4m"}
+    lines = (f"require {name}: always (away < {most})\n" for name, most in limits.items())
+    manifest = roadlang.loads(SCENE + "".join(lines)).sample(2).emit(tmp_path / "out", ["json"])
+    assert [row.name for row in manifest.requirements] == ["near", *limits]
 
 
 def test_fewer_scenes_than_asked_for_is_a_warning() -> None:
@@ -241,3 +250,19 @@ def test_objects_describe_themselves(file: Path) -> None:
     assert repr(scenes).startswith("<2 scenes of ")
     assert repr(scenes[1]) == "<scene 1 of scene: main, bent>"
     assert repr(scenes[0].roads["main"]).startswith("<road main: ")
+
+
+def test_the_place_of_a_byte_that_is_no_text_is_told(tmp_path: Path) -> None:
+    (tmp_path / "scene.rl").write_bytes(b"# \xc3\xa4\nroad main {}\n# \xff\n")
+    with pytest.raises(roadlang.DiagnosticError, match="line 3 has the byte 0xff"):
+        roadlang.load(tmp_path / "scene.rl")
+
+
+def test_the_least_robustness_of_several_scenes_is_the_worst(file: Path) -> None:
+    text = file.read_text() + "expect flat: always (abs(curvature(bent)) < 0.001/m)\n"
+    scenes = roadlang.loads(text, folder=file.parent).sample(4)
+    values = [scene.expectations["flat"].robustness for scene in scenes]
+    (found,) = [found for found in scenes.expectations if found.name == "flat"]
+    assert len(set(values)) > 1
+    assert found.worst == min(value for value in values if value is not None)
+    assert found.judged == (0, 1, 2, 3)

@@ -149,3 +149,14 @@ def test_a_trace_of_the_first_schema_is_read() -> None:
     )
     assert old != text
     assert (from_json(old).agents["ego"].cross_track_error == 0.5).all()
+
+
+def test_the_gap_is_the_same_from_either_side() -> None:
+    """Of a long truck and a bollard beside its middle: no corner of the truck is near."""
+    truck = agent("truck", np.zeros_like(TIME), length=12.0, width=2.5)
+    post = agent("post", np.ones_like(TIME), 3.0, length=0.2, width=0.2)
+    drive = trace(truck, post)
+    for names in (("truck", "post"), ("post", "truck")):
+        options = dict(zip(("first", "second"), names, strict=True))
+        apart = condition({"always": {">": ["g", 0.0]}}, g=("gap", options))
+        assert rho_of(apart, drive) == pytest.approx(1.65)

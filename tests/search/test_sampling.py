@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -125,6 +126,8 @@ def test_candidates_that_bounds_accept_have_no_best_robustness_without_a_scene(
     assert result.scenes == ()
     assert row.rejected < row.tried
     assert row.best is None
+    line = next(line for line in result.table_text.splitlines() if line.startswith("near: "))
+    assert re.split(" {2,}", line)[3] == "at least 0"
 
 
 def test_a_grid_visits_every_combination_once(sample: Sample) -> None:

@@ -156,3 +156,15 @@ def test_a_shift_moves_to_the_side_and_stays_there(
 def test_a_closed_road_cannot_be_shifted(ring: RoadBatch, random: BatchRandom) -> None:
     with pytest.raises(GeometryError, match="open road"):
         Shift(at=20.0, offset=1.0, length=30.0).displacements(ring, random)
+
+
+@pytest.mark.parametrize("at", [0.0, 1.0, 60.0])
+def test_a_bump_on_a_loop_reaches_over_the_seam(
+    ring: RoadBatch, random: BatchRandom, at: float
+) -> None:
+    assert ring.period is not None
+    (moved,) = Bump(at=at, height=2.0, length=20.0).displacements(ring, random)
+    away = np.abs(ring.stations - at)
+    away = np.minimum(away, ring.period - away)
+    assert (moved[away < 9.0] > 0.0).all()
+    assert (moved[away > 10.0] == 0.0).all()

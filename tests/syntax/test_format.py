@@ -157,3 +157,11 @@ def test_a_file_with_errors_is_not_touched() -> None:
     result, found = format_source(Source("broken.rl", "param a = "))
     assert result is None
     assert [diagnostic.code for diagnostic in found] == ["RL001"]
+
+
+@pytest.mark.parametrize(("letters", "lines"), [(99, 1), (100, 1), (101, 2)])
+def test_a_line_has_a_hundred_columns_and_no_more(letters: int, lines: int) -> None:
+    name = "x" * (letters - len("let a = b + "))
+    text, _ = format_source(Source("p.rl", f"let a = b + {name}\n"))
+    assert text is not None
+    assert len(text.splitlines()) == lines

@@ -208,3 +208,25 @@ def test_an_indented_misspelled_statement_is_found() -> None:
 def test_a_semicolon_is_said_once() -> None:
     _, found = parse(Source("semicolon.rl", "let a = 1; let b = 2;\n"))
     assert [d.code for d in found] == ["RL006", "RL006"]
+
+
+def test_a_bracket_closed_by_another_is_reported_at_the_closing_one() -> None:
+    _, (found,) = parse(Source("p.rl", "require a: always (p > 3m]\nrequire b: always (q > 3m)\n"))
+    assert found.span is not None
+    assert (found.code, found.span.line, found.span.column) == ("RL004", 1, 26)
+    assert found.help == ("`(` of line 1 is closed by `)`",)
+    assert [fix.replacement for fix in found.fixes] == [")"]
+
+
+def test_a_decimal_comma_has_no_blanks_around_it() -> None:
+    _, (found,) = parse(Source("p.rl", "road a from b { width: 7,5m }\n"))
+    assert (found.code, found.span and found.span.text) == ("RL008", "7,5m")
+    _, (found,) = parse(Source("p.rl", "road a from b { lanes: 2 ,5m }\n"))
+    assert (found.code, found.span and found.span.text) == ("RL001", "5m")
+
+
+def test_a_bracket_too_many_leaves_the_statements_behind_it_alone() -> None:
+    text = "  road a from b { lanes: 2 } }\n  raod c from d\n"
+    tree, found = parse(Source("p.rl", text))
+    assert [(d.code, d.span and d.span.line) for d in found] == [("RL004", 1), ("RL002", 2)]
+    assert len(tree.statements) == 2

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,7 +109,7 @@ def as_text(rows: Sequence[RejectionRow], candidates: int) -> str:
     head = ("requirement", "rejected", "of those tried", "best robustness", "line")
     lines: list[tuple[str, ...]] = [head]
     for row in rows:
-        best: Any = "-" if row.best is None else f"{row.best:.3g}"
+        best = f"{row.best:.3g}" if row.best is not None else "at least 0" if row.settled else "-"
         share = "impossible" if row.impossible else f"{row.share:.1%}"
         label = row.text if row.implied else f"{row.name}: {row.text}"
         line = "" if row.line is None else str(row.line)
