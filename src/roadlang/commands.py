@@ -17,13 +17,15 @@ from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 if TYPE_CHECKING:
     from .files.writing import replace_file, write_all, write_file
     from .judging.drives import judge
-    from .session.scene_files import parse_overrides, read_scene_file
+    from .session.params import parse_overrides
+    from .session.scene_files import read_scene_file
     from .syntax.scene_edits import object_moved, waypoint_moved
 
 _LATER = {
     ".files.writing": "replace_file write_all write_file",
     ".judging.drives": "judge",
-    ".session.scene_files": "parse_overrides read_scene_file",
+    ".session.params": "parse_overrides",
+    ".session.scene_files": "read_scene_file",
     ".syntax.scene_edits": "object_moved waypoint_moved",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}

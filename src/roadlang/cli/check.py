@@ -9,7 +9,8 @@ import click
 
 from ..diagnostics import Diagnostic, DiagnosticError, Source
 from ..ir.scenario import Scenario
-from ..session.scene_files import STANDARD_INPUT, parse_overrides
+from ..session.params import parse_overrides
+from ..session.scene_files import STANDARD_INPUT
 from . import exit_codes
 from .console import report
 

@@ -10,7 +10,7 @@ import click
 
 from ..diagnostics import DiagnosticError
 from ..session.outputs import parse_outputs
-from ..session.scene_files import parse_overrides
+from ..session.params import parse_overrides
 from . import exit_codes
 from .console import report
 
@@ -21,7 +21,14 @@ if TYPE_CHECKING:
 @click.command("compile")
 @click.argument("file", type=click.Path())
 @click.option(
-    "-o", "--output", "folder", default="out", show_default=True, metavar="DIR", type=click.Path()
+    "-o",
+    "--output",
+    "folder",
+    default="out",
+    show_default=True,
+    metavar="DIR",
+    type=click.Path(),
+    help="Output folder.",
 )
 @click.option(
     "-n",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..session.scene_files import parse_overrides
+from ..session.params import parse_overrides
 from . import exit_codes
 from .console import echo, holding, report, shown, style
 
@@ -20,7 +20,15 @@ if TYPE_CHECKING:
 @click.command("run")
 @click.argument("file")
 @click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
-@click.option("-o", "--output", "folder", default="out", show_default=True, metavar="DIR")
+@click.option(
+    "-o",
+    "--output",
+    "folder",
+    default="out",
+    show_default=True,
+    metavar="DIR",
+    help="Output folder.",
+)
 @click.option(
     "-n",
     "count",

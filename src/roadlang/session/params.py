@@ -1,10 +1,12 @@
-"""Values for params from Python, as texts of the language."""
+"""Values for params from Python and from `--set`, as texts of the language."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
+
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 ParamValue = str | int | float | bool | Sequence[Any]
 """Text as in the language (`"12m"`), a number without unit, true or false, or a list of such."""
@@ -34,3 +36,24 @@ def _text(name: str, value: Any) -> str:
         f"the value of `{name}` is a {type(value).__name__}; write a number,"
         ' or a text as in the language, such as "12m"'
     )
+
+
+def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
+    """`--set name=value` as a map. Raises `DiagnosticError` RL924."""
+    overrides: dict[str, str] = {}
+    faults: list[Diagnostic] = []
+    for setting in settings:
+        name, sign, value = (part.strip() for part in setting.partition("="))
+        if not sign or not _is_name(name) or not value:
+            faults.append(
+                diagnose(Code.MALFORMED_SET_OPTION, text=setting, help="write `--set reach=12m`")
+            )
+        overrides[name] = value
+    if faults:
+        raise DiagnosticError(*faults)
+    return overrides
+
+
+def _is_name(text: str) -> bool:
+    """`reach`, or `left.reach` of a file that is included as `left`."""
+    return all(part.isidentifier() for part in text.split("."))

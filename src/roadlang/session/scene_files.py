@@ -1,12 +1,11 @@
-"""Scene files as text, and the values that replace those of their params."""
+"""Scene files as text."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
 from pathlib import Path
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
+from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
 from ..files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
 
 STANDARD_INPUT = "-"
@@ -35,27 +34,6 @@ def read_scene_file(name: str) -> str:
         raise DiagnosticError(
             diagnose(Code.NOT_UTF8, path=name, help=_encoding_hint(data), reason=reason)
         ) from None
-
-
-def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
-    """`--set name=value` as a map. Raises `DiagnosticError` RL924."""
-    overrides: dict[str, str] = {}
-    faults: list[Diagnostic] = []
-    for setting in settings:
-        name, sign, value = (part.strip() for part in setting.partition("="))
-        if not sign or not _is_name(name) or not value:
-            faults.append(
-                diagnose(Code.MALFORMED_SET_OPTION, text=setting, help="write `--set reach=12m`")
-            )
-        overrides[name] = value
-    if faults:
-        raise DiagnosticError(*faults)
-    return overrides
-
-
-def _is_name(text: str) -> bool:
-    """`reach`, or `left.reach` of a file that is included as `left`."""
-    return all(part.isidentifier() for part in text.split("."))
 
 
 def _bytes(name: str) -> bytes:

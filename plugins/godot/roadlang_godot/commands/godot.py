@@ -18,7 +18,11 @@ from roadlang.commands import echo
     help="Port to listen on.",
 )
 @click.option(
-    "--transport", type=click.Choice(["udp", "websocket"]), default="udp", help="Protocol."
+    "--transport",
+    type=click.Choice(["udp", "websocket"]),
+    default="udp",
+    show_default=True,
+    help="Protocol.",
 )
 @click.option("--where", is_flag=True, help="Print the paths of Godot and the project, and exit.")
 def command(headless: bool, host: str, port: int, transport: str, where: bool) -> None:
