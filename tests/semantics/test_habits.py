@@ -18,6 +18,7 @@ ROAD = (
 EGO = "agent ego is car on main at 5m { drive with pure_pursuit { speed: 12m/s } }\n"
 LEAD = "agent lead is car on main at 25m { drive with lane_follow { speed: 9m/s } }\n"
 PLAN = 'image plan from "town.png" { scale: 1m/px }\n'
+BENT = "road bent from main { perturb with bump { at: 50m, height: 1m, length: 9m } }"
 GENTLE = "(curvature(main) < 1/m)"
 
 HABITS = [
@@ -87,6 +88,37 @@ HABITS = [
     ("require r: always (curvature(zebra) < 1/m)", "RL101", "declares `main`", None),
     ("road bent from main\nrequire r: length(bended) > 5m", "RL101", "`bent`", "bent"),
     (PLAN + "road a from plan", "RL228", "extract a network first", None),
+    ("reach = 3m\nparam w = reach * 2", "RL002", "`param reach = value`", None),
+    ("ego = new Car\nexpect e: always (ego.speed < 5m/s)", "RL002", "agent NAME is KIND", None),
+    ("seed 7", "RL002", "`roadlang compile scene.rl --seed 7`", None),
+    ("param float w = 5m\nparam v = w / 2s", "RL001", "`param w = ...`", None),
+    ("road bent(main)", "RL001", "`road bent from main`", " from main"),
+    ("road bent = main", "RL001", "`from`", "from"),
+    ("agent a = car on main at 5m", "RL001", "`is`", "is"),
+    ("param w = 3m...5m", "RL001", "two dots", ".."),
+    ("world { time_of_day: 14:30 }", "RL001", "`14.5h`", "14.5h"),
+    ('world { time_of_day: "14:30" }', "RL206", "`14h`", None),
+    ("object b is building at 40m, 32m", "RL001", "`(40m, 32m)`", "(40m, 32m)"),
+    (EGO + "agent a is car on main at 20m ahead of ego", "RL001", "`at ego.start + 20m`", None),
+    (EGO + "agent a is car on main at 2m behind ego", "RL001", "`at ego.start - 2m`", None),
+    ("agent a is car at 5m\nagent b is car on main at a.start + 5m", "RL237", "", None),
+    ("agent a is car on main at 5m { behavior stanley }", "RL001", "`drive with KIND", None),
+    ("object b is box at (1m, 2m) { heading: 30°, height: 2m }", "RL203", "`30deg`", "30deg"),
+    ("emit json, svg", "RL001", "for each output", None),
+    ("emit svg(size: 800px)", "RL001", "in braces: `svg {", None),
+    ("emit with json", "RL001", "`emit json`", None),
+    ('scenario "A bend"', "RL001", "a name and a title", None),
+    ("scenario bend A bend", "RL001", "a name and a title", None),
+    ("require r: globally " + GENTLE, "RL021", "`always`", "always"),
+    ("require r: finally " + GENTLE, "RL021", "`eventually`", "eventually"),
+    ("require r: always (curvature(main).abs() < 1/m)", "RL001", "`abs(x)`", None),
+    ("require r: always (curvature(main) < 10m)", "RL205", "`curvature(main)` is in 1/m", None),
+    (EGO + "expect e: always (not collides(ego, main))", "RL225", "ego.contacts", None),
+    (BENT.replace("9m", "[5m, 9m]"), "RL206", "`5m..9m`", "5m..9m"),
+    (BENT.replace("9m", "(5m, 9m)"), "RL206", "`5m..9m`", "5m..9m"),
+    (BENT.replace("9m", "9m, over: 2m..90m"), "RL206", "`[2m, 90m]`", "[2m, 90m]"),
+    (BENT + "\nrequire r: bent.length(main) < 5m", "RL225", "`length(bent, main)`", None),
+    (BENT + "\nrequire r: always (deviation(bent - main) < 5m)", "RL206", "", None),
     ("simulate with builtin", "RL212", "the only kind of `simulate` is `godot`", None),
 ]
 
@@ -112,3 +144,11 @@ def test_a_habit_of_another_language_gets_one_error_with_help(
     for fix in found[0].fixes[:1]:
         mended = source[: fix.span.start] + fix.replacement + source[fix.span.end :]
         assert found_in(mended, tmp_path) == []
+
+
+def test_a_lone_equals_sign_is_one_fault_not_two(tmp_path: Path) -> None:
+    text = ROAD + "require r: always (curvature(main) = 1/m)\n"
+    _, found = check_text(text, tmp_path / "scene.rl", {}, load_registry())
+    assert [diagnostic.code for diagnostic in found] == ["RL010"]
+    _, found = check_text(text.replace("=", "=="), tmp_path / "scene.rl", {}, load_registry())
+    assert [diagnostic.code for diagnostic in found] == ["RL291"]

@@ -80,9 +80,7 @@ class Choice(Distribution):
         total = sum(weights)
         least = min(float(np.min(weight)) for weight in weights)
         if len(weights) != len(self.items) or least < 0 or not np.all(np.asarray(total) > 0):
-            raise DiagnosticError(
-                diagnose(Code.INVALID_CHOICE_WEIGHTS, items=len(self.items), weights=len(weights))
-            )
+            raise DiagnosticError(diagnose(Code.INVALID_CHOICE_WEIGHTS, items=len(self.items)))
         return [weight / total for weight in weights]
 
 

@@ -110,7 +110,7 @@ class _Binder:
 
     def _look_for_missing(self) -> None:
         missing = [o.name for o in self._schema if o.required and o.name not in self._named]
-        if missing:
+        if missing and self._complete:  # an argument that is wrong may stand for it
             span = self._call.span
             report_missing(self._checker, self._owner, missing, self._known, span, "argument")
             self._complete = False

@@ -78,11 +78,13 @@ def _no_function(
     habit = function_help(call, name)
     if habit is not None:
         return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=habit[0], fixes=habit[1])
-    known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)}
-    checker.report(
-        Code.UNKNOWN_FUNCTION, span, name=name, meant=nearest(name, known | set(_COUNTS))
-    )
-    return unknown(call.span)
+    known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)} | {*_COUNTS}
+    owner, dot, last = name.rpartition(".")
+    if dot and last in known:
+        arguments = ", ".join([owner, *(argument.span.text for argument in call.arguments)])
+        help_ = f"write `{last}({arguments})`"
+        return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=help_)
+    return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, meant=nearest(name, known))
 
 
 def _built_in(

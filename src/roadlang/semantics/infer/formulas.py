@@ -47,7 +47,9 @@ def infer_comparison(
     if common_dimension(checker, parts, "compared") is None:
         return unknown(node.span)
     for operator, right in zip(node.operators, parts[1:], strict=True):
-        if operator in ("==", "!=") and not _is_whole(right):
+        # A lone `=` is reported already.
+        is_written = operator in node.span.text
+        if operator in ("==", "!=") and is_written and not _is_whole(right):
             checker.report(Code.FLOAT_EQUALITY, node.span, operator=operator)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, TypedExpression):

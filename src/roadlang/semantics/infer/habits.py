@@ -34,6 +34,9 @@ _FUNCTIONS = {
     "exp": "the functions of numbers are `abs`, `min` and `max`",
     "log": "the functions of numbers are `abs`, `min` and `max`",
     "time_to_collision": "write `gap(ego, lead) > 2s * ego.speed`, without a division",
+    "collides": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
+    "collision": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
+    "intersects": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "ttc": "write `gap(ego, lead) > 2s * ego.speed`, without a division",
 }
 _RANGES = ("Range", "random", "rand", "Uniform")

@@ -94,6 +94,8 @@ def _of_actor(
             Code.UNDEFINED_SIGNAL, place, name=name, given=f"`{base}`", help=written
         )
     if verb == "number" and not _is_on_road(checker, base):
+        if _lacks_road(checker, base):
+            return unknown(member.span)
         return checker.report(Code.START_WITHOUT_ROAD, member.span, name=base, member=name)
     fitted = check_assignable(checker, owner, found.schema[0])
     if fitted is None:
@@ -112,6 +114,12 @@ def _members(checker: Checker, owner: TypedExpression) -> list[str]:
         for kind in kinds
         if is_member(kind) and kind.schema and takes_role(kind.schema[0], role)
     ]
+
+
+def _lacks_road(checker: Checker, name: str) -> bool:
+    """Whether the statement is wrong itself: `at 5m` without a road, which is reported there."""
+    statement = checker.program.declarations[name].statement
+    return isinstance(statement, ast.Actor) and isinstance(statement.at, ast.Number)
 
 
 def _is_on_road(checker: Checker, name: str) -> bool:

@@ -14,6 +14,7 @@ from . import expression_types as ty
 from .describe_option import describe
 from .dimensions import common_dimension, unit_missing
 from .option_limits import check_limits
+from .range_or_interval import other_form
 
 if TYPE_CHECKING:
     from ...ir.dimension import Dimension
@@ -85,7 +86,13 @@ def _mismatch(
             what=what,
         )
     else:
-        checker.report(Code.WRONG_TYPE, typed.span, what=what, expected=wanted, found=typed.type)
+        help_, fixes = other_form(typed, expected)
+        if isinstance(expected, opt.QuantityType) and not help_:
+            help_ = _unit_help(expected.dimension, limits)
+        checker.report(
+            Code.WRONG_TYPE, typed.span, what=what, expected=wanted, found=typed.type,
+            help=help_, fixes=fixes,
+        )  # fmt: skip
     return None
 
 

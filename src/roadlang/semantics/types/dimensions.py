@@ -23,6 +23,7 @@ _MEANT = {
     "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minutes": "min", "hour": "h",
     "degree": "deg", "degrees": "deg", "radians": "rad", "pixel": "px", "pixels": "px",
     "kmh": "km/h", "kph": "km/h", "mps": "m/s", "percent": "%", "feet": "ft", "miles": "mi",
+    "\N{DEGREE SIGN}": "deg",
 }  # fmt: skip
 
 
@@ -148,9 +149,18 @@ def common_dimension(
                 found=found,
                 left=short(leader),
                 right=short(part),
+                help=_units_of(leader, part),
             )
         break
     return expected if agreed else None
+
+
+def _units_of(left: TypedExpression, right: TypedExpression) -> tuple[str, ...]:
+    """The units of two things that are in different ones, where both have one."""
+    units = [(short(part), dimension_of(part).unit) for part in (left, right)]
+    if not all(unit for _, unit in units):
+        return ()
+    return (" and ".join(f"`{text}` is in {unit}" for text, unit in units),)
 
 
 def short(typed: TypedExpression) -> str:

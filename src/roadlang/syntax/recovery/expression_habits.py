@@ -83,6 +83,8 @@ def emit_target(place: ErrorPosition) -> Mistake | None:
             fixes=[Fix(span, meant)],
         )
         return Mistake(found, Edit(1, 2, (("NAME", meant, span.start, span.end),)))
+    if place.kind() == "COMMA":
+        return _refused(place, "write an `emit` of its own for each output", hopeless=True)
     if place.kind() not in ("NAME", "STRING") or place.kind(-1) != "NAME":
         return None
     help = "the command line names the output folder: `roadlang compile scene.rl -o DIR`"
@@ -96,8 +98,91 @@ def specifier(place: ErrorPosition) -> Mistake | None:
     before = [token[0] for token in place.tokens[: place.index]]
     if "AT" not in before or "LBRACE" in before:
         return None
+    around = [place.kind(offset) for offset in (-2, -1, 0, 1)]
+    if around == ["AT", "NUMBER", "COMMA", "NUMBER"]:
+        return _point_without_parentheses(place)
     help = "options are written in braces: `at 5m { heading: 30deg, drive with pure_pursuit }`"
     return _refused(place, help, hopeless=True)
+
+
+def _point_without_parentheses(place: ErrorPosition) -> Mistake:
+    """`at 40m, 32m`."""
+    span = place.span(-1, 1)
+    meant = f"({place.word(-1)}, {place.word(1)})"
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected="a position",
+        found=f"`{span.text}`",
+        help=f"write `{meant}`",
+        fixes=[Fix(span, meant)],
+    )
+    ends = ("LPAR", "(", span.start, span.start), ("RPAR", ")", span.end, span.end)
+    inside = (place.token(-1), place.token(), place.token(1))
+    return Mistake(found, Edit(place.index - 1, place.index + 2, (ends[0], *inside, ends[1])))
+
+
+def relative_position(place: ErrorPosition) -> Mistake | None:
+    """`at 20m ahead of ego`: Scenic's specifier."""
+    signs = {"ahead": "+", "behind": "-"}
+    other = 2 if place.word(1) == "of" else 1
+    if place.word() not in signs or place.kind(other) != "NAME" or place.kind(-1) != "NUMBER":
+        return None
+    meant = f"{place.word(other)}.start {signs[place.word()]} {place.word(-1)}"
+    help = f"a position relative to another is written `at {meant}`"
+    return _refused(place, help, hopeless=True)
+
+
+def typed_value(place: ErrorPosition) -> Mistake | None:
+    """`param float reach = 8m`: a type before the name."""
+    named = place.kind() == "NAME" and place.kind(1) == "EQUAL" and place.index == 2
+    if place.first_kind not in ("PARAM", "LET") or not named:
+        return None
+    statement = f"{place.word(-2)} {place.word()} = ..."
+    found = _refused(place, f"values are declared without a type: write `{statement}`").diagnostic
+    return Mistake(found, Edit(1, 2))
+
+
+def source_in_parentheses(place: ErrorPosition) -> Mistake | None:
+    """`road bent(main) { ... }`: what a road is made from, as an argument."""
+    if place.kind() != "LPAR" or place.index != 2 or not place.expects("FROM"):
+        return None
+    if (place.kind(1), place.kind(2)) != ("NAME", "RPAR"):
+        return None
+    span, meant = place.span(0, 2), f" from {place.word(1)}"
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected="`from`",
+        found=finding(place),
+        help=f"write `{place.word(-2)} {place.word(-1)}{meant}`",
+        fixes=[Fix(span, meant)],
+    )
+    word = ("FROM", "from", span.start, span.start)
+    return Mistake(found, Edit(2, 5, (word, place.token(1))))
+
+
+def options_in_parentheses(place: ErrorPosition) -> Mistake | None:
+    """`emit svg(size: 800px)`, `perturb with sine(amplitude: 2m)`."""
+    if place.kind() != "LPAR" or not place.expects("LBRACE") or place.kind(-1) != "NAME":
+        return None
+    kind = place.word(-1)
+    return _refused(place, f"options are written in braces: `{kind} {{ option: value }}`")
+
+
+def method_call(place: ErrorPosition) -> Mistake | None:
+    """`x.abs()`: a function as a member."""
+    name = place.word(-1)
+    if place.kind() != "LPAR" or place.kind(-2) != "DOT" or name not in ("abs", "min", "max"):
+        return None
+    return _refused(place, f"a function is written before its argument: `{name}(x)`")
+
+
+def title_of_scenario(place: ErrorPosition) -> Mistake | None:
+    """`scenario "A bend"` and `scenario hairpin A bend`."""
+    if place.first_kind != "SCENARIO" or place.index not in (1, 2):
+        return None
+    return _refused(place, 'a scenario has a name and a title: `scenario hairpin "A bend"`')
 
 
 def absolute_value(place: ErrorPosition) -> Mistake | None:

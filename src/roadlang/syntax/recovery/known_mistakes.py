@@ -16,19 +16,28 @@ from .expression_habits import (
     conditional,
     emit_target,
     function_definition,
+    method_call,
+    options_in_parentheses,
     position_range,
     range_word,
+    relative_position,
+    source_in_parentheses,
     specifier,
+    title_of_scenario,
+    typed_value,
 )
 from .form_mistakes import actor_order, interval_form, list_operand, missing_position
-from .number_mistakes import decimal_comma, decimal_point, loose_unit
+from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .sign_mistakes import (
+    equal_for_word,
     one_too_many,
     power_of_python,
     stray_closer,
+    third_dot,
     turned_comparison,
     wrong_sign,
 )
+from .statement_habits import foreign_pass_help
 from .token_names import expectation, finding
 from .word_mistakes import (
     bare_file_name,
@@ -43,6 +52,8 @@ from .word_mistakes import (
 
 _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     loose_unit,
+    third_dot,
+    clock_time,
     decimal_point,
     decimal_comma,
     subscript,
@@ -50,6 +61,12 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     function_definition,
     position_range,
     range_word,
+    typed_value,
+    title_of_scenario,
+    source_in_parentheses,
+    options_in_parentheses,
+    relative_position,
+    method_call,
     emit_target,
     absolute_value,
     next_item,
@@ -59,6 +76,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     interval_form,
     missing_name,
     wrong_sign,
+    equal_for_word,
     power_of_python,
     actor_order,
     missing_position,
@@ -96,6 +114,8 @@ def explain(place: ErrorPosition) -> Mistake:
 def unexpected(place: ErrorPosition) -> Mistake:
     """Anything else is here than may be; a sign that is plainly missing is put in."""
     edit, expected = None, place.expected()
+    if "WITH" in expected and foreign_pass_help(place.word(-1)):
+        return _foreign_pass(place)
     for kind, sign in _MISSING:
         if kind == "COLON" and "COMMA" in expected:
             continue
@@ -105,6 +125,20 @@ def unexpected(place: ErrorPosition) -> Mistake:
     wanted = f"`{edit.tokens[0][1]}`" if edit else expectation(place)
     found = diagnose(Code.UNEXPECTED_TOKEN, place.span(), expected=wanted, found=finding(place))
     return Mistake(found, edit)
+
+
+def _foreign_pass(place: ErrorPosition) -> Mistake:
+    """`behavior pure_pursuit` in a block: the word, not a missing `with`, is what is wrong."""
+    word = place.back(-1)
+    assert word is not None, "the parser has come this far"
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        word.span(),
+        expected="an option",
+        found=finding(word),
+        help=foreign_pass_help(word.word()),
+    )
+    return Mistake(found)
 
 
 def _closes_later(place: ErrorPosition, opener: str) -> bool:

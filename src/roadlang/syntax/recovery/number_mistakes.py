@@ -72,3 +72,24 @@ def decimal_comma(place: ErrorPosition) -> Mistake | None:
     )
     meant = ("NUMBER", fixed, span.start, span.end)
     return Mistake(found, Edit(place.index - 2, place.index + 1, (meant,)))
+
+
+def clock_time(place: ErrorPosition) -> Mistake | None:
+    """`14:30`: a time of day is a number of hours."""
+    if place.kind() != "COLON" or (place.kind(-1), place.kind(1)) != ("NUMBER", "NUMBER"):
+        return None
+    hours, minutes = place.word(-1), place.word(1)
+    if not (place.glued(0) and place.glued(1) and hours.isdigit() and minutes.isdigit()):
+        return None
+    fixed = f"{int(hours) + int(minutes) / 60:.6g}h"
+    span = place.span(-1, 1)
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected="a value",
+        found=f"`{span.text}`",
+        help=f"write `{fixed}`",
+        fixes=[Fix(span, fixed)],
+    )
+    meant = ("NUMBER", fixed, span.start, span.end)
+    return Mistake(found, Edit(place.index - 1, place.index + 2, (meant,)))

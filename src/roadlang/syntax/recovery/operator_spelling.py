@@ -11,6 +11,8 @@ from ..words import slip
 _LONG = tuple(word for word in words("temporal") if len(word) > 4)
 """A short one is a slip of many a name."""
 
+_FOREIGN = {"globally": "always", "finally": "eventually", "sometime": "eventually"}
+
 
 def misspelled_temporal(tokens: Sequence[Token], start: int = 0) -> int | None:
     """The index of the first name before `(` or `[` that is a long temporal word with a slip."""
@@ -23,6 +25,8 @@ def misspelled_temporal(tokens: Sequence[Token], start: int = 0) -> int | None:
 
 def meant_temporal(word: str) -> str | None:
     """The temporal operator that `word` misspells, if it does."""
+    if word in _FOREIGN:
+        return _FOREIGN[word]
     if not 5 <= len(word) <= 14:
         return None
     return next((known for known in _LONG if slip(word, known)), None)

@@ -118,8 +118,12 @@ class Recovery:
 
     def give_up(self, tokens: list[Token]) -> None:
         """A statement that cannot be read: remember the name that it declares."""
-        if len(tokens) > 1 and tokens[1][0] == "NAME":
-            _, text, start, end = tokens[1]
+        if len(tokens) < 2:
+            return
+        # `e1 = 3m` lacks its first word.
+        declared = tokens[0] if tokens[1][0] == "EQUAL" else tokens[1]
+        if declared[0] == "NAME":
+            _, text, start, end = declared
             self.spoiled.append(ast.Word(text, span=self.source.span(start, end)))
 
     def first_word(self, tokens: list[Token]) -> list[Token]:

@@ -32,6 +32,34 @@ def wrong_sign(place: ErrorPosition) -> Mistake | None:
     return None
 
 
+def equal_for_word(place: ErrorPosition) -> Mistake | None:
+    """`network town = photo` and `agent ego = car`: `=` where a word belongs."""
+    if place.kind() != "EQUAL":
+        return None
+    word = next((word for word in ("from", "is") if place.expects(word.upper())), None)
+    if word is None or not place.goes_on(word.upper(), skip=1):
+        return None
+    span = place.span()
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN, span, expected=f"`{word}`", found=finding(place),
+        help=f"write `{word}`", fixes=[Fix(span, word)],
+    )  # fmt: skip
+    token = (word.upper(), word, span.start, span.end)
+    return Mistake(found, Edit(place.index, place.index + 1, (token,)))
+
+
+def third_dot(place: ErrorPosition) -> Mistake | None:
+    """`0m...5m`: a range has two dots."""
+    if place.kind() != "DOT" or place.kind(-1) != "RANGE" or not place.glued(0):
+        return None
+    span = place.span(-1, 0)
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN, span, expected="`..`", found="`...`",
+        help="a range is written with two dots", fixes=[Fix(span, "..")],
+    )  # fmt: skip
+    return Mistake(found, Edit(place.index, place.index + 1))
+
+
 def stray_closer(place: ErrorPosition) -> Mistake | None:
     """A closing bracket that nothing opens."""
     if place.kind() not in CLOSERS:
@@ -50,8 +78,15 @@ def one_too_many(place: ErrorPosition) -> Mistake | None:
     """A comma or a `with` that can be left out."""
     if place.kind() not in ("COMMA", "WITH") or not place.goes_on(skip=1):
         return None
+    help = "leave it out"
+    if place.kind() == "WITH" and place.kind(1) == "NAME":
+        help = f"write `{place.word(-1)} {place.word(1)}`"
     found = diagnose(
-        Code.UNEXPECTED_TOKEN, place.span(), expected=expectation(place), found=finding(place)
+        Code.UNEXPECTED_TOKEN,
+        place.span(),
+        expected=expectation(place),
+        found=finding(place),
+        help=help,
     )
     return Mistake(found, Edit(place.index, place.index + 1))
 

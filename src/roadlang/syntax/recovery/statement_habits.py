@@ -29,6 +29,7 @@ _HELP = {
     "monitor": "write `expect NAME: formula`, or `expect NAME with KIND { ... }`",
     "var": _VALUE, "const": _VALUE, "val": _VALUE, "set": _VALUE,
     "assert": "write `require NAME: formula`, or `expect NAME: formula`",
+    "seed": "the seed is an option of the command: `roadlang compile scene.rl --seed 7`",
     "print": "there is nothing to print: `emit json` writes every value of a scene",
     "adjust": "write it in a block: `image dark from photo { adjust with brightness { ... } }`",
     "extract": "write it in a block: `network town from photo { extract with auto }`",
@@ -52,6 +53,11 @@ def statement_help(tokens: Sequence[Token]) -> tuple[str, ...]:
     if second in ("IS", "NAME", "AT", "ON") and words & {"is", "on", "at"}:
         return (_AGENT,)
     return ()
+
+
+def foreign_pass_help(word: str) -> str:
+    """Help for a word of another language in front of a kind in a block; empty if none is known."""
+    return _HELP[word] if word in ("behavior", "monitor", "model") else ""
 
 
 def as_include(source: Source, tokens: Sequence[Token]) -> tuple[Fix, list[Token]] | None:

@@ -1,0 +1,33 @@
+"""`[a, b]` where a random value `a..b` is meant, and the other way round."""
+
+from __future__ import annotations
+
+from ...diagnostics import Fix
+from ...plugins import option_types as opt
+from . import expression_types as ty
+from .expression_types import TypedExpression
+
+
+def other_form(
+    typed: TypedExpression, expected: opt.OptionType
+) -> tuple[tuple[str, ...], tuple[Fix, ...]]:
+    """Help and fix for a value that has the wrong one of the two forms; nothing for others."""
+    if isinstance(expected, opt.QuantityType | opt.LikeType) and _is_pair(typed):
+        low, high = (item.span.text for item in typed.items)
+        meant = f"{low}..{high}"
+        return (f"to draw a value between the two, write `{meant}`",), (Fix(typed.span, meant),)
+    if isinstance(expected, opt.IntervalType) and typed.range:
+        low, _, high = typed.span.text.partition("..")
+        meant = f"[{low.strip()}, {high.strip()}]"
+        return (f"`..` draws one value between the two; write `{meant}`",), (
+            Fix(typed.span, meant),
+        )
+    return (), ()
+
+
+def _is_pair(typed: TypedExpression) -> bool:
+    return (
+        isinstance(typed.type, ty.SequenceType | ty.CoordinatesType)
+        and len(typed.items) == 2
+        and all(isinstance(item.type, ty.Quantity) for item in typed.items)
+    )
