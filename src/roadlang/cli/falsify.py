@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..session.scene_files import parse_overrides
+from ..session.params import parse_overrides
 from . import exit_codes
 from .console import echo, note, report, shown, style
 

@@ -119,7 +119,7 @@ def _members(checker: Checker, owner: TypedExpression) -> list[str]:
 def _lacks_road(checker: Checker, name: str) -> bool:
     """Whether the statement is wrong itself: `at 5m` without a road, which is reported there."""
     statement = checker.program.declarations[name].statement
-    return isinstance(statement, ast.Actor) and isinstance(statement.at, ast.Number)
+    return isinstance(statement, ast.Actor) and isinstance(statement.at, ast.NumberLiteral)
 
 
 def _is_on_road(checker: Checker, name: str) -> bool:
