@@ -15,11 +15,13 @@ def install(
     *,
     name_of_entry: str | None = None,
     commands: str = "",
+    kinds: str = "",
     requires: str = "",
 ) -> None:
     """What pip leaves behind: `roadlang_NAME.py` and a dist-info with the entry point NAME.
 
     `commands` are lines of the entry points `roadlang.commands`, `requires` is a requirement.
+    `kinds` are lines of `roadlang.kinds.NAME`, which then take the place of the entry point NAME.
     """
     module = f"roadlang_{name}"
     (folder / f"{module}.py").write_text(text)
@@ -28,7 +30,10 @@ def install(
     metadata = f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 1.2\n"
     metadata += f"Requires-Dist: {requires}\n" if requires else ""
     (info / "METADATA").write_text(metadata)
-    points = f"[roadlang]\n{name_of_entry or name} = {module}\n"
+    entry = name_of_entry or name
+    points = (
+        f"[roadlang.kinds.{entry}]\n{kinds}\n" if kinds else f"[roadlang]\n{entry} = {module}\n"
+    )
     points += f"[roadlang.commands]\n{commands}\n" if commands else ""
     (info / "entry_points.txt").write_text(points)
 

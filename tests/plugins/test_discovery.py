@@ -129,3 +129,35 @@ def test_plugins_can_be_left_out(site: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert load_registry().entries == ()
     with pytest.raises(UnknownKind):
         load_registry().find("perturb", "sine")
+
+
+def test_kinds_named_in_the_metadata_are_found_without_importing_the_plugin(site: Path) -> None:
+    module = f"from pathlib import Path\nPath({str(site / 'imported')!r}).touch()\n{GOOD}"
+    install(
+        site, "lazy", module.format(kind="zigzag"), kinds="perturb.zigzag = roadlang_lazy:Zigzag"
+    )
+    registry = load_registry()
+    assert registry.find("perturb", "zigzag").qualified == "lazy.zigzag"
+    assert not (site / "imported").exists()
+    assert registry.find("perturb", "zigzag").help == "Zig, then zag."
+    assert (site / "imported").exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("zigzag = roadlang_lazy:Zigzag", "`zigzag` is not a verb and a name"),
+        ("perturb.zigzag = roadlang_lazy", "the target of `perturb zigzag` is not `module:Class`"),
+        ("perturb.zig-zag = roadlang_lazy:Zigzag", "'zig-zag' is not a name"),
+    ],
+)
+def test_a_kind_named_wrongly_in_the_metadata_is_broken(site: Path, line: str, reason: str) -> None:
+    install(site, "lazy", GOOD.format(kind="zigzag"), kinds=line)
+    (broken,) = load_registry().broken
+    assert reason in broken.reason
+
+
+def test_a_plugin_cannot_have_the_name_of_another_in_either_form(site: Path) -> None:
+    install(site, "lazy", GOOD.format(kind="zigzag"), kinds="perturb.zigzag = roadlang_lazy:Zigzag")
+    install(site, "eager", GOOD.format(kind="wave"), name_of_entry="lazy")
+    assert ["is also that of" in broken.reason for broken in load_registry().broken] == [True, True]

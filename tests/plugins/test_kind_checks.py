@@ -157,8 +157,8 @@ FAULTS = {
         "has the default 'up'; expected: left | right", 9,
     ),
     "a word that cannot be written": (
-        options('version: Word = option(words=("1.8",))'),
-        "has the word '1.8', which cannot be written in a scene file", 9,
+        options('version: Word = option(words=("a\\nb",))'),
+        "has the word 'a\\nb', which cannot be written in a scene file", 9,
     ),
     "a list as default": (
         options("sizes: list_of(Length) = option([1.0])"),

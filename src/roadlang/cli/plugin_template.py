@@ -99,7 +99,7 @@ def plugin_files(name: str, verbs: Sequence[str]) -> dict[str, str]:
     words["KINDS"] = "\n".join(f"- the kind `{verb} {name}`" for verb in verbs)
     words["EXAMPLES"] = "\n\n".join(f"```roadlang\n{scene}\n```" for scene in scenes.values())
     words["ENTRIES"] = "\n".join(
-        f'        "{verb} {name}": "{module}.{verb}_{name}:{words["CLASS"]}",' for verb in verbs
+        f'"{verb}.{name}" = "{module}.{verb}_{name}:{words["CLASS"]}"' for verb in verbs
     )
     words["SCENES"] = "\n".join(f'    "{v}": """\n{text}\n""",' for v, text in scenes.items())
     texts = {

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from ..syntax.words import RESERVED
 from . import option_types as types
 from .option_types import OptionType
 from .options import OptionSchema
@@ -14,8 +15,14 @@ from .options import OptionSchema
 def type_text(option: OptionSchema) -> str:
     """What may be written for an option: `length (m)`, `integer | auto`."""
     if isinstance(option.type, types.WordType):
-        return " | ".join(option.words) or "one of the words of `option(words=...)`"
-    return " | ".join([_WORDS[type(option.type)](option.type), *option.words])
+        return " | ".join(map(word_text, option.words)) or "one of the words of `option(words=...)`"
+    return " | ".join([_WORDS[type(option.type)](option.type), *map(word_text, option.words)])
+
+
+def word_text(word: str) -> str:
+    """A word as a scene file would write it: in quotes where it is no name, such as `"1.8"`."""
+    is_bare = word.isascii() and word.isidentifier() and word not in RESERVED
+    return word if is_bare else f'"{word}"'
 
 
 def default_text(option: OptionSchema) -> str:
@@ -48,7 +55,7 @@ def value_text(value: Any, type_: OptionType) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
-        return value if isinstance(type_, types.WordType) or value.isidentifier() else f'"{value}"'
+        return word_text(value)
     if isinstance(value, int | float):
         return _quantity_text(float(value), type_)
     if isinstance(value, tuple | list):

@@ -68,6 +68,8 @@ def _check_entry_point(candidate: Candidate, found: list[Candidate]) -> None:
 
 
 def _load(candidate: Candidate) -> tuple[list[KindEntry], list[BrokenPlugin], list[str]]:
+    if candidate.kinds is not None:
+        return *entries_of(candidate.kinds, candidate.origin), []
     plugin = candidate.load()
     # A manager for each plugin: one that raises in a hook would take the others' results along.
     manager = pluggy.PluginManager(GROUP)

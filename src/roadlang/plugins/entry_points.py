@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,11 @@ if TYPE_CHECKING:
     from importlib.metadata import Distribution, EntryPoint
 
 GROUP = "roadlang"
-"""`acme = "roadlang_acme"`: a module with the hooks of a plugin."""
+"""`acme = "roadlang_acme"`: a module with the hooks of a plugin, imported by all commands that look
+for kinds."""
+KINDS = "roadlang.kinds."
+"""`[roadlang.kinds.acme]` with `perturb.sine = "roadlang_acme:Sine"`: the kinds of the plugin
+`acme`. Its modules are imported only where a scene names a kind in them."""
 COMMANDS = "roadlang.commands"
 """`hello = "roadlang_acme.commands:hello"`: a `click.Command`."""
 DISTRIBUTION = "roadlang"
@@ -39,12 +43,17 @@ class Origin:
 
 @dataclass(frozen=True)
 class Candidate:
-    """A plugin, or a command of one, that may turn out to be broken. `name` is its own."""
+    """A plugin, or a command of one, that may turn out to be broken.
+
+    `name` is that of the plugin or command. `kinds` are the kinds of a plugin that names them in
+    its metadata: `module:Class` by verb and name (`perturb sine`).
+    """
 
     name: str
     origin: Origin
     point: EntryPoint | None
     plugin: Any = None
+    kinds: Mapping[str, str] | None = None
 
     def load(self) -> Any:
         """What the entry point leads to; raises whatever importing it raises."""
@@ -58,13 +67,31 @@ class Candidate:
 
 def plugin_candidates(blocked: Iterable[str] = ()) -> list[Candidate]:
     """The plugins that nobody has left out, shipped ones first."""
+    return _not_blocked(_installed_plugins(), blocked)
+
+
+def _installed_plugins() -> list[Candidate]:
     from importlib.metadata import entry_points  # which imports 40 modules
 
-    found = (
+    every = entry_points()
+    found = [
         Candidate(point.name, _origin_of(point, point.name), point)
-        for point in entry_points(group=GROUP)
-    )
-    return _kept(found, blocked)
+        for point in every.select(group=GROUP)
+    ]
+    for group in every.groups:
+        if group.startswith(KINDS):
+            found += _with_kinds(group.removeprefix(KINDS), every.select(group=group))
+    return found
+
+
+def _with_kinds(name: str, points: Iterable[EntryPoint]) -> Iterator[Candidate]:
+    """The plugins of one name that name their kinds: one, unless distributions are at odds."""
+    by_origin: dict[Origin, list[EntryPoint]] = {}
+    for point in points:
+        by_origin.setdefault(_origin_of(point, name), []).append(point)
+    for origin, ours in by_origin.items():
+        kinds = {point.name.replace(".", " ", 1): point.value for point in ours}
+        yield Candidate(name, origin, ours[0], kinds=kinds)
 
 
 def command_candidates() -> list[Candidate]:
@@ -76,14 +103,14 @@ def command_candidates() -> list[Candidate]:
     from importlib.metadata import entry_points
 
     commands = entry_points(group=COMMANDS)
-    plugins = entry_points(group=GROUP) if commands else ()
+    plugins = _installed_plugins() if commands else ()
     found = []
     for point in commands:
-        of_it = [p for p in plugins if p.dist is not None and _same(p.dist, point.dist)]
-        near = [p for p in of_it if _package(p) == _package(point)]
-        owner = (near or of_it or [point])[0].name
+        of_it = [p for p in plugins if _same(p.installed, point.dist)]
+        near = [p for p in of_it if p.point is not None and _package(p.point) == _package(point)]
+        owner = (near or of_it)[0].name if of_it else point.name
         found.append(Candidate(point.name, _origin_of(point, owner), point))
-    return _kept(found)
+    return _not_blocked(found)
 
 
 def blocked_by_environment() -> frozenset[str]:
@@ -92,7 +119,7 @@ def blocked_by_environment() -> frozenset[str]:
     return frozenset(word.strip() for word in words if word.strip())
 
 
-def _kept(found: Iterable[Candidate], blocked: Iterable[str] = ()) -> list[Candidate]:
+def _not_blocked(found: Iterable[Candidate], blocked: Iterable[str] = ()) -> list[Candidate]:
     refused = {*blocked, *blocked_by_environment()}
     if "all" in refused:
         return []
@@ -116,5 +143,7 @@ def _package(point: EntryPoint) -> str:
     return point.value.partition(":")[0].partition(".")[0]
 
 
-def _same(one: Distribution, other: Distribution | None) -> bool:
-    return other is not None and one.metadata["Name"] == other.metadata["Name"]
+def _same(first: Distribution | None, second: Distribution | None) -> bool:
+    if first is None or second is None:
+        return False
+    return bool(first.metadata["Name"] == second.metadata["Name"])

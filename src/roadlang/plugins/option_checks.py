@@ -7,19 +7,19 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from ..syntax.words import RESERVED
 from . import option_types as types
 from .describing import bounds_text, type_text
 from .option_types import OptionType
 from .options import MutableDefault, OptionSchema
 
-_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
+_WORD = re.compile(r"""[^\s"'`\\]([^"'`\\\n]*[^\s"'`\\])?\Z""")
+"""What a scene file can have, bare or in quotes."""
 
 
 def option_fault(option: OptionSchema) -> str | None:
     """What is wrong with the words, bounds or default of an option; None if nothing is."""
     for word in option.words:
-        if not isinstance(word, str) or not _WORD.match(word) or word in RESERVED:
+        if not isinstance(word, str) or not _WORD.match(word) or not word.isprintable():
             return f"has the word {word!r}, which cannot be written in a scene file"
     if isinstance(option.type, types.WordType) and not option.words:
         return 'is a word, but has no words: write `option(words=("left", "right"))`'

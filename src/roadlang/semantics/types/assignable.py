@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 from ...diagnostics import Code, Fix, nearest
 from ...ir.values import Items, Reference, TextValue, Value
 from ...plugins import option_types as opt
+from ...plugins.describing import word_text
 from ...plugins.options import Constraints, OptionSchema
 from ..checker import Checker
 from . import expression_types as ty
 from .describe_option import describe
 from .dimensions import common_dimension, unit_missing
+from .matching import matches
 from .option_limits import check_limits
 from .range_or_interval import other_form
 
@@ -39,7 +41,7 @@ def _checked(
 ) -> TypedExpression | None:
     if typed.is_unknown:
         return None
-    if isinstance(typed.type, ty.StringType) and typed.type.word and limits.words:
+    if isinstance(typed.type, ty.StringType) and _is_word(typed.type, limits):
         return typed
     match expected:
         case opt.QuantityType():
@@ -47,7 +49,7 @@ def _checked(
         case opt.ListType(item) | opt.IntervalType(item):
             return _sequence(checker, typed, expected, item, limits, what)
         case opt.UnionType(alternatives):
-            chosen = next((part for part in alternatives if _matches(typed, part)), None)
+            chosen = next((part for part in alternatives if matches(typed, part)), None)
             if chosen is not None:
                 return _checked(checker, typed, chosen, limits, what)
         case opt.WordType():
@@ -58,9 +60,15 @@ def _checked(
             return _point(checker, typed, dimension, what)
         case opt.MapType(item):
             return _map(checker, typed, item, limits, what)
-        case _ if _matches(typed, expected):
+        case _ if matches(typed, expected):
             return typed
     return _mismatch(checker, typed, expected, limits, what)
+
+
+def _is_word(kind: ty.StringType, limits: Constraints) -> bool:
+    """Whether it is one of the words of an option that takes other values too."""
+    in_quotes = bool(kind.values) and set(kind.values or ()) <= set(limits.words)
+    return bool(limits.words) and (kind.word or in_quotes)
 
 
 def _mismatch(
@@ -94,38 +102,6 @@ def _mismatch(
             help=help_, fixes=fixes,
         )  # fmt: skip
     return None
-
-
-def _matches(typed: TypedExpression, expected: opt.OptionType) -> bool:
-    """Whether the sort of value is right; units and limits are looked at afterwards."""
-    kind = typed.type
-    match expected:
-        case opt.QuantityType() | opt.LikeType():
-            return isinstance(kind, ty.Quantity)
-        case opt.FlagType():
-            return isinstance(kind, ty.BooleanType)
-        case opt.TextType() | opt.FileType() | opt.WordType():
-            return isinstance(kind, ty.StringType)
-        case opt.ListType() | opt.IntervalType():
-            return isinstance(kind, ty.SequenceType)
-        case opt.PointType():
-            return isinstance(kind, ty.CoordinatesType)
-        case opt.EntityType(roles):
-            return isinstance(kind, ty.DeclaredType) and kind.role in roles
-        case opt.NamesType(word) if isinstance(kind, ty.ConstraintType):
-            return word in ("", kind.word)
-        case opt.NamesType():
-            return isinstance(kind, ty.SequenceType)
-        case opt.CallType(verb) | opt.KindNameType(verb):
-            return isinstance(kind, ty.KindCallType) and kind.verb == verb
-        case opt.MapType() | opt.RecordType():
-            return isinstance(kind, ty.MappingType)
-        case opt.ConditionType():
-            return isinstance(kind, ty.FormulaType | ty.BooleanType)
-        case opt.AnyType():
-            return typed.value is not None
-        case opt.UnionType(alternatives):
-            return any(_matches(typed, part) for part in alternatives)
 
 
 def _unit_help(wanted: Dimension, limits: Constraints) -> tuple[str, ...]:
@@ -240,15 +216,28 @@ def _word(
 ) -> TypedExpression | None:
     kind = typed.type
     if not isinstance(kind, ty.StringType):
-        return _mismatch(checker, typed, opt.WordType(), limits, what)
+        if typed.span.text not in limits.words:
+            return _mismatch(checker, typed, opt.WordType(), limits, what)
+        quoted = word_text(typed.span.text)
+        checker.report(
+            Code.WRONG_TYPE,
+            typed.span,
+            what=what,
+            expected=describe(opt.WordType(), limits.words),
+            found=kind,
+            help=f"write `{quoted}`",
+            fixes=(Fix(typed.span, quoted),),
+        )
+        return None
     wrong = sorted((kind.values or frozenset()) - set(limits.words))
     if not wrong:
         return typed
-    words = ", ".join(f"`{word}`" for word in limits.words)
+    words = ", ".join(f"`{word_text(word)}`" for word in limits.words)
     places = [item.span for item in typed.items if item.value == TextValue(wrong[0])]
     place = places[0] if places else typed.span
     is_written = place.text.strip('"') == wrong[0]
-    meant = nearest(wrong[0], limits.words) if is_written else None
+    near = nearest(wrong[0], limits.words) if is_written else None
+    meant = None if near is None else word_text(near)
     checker.report(
         Code.UNKNOWN_OPTION_VALUE, place, word=wrong[0], help=f"the words are {words}", meant=meant
     )
@@ -258,12 +247,12 @@ def _word(
 def _names(
     checker: Checker, typed: TypedExpression, expected: opt.NamesType, what: str
 ) -> TypedExpression | None:
-    if _matches(typed, expected) and isinstance(typed.type, ty.ConstraintType):
+    if matches(typed, expected) and isinstance(typed.type, ty.ConstraintType):
         return replace(typed, value=Items((TextValue(typed.span.text),)))
     if not isinstance(typed.type, ty.SequenceType):
         return _mismatch(checker, typed, expected, Constraints(), what)
     for item in typed.items:
-        if not isinstance(item.type, ty.ConstraintType) or not _matches(item, expected):
+        if not isinstance(item.type, ty.ConstraintType) or not matches(item, expected):
             if not item.is_unknown:
                 _mismatch(checker, item, expected, Constraints(), what)
             return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...plugins import option_types as opt
-from ...plugins.describing import with_article
+from ...plugins.describing import with_article, word_text
 
 _CALLS = {
     "piece": "a piece of a road, such as `straight(80m)`",
@@ -16,7 +16,7 @@ _CALLS = {
 
 def describe(expected: opt.OptionType, words: Iterable[str] = ()) -> str:
     """`a length`, `a list`, `one of clear, rain`: for messages and tables."""
-    named = ", ".join(f"`{word}`" for word in words)
+    named = ", ".join(f"`{word_text(word)}`" for word in words)
     if isinstance(expected, opt.WordType):
         return f"one of {named}"
     text = _describe(expected)
