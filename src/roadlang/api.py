@@ -102,7 +102,7 @@ if TYPE_CHECKING:
     from .diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, diagnose, did_you_mean
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
-    from .ir.control import Control, Observation
+    from .ir.control import Control, ControlBatch, Observation, ObservationBatch
     from .ir.encoding import scene_from_json, to_json
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.road_bounds import RoadBounds
@@ -122,11 +122,13 @@ if TYPE_CHECKING:
     )
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
+    from .simulation.bodies import Body
+    from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
-    ".ir.control": "Control Observation",
+    ".ir.control": "Control ControlBatch Observation ObservationBatch",
     ".ir.encoding": "scene_from_json to_json",
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.road_bounds": "RoadBounds",
@@ -137,6 +139,8 @@ _LATER = {
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
+    ".simulation.bodies": "Body",
+    ".simulation.simulating": "EngineSettings simulate_scenes",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -168,11 +172,13 @@ __all__ = [
     "Backend",
     "BatchRandom",
     "Between",
+    "Body",
     "Call",
     "Code",
     "Condition",
     "ConstraintNames",
     "Control",
+    "ControlBatch",
     "Controller",
     "Curvature",
     "Diagnostic",
@@ -183,6 +189,7 @@ __all__ = [
     "DrawnValue",
     "DriveSignal",
     "Duration",
+    "EngineSettings",
     "Extraction",
     "Extractor",
     "File",
@@ -205,6 +212,7 @@ __all__ = [
     "Number",
     "ObjectKind",
     "Observation",
+    "ObservationBatch",
     "Perturber",
     "Picture",
     "Piece",
@@ -255,6 +263,7 @@ __all__ = [
     "read_input",
     "record_of",
     "scene_from_json",
+    "simulate_scenes",
     "to_json",
 ]
 

@@ -241,12 +241,12 @@ RULES: tuple[Rule, ...] = (
 )
 _QUALIFIED = re.compile(r"(standard|godot)\.")
 _ORDINARY = frozenset({
-    "acceleration", "auto", "clearance", "confidence", "contacts", "cross_track_error", "crossing",
-    "curvature", "deviation", "distance", "drive", "frechet", "gap", "godot", "heading", "integer",
-    "json",
+    "acceleration", "auto", "builtin", "clearance", "confidence", "contacts", "cross_track_error",
+    "crossing", "curvature", "deviation", "distance", "drive", "frechet", "gap", "godot",
+    "heading", "integer", "json",
     "length", "lp_distance", "margin", "pixels", "progress", "random", "road", "scale",
     "segments", "speed", "start", "station", "steering", "straight", "sup_distance", "svg",
-    "time", "width"
+    "time", "width", "x", "y"
 })  # fmt: skip
 """Kinds whose names are words of the language, units, file formats or fields of a scene too"""
 

@@ -69,7 +69,6 @@ HABITS = [
     ("world { friction: 0.4 to 0.9 }", "RL001", "`0.4..0.9`", "0.4..0.9"),
     ("param w = 5metres", "RL203", "`5m`", "5m"),
     (EGO + "expect e: always (ego.cross_track < 5m)", "RL227", "mean", "cross_track_error"),
-    (EGO + "expect e: always (ego.x < 5m)", "RL227", "`station`", None),
     (EGO + "expect e: always (ego.lane == 1)", "RL227", "option `lane`", None),
     (EGO + "expect e: always (ego.wobble < 5m)", "RL227", "its members are `speed`", None),
     (EGO + "expect e: always (speed(ego) < 5m/s)", "RL225", "`ego.speed`", None),
@@ -119,7 +118,6 @@ HABITS = [
     (BENT.replace("9m", "9m, over: 2m..90m"), "RL206", "`[2m, 90m]`", "[2m, 90m]"),
     (BENT + "\nrequire r: bent.length(main) < 5m", "RL225", "`length(bent, main)`", None),
     (BENT + "\nrequire r: always (deviation(bent - main) < 5m)", "RL206", "", None),
-    ("simulate with builtin", "RL212", "the only kind of `simulate` is `godot`", None),
 ]
 
 

@@ -16,6 +16,7 @@ from .frame import SceneOrigin
 if TYPE_CHECKING:
     from roadlang.api import Scene
 
+ENGINE = "Godot"
 FOREVER = 1e9
 SIGNALS = frozenset(
     {
@@ -50,7 +51,7 @@ def _formula(formula: stl.Formula, signals: Mapping[str, Any]) -> Any:
         case stl.Comparison(op, left, right):
             return [op, _term(left, signals), _term(right, signals)]
         case stl.TemporalOperator() if not formula.past:
-            raise fault(Code.UNSUPPORTED_CONDITION, what=formula.word)
+            raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=formula.word)
         case stl.Junction(()):
             return formula.least
     parts = [_formula(part, signals) for part in formula.parts]
@@ -63,7 +64,7 @@ def _formula(formula: stl.Formula, signals: Mapping[str, Any]) -> Any:
             return ["all" if formula.least else "any", *_bounds(interval), *parts]
         case stl.BinaryTemporal(interval):
             return ["since", *_bounds(interval), *parts]
-    raise fault(Code.UNSUPPORTED_CONDITION, what=str(formula))
+    raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=str(formula))
 
 
 def _bounds(interval: stl.Interval | None) -> tuple[float, float]:
@@ -86,14 +87,14 @@ def _term(term: stl.Term, signals: Mapping[str, Any]) -> Any:
             return [op, *parts]
         case stl.Apply(function):
             return [function, *parts]
-    raise fault(Code.UNSUPPORTED_CONDITION, what=str(term))
+    raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=str(term))
 
 
 def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: SceneOrigin) -> Any:
     """A signal as [kind, agent, ...]; an object that stands still is given by its outline."""
     kind = plain_name(str(call["kind"]))
     if kind not in SIGNALS:
-        raise fault(Code.UNSUPPORTED_CONDITION, what=name)
+        raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=name)
     if kind == "time":
         return ["time"]
     options = call.get("options", {})
@@ -111,7 +112,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: SceneOrigin
 def _outline(wanted: str, name: str, scene: Scene, frame: SceneOrigin) -> list[float]:
     found = [actor for actor in scene.objects if wanted in (actor.name, actor.group)]
     if len(found) != 1:
-        raise fault(Code.UNSUPPORTED_CONDITION, what=name)
+        raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=name)
     one = found[0]
     heading = math.remainder(one.heading, 2 * math.pi)
     return [one.x - frame.x, one.y - frame.y, heading, one.length, one.width]

@@ -77,6 +77,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     if not layout.agents:
         raise fault(Code.NO_AGENTS, scene=scene.name)
     _check_controllers(scene, layout, controllers)
+    controllers = {name: controllers[name] for name in layout.python_driven}
     session.begin(layout.settings(settings.rate), clear=True)
     session.update(layout.things)
     session.prove()
@@ -129,7 +130,8 @@ def _step_by_step(
 def _check_controllers(scene: Scene, layout: Layout, controllers: Controllers) -> None:
     for actor in scene.agents:
         if actor.name in layout.python_driven and actor.name not in controllers:
-            raise fault(Code.UNSUPPORTED_CONTROLLER, kind=actor.drive[-1].kind)
+            kind, project = actor.drive[-1].kind, "Godot's project"
+            raise fault(Code.UNSUPPORTED_CONTROLLER, kind=kind, engine=project)
 
 
 def _name(session: Session) -> str:

@@ -3,9 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Duration, Length, Speed, option
+
+from .steering import bend_speed, pursuit
+
+if TYPE_CHECKING:
+    from roadlang.api import ControlBatch, ObservationBatch
+
+HARDEST = 9.0
+"""m/s^2: deceleration in an emergency."""
+SLOWEST = 0.1
+"""m/s: target speeds are no lower, and gaps no smaller in meters."""
 
 
 @dataclass(frozen=True)
@@ -18,3 +28,25 @@ class CarFollow(Controller):
     gap: Length = option(2.0, minimum=0, help="desired gap at standstill")
     acceleration: Acceleration = option(1.5, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(2.0, above=0, maximum=20, help="comfortable deceleration")
+    lateral_acceleration: Acceleration = option(
+        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
+    )
+
+    def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        seen, speed = observations, observations.speed
+        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        share = speed / np.maximum(target, SLOWEST)
+        gap, ahead = seen.vehicle_ahead()
+        braking = speed * (speed - ahead)
+        braking = braking / (2.0 * np.sqrt(self.acceleration * self.deceleration))
+        wanted = self.gap + np.maximum(0.0, speed * self.headway + braking)
+        pull = np.where(np.isfinite(gap), wanted / np.maximum(gap, SLOWEST), 0.0)
+        free = 1.0 - share * share * share * share
+        acceleration = self.acceleration * (free - pull * pull)
+        acceleration = np.minimum(np.maximum(acceleration, -HARDEST), self.acceleration)
+        reach = np.minimum(np.maximum(0.5 * speed, 5.0), 20.0)
+        return ControlBatch(pursuit(seen, reach), acceleration)

@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Controller, Length, Speed, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import ControlBatch, ObservationBatch
+
+WITHOUT_ROAD = 10.0
+"""Meters to walk where there is no road to cross."""
 
 
 @dataclass(frozen=True)
@@ -15,3 +24,29 @@ class Crossing(Controller):
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
     beyond: Length = option(1.0, minimum=0, help="distance to walk past the opposite edge")
+
+    def start(self, count: int) -> NDArray[np.float64]:
+        """Of each agent: distance walked, distance to walk, heading (NaN before the start)."""
+        import numpy as np
+
+        return np.tile([0.0, 0.0, np.nan], (count, 1))
+
+    def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        seen = observations
+        new = np.isnan(state[:, 2])
+        if new.any():
+            _, _, along, _ = seen.line_ahead(0.0)
+            left = seen.road_offset
+            on_road = np.isfinite(seen.road_width)
+            across = np.abs(left) + 0.5 * seen.road_width + self.beyond
+            toward = along + np.where(left < 0.0, 0.5 * np.pi, -0.5 * np.pi)
+            state[:, 1] = np.where(new, np.where(on_road, across, WITHOUT_ROAD), state[:, 1])
+            state[:, 2] = np.where(new, np.where(on_road, toward, seen.heading), state[:, 2])
+        pace = np.where(state[:, 0] < state[:, 1], self.speed, 0.0)
+        state[:, 0] += pace * seen.step
+        acceleration = (pace - seen.speed) / seen.step
+        return ControlBatch(np.zeros(len(pace)), acceleration, state[:, 2].copy())

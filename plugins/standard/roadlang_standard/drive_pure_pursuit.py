@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Duration, Length, Speed, option
+
+from .steering import bend_speed, pursuit, toward
+
+if TYPE_CHECKING:
+    from roadlang.api import ControlBatch, ObservationBatch
 
 
 @dataclass(frozen=True)
@@ -20,3 +25,15 @@ class PurePursuit(Controller):
     )
     acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")
+    lateral_acceleration: Acceleration = option(
+        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
+    )
+
+    def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
+        from roadlang.api import ControlBatch
+
+        seen = observations
+        steering = pursuit(seen, self.lookahead + self.lookahead_time * seen.speed)
+        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
+        return ControlBatch(steering, acceleration)

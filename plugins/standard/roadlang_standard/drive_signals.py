@@ -97,6 +97,32 @@ class Steering(DriveSignal):
 
 
 @dataclass(frozen=True)
+class East(DriveSignal):
+    """Position east of the origin, of the center of the agent."""
+
+    name: ClassVar[str] = "x"
+    unit: ClassVar[str] = "m"
+    agent: AgentName = option(help="the agent")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.x
+        return values
+
+
+@dataclass(frozen=True)
+class North(DriveSignal):
+    """Position north of the origin, of the center of the agent."""
+
+    name: ClassVar[str] = "y"
+    unit: ClassVar[str] = "m"
+    agent: AgentName = option(help="the agent")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.y
+        return values
+
+
+@dataclass(frozen=True)
 class HeadingSignal(DriveSignal):
     """Heading, counter-clockwise from east."""
 

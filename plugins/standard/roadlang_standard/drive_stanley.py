@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from roadlang.api import FREQUENCY, Acceleration, Controller, Speed, option, quantity
+
+from .steering import bend_speed, difference, toward
+
+if TYPE_CHECKING:
+    from roadlang.api import ControlBatch, ObservationBatch
 
 
 @dataclass(frozen=True)
@@ -20,3 +25,22 @@ class Stanley(Controller):
     softening: Speed = option(1.0, above=0, help="softens the steering at low speed")
     acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")
+    lateral_acceleration: Acceleration = option(
+        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
+    )
+
+    def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        seen, half = observations, 0.5 * observations.wheelbase
+        x, y, direction, _ = seen.line_ahead(half)
+        off_x = seen.x + half * np.cos(seen.heading) - x
+        off_y = seen.y + half * np.sin(seen.heading) - y
+        left = np.cos(direction) * off_y - np.sin(direction) * off_x
+        turn = difference(seen.heading, direction)
+        steering = turn - np.arctan2(self.gain * left, self.softening + seen.speed)
+        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
+        return ControlBatch(steering, acceleration)

@@ -7,5 +7,4 @@ PLANNED = (
     "emit gltf",
     "emit scenic",
     "emit openscenario",
-    "simulate builtin",
 )

@@ -2,58 +2,43 @@
 
 from __future__ import annotations
 
-import math
-from typing import Any
-
-from ..ir.control import Control, Observation
-from ..ir.scene import Scene, SceneActor
+from ..ir.scene import Call, Scene, SceneActor
 from ..plugins.finding import find_entry
-from ..plugins.guard import plugin_guard, wrong_result
+from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Controller, implements
 from ..plugins.options import schema_of
-from ..plugins.registry import KindEntry, Registry
-
-
-class Guarded(Controller):
-    """A controller that is named with its plugin where it fails, wherever it drives."""
-
-    def __init__(self, controller: Controller, entry: KindEntry) -> None:
-        self._controller = controller
-        self._entry = entry
-
-    def control(self, observation: Observation) -> Control:
-        """What the controller decides. Raises DiagnosticError RL470, RL474."""
-        with plugin_guard(self._entry, None):
-            decision: Any = self._controller.control(observation)
-        if not isinstance(decision, Control):
-            fault = f"gave a {type(decision).__name__}, not a Control"
-            raise wrong_result(self._entry, None, fault)
-        with plugin_guard(self._entry, None):
-            control = Control(float(decision.steering), float(decision.acceleration))
-        if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
-            raise wrong_result(self._entry, None, f"gave {control}, which is not finite")
-        return control
+from ..plugins.registry import Registry
+from ..simulation.controllers import Driver, GuardedController
 
 
 def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller]:
-    """Agent to its controller, where the last unconditional one implements `control`."""
-    found = {}
+    """Agent to what drives it, where the last unconditional controller is written in Python."""
+    found: dict[str, Controller] = {}
     for actor in scene.agents:
-        controller = _controller(actor, registry)
-        if controller is not None:
-            found[actor.name] = controller
+        driver = _driver(actor, registry)
+        if driver is not None:
+            found[actor.name] = driver
     return found
 
 
-def _controller(actor: SceneActor, registry: Registry) -> Controller | None:
-    steady = [call for call in actor.drive if call.when is None]
-    if not steady or not registry.has("drive", steady[-1].kind):
+def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
+    each = {place: _controller(call, registry) for place, call in enumerate(actor.drive)}
+    steady = [place for place, call in enumerate(actor.drive) if call.when is None]
+    if all(one is None for one in each.values()) or (steady and each[steady[-1]] is None):
         return None
-    entry = find_entry(registry, "drive", steady[-1].kind)
+    return Driver(each, steady[-1] if steady else None)
+
+
+def _controller(call: Call, registry: Registry) -> GuardedController | None:
+    if not registry.has("drive", call.kind):
+        return None
+    entry = find_entry(registry, "drive", call.kind)
     with plugin_guard(entry, None):
         kind = entry.load()
-        if not issubclass(kind, Controller) or not implements(kind, "control"):
+        if not issubclass(kind, Controller):
+            return None
+        if not (implements(kind, "control") or implements(kind, "controls")):
             return None
         names = {option.name for option in schema_of(kind)}
-        options = {key: value for key, value in steady[-1].options.items() if key in names}
-        return Guarded(kind(**options), entry)
+    options = {key: value for key, value in call.options.items() if key in names}
+    return GuardedController(kind, options, entry)

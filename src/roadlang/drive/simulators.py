@@ -46,7 +46,7 @@ def simulator_of(
 
 def _first_engine(registry: Registry) -> str:
     """What drives scenes that name no engine: a shipped one, whatever else is installed."""
-    first = next(registry.of("simulate"), None)
+    first = next(registry.defaults("simulate"), next(registry.of("simulate"), None))
     if first is None:
         help_ = registry.hints or ("`--no-plugin` may have left it out",)
         raise DiagnosticError(diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name="simulate", help=help_))

@@ -14,8 +14,8 @@ Nothing is imported until a name is used.
   `anchored_nodes`, `junction_window`
 - junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
-- rectangles on the ground: `Footprints`, `separation`, `distance_between`,
-  `close_pairs`
+- rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
+  `time_to_contact`, `encroachment_times`
 - crossings: `crossings`, `self_crossings`
 - errors: `GeometryError`
 """
@@ -42,6 +42,8 @@ if TYPE_CHECKING:
     from .distances import margin as margin
     from .distances import pointwise as pointwise
     from .distances import quadrature as quadrature
+    from .encounters import encroachment_times as encroachment_times
+    from .encounters import time_to_contact as time_to_contact
     from .errors import GeometryError as GeometryError
     from .filleting import filleted as filleted
     from .footprints import Footprints as Footprints
@@ -78,6 +80,8 @@ if TYPE_CHECKING:
     from .window import over as over
 
 _HOMES = {
+    "encroachment_times": "encounters",
+    "time_to_contact": "encounters",
     "GeometryError": "errors",
     "Curve": "curve",
     "Straight": "segments",

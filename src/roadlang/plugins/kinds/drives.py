@@ -3,28 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from .base import Kind
 
 if TYPE_CHECKING:
-    from ...ir.control import Control, Observation
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ...ir.control import Control, ControlBatch, Observation, ObservationBatch
     from ...ir.scene import Scene
     from ...ir.trace import Trace
 
 
 class Controller(Kind):
-    """`drive with`: what steers an agent. Every engine can drive one that implements `control`; one
-    that does not is driven by engines that know it by its name."""
+    """`drive with`: what steers an agent. Every engine can drive one that implements `controls` or
+    `control`; one that does not is driven by engines that know it by its name."""
 
     verb: ClassVar[str] = "drive"
 
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.
 
-        Returns a `Control` of finite numbers; anything else is RL474.
+        Returns a `Control` of finite numbers; anything else is RL474. Without it, `controls` is
+        called for a batch of one agent.
         """
         raise NotImplementedError
+
+    def controls(self, observations: ObservationBatch, state: Any) -> ControlBatch:
+        """What N agents do until the next step. Options that are numbers are columns (N,) here.
+
+        What is decided for an agent depends on its row alone. `state` has a row for each agent, as
+        `start` made it; the method changes it in place. Returns a `ControlBatch` of numbers; only
+        `steering` and `heading` may be NaN. Anything else is RL474.
+        """
+        raise NotImplementedError
+
+    def start(self, count: int) -> NDArray[np.float64] | None:
+        """What `controls` remembers of `count` agents from one step to the next: an array (count,
+        ...) for the start of a drive. By default nothing."""
+        return None
 
 
 class Simulator(Kind):
@@ -36,9 +54,9 @@ class Simulator(Kind):
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Drive a scene.
 
-        `controllers` holds, by agent, those that are written in Python; what else steers is in
-        `scene.agents[i].drive`. Returns a `Trace`; anything else is RL474. Raise `DiagnosticError`
-        where the engine cannot be reached or cannot drive the scene.
+        `controllers` holds, by agent, what is written in Python, the standard controllers among
+        it; what else steers is in `scene.agents[i].drive`. Returns a `Trace`; anything else is
+        RL474. Raise `DiagnosticError` where the engine cannot be reached or cannot drive the scene.
         """
         raise NotImplementedError
 

@@ -33,11 +33,10 @@ _FUNCTIONS = {
     "tan": "the functions of numbers are `abs`, `min` and `max`",
     "exp": "the functions of numbers are `abs`, `min` and `max`",
     "log": "the functions of numbers are `abs`, `min` and `max`",
-    "time_to_collision": "write `gap(ego, lead) > 2s * ego.speed`, without a division",
     "collides": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "collision": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "intersects": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
-    "ttc": "write `gap(ego, lead) > 2s * ego.speed`, without a division",
+    "ttc": "write `time_to_collision(ego, lead) > 2s`",
 }
 _RANGES = ("Range", "random", "rand", "Uniform")
 _COUNTERS = ("index", "i", "j", "k", "n", "idx")
@@ -45,10 +44,8 @@ _NAMES = {
     "pi": "an angle has a unit: `180deg`",
     "None": "leave the option out",
 }
-_POSITION = "coordinates are no signals: `station` is the arc length along the road"
+_POSITION = "write `x` and `y`, or `station` for the arc length along the road"
 _MEMBERS = {
-    "x": _POSITION,
-    "y": _POSITION,
     "position": _POSITION,
     "lane": "the lane of an agent does not change: it is the option `lane`",
     "velocity": "write `speed`",

@@ -1,0 +1,33 @@
+"""What the embedded engine has to know of standard kinds: agents, and drive signals in `when:`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from roadlang.api import Body
+
+BODIES: Mapping[str, Body] = {
+    "car": Body(),
+    "van": Body(drag_area=1.35, power=42.0),
+    "truck": Body(drag_area=5.2, power=21.0, rolling=0.008),
+    "bus": Body(drag_area=4.8, power=16.0, rolling=0.008),
+    "motorcycle": Body(drag_area=0.45, power=180.0, rolling=0.015, steering_rate=2.0),
+    "bicycle": Body(drag_area=0.45, power=4.0, rolling=0.006, steering_rate=2.0),
+    "pedestrian": Body(walks=True),
+    "animal": Body(walks=True),
+}
+"""By the name of the kind: drag area in m^2, power in W for each kilogram; typical numbers, of no
+maker in particular."""
+
+SIGNALS: Mapping[str, str] = {
+    **{
+        name: name
+        for name in (
+            "time", "speed", "acceleration", "yaw_rate", "lateral_acceleration", "jerk",
+            "cross_track_error", "progress", "station", "steering", "heading", "contacts",
+        )
+    },
+    "distance": "between_centers",
+    "gap": "between_outlines",
+}  # fmt: skip
+"""The measure of the engine that a drive signal is."""

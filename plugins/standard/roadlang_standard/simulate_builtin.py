@@ -1,0 +1,46 @@
+"""`simulate with builtin`: drive scenes in the embedded engine, without anything to install."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Duration, Simulator, option
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from roadlang.api import Controller, Scene, Trace
+
+
+@dataclass(frozen=True)
+class Builtin(Simulator):
+    """The embedded engine: a dynamic bicycle model, many scenes at once, nothing to install."""
+
+    name: ClassVar[str] = "builtin"
+    is_default: ClassVar[bool] = True
+
+    duration: Duration = option(60.0, above=0, maximum=3600, help="maximum duration of a drive")
+    step: Duration = option(0.1, minimum=0.001, maximum=1, help="sampling interval of the trace")
+    control_step: Duration = option(
+        0.1, minimum=0.001, maximum=1, help="interval between decisions of the controllers"
+    )
+    vehicle_step: Duration = option(
+        0.02, minimum=0.001, maximum=0.05, help="time step of the equations of motion"
+    )
+
+    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
+        (trace,) = self.drive_all([scene], [controllers])
+        return trace
+
+    def drive_all(
+        self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
+    ) -> Iterable[Trace]:
+        from roadlang.api import EngineSettings, simulate_scenes
+
+        from .engine_tables import BODIES, SIGNALS
+
+        settings = EngineSettings(
+            self.duration, self.step, self.control_step, self.vehicle_step, BODIES, SIGNALS
+        )
+        yield from simulate_scenes(scenes, controllers, settings)

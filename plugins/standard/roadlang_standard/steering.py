@@ -1,0 +1,63 @@
+"""What several controllers share: pursuit of a point ahead, and the way to a target speed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import ObservationBatch
+
+    Floats = NDArray[np.float64]
+    Column = Floats | float
+
+SPEED_GAIN = 2.0
+"""From a difference in speed to an acceleration, 1/s."""
+PLANNED_SHARE = 0.5
+"""Share of the greatest deceleration with which drivers plan to brake before a bend."""
+NEAREST = 0.5
+"""Meters: a point to steer to is no nearer."""
+
+
+def toward(speed: Floats, target: Column, acceleration: Column, deceleration: Column) -> Floats:
+    """(N,) acceleration toward a target speed, within limits."""
+    import numpy as np
+
+    return np.minimum(np.maximum(SPEED_GAIN * (target - speed), -deceleration), acceleration)
+
+
+def bend_speed(
+    seen: ObservationBatch, speed: Column, lateral: Column, deceleration: Column
+) -> Floats:
+    """(N,) target speed: `speed`, or what the bends ahead allow; it is asked for early by as much
+    as `toward` lags behind a target that falls."""
+    import numpy as np
+
+    planned = PLANNED_SHARE * deceleration
+    now = seen.speed_for_bends(lateral, planned, 0.0)
+    soon = seen.speed_for_bends(lateral, planned, seen.speed / SPEED_GAIN)
+    return np.minimum(speed, np.minimum(now, soon))
+
+
+def pursuit(seen: ObservationBatch, distance: Column) -> Floats:
+    """(N,) steering angle of the arc from the rear axle through the line, `distance` m on
+    (Coulter 1992)."""
+    import numpy as np
+
+    x, y, _, _ = seen.line_ahead(distance)
+    cosine, sine = np.cos(seen.heading), np.sin(seen.heading)
+    to_x = x - seen.x + 0.5 * seen.wheelbase * cosine
+    to_y = y - seen.y + 0.5 * seen.wheelbase * sine
+    left = cosine * to_y - sine * to_x
+    away = np.hypot(to_x, to_y)
+    sine_of_bearing = left / np.maximum(away, 1e-9)
+    return np.arctan2(2.0 * seen.wheelbase * sine_of_bearing, np.maximum(away, NEAREST))
+
+
+def difference(heading: Floats, other: Floats) -> Floats:
+    """(N,) turn from `heading` to `other`, within half a turn."""
+    import numpy as np
+
+    return np.asarray((other - heading + np.pi) % (2.0 * np.pi) - np.pi)

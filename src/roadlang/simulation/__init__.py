@@ -1,0 +1,1 @@
+"""The embedded engine: scenes driven in batches, without a simulator to install."""

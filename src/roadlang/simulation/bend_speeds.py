@@ -1,0 +1,70 @@
+"""How fast the bends ahead may be driven: a speed for each place of a line, planned backward."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from .lines import Lines
+from .world import World
+
+STRAIGHT = 1e-6
+"""1/m: less is no bend."""
+
+
+class BendSpeeds:
+    """The plans of the agents of a world, each made when its limits are first asked for."""
+
+    def __init__(self, world: World) -> None:
+        count, cells = len(world.present), world.track.lines.cells
+        self._limits = np.zeros((2, count))
+        self._plans = np.zeros((count, cells))
+
+    def at(
+        self,
+        world: World,
+        rows: Integers,
+        lateral: Floats | float,
+        braking: Floats | float,
+        distance: Floats | float,
+    ) -> Floats:
+        """(N,) the greatest speeds a distance on, m/s, with `braking` before bends that are driven
+        with a lateral acceleration of at most `lateral`."""
+        track = world.track.of_rows(rows)
+        limits = np.empty((2, len(rows)))
+        limits[0], limits[1] = lateral, braking
+        new = (limits != self._limits[:, rows]).any(axis=0)
+        if new.any():
+            self._limits[:, rows] = limits
+            self._plans[rows[new]] = planned(track.lines, track.row[new], *limits[:, new])
+        cell, _ = track.cell(track.wrapped(world.motion.along[rows] + distance))
+        return np.asarray(self._plans[rows, cell - track.first])
+
+    def take(self, agents: Integers) -> None:
+        """From now on the world has these of its agents alone."""
+        self._limits, self._plans = self._limits[:, agents], self._plans[agents]
+
+
+def planned(lines: Lines, row: Integers, lateral: Floats, braking: Floats) -> Floats:
+    """(N, M) greatest speeds at the ends of the cells of the lines `row`: from the end backward,
+    `v^2 = min(lateral / curvature, v_next^2 + 2 braking ds)`."""
+    curvature = np.abs(lines.column(lines.seen_curvature)[row])
+    limit = lateral[:, None] / np.maximum(curvature, STRAIGHT)
+    gain = 2.0 * braking * lines.spacing[row]
+    ramp = gain[:, None] * np.arange(lines.cells)
+    square = _backward(limit, ramp)
+    again = np.flatnonzero(lines.closed[row])
+    if len(again):  # beyond the end of a closed line is its beginning
+        cells = np.round(lines.length[row[again]] / lines.spacing[row[again]]).astype(np.int64)
+        last = lines.last[row[again]]
+        square[again, last] = np.minimum(square[again, last], square[again, last - cells])
+        square[again] = _backward(square[again], ramp[again])
+    ahead = np.minimum(square[:, :-1], square[:, 1:])
+    square[:, :-1] = ahead
+    return np.asarray(np.sqrt(square))
+
+
+def _backward(limit: Floats, ramp: Floats) -> Floats:
+    """(N, M) least of `limit[j] + ramp[j] - ramp[i]` over j >= i."""
+    ahead = np.minimum.accumulate((limit + ramp)[:, ::-1], axis=1)[:, ::-1]
+    return np.asarray(ahead - ramp)

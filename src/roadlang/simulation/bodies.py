@@ -1,0 +1,127 @@
+"""What agents are: size, mass, grip and power, as columns of numbers over many agents."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Floats
+from ..ir.scene import SceneActor
+from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
+
+AIR = 1.2
+"""density, kg/m^3"""
+LEAST_FRICTION = 1e-3
+
+
+@dataclass(frozen=True)
+class Body:
+    """What the options of a kind of agent do not say of it. SI units and radians."""
+
+    drag_area: float = 0.67
+    """drag coefficient times frontal area, m^2"""
+    power: float = 66.0
+    """of the engine, W for each kilogram of the agent"""
+    rolling: float = 0.012
+    """rolling resistance for each newton of weight"""
+    mass_height: float = 0.28
+    """height of the center of mass, share of the height of the agent"""
+    steering_lag: float = 0.1
+    """time constant of the steering, seconds"""
+    steering_rate: float = 1.2
+    """rad/s of the front wheels, at most"""
+    walks: bool = False
+    """on foot: goes where it is headed, without tires"""
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """Columns (N,) over agents. A `tangent` is that of a steering angle."""
+
+    length: Floats
+    width: Floats
+    wheelbase: Floats
+    max_steering: Floats
+    half_base: Floats
+    friction: Floats
+    front_slope: Floats
+    """share of the slip at which the front axle slides, for each unit of slip"""
+    rear_slope: Floats
+    slow: Floats
+    lag: Floats
+    """share of a steering difference that one step closes"""
+    rate: Floats
+    """radians of steering for each step, at most"""
+    power: Floats
+    """W/kg"""
+    grip: Floats
+    """friction times gravity, m/s^2"""
+    transfer: Floats
+    """height of the center of mass over the wheelbase"""
+    inertia: Floats
+    """square of the radius of gyration, m^2"""
+    drag: Floats
+    """1/m: acceleration for each squared m/s"""
+    rolling: Floats
+    """m/s^2"""
+    walks: Booleans
+
+    @classmethod
+    def of(
+        cls,
+        actors: Sequence[SceneActor],
+        friction: Sequence[float],
+        kinds: Mapping[str, Body],
+        dt: float,
+    ) -> Bodies:
+        """`friction`: of the road below each; `kinds`: by the name of the kind."""
+        usual = Body()
+        rows = [
+            _row(actor, kinds.get(actor.kind, usual), max(mu, LEAST_FRICTION), dt)
+            for actor, mu in zip(actors, friction, strict=True)
+        ]
+        columns = np.ascontiguousarray(np.array(rows, dtype=np.float64).reshape(len(rows), -1).T)
+        names = [field.name for field in fields(cls)]
+        values: dict[str, Any] = dict(zip(names, columns, strict=True))
+        values["walks"] = values["walks"] > 0.5
+        return cls(**values)
+
+    def take(self, rows: Any) -> Bodies:
+        """Those of some agents."""
+        return Bodies(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
+
+
+def _row(actor: SceneActor, body: Body, friction: float, dt: float) -> tuple[float, ...]:
+    options = actor.options
+    usual_base = 0.5 if body.walks else 0.6 * actor.length
+    wheelbase = max(0.05, _number(options.get("wheelbase"), usual_base))
+    mass = max(1e-3, _number(options.get("mass"), 1500.0))
+    lag, rate = body.steering_lag, body.steering_rate
+    return (
+        actor.length,
+        actor.width,
+        wheelbase,
+        min(1.5, _number(options.get("max_steering"), 0.61)),
+        0.5 * wheelbase,
+        friction,
+        FRONT_STIFFNESS / (3.0 * friction),
+        REAR_STIFFNESS / (3.0 * friction),
+        SLOW * dt,
+        1.0 if body.walks else dt / (lag + dt),
+        (1e3 if body.walks else rate) * dt,
+        body.power,
+        friction * GRAVITY,
+        body.mass_height * actor.height / wheelbase,
+        (actor.length * actor.length + actor.width * actor.width) / 12.0,
+        0.5 * AIR * body.drag_area / mass,
+        body.rolling * GRAVITY,
+        float(body.walks),
+    )
+
+
+def _number(value: Any, usual: float) -> float:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return float(value) if is_number else usual

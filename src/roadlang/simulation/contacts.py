@@ -1,0 +1,216 @@
+"""Contacts between agents, and of agents with what stands still: found between two samples too.
+
+Footprints are rectangles. Between two samples they move at a constant velocity, so that the time of
+the first contact has a formula, and nothing passes through anything however fast it is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from .outlines import Outlines
+from .poses import Poses
+from .world import World
+
+
+@dataclass(frozen=True)
+class Contact:
+    """`agent` (a column of the world) touched another agent or an object for the first time."""
+
+    time: float
+    agent: int
+    other: int
+    """column of the other agent, -1 for an object"""
+    name: str
+    """of the other"""
+    speed: float
+    """of one relative to the other, m/s"""
+
+
+class Contacts:
+    """Watches the agents of a world, from one sample to the next.
+
+    Who touches something stands still from then on. On foot one touches nothing but vehicles.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._objects = Outlines.of([one for scene in world.scenes for one in scene.objects])
+        self._names = [one.name for scene in world.scenes for one in scene.objects]
+        radius = np.hypot(self._objects.half_length, self._objects.half_width)
+        self._object_radius = radius
+        self._pairs, self._near = _pairs(world)
+        self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
+        self._before: Poses | None = None
+        self._due = np.zeros(len(self._near[0]))
+        self._gone = np.zeros(len(world.present))
+
+    def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
+        """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
+        before = self._before or poses
+        self._before = poses
+        shift_x, shift_y = poses.x - before.x, poses.y - before.y
+        shift = np.hypot(shift_x, shift_y)
+        self._gone += shift
+        if not len(self._pairs[0]) and not len(self._near[0]):
+            return []
+        found = self._of_agents(world, poses, (shift_x, shift_y, shift))
+        found += self._of_objects(world, poses, (shift_x, shift_y))
+        return self._settled(found, world, seconds) if found else []
+
+    def seen(self, poses: Poses) -> None:
+        """Agents were moved to where they touched something."""
+        self._before = poses
+
+    def take(self, agents: Integers, count: int) -> None:
+        """From now on the world has these of its `count` agents alone."""
+        place = np.full(count, -1)
+        place[agents] = np.arange(len(agents))
+        kept = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
+        self._pairs = (place[self._pairs[0][kept]], place[self._pairs[1][kept]])
+        kept = place[self._near[0]] >= 0
+        self._near = (place[self._near[0][kept]], self._near[1][kept])
+        self._due = self._due[kept]
+        self._radius, self._gone = self._radius[agents], self._gone[agents]
+        if self._before is not None:
+            self._before = self._before.take(agents)
+
+    def _of_agents(
+        self, world: World, poses: Poses, shift: tuple[Floats, Floats, Floats]
+    ) -> list[Any]:
+        first, second = self._pairs
+        if not len(first):
+            return []
+        off_x, off_y = poses.x[first] - poses.x[second], poses.y[first] - poses.y[second]
+        reach = (self._radius + shift[2])[first] + (self._radius + shift[2])[second]
+        close = np.flatnonzero(off_x * off_x + off_y * off_y <= reach * reach)
+        if len(close):
+            close = close[~(world.halted[first[close]] & world.halted[second[close]])]
+        if not len(close):
+            return []
+        one, other = first[close], second[close]
+        outlines = Outlines.moving(world, poses)
+        relative = (shift[0][one] - shift[0][other], shift[1][one] - shift[1][other])
+        share = first_contact(outlines.take(one), outlines.take(other), relative)
+        length = np.hypot(*relative)
+        return [
+            (float(share[i]), int(one[i]), int(other[i]), -1, float(length[i]))
+            for i in np.flatnonzero(share <= 1.0)
+        ]
+
+    def _of_objects(self, world: World, poses: Poses, shift: tuple[Floats, Floats]) -> list[Any]:
+        """An agent that is far from an object need not be looked at until it has gone that far."""
+        agent, thing = self._near
+        due = np.flatnonzero(self._gone[agent] >= self._due)
+        due = due[~world.halted[agent[due]]] if len(due) else due
+        if not len(due):
+            return []
+        one, other = agent[due], thing[due]
+        away = np.hypot(
+            poses.x[one] - self._objects.x[other], poses.y[one] - self._objects.y[other]
+        )
+        moved = np.hypot(shift[0][one], shift[1][one])
+        free = away - self._radius[one] - self._object_radius[other]
+        self._due[due] = self._gone[one] + free
+        close = free <= moved
+        if not close.any():
+            return []
+        one, other = one[close], other[close]
+        relative = (shift[0][one], shift[1][one])
+        outlines = Outlines.moving(world, poses).take(one)
+        share = first_contact(outlines, self._objects.take(other), relative)
+        length = np.hypot(*relative)
+        return [
+            (float(share[i]), int(one[i]), -1, int(other[i]), float(length[i]))
+            for i in np.flatnonzero(share <= 1.0)
+        ]
+
+    def _settled(self, found: list[Any], world: World, seconds: float) -> list[Contact]:
+        """The contacts in the order of time; who has touched something goes no further."""
+        out: list[Contact] = []
+        stopped: dict[int, float] = {}
+        for share, one, other, thing, length in sorted(found):
+            both = [agent for agent in (one, other) if agent >= 0]
+            if any(share > stopped.get(agent, math.inf) for agent in both):
+                continue
+            moment = world.time - (1.0 - share) * seconds
+            speed = length / seconds if seconds > 0.0 else 0.0
+            names = [_name(world, other) if other >= 0 else self._names[thing], _name(world, one)]
+            for agent, partner, name in zip(both, [other, one], names, strict=False):
+                out.append(Contact(moment, agent, partner, name, speed))
+                world.contacts[agent] += 1.0
+                stopped.setdefault(agent, share)
+        for agent, share in stopped.items():
+            world.halt(agent, (1.0 - share) * seconds)
+        return out
+
+
+def first_contact(a: Outlines, b: Outlines, shift: tuple[Floats, Floats]) -> Floats:
+    """(N,) when rectangles meet on the last part of their way, as a share of it: 0 at its start, 1
+    at its end, where they are at `a` and `b`; infinite for never.
+
+    `shift`: how far `a` has moved relative to `b`. The way is straight, the headings are those at
+    the end (separating axes, each with the interval of time in which it does not separate).
+    """
+    off_x, off_y = a.x - b.x - shift[0], a.y - b.y - shift[1]
+    enter = np.zeros(len(off_x))
+    leave = np.full(len(off_x), math.inf)
+    cosine = np.abs(a.cosine * b.cosine + a.sine * b.sine)
+    sine = np.abs(a.sine * b.cosine - a.cosine * b.sine)
+    for box, other in ((a, b), (b, a)):
+        for axis_x, axis_y, half, shadow in (
+            (
+                box.cosine, box.sine, box.half_length,
+                other.half_length * cosine + other.half_width * sine,
+            ),
+            (
+                -box.sine, box.cosine, box.half_width,
+                other.half_length * sine + other.half_width * cosine,
+            ),
+        ):  # fmt: skip
+            first, last = _overlap(
+                off_x * axis_x + off_y * axis_y,
+                shift[0] * axis_x + shift[1] * axis_y,
+                half + shadow,
+            )
+            enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    return np.where(enter <= leave, enter, math.inf)
+
+
+def _overlap(start: Floats, change: Floats, reach: Floats) -> tuple[Floats, Floats]:
+    """When `|start + change t| <= reach`, from and to."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        one, other = (-reach - start) / change, (reach - start) / change
+    inside = np.abs(start) <= reach
+    still = change == 0.0
+    first = np.where(still, np.where(inside, -math.inf, math.inf), np.minimum(one, other))
+    last = np.where(still, np.where(inside, math.inf, -math.inf), np.maximum(one, other))
+    return first, last
+
+
+def _pairs(world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
+    """Pairs of agents that can touch each other, and of agents and objects."""
+    first, second, agent, thing = [], [], [], []
+    base = 0
+    for scene, record in enumerate(world.scenes):
+        here = scene * world.slots + np.arange(len(record.agents))
+        vehicles = here[~world.bodies.walks[here]]
+        one, other = np.triu_indices(len(here), 1)
+        touch = ~(world.bodies.walks[here[one]] & world.bodies.walks[here[other]])
+        first.append(here[one[touch]])
+        second.append(here[other[touch]])
+        count = len(record.objects)
+        agent.append(np.repeat(vehicles, count))
+        thing.append(base + np.tile(np.arange(count), len(vehicles)))
+        base += count
+    joined = [np.concatenate(part).astype(np.int64) for part in (first, second, agent, thing)]
+    return (joined[0], joined[1]), (joined[2], joined[3])
+
+
+def _name(world: World, agent: int) -> str:
+    actor = world.actors[agent]
+    return actor.name if actor is not None else ""

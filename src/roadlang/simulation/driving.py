@@ -1,0 +1,278 @@
+"""Who drives: the controllers of all agents of a world, asked in batches at every step."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.control import Observation
+from ..ir.scene import Call
+from ..plugins.kinds import Controller
+from .bend_speeds import BendSpeeds
+from .conditions import Condition
+from .controllers import UNDRIVEN_BRAKING, Driver, GuardedController
+from .observing import View
+from .poses import Poses
+from .signals import Moment, SignalCall
+from .world import World
+
+
+@dataclass
+class Decision:
+    """What all agents are to do: columns (N,)."""
+
+    steering: Floats
+    acceleration: Floats
+    heading: Floats | None = None
+
+    def take(self, agents: Integers) -> Decision:
+        """That of some agents."""
+        heading = None if self.heading is None else self.heading[agents]
+        return Decision(self.steering[agents], self.acceleration[agents], heading)
+
+
+@dataclass
+class Group:
+    """Agents whose controller at one place of their list is of one kind."""
+
+    place: int
+    controller: GuardedController
+    rows: Integers
+    columns: dict[str, Any]
+    state: Any
+    singles: list[GuardedController]
+    """one for each agent, where the kind decides for one alone"""
+
+    def take(self, place: Integers) -> None:
+        """Agents are at other places of the world now; at -1, no more."""
+        kept = np.flatnonzero(place[self.rows] >= 0)
+        self.rows = place[self.rows[kept]]
+        self.columns = _part(self.columns, kept)
+        self.state = None if self.state is None else self.state[kept]
+        self.singles = [self.singles[row] for row in kept] if self.singles else []
+
+
+@dataclass
+class Trigger:
+    """Conditions of one form, at one place of the lists of some agents."""
+
+    place: int
+    rows: Integers
+    condition: Condition
+    signals: dict[str, SignalCall]
+    latched: Booleans | None
+    """of `when:`, which stays true; None of `while:`"""
+
+    def active(self, moment: Moment) -> Booleans:
+        """(R,) whose controller is active now."""
+        now = self.condition.now(moment.world.time, lambda name: self.signals[name].values(moment))
+        if self.latched is None:
+            return now
+        self.latched |= now
+        return self.latched
+
+    def take(self, place: Integers, agents: Integers) -> None:
+        """Agents are at other places of the world now; at -1, no more."""
+        kept = np.flatnonzero(place[self.rows] >= 0)
+        for signal in self.signals.values():
+            signal.take(kept, agents, len(place))
+        self.condition.take(kept)
+        self.rows = place[self.rows[kept]]
+        self.latched = None if self.latched is None else self.latched[kept]
+
+
+class Crew:
+    """What drives the agents of a world. `controllers`: of each scene, by agent; `measures`: which
+    measure of a `Moment` a kind of drive signal is."""
+
+    def __init__(
+        self,
+        world: World,
+        controllers: Sequence[Mapping[str, Controller]],
+        step: float,
+        measures: Mapping[str, str],
+    ) -> None:
+        self._step = step
+        self._bends = BendSpeeds(world)
+        self._groups, calls = _grouped(world, controllers)
+        self._triggers = _triggers(world, calls, measures)
+        self._steady = np.full(len(world.present), -1)
+        for place, row, call in calls:
+            if call.when is None:
+                self._steady[row] = max(self._steady[row], place)
+        self._before: Floats | None = None
+
+    def decide(self, world: World, poses: Poses) -> Decision:
+        """What all agents are to do until the next step."""
+        view = View(world, poses, self._step, self._bends)
+        in_charge = self._in_charge(world, poses)
+        count = len(in_charge)
+        out = Decision(np.zeros(count), np.full(count, -UNDRIVEN_BRAKING))
+        for group in self._groups:
+            chosen = np.flatnonzero(in_charge[group.rows] == group.place)
+            if len(chosen):
+                _decide(group, chosen, view, out)
+        self._steer_by_earlier(in_charge, view, out)
+        return out
+
+    def take(self, agents: Integers, count: int) -> None:
+        """From now on the world has these of its `count` agents alone."""
+        place = np.full(count, -1)
+        place[agents] = np.arange(len(agents))
+        for group in self._groups:
+            group.take(place)
+        for trigger in self._triggers:
+            trigger.take(place, agents)
+        self._bends.take(agents)
+        self._steady = self._steady[agents]
+        self._before = None if self._before is None else self._before[agents]
+
+    def _in_charge(self, world: World, poses: Poses) -> Integers:
+        """(N,) the place of the last active controller, -1 for none."""
+        now = world.motion.acceleration
+        jerk = (now - (now if self._before is None else self._before)) / self._step
+        self._before = now
+        moment = Moment(world, poses, jerk)
+        in_charge = self._steady.copy()
+        for trigger in self._triggers:
+            active = np.where(trigger.active(moment), trigger.place, -1)
+            in_charge[trigger.rows] = np.maximum(in_charge[trigger.rows], active)
+        return in_charge
+
+    def _steer_by_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
+        """A controller that does not steer leaves that to the last one before it that does."""
+        if not np.isnan(out.steering).any():
+            return
+        for group in reversed(self._groups):
+            open_ = np.isnan(out.steering[group.rows]) & (in_charge[group.rows] > group.place)
+            chosen = np.flatnonzero(open_)
+            if len(chosen):
+                other = Decision(out.steering, out.acceleration.copy())
+                _decide(group, chosen, view, other, lasting=False)
+        out.steering[np.isnan(out.steering)] = 0.0
+
+
+def _decide(
+    group: Group, chosen: Integers, view: View, out: Decision, *, lasting: bool = True
+) -> None:
+    """Ask the controllers of some agents of a group. `lasting`: their state goes on."""
+    rows = group.rows[chosen]
+    if group.singles:
+        _decide_singly(group, chosen, view, out)
+        return
+    everyone = len(chosen) == len(group.rows)
+    columns = group.columns if everyone else _part(group.columns, chosen)
+    state = None if group.state is None else group.state[chosen]
+    guarded = group.controller
+    decided = guarded.decide(guarded.built(columns), view.of(rows), state)
+    if state is not None and lasting:
+        group.state[chosen] = state
+    out.steering[rows] = decided.steering
+    out.acceleration[rows] = decided.acceleration
+    if decided.heading is not None:
+        if out.heading is None:
+            out.heading = np.full(len(out.steering), math.nan)
+        out.heading[rows] = decided.heading
+
+
+def _decide_singly(group: Group, chosen: Integers, view: View, out: Decision) -> None:
+    """Loop over agents whose controllers decide for one alone."""
+    for index in chosen:
+        row = int(group.rows[index])
+        scene = row // view.world.slots
+        others: dict[str, Observation] = {}
+        for place, actor in enumerate(view.world.scenes[scene].agents):
+            others[actor.name] = view.single(scene * view.world.slots + place)
+        control = group.singles[index].control(view.single(row, others))
+        out.steering[row] = control.steering
+        out.acceleration[row] = control.acceleration
+
+
+def _grouped(
+    world: World, controllers: Sequence[Mapping[str, Controller]]
+) -> tuple[list[Group], list[tuple[int, int, Call]]]:
+    """Groups by place in the list, kind, and options that are not numbers; all calls."""
+    members: dict[Any, list[tuple[int, GuardedController]]] = {}
+    calls = []
+    for row, actor in enumerate(world.actors):
+        driver = controllers[row // world.slots].get(actor.name) if actor is not None else None
+        for place, call in enumerate(actor.drive if actor is not None else ()):
+            controller = driver.each[place] if isinstance(driver, Driver) else None
+            if controller is None:
+                engine = "the embedded engine"
+                found = diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine)
+                raise DiagnosticError(found)
+            calls.append((place, row, call))
+            words = {k: v for k, v in controller.options.items() if not _is_number(v)}
+            key = (place, controller.entry.qualified, json.dumps(words, sort_keys=True))
+            members.setdefault(key, []).append((row, controller))
+    groups = [_group(place, found) for (place, *_), found in members.items()]
+    return sorted(groups, key=lambda group: group.place), calls
+
+
+def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
+    rows = np.array([row for row, _ in members], dtype=np.int64)
+    first = members[0][1]
+    if not first.in_batches:
+        return Group(place, first, rows, {}, None, [controller for _, controller in members])
+    columns = {
+        name: np.array([controller.options[name] for _, controller in members], dtype=np.float64)
+        if _is_number(value)
+        else value
+        for name, value in first.options.items()
+    }
+    state = first.first_state(first.built(columns), len(rows))
+    return Group(place, first, rows, columns, state, [])
+
+
+def _triggers(
+    world: World, calls: list[tuple[int, int, Call]], measures: Mapping[str, str]
+) -> list[Trigger]:
+    """Conditions of one form together: scenes of one file differ in their numbers alone."""
+    members: dict[Any, list[tuple[int, Mapping[str, Any]]]] = {}
+    for place, row, call in calls:
+        if call.when is not None:
+            kinds = {name: one["kind"] for name, one in call.when.get("signals", {}).items()}
+            numbers = sorted(call.when.get("numbers", {}))
+            form = json.dumps([call.when["formula"], kinds, numbers], sort_keys=True)
+            members.setdefault((place, form), []).append((row, call.when))
+    return [_trigger(place, found, world, measures) for (place, _), found in members.items()]
+
+
+def _trigger(
+    place: int,
+    members: list[tuple[int, Mapping[str, Any]]],
+    world: World,
+    measures: Mapping[str, str],
+) -> Trigger:
+    rows = np.array([row for row, _ in members], dtype=np.int64)
+    first = members[0][1]
+    scenes = [row // world.slots for row, _ in members]
+    signals = {
+        name: SignalCall([when["signals"][name] for _, when in members], scenes, world, measures)
+        for name in first.get("signals", {})
+    }
+    numbers = {
+        name: np.array([float(when["numbers"][name]) for _, when in members])
+        for name in first.get("numbers", {})
+    }
+    condition = Condition(first["formula"], numbers, len(rows))
+    return Trigger(place, rows, condition, signals, np.zeros(len(rows), dtype=bool))
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _part(columns: Mapping[str, Any], rows: Integers) -> dict[str, Any]:
+    return {
+        name: value[rows] if isinstance(value, np.ndarray) else value
+        for name, value in columns.items()
+    }

@@ -1,0 +1,140 @@
+"""What is recorded of drives, and the traces of scenes that are made of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from ..ir.scene import Scene, SceneActor
+from ..ir.trace import AgentTrace, Trace
+from .contacts import Contact
+from .poses import Poses
+from .world import World
+
+ENGINE = "the embedded engine"
+_COLUMNS = (
+    "x", "y", "heading", "speed", "steering", "station", "cross_track_error", "progress",
+    "contacts",
+)  # fmt: skip
+
+
+class Recorder:
+    """Samples of all agents of a block of scenes. Scenes end at times of their own."""
+
+    def __init__(self, scenes: tuple[Scene, ...], slots: int) -> None:
+        self._scenes = scenes
+        self._slots = slots
+        self._times: list[float] = []
+        self._chunk: list[Floats] = []
+        self._parts: dict[int, list[Floats]] = {row: [] for row in range(len(scenes))}
+        self._rows = np.arange(len(scenes))
+        self._ends: dict[int, int] = {}
+        self._events: dict[int, list[dict[str, Any]]] = {}
+
+    def record(self, world: World, poses: Poses) -> None:
+        """One sample of all scenes; a scene in which all have arrived ends with it."""
+        motion = world.motion
+        self._times.append(world.time)
+        self._chunk.append(
+            np.stack(
+                (
+                    poses.x, poses.y, poses.heading, motion.speed, np.arctan(motion.tangent),
+                    world.station, world.cross_track_error, world.progress, world.contacts,
+                )
+            )
+        )  # fmt: skip
+        for row in self._rows[np.flatnonzero(world.finished)]:
+            self._ends.setdefault(int(row), len(self._times))
+
+    def note(self, world: World, contacts: list[Contact]) -> None:
+        """Contacts, as events of their scenes."""
+        for contact in contacts:
+            actor = world.actors[contact.agent]
+            event = {
+                "time": contact.time,
+                "event": "contact",
+                "agent": actor.name if actor is not None else "",
+                "other": contact.name,
+                "speed": contact.speed,
+            }
+            row = int(self._rows[contact.agent // self._slots])
+            self._events.setdefault(row, []).append(event)
+
+    def go_on_with(self, kept: Integers) -> None:
+        """Of the scenes that went on, only these still do."""
+        self._close()
+        self._rows = self._rows[kept]
+
+    def traces(self) -> list[Trace]:
+        """The trace of each scene."""
+        self._close()
+        return [self._trace(row, scene) for row, scene in enumerate(self._scenes)]
+
+    def _close(self) -> None:
+        """Turn samples into columns: (scenes, agents, quantities, times)."""
+        if not self._chunk:
+            return
+        samples = np.stack(self._chunk)
+        self._chunk = []
+        times, quantities, _ = samples.shape
+        shaped = samples.reshape(times, quantities, len(self._rows), self._slots)
+        columns = np.ascontiguousarray(shaped.transpose(2, 3, 1, 0))
+        for row, part in zip(self._rows, columns, strict=True):
+            self._parts[int(row)].append(part)
+
+    def _trace(self, row: int, scene: Scene) -> Trace:
+        parts = self._parts[row]
+        columns = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=2)
+        count = min(self._ends.get(row, len(self._times)), columns.shape[2])
+        columns = columns[:, :, :count]
+        time = np.array(self._times[:count])
+        agents = {
+            actor.name: _agent(actor, columns[slot], time)
+            for slot, actor in enumerate(scene.agents)
+        }
+        if scene.objects:
+            agents |= {actor.name: _still(actor, time) for actor in scene.objects}
+        events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
+        events.sort(key=lambda event: (event["time"], event["agent"]))
+        return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))
+
+
+def _agent(actor: SceneActor, columns: Floats, time: Floats) -> AgentTrace:
+    values: dict[str, Floats] = dict(zip(_COLUMNS, columns, strict=True))
+    heading = values.pop("heading")
+    jumps = np.abs(np.diff(heading)).max(initial=0.0) > np.pi
+    return AgentTrace(
+        name=actor.name,
+        time=time,
+        heading=np.unwrap(heading) if jumps else heading,
+        acceleration=_rate(values["speed"], time),
+        length=actor.length,
+        width=actor.width,
+        **values,
+    )
+
+
+def _rate(values: Floats, time: Floats) -> Floats:
+    return np.gradient(values, time) if len(time) > 1 else np.zeros(len(time))
+
+
+def _still(actor: SceneActor, time: Floats) -> AgentTrace:
+    zero = np.zeros(len(time))
+    return AgentTrace(
+        name=actor.name,
+        time=time,
+        x=zero + actor.x,
+        y=zero + actor.y,
+        heading=zero + actor.heading,
+        speed=zero,
+        acceleration=zero,
+        steering=zero,
+        station=zero + (actor.start or 0.0),
+        cross_track_error=zero + (actor.offset or 0.0),
+        progress=zero,
+        contacts=zero,
+        length=actor.length,
+        width=actor.width,
+    )

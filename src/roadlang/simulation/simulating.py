@@ -1,0 +1,114 @@
+"""Drives scenes in the embedded engine: in blocks, all scenes of a block side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..ir.scene import Scene
+from ..ir.trace import Trace
+from ..plugins.kinds import Controller
+from .bodies import Body
+from .contacts import Contacts
+from .driving import Crew
+from .recording import Recorder
+from .world import world_of
+
+BLOCK_AGENTS = 2048
+"""Agents that are driven side by side: their columns fit into the caches of a processor."""
+LEFT_OUT = 0.25
+"""Share of the scenes of a block that are over when it is made smaller."""
+
+
+@dataclass(frozen=True)
+class EngineSettings:
+    """How to drive; all in seconds."""
+
+    duration: float = 60.0
+    """at most"""
+    step: float = 0.1
+    """from one sample of the trace to the next"""
+    control_step: float = 0.1
+    """for which a decision of the controllers holds"""
+    vehicle_step: float = 0.02
+    """of the equations of motion"""
+    bodies: Mapping[str, Body] = field(default_factory=dict)
+    """what kinds of agents are, by name"""
+    signals: Mapping[str, str] = field(default_factory=dict)
+    """which measure a kind of drive signal is, in conditions: an attribute of `Moment`, or one of
+    `BETWEEN`"""
+
+    def ticks(self, seconds: float) -> int:
+        """Steps of the vehicles in a time, at least one."""
+        return max(1, round(seconds / self.vehicle_step))
+
+
+Controllers = Mapping[str, Controller]
+"""By agent."""
+
+
+def simulate_scenes(
+    scenes: Sequence[Scene], controllers: Sequence[Controllers], settings: EngineSettings
+) -> Iterator[Trace]:
+    """The trace of each scene. A scene drives alone as it drives beside others.
+
+    Raises DiagnosticError RL700 where a scene has no agent, RL510, RL513 and RL47x of controllers.
+    """
+    for scene in scenes:
+        if not scene.agents:
+            raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name))
+    for start, stop in _blocks(scenes):
+        yield from _drive_block(scenes[start:stop], controllers[start:stop], settings)
+
+
+def _blocks(scenes: Sequence[Scene]) -> Iterator[tuple[int, int]]:
+    start = most = 0
+    for number, scene in enumerate(scenes):
+        wider = max(most, len(scene.agents))
+        if number > start and (number + 1 - start) * wider > BLOCK_AGENTS:
+            yield start, number
+            start, wider = number, len(scene.agents)
+        most = wider
+    yield start, len(scenes)
+
+
+def _drive_block(
+    scenes: Sequence[Scene], controllers: Sequence[Controllers], settings: EngineSettings
+) -> list[Trace]:
+    decided, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
+    last = settings.ticks(settings.duration)
+    dt = settings.vehicle_step
+    world = world_of(scenes, settings.bodies, dt, settings.control_step)
+    crew = Crew(world, controllers, decided * dt, settings.signals)
+    contacts = Contacts(world)
+    recorder = Recorder(world.scenes, world.slots)
+    poses = world.poses
+    recorder.note(world, contacts.watch(world, poses, 0.0))
+    decision = crew.decide(world, poses)
+    while True:
+        if world.tick % sampled == 0 or world.tick >= last:
+            recorder.record(world, poses)
+            going_on = np.flatnonzero(~world.finished)
+            if world.tick >= last or not len(going_on):
+                return recorder.traces()
+            if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
+                agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
+                crew.take(agents, len(world.present))
+                contacts.take(agents, len(world.present))
+                recorder.go_on_with(going_on)
+                world, poses = world.take(going_on), poses.take(agents)
+                decision = decision.take(agents)
+        if world.tick and world.tick % decided == 0:
+            decision = crew.decide(world, poses)
+        steps = min(decided - world.tick % decided, sampled - world.tick % sampled)
+        steps = min(steps, last - world.tick)
+        world.step(decision.steering, decision.acceleration, decision.heading, steps)
+        poses = world.poses
+        touched = contacts.watch(world, poses, steps * dt)
+        if touched:
+            recorder.note(world, touched)
+            poses = world.poses
+            contacts.seen(poses)

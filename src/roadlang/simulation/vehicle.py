@@ -1,0 +1,125 @@
+"""The motion of a car for one short time step: a dynamic bicycle on brush tires.
+
+One source for two machines: the formulas use `+ - * /`, `sqrt`, `minimum` and `maximum` alone, so
+that numpy on arrays and numba on numbers give the same bits.
+
+- single track model with load transfer: R. Rajamani, Vehicle Dynamics and Control, ch. 2 and 4
+- brush tire (cubic in the slip, saturated): H. B. Pacejka, Tire and Vehicle Dynamics, ch. 3
+- a friction circle for each axle shares the grip between braking and cornering
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+GRAVITY = 9.81
+"""m/s^2"""
+FRONT_STIFFNESS = 12.0
+"""cornering stiffness of the front axle for each newton of load, 1/rad: less than at the rear, so
+that the car understeers"""
+REAR_STIFFNESS = 14.0
+SLOW = 1.2 * REAR_STIFFNESS * GRAVITY
+"""m/s for each second of the time step: below it, slip angles are those at this speed, or the
+equations would be too stiff for the step"""
+LEAST_POWER_SPEED = 1.0
+"""m/s: below it, the engine's force is that at this speed"""
+LEAST_STRETCH = 0.1
+"""how much shorter the inside of a bend may be than its middle, at most"""
+
+
+def steered(tangent: Any, wanted: Any, lag: Any, rate: Any) -> Any:
+    """The tangent of the steering angle after one step.
+
+    It approaches what is wanted (`lag` is the share of the difference that one step closes) at no
+    more than `rate` radians for each step.
+    """
+    most = rate * (1.0 + tangent * tangent)
+    return tangent + np.minimum(np.maximum((wanted - tangent) * lag, -most), most)
+
+
+def brush(slip: Any) -> Any:
+    """Share of the grip that a tire uses, -1 to 1, at a slip of 1 where it begins to slide."""
+    part = np.minimum(np.maximum(slip, -1.0), 1.0)
+    return part * (3.0 - 3.0 * np.abs(part) + part * part)
+
+
+def demand(wanted: Any, speed: Any, power: Any, grip: Any, dt: float) -> Any:
+    """Share of the grip that drive or brakes use, -1 to 1.
+
+    `wanted`: acceleration; `power`: of the engine, W/kg; `grip`: friction times gravity. Brakes
+    hold what stands, and do not push it back.
+    """
+    driven = np.minimum(wanted, power / np.maximum(speed, LEAST_POWER_SPEED))
+    held = np.maximum(driven, -speed / dt)
+    return np.minimum(np.maximum(held / grip, -1.0), 1.0)
+
+
+def forces(vx: Any, vy: Any, yaw_rate: Any, tangent: Any, used: Any, load: Any, car: Any) -> Any:
+    """Forces of the axles for each kilogram of the car, in its own axes: front and rear, each along
+    and to the left, m/s^2. `load`: of the front and the rear axle; `used`: of the grip, by drive or
+    brakes. `car`: distance of the axles, friction, slopes of the tires, least speed of slips.
+    """
+    half_base, friction, front_slope, rear_slope, slow = car
+    swing = half_base * yaw_rate
+    side = vy + swing
+    front_slip = (side - vx * tangent) / np.maximum(vx + side * tangent, slow)
+    rear_slip = (vy - swing) / np.maximum(vx, slow)
+    front = brush(front_slip * front_slope)
+    rear = brush(rear_slip * rear_slope)
+    of_both = used * used
+    front_grip = friction * load[0] / np.maximum(np.sqrt(of_both + front * front), 1.0)
+    rear_grip = friction * load[1] / np.maximum(np.sqrt(of_both + rear * rear), 1.0)
+    cosine = 1.0 / np.sqrt(1.0 + tangent * tangent)
+    along, left = used * front_grip, -front * front_grip
+    return (
+        (along - left * tangent) * cosine,
+        (left + along * tangent) * cosine,
+        used * rear_grip,
+        -rear * rear_grip,
+    )
+
+
+def loads(acceleration: Any, transfer: Any) -> Any:
+    """Load of the front and the rear axle for each kilogram of the car, m/s^2; the center of mass
+    lies between them. `transfer`: its height over the wheelbase."""
+    half = 0.5 * GRAVITY
+    moved = np.minimum(np.maximum(transfer * acceleration, -half), half)
+    return half - moved, half + moved
+
+
+def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any, dt: float) -> Any:
+    """Speeds after a step: along, to the left, yaw rate; and the acceleration along the car.
+
+    `motion`: the same before; `inertia`: square of the radius of gyration, m^2; `drag`: quadratic
+    in 1/m and rolling resistance in m/s^2.
+    """
+    vx, vy, yaw_rate = motion
+    front_along, front_left, rear_along, rear_left = force
+    rolling = np.minimum(drag[1], vx / dt)
+    along = front_along + rear_along - drag[0] * vx * vx - rolling
+    return (
+        np.maximum(vx + (along + vy * yaw_rate) * dt, 0.0),
+        vy + (front_left + rear_left - vx * yaw_rate) * dt,
+        yaw_rate + half_base * (front_left - rear_left) / inertia * dt,
+        along,
+    )
+
+
+def displaced(along: Any, left: Any, cosine: Any, sine: Any, offset: Any, curvature: Any) -> Any:
+    """Speeds along and to the left of the line, whose curvature is that at the foot point.
+
+    `cosine`, `sine`: of the car's heading from that of the line.
+    """
+    stretch = np.maximum(1.0 - offset * curvature, LEAST_STRETCH)
+    return (along * cosine - left * sine) / stretch, along * sine + left * cosine
+
+
+def turned(cosine: Any, sine: Any, angle: Any) -> Any:
+    """Cosine and sine of an angle that grows by a small one (Cayley; exact to `angle^3 / 12`)."""
+    half = 0.5 * angle
+    square = half * half
+    scale = 1.0 / (1.0 + square)
+    along, across = (1.0 - square) * scale, 2.0 * half * scale
+    return cosine * along - sine * across, sine * along + cosine * across

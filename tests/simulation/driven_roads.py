@@ -1,0 +1,29 @@
+"""Short scene files, driven in the embedded engine."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roadlang import testing
+from roadlang.ir.trace import AgentTrace, Trace
+
+
+def drive(text: str, n: int = 1, seed: int = 0, **options: Any) -> list[Trace]:
+    """The traces of `n` scenes of a text."""
+    scenes = testing.sample(text, n, seed=seed)
+    return [one.trace for one in scenes.run("builtin", **options)]
+
+
+def driven(text: str, **options: Any) -> AgentTrace:
+    """The trace of `ego` in one scene of a text."""
+    (trace,) = drive(text, **options)
+    return trace.agents["ego"]
+
+
+def straight(drives: str, *, world: str = "", length: int = 1500, agent: str = "car") -> str:
+    """One agent on a straight road; `drives` is the body of the agent."""
+    return f"""
+    road main {{ draw with waypoints {{ points: [(0m, 0m), ({length}m, 0m)] }}, width: 8m }}
+    agent ego is {agent} on main at 5m {{ {drives} }}
+    world {{ {world} }}
+    """
