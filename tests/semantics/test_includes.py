@@ -15,7 +15,20 @@ def test_files_that_double_are_refused(tmp_path: Path, registry: Registry) -> No
     (tmp_path / "f24.rl").write_text("param x = 1m\n")
     scenario, found = check_text('include "f0.rl"\n', tmp_path / "scene.rl", {}, registry)
     assert scenario is None
-    assert {diagnostic.code for diagnostic in found} == {"RL110"}
+    assert [diagnostic.code for diagnostic in found] == ["RL110"]
+
+
+def test_only_the_first_included_file_beyond_the_limit_is_named(
+    tmp_path: Path, registry: Registry
+) -> None:
+    for number in range(250):
+        (tmp_path / f"f{number}.rl").write_text(f"param p{number} = 1m\n")
+    text = "".join(f'include "f{number}.rl"\n' for number in range(250))
+    scenario, found = check_text(text, tmp_path / "scene.rl", {}, registry)
+    assert scenario is None
+    assert [diagnostic.code for diagnostic in found] == ["RL110"]
+    assert found[0].span is not None
+    assert found[0].span.line == 201
 
 
 def test_each_inclusion_has_draws_of_its_own(tmp_path: Path, registry: Registry) -> None:

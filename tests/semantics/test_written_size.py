@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from roadlang.diagnostics import Diagnostic
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
+from roadlang.semantics.checker import Checker
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (50m, 5m), (100m, 0m)] } }\n"
 FORMULA = "let f0 = abs(curvature(main)) < 1/m\n"
@@ -51,6 +53,24 @@ def test_the_place_is_the_statement_that_first_grows_too_large() -> None:
     assert found.message.startswith("`l6` ")
     assert found.span is not None
     assert found.span.line == 8
+
+
+def test_a_formula_that_is_written_too_large_is_refused_before_it_is_inferred(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    inferred = 0
+    infer = Checker.infer
+
+    def counted(checker: Checker, *arguments: Any) -> Any:
+        nonlocal inferred
+        inferred += 1
+        return infer(checker, *arguments)
+
+    monkeypatch.setattr(Checker, "infer", counted)
+    many = " and ".join(["abs(curvature(main)) < 1/m"] * 16_667)
+    text = f"{ROAD}require r: always ({many})\nlet unknown_too = nothing\n"
+    assert codes_of(text) == ["RL242", "RL101"]
+    assert inferred < 100
 
 
 def test_numbers_and_a_few_doublings_are_fine() -> None:

@@ -11,10 +11,7 @@ from ...ir.contained_values import values_in
 from ...ir.values import Condition, Reference, Value
 from ...stl.formula.size import written_out_size
 from ..checker import Checker
-
-MOST_PARTS = 50_000
-"""Parts of formulas, which are judged in a few seconds, and values that are used through names. A
-`let` that uses another twice doubles it: sixteen of them in a row reach this."""
+from ..names.formula_size import MOST_PARTS
 
 
 def report_oversized(checker: Checker, scenario: ir.Scenario) -> None:

@@ -182,7 +182,8 @@ class _Loader:
             return set()
         self._included[real, inner.prefix] = span
         if len(self._included) > MOST_INCLUDES:
-            self._report(Code.TOO_MANY_INCLUDES, span, most=MOST_INCLUDES)
+            if len(self._included) == MOST_INCLUDES + 1:
+                self._report(Code.TOO_MANY_INCLUDES, span, most=MOST_INCLUDES)
             self._program.incomplete = True
             return set()
         text = self._text(target, statement.path)
