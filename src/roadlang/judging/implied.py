@@ -17,7 +17,7 @@ from ..world.placement import room
 from ..world.roads import road_batch, road_root
 from ..world.shortest_features import features_of_candidates
 from ..world.stations import STATIONS_PER_FEATURE, unknown_features
-from .influences import draws_of_start, draws_of_thing, names_of_actor
+from .influences import influences_on_start, is_thing_random
 from .requirement import Requirement
 
 Floats = NDArray[np.float64]
@@ -28,13 +28,14 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
     drawn = any(
         isinstance(value, RandomValue) for value in scenario.dependencies.contents(actor.at)
     )
+    behind = influences_on_start(actor, scenario)
     return Requirement(
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",
         rho=partial(room, actor),
         cost=8.0 if drawn else 6.0,
-        names=names_of_actor(actor, scenario),
-        draws=draws_of_start(actor, scenario),
+        names=behind.names,
+        is_random=behind.is_random,
         implied=True,
         span=actor.span,
     )
@@ -57,7 +58,7 @@ def does_not_fold(name: str, scenario: IndexedScenario) -> Requirement:
         rho=partial(_unfolded, name),
         cost=3.0,
         names=frozenset([name]),
-        draws=frozenset(draws_of_thing(name, scenario)),
+        is_random=is_thing_random(name, scenario),
         implied=True,
         span=scenario.thing(name).span,
     )
@@ -95,7 +96,7 @@ def is_shown_by_stations(name: str, scenario: IndexedScenario) -> Requirement:
         rho=partial(_room_for_stations, name),
         cost=2.0,
         names=frozenset([name]),
-        draws=frozenset(draws_of_thing(name, scenario)),
+        is_random=is_thing_random(name, scenario),
         implied=True,
         span=scenario.thing(name).span,
     )

@@ -1,66 +1,102 @@
-"""What a requirement depends on: the things that it names, and the draws behind them."""
+"""What a requirement depends on: roads, networks and images, and whether a draw has a say."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import partial
 
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, PassCall
 
 
-def names_in(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:
-    """The things that a formula or monitor names, and those that these stand on."""
+@dataclass(frozen=True, slots=True)
+class Influences:
+    """What decides a verdict, or where an agent or object begins.
+
+    `names`: roads, networks and images, `is_random`: whether some draw does. Agents and objects in
+    between have left theirs here.
+    """
+
+    names: frozenset[str]
+    is_random: bool
+
+
+def influences(test: Condition | PassCall, scenario: IndexedScenario) -> Influences:
+    """On a formula or monitor, through the things that it names."""
     named = {entity.name for entity in scenario.dependencies.entities(test)}
-    for actor in [scenario.actors[name] for name in named if name in scenario.actors]:
-        named |= names_of_actor(actor, scenario)
-    return frozenset(named)
+    return _joined(named, bool(scenario.dependencies.draws(test)), _of_actors(scenario), scenario)
 
 
-def names_of_actor(actor: ScenarioActor, scenario: IndexedScenario) -> frozenset[str]:
-    """The things that decide where an agent or object is, through those that it is placed by."""
-    names: set[str] = set()
-    pending = [actor]
+def influences_on_start(actor: ScenarioActor, scenario: IndexedScenario) -> Influences:
+    """On where an agent or object begins, and on how many of it do."""
+    counts = [value for name, value in actor.options if name == "count"]
+    named = _names_in(actor, scenario) - {actor.name}
+    is_random = bool(scenario.dependencies.draws(actor.at, *counts))
+    return _joined(named, is_random, _of_actors(scenario), scenario)
+
+
+def is_thing_random(name: str, scenario: IndexedScenario) -> bool:
+    """Whether a road, network or image differs between candidates."""
+    return scenario.once(("random thing", name), partial(_is_thing_random, name, scenario))
+
+
+def _joined(
+    named: Iterable[str],
+    is_random: bool,
+    of_actors: Mapping[str, Influences],
+    scenario: IndexedScenario,
+) -> Influences:
+    """What names stand for: things themselves, actors what decides them."""
+    things = frozenset(name for name in named if name not in scenario.actors)
+    actors = [of_actors[name] for name in named if name in of_actors]
+    is_random = is_random or any(found.is_random for found in actors)
+    is_random = is_random or any(is_thing_random(name, scenario) for name in things)
+    return Influences(things.union(*(found.names for found in actors)), is_random)
+
+
+def _of_actors(scenario: IndexedScenario) -> Mapping[str, Influences]:
+    return scenario.once("influences of actors", partial(_each_after_those_named, scenario))
+
+
+def _each_after_those_named(scenario: IndexedScenario) -> Mapping[str, Influences]:
+    """Of every agent and object, each after those that it is placed by: thousands may stand in a
+    row, each behind the last."""
+    found: dict[str, Influences] = {}
+    pending = list(scenario.actors)
+    entered: set[str] = set()
     while pending:
-        placed = pending.pop()
-        values = [placed.at, *(value for _, value in placed.options)]
-        found = {e.name for e in scenario.dependencies.entities(*values)}
-        found |= {placed.on} if placed.on is not None else set()
-        pending.extend(scenario.actors[name] for name in found - names if name in scenario.actors)
-        names |= found
-    return frozenset(names - {actor.name})
-
-
-def influences(test: Condition | PassCall, scenario: IndexedScenario) -> frozenset[str]:
-    """The places of all draws that can change a verdict, through the things that it names."""
-    places = {draw.place for draw in scenario.dependencies.draws(test)}
-    for name in names_in(test, scenario):
-        places |= draws_of_thing(name, scenario)
-    return frozenset(places)
-
-
-def draws_of_start(actor: ScenarioActor, scenario: IndexedScenario) -> frozenset[str]:
-    """The places of all draws that can change where an agent or object begins."""
-    places = {draw.place for draw in scenario.dependencies.draws(actor.at)}
-    for name in names_of_actor(actor, scenario):
-        places |= draws_of_thing(name, scenario)
-    return frozenset(places)
-
-
-def draws_of_thing(name: str, scenario: IndexedScenario) -> set[str]:
-    """The places of the draws behind a road, network, image, agent or object."""
-    if name in scenario.actors:
+        name = pending[-1]
         actor = scenario.actors[name]
-        values = (actor.at, *(value for _, value in actor.options))
-        return {d.place for d in scenario.dependencies.draws(*values)}
-    places: set[str] = set()
+        named = _names_in(actor, scenario)
+        if name not in entered:
+            entered.add(name)
+            pending += [
+                other for other in named if other in scenario.actors and other not in entered
+            ]
+        else:
+            pending.pop()
+            if name not in found:
+                values = (actor.at, *(value for _, value in actor.options))
+                is_random = bool(scenario.dependencies.draws(*values))
+                found[name] = _joined(named, is_random, found, scenario)
+    return found
+
+
+def _names_in(actor: ScenarioActor, scenario: IndexedScenario) -> set[str]:
+    """The road of an agent or object, and the things and actors that its options name."""
+    values = [actor.at, *(value for _, value in actor.options)]
+    named = {entity.name for entity in scenario.dependencies.entities(*values)}
+    return named | ({actor.on} if actor.on is not None else set())
+
+
+def _is_thing_random(name: str, scenario: IndexedScenario) -> bool:
     for link in scenario.chain(scenario.thing(name)):
         values = (*(value for _, value in link.options), *link.passes)
-        places |= {d.place for d in scenario.dependencies.draws(*values)}
+        if scenario.dependencies.draws(*values) or scenario.is_varying(name):
+            return True
         # A pass that draws by itself (`harmonics`) differs between candidates without any draw.
-        places |= {call.place for call in link.passes if _draws_itself(call, scenario)}
-        if scenario.is_varying(name):
-            places.add(f"{name}/select")
-    return places
-
-
-def _draws_itself(call: PassCall, scenario: IndexedScenario) -> bool:
-    return scenario.kind(call)[1].is_random
+        if any(scenario.kind(call)[1].is_random for call in link.passes):
+            return True
+    return False

@@ -23,8 +23,8 @@ class Requirement:
     """Something that every scene satisfies: a `require`, or what is implied without one.
 
     `rho` gives robustness (V,); `truth` Boolean satisfaction (V,), None where a robustness of 0
-    satisfies. `names`: the roads and networks that it looks at, `draws`: the places of the draws
-    that it depends on, `cost`: an estimate of its work for one station.
+    satisfies. `names`: the roads, networks and images that it depends on, `is_random`: whether a
+    draw has a say in it, `cost`: an estimate of its work for one station.
     """
 
     name: str
@@ -32,7 +32,7 @@ class Requirement:
     rho: Callable[[CandidateBatch], Floats]
     cost: float
     names: frozenset[str]
-    draws: frozenset[str]
+    is_random: bool
     truth: Callable[[CandidateBatch], Mask] | None = None
     implied: bool = False
     test: Condition | PassCall | None = None

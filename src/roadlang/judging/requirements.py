@@ -17,7 +17,7 @@ from .implied import (
     is_shown_by_stations,
     perturbed_names,
 )
-from .influences import influences, names_in
+from .influences import influences
 from .requirement import Floats, Mask, Requirement
 from .road_conditions import condition_rho, condition_truth
 from .road_monitors import monitor_rho
@@ -44,14 +44,15 @@ def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requi
         text, rho, truth = test.text, partial(condition_rho, test), partial(condition_truth, test)
     else:
         text, rho, truth = f"with {test.kind}", partial(monitor_rho, test), None
+    behind = influences(test, scenario)
     return Requirement(
         name=constraint.name,
         text=text,
         rho=rho,
         truth=truth,
         cost=cost_of(test, scenario),
-        names=names_in(test, scenario),
-        draws=influences(test, scenario),
+        names=behind.names,
+        is_random=behind.is_random,
         test=test,
         span=constraint.span,
     )

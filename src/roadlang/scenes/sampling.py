@@ -130,7 +130,7 @@ def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
     if refuted:
         return refuted
     first = few.take(np.zeros(1, np.intp))
-    fixed = [index for index, r in enumerate(acceptance.requirements) if not r.draws]
+    fixed = [index for index, r in enumerate(acceptance.requirements) if not r.is_random]
     if not fixed:
         return frozenset()
     judged = acceptance.only(fixed).judge(first)

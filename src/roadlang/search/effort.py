@@ -60,8 +60,6 @@ def default_attempts(acceptance: Acceptance) -> int:
 
 
 def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
-    if name in scenario.actors:
-        return False
     links = (
         link for link in scenario.chain(scenario.thing(name)) if isinstance(link, ScenarioImage)
     )

@@ -28,7 +28,9 @@ def drop_large_formulas(program: Program) -> None:
             del program.declarations[name]
 
 
-def _parts(definition: ast.Node) -> int:
+def _parts(definition: ast.SyntaxNode) -> int:
     """At least how many parts the formulas of a definition have: three for each comparison."""
-    comparisons = (node for node, _ in walk(definition) if isinstance(node, ast.Comparison))
+    comparisons = (
+        node for node, _ in walk(definition) if isinstance(node, ast.ComparisonExpression)
+    )
     return sum(3 * len(comparison.operators) for comparison in comparisons)
