@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import LaneDirection, LaneKind
+from roadlang.api import LaneDirection, LaneKind, LaneMarking
 
 
 @dataclass(frozen=True)
@@ -54,6 +54,7 @@ class ShoulderLane(LaneKind):
     name: ClassVar[str] = "shoulder"
     usual_width: ClassVar[float] = 1.5
     direction: ClassVar[LaneDirection] = "none"
+    usual_marking: ClassVar[LaneMarking] = "none"
 
 
 @dataclass(frozen=True)
@@ -85,3 +86,4 @@ class GrassLane(LaneKind):
     name: ClassVar[str] = "grass"
     usual_width: ClassVar[float] = 2.0
     direction: ClassVar[LaneDirection] = "none"
+    usual_marking: ClassVar[LaneMarking] = "none"

@@ -7,6 +7,17 @@ GROUND_EDGE = "#d9d5c9"
 CASING = "#3f454c"
 SURFACE = "#757b83"
 MARKING = "#fbfaf5"
+CURB = "#dedace"
+LANES = {
+    "bus": "#7d7470",
+    "bike": "#93716c",
+    "parking": "#868b92",
+    "shoulder": "#6c7279",
+    "sidewalk": "#b9b6ac",
+    "median": "#aeb0a4",
+    "grass": "#a9bd8c",
+}
+RAISED = "#b9b6ac"
 GHOST_FILL = "#9db4cf"
 GHOST_LINE = "#3f6ea5"
 CONTEXT = "#d3d0c6"
@@ -25,6 +36,11 @@ OBJECT = "#c9a227"
 TIGHT = "#b35c00"
 
 FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
+
+
+def lane_color(kind: str, *, raised: bool) -> str:
+    """The color of a kind of lane; of one that a plugin brings by whether it is raised."""
+    return LANES.get(kind, RAISED if raised else SURFACE)
 
 
 def violation_color(index: int) -> str:

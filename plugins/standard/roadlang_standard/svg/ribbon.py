@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import SceneRoad
+    from roadlang.api import SceneRoad, geometry
 
     from .viewport import Viewport
 
@@ -21,31 +21,53 @@ _NARROWEST = 3.5
 
 @dataclass(frozen=True)
 class Ribbon:
-    """A road in pixels: `center` and `left` (unit vectors to the left) are (n, 2), `half` (n,).
+    """A road in pixels: `center` and `left` (unit vectors to the left) are (n, 2).
 
-    `stations` is arc length of the road and `reference` that of its root, in meters.
+    `borders` (n, L + 1) are the lateral offsets of the borders of its `lanes`, both from left to
+    right, left positive; `markings` the lines there; `half` (n,) half the width of the drivable
+    ones. `stations` is arc length of the road and `reference` that of its root, in meters.
     """
 
     name: str
     center: Floats
     left: Floats
     half: Floats
+    borders: Floats
     stations: Floats
     reference: Floats
-    lanes: int
+    lanes: tuple[geometry.Lane, ...]
+    markings: tuple[str, ...]
     closed: bool
     widened: bool
 
     def outline(self, inset: float = 0.0) -> Floats:
-        """The surface's polygon, `inset` pixels narrower on each side."""
+        """The polygon of all lanes, `inset` pixels narrower on each side."""
+        return self.band(0, len(self.lanes), inset)
+
+    def band(self, first: int, last: int, inset: float = 0.0) -> Floats:
+        """The polygon between two borders, by their places from the left, made narrower."""
         import numpy as np
 
-        reach = np.maximum(self.half - inset, 0.3)[:, None] * self.left
-        return np.concatenate([self.center + reach, (self.center - reach)[::-1]])
+        left, right = self.borders[:, first], self.borders[:, last]
+        less = np.minimum(inset, (left - right) / 2.0 - 0.3) if inset else 0.0
+        return np.concatenate([self.beside(left - less), self.beside(right + less)[::-1]])
+
+    def beside(self, offset: Floats | float) -> Floats:
+        """A line along the road, so many pixels to its left."""
+        import numpy as np
+
+        return self.center + np.broadcast_to(offset, self.half.shape)[:, None] * self.left
 
     def line(self, share: float, shift: float = 0.0) -> Floats:
         """A line along the road, at `share` (-1 right edge, 1 left edge) and `shift` pixels."""
-        return self.center + (self.half * share + shift)[:, None] * self.left
+        edge = self.borders[:, 0] if share > 0 else -self.borders[:, -1]
+        return self.beside(edge * share + shift)
+
+    @property
+    def drivable(self) -> tuple[int, int]:
+        """The borders, by their places from the left, between which the drivable lanes lie."""
+        places = [place for place, lane in enumerate(self.lanes) if lane.drivable]
+        return (places[0], places[-1] + 1) if places else (0, len(self.lanes))
 
     def part(self, start: float, end: float, by_reference: bool = False) -> Ribbon:
         """From arc length `start` to `end` (of the root road's if `by_reference`)."""
@@ -67,9 +89,11 @@ class Ribbon:
             center=both(self.center),
             left=both(self.left),
             half=at(self.half),
+            borders=np.stack([at(border) for border in self.borders.T], axis=-1),
             stations=at(self.stations),
             reference=at(self.reference),
             lanes=self.lanes,
+            markings=self.markings,
             closed=False,
             widened=self.widened,
         )
@@ -86,13 +110,15 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
     heading = np.asarray(road.heading)
     columns = np.column_stack([-np.sin(heading), -np.cos(heading)])
     half = np.asarray(road.width) / 2 * viewport.pixels_per_meter
+    section = road.cross_section()
+    borders = section.border_offsets(road.stations).T * viewport.pixels_per_meter
     stations, reference = np.asarray(road.stations), np.asarray(road.reference_stations)
     keep = _kept(center)
-    center, columns, half = center[keep], columns[keep], half[keep]
+    center, columns, half, borders = center[keep], columns[keep], half[keep], borders[keep]
     stations, reference = stations[keep], reference[keep]
     if road.closed:
         center, columns = np.vstack([center, center[:1]]), np.vstack([columns, columns[:1]])
-        half = np.append(half, half[0])
+        half, borders = np.append(half, half[0]), np.vstack([borders, borders[:1]])
         stations = np.append(stations, road.length)
         rest = road.length - road.stations[-1]
         reference = np.append(reference, road.reference_stations[-1] + rest)
@@ -101,9 +127,11 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
         center=center,
         left=columns,
         half=np.maximum(half, _NARROWEST / 2),
+        borders=borders * np.maximum(_NARROWEST / 2 / half, 1.0)[:, None],
         stations=stations,
         reference=reference,
-        lanes=road.lanes,
+        lanes=section.lanes,
+        markings=section.markings,
         closed=road.closed,
         widened=bool(half.max() < _NARROWEST / 2),
     )

@@ -6,17 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from . import palette
+from .lanes import bands, lane_lines
 from .markup import element, group, path_data
-from .ribbon import unfolded
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
 
     from .ribbon import Ribbon
-    from .viewport import Floats, Viewport
+    from .viewport import Viewport
 
 _CASING = 1.1
-_DASH, _GAP = 3.0, 4.5
 _NARROWEST_LANE = 4.0
 
 
@@ -27,13 +26,17 @@ def roads(
     shown = [ribbons[name] for name in names]
     discs = list(_junction_discs(scene, ribbons, set(names), viewport))
     casing = [_surface(ribbon, 0.0) for ribbon in shown]
-    surface = [_surface(ribbon, _edge(ribbon)) for ribbon in shown]
+    beside = [shape for ribbon in shown for shape in bands(ribbon, _edge(ribbon), inner=False)]
+    surface = [_roadway(ribbon, _edge(ribbon)) for ribbon in shown]
+    between = [shape for ribbon in shown for shape in bands(ribbon, 0.0, inner=True)]
     casing += [_disc(x, y, radius) for x, y, radius, _ in discs]
     surface += [_disc(x, y, radius - edge) for x, y, radius, edge in discs]
     return group(
         [
             group(casing, fill=palette.CASING, stroke=palette.CASING, stroke_linejoin="round"),
+            group(beside, class_="lanes", stroke="none"),
             group(surface, fill=palette.SURFACE, stroke="none"),
+            group(between, class_="lanes", stroke="none"),
             group(_markings(scene, ribbons, shown, viewport), class_="markings"),
         ],
         class_="roads",
@@ -48,6 +51,14 @@ def _edge(ribbon: Ribbon) -> float:
 def _surface(ribbon: Ribbon, inset: float) -> str:
     # Nonzero filling keeps the inside of a bend filled that is tighter than half the width.
     return element("path", d=path_data(ribbon.outline(inset), closed=True), stroke_width=0)
+
+
+def _roadway(ribbon: Ribbon, inset: float) -> str:
+    """The drivable lanes, up to the casing where nothing lies beside them."""
+    first, last = ribbon.drivable
+    alone = (first, last) == (0, len(ribbon.lanes))
+    shape = ribbon.outline(inset) if alone else ribbon.band(first, last)
+    return element("path", d=path_data(shape, closed=True), stroke_width=0)
 
 
 def _disc(x: float, y: float, radius: float) -> str:
@@ -81,7 +92,7 @@ def _markings(
 ) -> Iterator[str]:
     trimmed = _trims(scene, ribbons)
     for ribbon in shown:
-        lane = 2 * float(ribbon.half.mean()) / max(ribbon.lanes, 1)
+        lane = 2 * float(ribbon.half.mean()) / max(sum(lane.drivable for lane in ribbon.lanes), 1)
         if ribbon.widened or lane < _NARROWEST_LANE:
             continue
         before, after = trimmed.get(ribbon.name, (0.0, 0.0))
@@ -89,38 +100,7 @@ def _markings(
         if before + after >= end:
             continue
         part = ribbon.part(before, end - after) if before or after else ribbon
-        yield from _lines(part, lane, viewport)
-
-
-def _lines(ribbon: Ribbon, lane: float, viewport: Viewport) -> Iterator[str]:
-    thin = min(max(0.035 * lane, 0.5), 2.0)
-    for side in (1, -1):
-        edge = ribbon.line(side, shift=-side * (0.09 * lane + thin))
-        for part in unfolded(edge, ribbon.center):
-            yield _stroke(part, thin)
-    for boundary in range(1, ribbon.lanes):
-        share = 1 - 2 * boundary / ribbon.lanes
-        center_of_many = ribbon.lanes >= 4 and 2 * boundary == ribbon.lanes
-        dash = None if center_of_many else _dash(viewport.pixels_per_meter)
-        yield _stroke(ribbon.line(share), thin, dash)
-
-
-def _dash(pixels_per_meter: float) -> str:
-    scale = max(pixels_per_meter, 5.0 / _DASH)
-    return f"{_DASH * scale:.2f} {_GAP * scale:.2f}"
-
-
-def _stroke(points: Floats, width: float, dash: str | None = None) -> str:
-    return element(
-        "path",
-        d=path_data(points),
-        fill="none",
-        stroke=palette.MARKING,
-        stroke_width=width,
-        stroke_dasharray=dash,
-        stroke_linecap="butt",
-        stroke_linejoin="round",
-    )
+        yield from lane_lines(part, lane, viewport.pixels_per_meter)
 
 
 def _trims(scene: Scene, ribbons: Mapping[str, Ribbon]) -> dict[str, tuple[float, float]]:

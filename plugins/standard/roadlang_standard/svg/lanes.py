@@ -1,0 +1,119 @@
+"""Lanes in a drawing: strips of color by kind, and the lines between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from . import palette
+from .markup import element, path_data
+from .ribbon import unfolded
+
+if TYPE_CHECKING:
+    from .ribbon import Ribbon
+    from .viewport import Floats
+
+_DASH, _GAP = 3.0, 4.5
+_CURB = 0.2
+_PARKED = 5.5
+_NARROWEST_STALL = 4.0
+
+
+def bands(ribbon: Ribbon, inset: float, *, inner: bool) -> Iterator[str]:
+    """Lanes that are no plain roadway: beside the drivable lanes, or between them (`inner`).
+
+    The outermost are `inset` pixels narrower, which leaves the casing of the road.
+    """
+    first, last = ribbon.drivable
+    for place, lane in enumerate(ribbon.lanes):
+        color = palette.lane_color(lane.kind, raised=lane.raised)
+        if inner != (first <= place < last) or (lane.drivable and color == palette.SURFACE):
+            continue
+        left, right = ribbon.borders[:, place], ribbon.borders[:, place + 1]
+        left = left - (inset if place == 0 else 0.0)
+        right = right + (inset if place == len(ribbon.lanes) - 1 else 0.0)
+        shape = _between(ribbon, left, right)
+        yield element("path", d=path_data(shape, closed=True), fill=color, stroke_width=0)
+
+
+def lane_lines(ribbon: Ribbon, lane: float, pixels_per_meter: float) -> Iterator[str]:
+    """The lines at the borders of lanes, `lane` pixels wide on average, and parking spaces."""
+    thin = min(max(0.035 * lane, 0.5), 2.0)
+    last = len(ribbon.lanes)
+    for place, marking in enumerate(ribbon.markings):
+        border = ribbon.borders[:, place]
+        inward = {0: -1.0, last: 1.0}.get(place, 0.0) if marking != "curb" else 0.0
+        line = border + inward * (0.09 * lane + thin)
+        yield from _marking(ribbon, line, marking, thin, pixels_per_meter)
+    for place, kind in enumerate(ribbon.lanes):
+        if kind.kind == "parking":
+            yield from _stalls(ribbon, place, thin, pixels_per_meter)
+
+
+def _marking(
+    ribbon: Ribbon, offset: Floats, marking: str, thin: float, pixels_per_meter: float
+) -> Iterator[str]:
+    match marking:
+        case "solid":
+            yield from _along(ribbon, offset, thin)
+        case "broken":
+            yield from _along(ribbon, offset, thin, dash=_dash(pixels_per_meter))
+        case "double":
+            for side in (1.2, -1.2):
+                yield from _along(ribbon, offset + side * thin, thin)
+        case "curb":
+            width = max(_CURB * pixels_per_meter, 0.7)
+            yield from _along(ribbon, offset, width, palette.CURB)
+
+
+def _along(
+    ribbon: Ribbon,
+    offset: Floats,
+    width: float,
+    color: str = palette.MARKING,
+    dash: str | None = None,
+) -> Iterator[str]:
+    for part in unfolded(ribbon.beside(offset), ribbon.center):
+        yield _stroke(part, width, color, dash)
+
+
+def _stalls(ribbon: Ribbon, place: int, thin: float, pixels_per_meter: float) -> Iterator[str]:
+    """Lines across a parking strip, a car apart."""
+    import numpy as np
+
+    length = float(ribbon.stations[-1] - ribbon.stations[0])
+    if _PARKED * pixels_per_meter < _NARROWEST_STALL or length < _PARKED:
+        return
+    count = int(length / _PARKED)
+    first = (length - count * _PARKED) / 2.0
+    at = ribbon.stations[0] + first + _PARKED * np.arange(count + 1)
+    ends = [
+        np.stack([np.interp(at, ribbon.stations, line[:, axis]) for axis in (0, 1)], axis=-1)
+        for line in (ribbon.beside(ribbon.borders[:, place + side]) for side in (0, 1))
+    ]
+    for start, end in zip(*ends, strict=True):
+        yield _stroke(np.stack([start, end]), 0.8 * thin, palette.MARKING, None)
+
+
+def _between(ribbon: Ribbon, left: Floats, right: Floats) -> Floats:
+    import numpy as np
+
+    return np.concatenate([ribbon.beside(left), ribbon.beside(right)[::-1]])
+
+
+def _dash(pixels_per_meter: float) -> str:
+    scale = max(pixels_per_meter, 5.0 / _DASH)
+    return f"{_DASH * scale:.2f} {_GAP * scale:.2f}"
+
+
+def _stroke(points: Floats, width: float, color: str, dash: str | None) -> str:
+    return element(
+        "path",
+        d=path_data(points),
+        fill="none",
+        stroke=color,
+        stroke_width=width,
+        stroke_dasharray=dash,
+        stroke_linecap="butt",
+        stroke_linejoin="round",
+    )
