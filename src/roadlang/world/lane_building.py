@@ -137,7 +137,7 @@ def _marking(
     if "marking" in written:
         found: Marking = _fixed(written["marking"], candidates)
         return found
-    if kind.usual_marking is not None:
+    if kind.usual_marking != "auto":
         return kind.usual_marking
     if kind.raised != (outer is not None and outer.raised):
         return "none" if outer is None else "curb"

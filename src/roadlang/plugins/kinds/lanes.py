@@ -30,6 +30,6 @@ class LaneKind(Kind):
     """who may use it: "car", "bus", "bicycle", "pedestrian" """
     raised: ClassVar[bool] = False
     """whether it is above the roadway, behind a curb"""
-    usual_marking: ClassVar[LaneMarking | None] = None
-    """the line toward the outer neighbor where a scene file says none; without it, broken to a
+    usual_marking: ClassVar[LaneMarking | Literal["auto"]] = "auto"
+    """the line toward the outer neighbor where a scene file says none; `auto`: broken to a
     lane of the same kind and direction, a curb to a raised lane, else solid"""
