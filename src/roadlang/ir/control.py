@@ -69,7 +69,8 @@ class ObservationBatch:
 
     time: Floats
     step: float
-    agent: tuple[str, ...]
+    agent: NDArray[np.object_]
+    """their names"""
     x: Floats
     y: Floats
     heading: Floats
@@ -108,7 +109,7 @@ class ObservationBatch:
         return cls(
             time=column(seen.time),
             step=seen.step,
-            agent=(seen.agent,),
+            agent=np.array([seen.agent], dtype=object),
             x=column(seen.x),
             y=column(seen.y),
             heading=column(seen.heading),

@@ -50,16 +50,16 @@ def frozen(value: Any) -> Any:
     """
     if type(value) in _READ_ONLY:
         return value
+    if hasattr(value, "flags"):
+        from ..geometry.arrays import read_only  # numpy: only where there are arrays
+
+        return read_only(value)
     if isinstance(value, Mapping):
         return FrozenDict({key: frozen(item) for key, item in value.items()})
     if type(value) is list:
         return FrozenList(frozen(item) for item in value)
     if type(value) is tuple:
         return tuple(frozen(item) for item in value)
-    if hasattr(value, "flags"):
-        from ..geometry.arrays import read_only  # numpy: only where there are arrays
-
-        return read_only(value)
     return value
 
 

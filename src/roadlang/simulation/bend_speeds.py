@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
@@ -17,13 +19,14 @@ class BendSpeeds:
 
     def __init__(self, world: World) -> None:
         count, cells = len(world.present), world.track.lines.cells
+        self._agents = np.arange(count)
         self._limits = np.zeros((2, count))
         self._plans = np.zeros((count, cells))
 
     def at(
         self,
         world: World,
-        rows: Integers,
+        rows: Any,
         lateral: Floats | float,
         braking: Floats | float,
         distance: Floats | float,
@@ -31,17 +34,19 @@ class BendSpeeds:
         """(N,) the greatest speeds a distance on, m/s, with `braking` before bends that are driven
         with a lateral acceleration of at most `lateral`."""
         track = world.track.of_rows(rows)
-        limits = np.empty((2, len(rows)))
+        limits = np.empty((2, len(track.row)))
         limits[0], limits[1] = lateral, braking
+        agents = self._agents[rows]
         new = (limits != self._limits[:, rows]).any(axis=0)
         if new.any():
             self._limits[:, rows] = limits
-            self._plans[rows[new]] = planned(track.lines, track.row[new], *limits[:, new])
+            self._plans[agents[new]] = planned(track.lines, track.row[new], *limits[:, new])
         cell, _ = track.cell(track.wrapped(world.motion.along[rows] + distance))
-        return np.asarray(self._plans[rows, cell - track.first])
+        return np.asarray(self._plans.ravel()[agents * track.lines.cells + (cell - track.first)])
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
+        self._agents = np.arange(len(agents))
         self._limits, self._plans = self._limits[:, agents], self._plans[agents]
 
 

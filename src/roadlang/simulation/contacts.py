@@ -194,9 +194,12 @@ def _overlap(start: Floats, change: Floats, reach: Floats) -> tuple[Floats, Floa
 
 def _pairs(world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
     """Pairs of agents that can touch each other, and of agents and objects."""
-    first, second, agent, thing = [], [], [], []
     base = 0
+    none = np.zeros(0, dtype=np.int64)
+    first, second, agent, thing = [none], [none], [none], [none]
     for scene, record in enumerate(world.scenes):
+        if len(record.agents) < 2 and not record.objects:
+            continue
         here = scene * world.slots + np.arange(len(record.agents))
         vehicles = here[~world.bodies.walks[here]]
         one, other = np.triu_indices(len(here), 1)

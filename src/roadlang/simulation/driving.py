@@ -210,8 +210,7 @@ def _grouped(
                 found = diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine)
                 raise DiagnosticError(found)
             calls.append((place, row, call))
-            words = {k: v for k, v in controller.options.items() if not _is_number(v)}
-            key = (place, controller.entry.qualified, json.dumps(words, sort_keys=True))
+            key = (place, controller.kind, _words(controller.options))
             members.setdefault(key, []).append((row, controller))
     groups = [_group(place, found) for (place, *_), found in members.items()]
     return sorted(groups, key=lambda group: group.place), calls
@@ -265,6 +264,12 @@ def _trigger(
     }
     condition = Condition(first["formula"], numbers, len(rows))
     return Trigger(place, rows, condition, signals, np.zeros(len(rows), dtype=bool))
+
+
+def _words(options: Mapping[str, Any]) -> str:
+    """The options that are not numbers, as one text."""
+    words = {name: value for name, value in options.items() if not _is_number(value)}
+    return json.dumps(words, sort_keys=True) if words else ""
 
 
 def _is_number(value: Any) -> bool:

@@ -12,7 +12,7 @@ from .world import World
 
 SAME_LANE = 2.0
 """Meters: beside each other rather than behind one another, from here on."""
-EVERY = 4
+EVERY = 3
 """Cells of a line that are skipped in the search for the place of an agent of another road."""
 NEAR = 150.0
 """Meters, as the crow flies: who is farther away is not ahead."""
@@ -72,8 +72,7 @@ def _search(world: World, poses: Poses, elsewhere: Booleans, ahead: Floats, besi
             continue
         start = int(world.track.row[one]) * lines.cells
         stop = start + int(lines.last[world.track.row[one]]) + 1
-        place = lines.place[start:stop:EVERY]
-        off_x, off_y = x - place[:, 0], y - place[:, 1]
+        off_x, off_y = x - lines.x[start:stop:EVERY], y - lines.y[start:stop:EVERY]
         cell = int((off_x * off_x + off_y * off_y).argmin())
         heading = lines.heading[start + cell * EVERY]
         cosine, sine = np.cos(heading), np.sin(heading)

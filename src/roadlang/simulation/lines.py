@@ -2,32 +2,32 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import SceneRoad
 
-SPACING = 0.5
+SPACING = 1.0
 """Meters between two nodes of a table, at most."""
+FINEST = 0.25
+"""Meters between two nodes of a table, at least, where the road has them closer."""
 AROUND = 2.0
 """Meters to each side over which the curvature ahead is averaged, as drivers see it."""
 
 
 @dataclass(frozen=True)
 class LineSource:
-    """A line before it is a table: nodes by arc length, in the direction of travel.
-
-    A line without length is a point from which it goes straight on.
-    """
+    """A line before it is a table: nodes by arc length, in the direction of travel."""
 
     s: Floats
     x: Floats
     y: Floats
     heading: Floats
-    width: Floats
+    width: Floats | float
     closed: bool = False
 
     @property
@@ -35,22 +35,34 @@ class LineSource:
         """Meters."""
         return float(self.s[-1])
 
+    @property
+    def count(self) -> int:
+        """How many cells its table has."""
+        finest = min(len(self.s) - 1, math.ceil(self.length / FINEST))
+        return max(2, math.ceil(self.length / SPACING), finest)
+
 
 def road_line(road: SceneRoad, backward: bool) -> LineSource:
     """The center line of a road, in its direction or against it."""
-    s, x, y, heading, width = (
-        np.array(column, dtype=np.float64)
-        for column in (road.stations, road.x, road.y, road.heading, road.width)
+    count = len(road.stations)
+    s, x, y, heading = (
+        np.fromiter(column, np.float64, count)
+        for column in (road.stations, road.x, road.y, road.heading)
     )
+    width: Floats | float = road.width[0]
+    if road.width.count(road.width[0]) < count:
+        width = np.fromiter(road.width, np.float64, count)
     s -= s[0]
-    if road.closed and np.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
-        last = s[-1] + float(np.hypot(x[0] - x[-1], y[0] - y[-1]))
+    if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
+        last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])
         s = np.append(s, max(road.length, last))
-        x, y, heading, width = (np.append(c, c[0]) for c in (x, y, heading, width))
+        x, y, heading = (np.append(column, column[0]) for column in (x, y, heading))
+        width = np.append(width, width[0]) if isinstance(width, np.ndarray) else width
     if backward:
         s = s[-1] - s[::-1]
-        x, y, heading, width = x[::-1], y[::-1], heading[::-1] + np.pi, width[::-1]
-    if np.abs(np.diff(heading)).max(initial=0.0) > np.pi:
+        x, y, heading = x[::-1], y[::-1], heading[::-1] + np.pi
+        width = width[::-1] if isinstance(width, np.ndarray) else width
+    if np.abs(heading[1:] - heading[:-1]).max() > np.pi:
         heading = np.unwrap(heading)
     return LineSource(s, x, y, heading, width, road.closed)
 
@@ -58,10 +70,8 @@ def road_line(road: SceneRoad, backward: bool) -> LineSource:
 def straight_line(x: float, y: float, heading: float) -> LineSource:
     """What an agent follows that is on no road: straight on from where it stands."""
     ahead = np.array([0.0, 1.0])
-    zero = np.zeros(2)
-    return LineSource(
-        ahead, x + np.cos(heading) * ahead, y + np.sin(heading) * ahead, zero + heading, zero
-    )
+    along = np.array([heading, heading])
+    return LineSource(ahead, x + np.cos(heading) * ahead, y + np.sin(heading) * ahead, along, 0.0)
 
 
 @dataclass(frozen=True)
@@ -79,7 +89,7 @@ class Lines:
     last: Integers
     """(L,) the last cell"""
     length: Floats
-    closed: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    closed: Booleans
     turn: Floats
     """(L,) by how much a closed line turns in all, radians"""
     heading: Floats
@@ -87,32 +97,33 @@ class Lines:
     """1/m, constant in each cell: the slope of the heading"""
     seen_curvature: Floats
     """1/m, averaged over 4 m"""
-    place: Floats
-    """(L M, 4): x and y where each cell begins, and their slopes along it"""
+    x: Floats
+    y: Floats
     width: Floats
 
     @classmethod
     def of(cls, sources: Sequence[LineSource], margin: float) -> Lines:
         """Tables of lines; closed ones go on for `margin` meters at both ends."""
-        counts = [max(2, int(np.ceil(one.length / SPACING))) for one in sources]
-        pads = [int(np.ceil(margin / SPACING)) if one.closed else 1 for one in sources]
-        cells = max(n + 2 * pad for n, pad in zip(counts, pads, strict=True))
-        rows = len(sources)
-        table = np.zeros((rows, cells, 8))
-        geometry = np.empty((rows, 4))
-        last = np.empty(rows, dtype=np.int64)
+        counts = [one.count for one in sources]
+        pads = [
+            math.ceil(margin * count / one.length) if one.closed else 1
+            for one, count in zip(sources, counts, strict=True)
+        ]
+        nodes = 1 + max(count + 2 * pad for count, pad in zip(counts, pads, strict=True))
+        x, y, heading, width = (np.empty((len(sources), nodes)) for _ in range(4))
         for row, (source, count, pad) in enumerate(zip(sources, counts, pads, strict=True)):
-            spacing = source.length / count
-            _fill(table[row], source, count, pad, spacing)
-            last[row] = count + 2 * pad - 1
-            turn = float(source.heading[-1] - source.heading[0]) if source.closed else 0.0
-            geometry[row] = (-pad * spacing, spacing, source.length, turn)
-        columns = np.ascontiguousarray(table.reshape(-1, 8).T)
-        closed = np.array([one.closed for one in sources], dtype=bool)
-        origin, spacing_, length, turn_ = np.ascontiguousarray(geometry.T)
+            _fill((x[row], y[row], heading[row], width[row]), source, count, pad)
+        length = np.array([one.length for one in sources])
+        spacing = length / np.array(counts)
+        ends = [one.heading[-1] - one.heading[0] if one.closed else 0.0 for one in sources]
+        curvature = np.zeros((len(sources), nodes))
+        curvature[:, :-1] = (heading[:, 1:] - heading[:, :-1]) / spacing[:, None]
         return cls(
-            cells, origin, spacing_, last, length, closed, turn_,
-            columns[0], columns[1], columns[2], table.reshape(-1, 8)[:, 4:].copy(), columns[3],
+            nodes, -np.array(pads) * spacing, spacing,
+            np.array(counts) + 2 * np.array(pads) - 1, length,
+            np.array([one.closed for one in sources], dtype=bool), np.array(ends, dtype=float),
+            heading.ravel(), curvature.ravel(), _averaged(heading, spacing).ravel(),
+            x.ravel(), y.ravel(), width.ravel(),
         )  # fmt: skip
 
     def column(self, values: Floats) -> Floats:
@@ -120,38 +131,42 @@ class Lines:
         return values.reshape(-1, self.cells)
 
 
-def _fill(table: Floats, source: LineSource, count: int, pad: int, spacing: float) -> None:
-    """The cells of one line: heading, curvature, seen curvature, width, x, y and their slopes."""
+def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> None:
+    """The nodes of one line: x, y, heading and width; what is left of the row is like the last."""
+    x, y, heading, width = row
+    spacing = source.length / count
     s = np.arange(-pad, count + pad + 1) * spacing
     s[pad] = 0.0
-    at = s
-    turn = np.zeros(1)
+    used = len(s)
+    laps: Floats | float = 0.0
     if source.closed:
         laps = np.floor(s / source.length)
-        at = s - laps * source.length
-        turn = laps * (source.heading[-1] - source.heading[0])
-    x, y, heading, width = (
-        np.interp(at, source.s, column)
-        for column in (source.x, source.y, source.heading, source.width)
+        s = s - laps * source.length
+    x[:used] = np.interp(s, source.s, source.x)
+    y[:used] = np.interp(s, source.s, source.y)
+    heading[:used] = np.interp(s, source.s, source.heading)
+    width[:used] = (
+        np.interp(s, source.s, source.width)
+        if isinstance(source.width, np.ndarray)
+        else source.width
     )
-    heading = heading + turn
-    if not source.closed:
-        x[0] -= spacing * np.cos(heading[0])
-        y[0] -= spacing * np.sin(heading[0])
-        x[-1] += spacing * np.cos(heading[-1])
-        y[-1] += spacing * np.sin(heading[-1])
-    used = table[: len(s) - 1]
-    used[:, 0] = heading[:-1]
-    used[:, 1] = np.diff(heading) / spacing
-    used[:, 2] = _averaged(heading, spacing)[:-1]
-    used[:, 3] = width[:-1]
-    used[:, 4], used[:, 5] = x[:-1], y[:-1]
-    used[:, 6], used[:, 7] = np.diff(x) / spacing, np.diff(y) / spacing
-    table[len(s) - 1 :] = used[-1]
+    if source.closed:
+        heading[:used] += laps * (source.heading[-1] - source.heading[0])
+    else:
+        for end, way in ((0, -spacing), (used - 1, spacing)):
+            x[end] += way * math.cos(heading[end])
+            y[end] += way * math.sin(heading[end])
+    for column in row:
+        column[used:] = column[used - 1]
 
 
-def _averaged(heading: Floats, spacing: float) -> Floats:
-    """Curvature at the nodes, over `AROUND` meters to each side."""
-    reach = max(1, round(AROUND / spacing))
-    wide = np.concatenate([np.full(reach, heading[0]), heading, np.full(reach, heading[-1])])
-    return np.asarray((wide[2 * reach :] - wide[: -2 * reach]) / (2.0 * reach * spacing))
+def _averaged(heading: Floats, spacing: Floats) -> Floats:
+    """(L, M) curvature at the nodes, over `AROUND` meters to each side."""
+    out = np.zeros_like(heading)
+    reach = np.maximum(np.round(AROUND / spacing), 1.0).astype(np.int64)
+    for cells in np.unique(reach):
+        rows = np.flatnonzero(reach == cells)
+        wide = np.pad(heading[rows], ((0, 0), (cells, cells)), mode="edge")
+        over = (2.0 * cells * spacing[rows])[:, None]
+        out[rows] = (wide[:, 2 * cells :] - wide[:, : -2 * cells]) / over
+    return out

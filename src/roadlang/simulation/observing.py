@@ -27,15 +27,17 @@ class View:
     bends: BendSpeeds
     _ahead: tuple[Floats, Floats] | None = field(default=None)
 
-    def of(self, rows: Integers) -> ObservationBatch:
+    def of(self, chosen: Integers) -> ObservationBatch:
         """What some agents see."""
+        everyone = len(chosen) == len(self.world.present)
+        rows: Any = slice(None) if everyone else chosen
         world, poses = self.world, self.poses
         motion = world.motion
         error = np.arctan2(motion.sine[rows], motion.cosine[rows])
         return ObservationBatch(
-            time=np.full(len(rows), world.time),
+            time=np.full(len(chosen), world.time),
             step=self.step,
-            agent=_names(world, rows),
+            agent=world.names[rows],
             x=poses.x[rows],
             y=poses.y[rows],
             heading=poses.heading[rows],
@@ -53,7 +55,7 @@ class View:
         )
 
     def line_ahead(
-        self, rows: Integers, distance: Floats | float
+        self, rows: Any, distance: Floats | float
     ) -> tuple[Floats, Floats, Floats, Floats]:
         """(N,) x, y, heading and curvature of the lines to follow, a distance on."""
         world = self.world
@@ -66,7 +68,7 @@ class View:
         y += np.cos(heading) * offset
         return x, y, heading, track.lines.seen_curvature[cell]
 
-    def vehicle_ahead(self, rows: Integers) -> tuple[Floats, Floats]:
+    def vehicle_ahead(self, rows: Any) -> tuple[Floats, Floats]:
         """(N,) gap to the next agent in the lane, and its speed along it."""
         if self._ahead is None:
             self._ahead = leaders(self.world, self.poses)
@@ -102,7 +104,3 @@ class View:
             speed_for_bends=lambda *limits: float(self.bends.at(self.world, rows, *limits)[0]),
             vehicle_ahead=vehicle_ahead,
         )
-
-
-def _names(world: World, rows: Integers) -> tuple[str, ...]:
-    return tuple(actor.name if (actor := world.actors[row]) else "" for row in rows)

@@ -38,10 +38,9 @@ def poses_of(motion: Motion, track: Track) -> Poses:
 
 def line_points(track: Track, cell: Any, rest: Floats) -> tuple[Floats, Floats]:
     """Points of lines, `rest` meters into cells; within a cell a line is an arc."""
-    place = track.lines.place[cell]
-    slope_x, slope_y = place[:, 2], place[:, 3]
-    bulge = 0.5 * track.lines.curvature[cell] * rest * (rest - track.spacing)
-    return (
-        place[:, 0] + slope_x * rest - slope_y * bulge,
-        place[:, 1] + slope_y * rest + slope_x * bulge,
-    )
+    lines, beyond = track.lines, cell + 1
+    x, y = lines.x[cell], lines.y[cell]
+    slope_x = (lines.x[beyond] - x) * track.per_meter
+    slope_y = (lines.y[beyond] - y) * track.per_meter
+    bulge = 0.5 * lines.curvature[cell] * rest * (rest - track.spacing)
+    return x + slope_x * rest - slope_y * bulge, y + slope_y * rest + slope_x * bulge

@@ -23,19 +23,24 @@ _COLUMNS = (
 class Recorder:
     """Samples of all agents of a block of scenes. Scenes end at times of their own."""
 
-    def __init__(self, scenes: tuple[Scene, ...], slots: int) -> None:
-        self._scenes = scenes
-        self._slots = slots
+    def __init__(self, world: World, poses: Poses) -> None:
+        self._scenes = scenes = world.scenes
+        self._slots = world.slots
+        self._heading = poses.heading
         self._times: list[float] = []
         self._chunk: list[Floats] = []
         self._parts: dict[int, list[Floats]] = {row: [] for row in range(len(scenes))}
         self._rows = np.arange(len(scenes))
+        self._turns = False
         self._ends: dict[int, int] = {}
         self._events: dict[int, list[dict[str, Any]]] = {}
 
     def record(self, world: World, poses: Poses) -> None:
         """One sample of all scenes; a scene in which all have arrived ends with it."""
         motion = world.motion
+        jump = np.abs(poses.heading - self._heading).max(initial=0.0) > np.pi
+        self._turns = self._turns or bool(jump)
+        self._heading = poses.heading
         self._times.append(world.time)
         self._chunk.append(
             np.stack(
@@ -62,9 +67,10 @@ class Recorder:
             row = int(self._rows[contact.agent // self._slots])
             self._events.setdefault(row, []).append(event)
 
-    def go_on_with(self, kept: Integers) -> None:
-        """Of the scenes that went on, only these still do."""
+    def go_on_with(self, kept: Integers, poses: Poses) -> None:
+        """Of the scenes that went on, only these still do; `poses`: of their agents, now."""
         self._close()
+        self._heading = poses.heading
         self._rows = self._rows[kept]
 
     def traces(self) -> list[Trace]:
@@ -91,7 +97,7 @@ class Recorder:
         columns = columns[:, :, :count]
         time = np.array(self._times[:count])
         agents = {
-            actor.name: _agent(actor, columns[slot], time)
+            actor.name: _agent(actor, columns[slot], time, self._turns)
             for slot, actor in enumerate(scene.agents)
         }
         if scene.objects:
@@ -101,14 +107,14 @@ class Recorder:
         return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))
 
 
-def _agent(actor: SceneActor, columns: Floats, time: Floats) -> AgentTrace:
+def _agent(actor: SceneActor, columns: Floats, time: Floats, turns: bool) -> AgentTrace:
+    """`turns`: whether the heading may jump by a turn."""
     values: dict[str, Floats] = dict(zip(_COLUMNS, columns, strict=True))
     heading = values.pop("heading")
-    jumps = np.abs(np.diff(heading)).max(initial=0.0) > np.pi
     return AgentTrace(
         name=actor.name,
         time=time,
-        heading=np.unwrap(heading) if jumps else heading,
+        heading=np.unwrap(heading) if turns else heading,
         acceleration=_rate(values["speed"], time),
         length=actor.length,
         width=actor.width,
@@ -117,7 +123,14 @@ def _agent(actor: SceneActor, columns: Floats, time: Floats) -> AgentTrace:
 
 
 def _rate(values: Floats, time: Floats) -> Floats:
-    return np.gradient(values, time) if len(time) > 1 else np.zeros(len(time))
+    """Derivative by central differences, at the ends one-sided."""
+    if len(time) < 2:
+        return np.zeros(len(time))
+    out = np.empty(len(time))
+    out[1:-1] = (values[2:] - values[:-2]) / (time[2:] - time[:-2])
+    out[0] = (values[1] - values[0]) / (time[1] - time[0])
+    out[-1] = (values[-1] - values[-2]) / (time[-1] - time[-2])
+    return out
 
 
 def _still(actor: SceneActor, time: Floats) -> AgentTrace:

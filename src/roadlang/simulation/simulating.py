@@ -17,7 +17,7 @@ from .driving import Crew
 from .recording import Recorder
 from .world import world_of
 
-BLOCK_AGENTS = 2048
+BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""
 LEFT_OUT = 0.25
 """Share of the scenes of a block that are over when it is made smaller."""
@@ -84,8 +84,8 @@ def _drive_block(
     world = world_of(scenes, settings.bodies, dt, settings.control_step)
     crew = Crew(world, controllers, decided * dt, settings.signals)
     contacts = Contacts(world)
-    recorder = Recorder(world.scenes, world.slots)
     poses = world.poses
+    recorder = Recorder(world, poses)
     recorder.note(world, contacts.watch(world, poses, 0.0))
     decision = crew.decide(world, poses)
     while True:
@@ -98,8 +98,8 @@ def _drive_block(
                 agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
                 crew.take(agents, len(world.present))
                 contacts.take(agents, len(world.present))
-                recorder.go_on_with(going_on)
                 world, poses = world.take(going_on), poses.take(agents)
+                recorder.go_on_with(going_on, poses)
                 decision = decision.take(agents)
         if world.tick and world.tick % decided == 0:
             decision = crew.decide(world, poses)

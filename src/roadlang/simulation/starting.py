@@ -47,14 +47,14 @@ def start_speed(actor: SceneActor) -> float:
     return float(speed) if isinstance(speed, int | float) else 0.0
 
 
-def line_offset(actor: SceneActor, road: SceneRoad | None) -> float:
+def line_offset(actor: SceneActor, road: SceneRoad | None, width: float) -> float:
     """How far left of the center line of its road the line lies that an agent should follow.
 
     The middle of its lane where it has one, else where it stands; from beside the road, the middle.
+    `width`: of the road, where it starts.
     """
     if road is None:
         return 0.0
-    width = float(np.interp(actor.start or 0.0, road.stations, road.width))
     if actor.lane is not None:
         return lane_center(actor.lane, road.lanes, width)
     offset = actor.offset or 0.0

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
@@ -41,6 +42,8 @@ class World:
     """seconds for one step of the vehicles"""
     present: Booleans
     actors: tuple[SceneActor | None, ...]
+    names: NDArray[np.object_]
+    """of the agents"""
     bodies: Bodies
     track: Track
     has_road: Booleans
@@ -187,7 +190,8 @@ class World:
 
 
 _COLUMNS = (
-    "present", "has_road", "backward", "road", "line_offset", "halted", "contacts", "traveled",
+    "present", "names", "has_road", "backward", "road", "line_offset", "halted", "contacts",
+    "traveled",
 )  # fmt: skip
 
 
@@ -251,19 +255,22 @@ def _started(
     actors = [slot.actor or _NOBODY for slot in found]
     present = np.array([slot.actor is not None for slot in found], dtype=bool)
     row = np.array([slot.line for slot in found], dtype=np.int64)
-    road = np.array([slot.road for slot in found], dtype=np.int64)
+    road_numbers = [slot.road for slot in found]
+    road = np.array(road_numbers, dtype=np.int64)
     track = Track.of(lines, row)
     backward = np.array([actor.facing == "back" for actor in actors], dtype=bool)
     has_road = road >= 0
     start = start_of(actors, track, backward, has_road)
     bodies = Bodies.of(actors, [slot.friction for slot in found], kinds, dt)
+    widths = track.lines.width[track.cell(start.along)[0]].tolist()
     offsets = [
-        line_offset(actor, scenes[i // slots].roads[slot.road] if slot.road >= 0 else None)
-        for i, (actor, slot) in enumerate(zip(actors, found, strict=True))
+        line_offset(actor, scenes[i // slots].roads[road] if road >= 0 else None, widths[i])
+        for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
     ]
     count = len(found)
     world = World(
-        scenes, slots, dt, present, tuple(slot.actor for slot in found), bodies, track, has_road,
+        scenes, slots, dt, present, tuple(slot.actor for slot in found),
+        np.array([actor.name for actor in actors], dtype=object), bodies, track, has_road,
         backward, road, np.where(backward, -1.0, 1.0) * np.array(offsets), start, start,
         ~present, np.zeros(count), np.zeros(count), (np.zeros(count), np.zeros(count)),
     )  # fmt: skip

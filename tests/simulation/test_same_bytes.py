@@ -1,0 +1,102 @@
+"""A scene drives alone as it drives beside others: the same bytes, whatever the block it is in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.api import Scene, Trace
+from roadlang.drive.controllers import python_controllers
+from roadlang.drive.simulators import simulator_of
+from roadlang.drive.trace_files import COLUMNS
+from roadlang.plugins.discovery import load_registry
+from roadlang.simulation import simulating
+
+LOOP = """
+road loop {
+  draw with waypoints { points: [(0m, 0m), (60m, -5m), (80m, 50m), (10m, 60m)] }
+  closed: true, width: 8m
+}
+agent ego is car on loop at 0%..90% { drive with lane_follow { speed: (6m/s)..(20m/s) } }
+"""
+TRAFFIC = """
+road base {
+  draw with segments { pieces: [straight(60m), arc(40m, 80deg), straight(60m)] }
+  width: 8m, lanes: 2
+}
+road bent from base { perturb with sine { amplitude: 0m..3m, wavelength: 60m..90m } }
+agent ego is car on bent at 25m {
+  lane: -1
+  drive with pure_pursuit { speed: (8m/s)..(20m/s) }
+  drive with brake { when: distance(ego, walker) < 15m }
+}
+agent chaser is car on bent at 5m { lane: -1, drive with car_follow { speed: 14m/s } }
+agent oncoming is choice(car, truck) on bent at 60%..95% {
+  lane: 1, count: integer(0, 3)
+  drive with stanley { speed: 9m/s }
+}
+agent walker is pedestrian on bent at 90m {
+  side: right, offset: 1m
+  drive with crossing { speed: 1m/s..2m/s, when: time > 2s }
+}
+object van is parked_van on bent at 120m { side: right, offset: -1m..1m }
+world { friction: 0.3..0.9 }
+"""
+
+
+def drives(scenes: Sequence[Scene], **options: Any) -> list[Trace]:
+    registry = load_registry()
+    _, simulator = simulator_of(scenes[0], registry, "builtin", {"duration": 25.0, **options})
+    return list(simulator.drive_all(scenes, [python_controllers(s, registry) for s in scenes]))
+
+
+def bytes_of(trace: Trace) -> dict[str, bytes]:
+    agents = {
+        f"{name}.{column}": np.asarray(getattr(agent, column)).tobytes()
+        for name, agent in trace.agents.items()
+        for column in COLUMNS
+    }
+    return {**agents, "time": trace.time.tobytes(), "events": repr(trace.events).encode()}
+
+
+def records(text: str, n: int) -> list[Scene]:
+    return [scene.record for scene in testing.sample(text, n)]
+
+
+@pytest.mark.parametrize("text", [LOOP, TRAFFIC], ids=["loop", "traffic"])
+def test_a_scene_alone_is_its_row_of_a_block(text: str) -> None:
+    scenes = records(text, 6)
+    together = drives(scenes)
+    for scene, trace in zip(scenes, together, strict=True):
+        (alone,) = drives([scene])
+        assert bytes_of(alone) == bytes_of(trace)
+
+
+def test_scenes_of_different_files_drive_in_one_block() -> None:
+    scenes = [*records(LOOP, 3), *records(TRAFFIC, 3)]
+    together = drives(scenes)
+    assert len({len(trace.time) for trace in together}) > 2, "they end at times of their own"
+    for scene, trace in zip(scenes, together, strict=True):
+        (alone,) = drives([scene])
+        assert bytes_of(alone) == bytes_of(trace)
+
+
+def test_the_size_of_blocks_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    scenes = records(TRAFFIC, 9)
+    whole = [bytes_of(trace) for trace in drives(scenes)]
+    monkeypatch.setattr(simulating, "BLOCK_AGENTS", 14)
+    assert [bytes_of(trace) for trace in drives(scenes)] == whole
+
+
+def test_how_often_it_is_recorded_changes_no_drive() -> None:
+    scenes = records(TRAFFIC, 3)
+    often, seldom = drives(scenes, step=0.1), drives(scenes, step=0.5)
+    for a, b in zip(often, seldom, strict=True):
+        count = min(len(a.time[::5]), len(b.time))
+        for name in b.agents:
+            x, y = a.agents[name].x[::5][:count], b.agents[name].x[:count]
+            assert x.tobytes() == y.tobytes()
