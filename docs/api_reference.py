@@ -21,7 +21,7 @@ from roadlang.plugins.options import Constraints, OptionSchema
 _ANNOTATION_MAKERS = ("quantity", "list_of", "map_of", "call_of", "kind_of", "record_of", "one_of")
 _DATA = (
     "RoadBatch", "RoadBounds", "BatchRandom", "DrawnValue", "Picture", "Extraction", "FoundObject",
-    "Observation", "Control", "Trace", "AgentTrace",
+    "Observation", "Control", "Trace", "AgentTrace", "ScenarioContents",
 )  # fmt: skip
 _SCENE = (
     "Scene", "SceneRoad", "SceneActor", "SceneNetwork", "SceneNode", "SceneSignal", "Profile",

@@ -106,6 +106,7 @@ if TYPE_CHECKING:
     from .ir.encoding import scene_from_json, to_json
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.road_bounds import RoadBounds
+    from .ir.scenario_contents import ScenarioContents
     from .ir.scene import (
         Call,
         Profile,
@@ -132,6 +133,7 @@ _LATER = {
     ".ir.encoding": "scene_from_json to_json",
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.road_bounds": "RoadBounds",
+    ".ir.scenario_contents": "ScenarioContents",
     ".ir.scene": (
         "Call Profile Provenance RoadPlace Scene SceneActor SceneNetwork SceneNode SceneRoad"
         " SceneSignal Verdict ViolatedSegment"
@@ -230,6 +232,7 @@ __all__ = [
     "RoadPlace",
     "Sampler",
     "Scale",
+    "ScenarioContents",
     "Scene",
     "SceneActor",
     "SceneNetwork",

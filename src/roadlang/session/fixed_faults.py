@@ -22,15 +22,17 @@ from ..ir.values import ConstantValue, Flag, PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
 from ..plugins.registry import Registry
-from ..plugins.stated_bounds import OptionRange, corners
 from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
+from .constant_kinds import constant_kind
+from .unsupported import unsupported_parts
 
 _ROUNDING = 1e-9
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
-    """Images without scale, lanes that are not there, positions beyond their roads.
+    """Images without scale, lanes that are not there, positions beyond their roads, and what
+    backends and the simulator do not support.
 
     Of roads from pictures nothing is said: they are read when scenes are made.
     """
@@ -40,7 +42,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
         if actor.on in scenario.roads:
             fault = _lane_fault(actor, scenario) or _position_fault(actor, scenario)
             found += [fault] if fault is not None else []
-    return found
+    return found + unsupported_parts(scenario)
 
 
 def _nothing_measured(call: PassCall, candidates: Any, element: int) -> Any:
@@ -144,36 +146,11 @@ def _may_be_closed(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
 
 def _least_length(call: PassCall, scenario: IndexedScenario) -> float:
     """What the drawer says; 0 where its options are drawn, or it says nothing."""
-    built = _constant_kind(call, scenario)
+    built = constant_kind(call, scenario)
     if not isinstance(built, Drawer):
         return 0.0
     with plugin_guard(scenario.kind(call)[0], call.span):
         return float(built.least_length())
-
-
-def _constant_kind(call: PassCall, scenario: IndexedScenario) -> Any:
-    """A kind with its options, where all of them are constant; None elsewhere."""
-    entry, kind = scenario.kind(call)
-    bounds = scenario.value_bounds
-    calls = {name: _constant_calls(value, scenario) for name, value in call.options}
-    options = {
-        name: calls[name] if calls[name] is not None else bounds.option(value)
-        for name, value in call.options
-    }
-    combinations = corners(kind, options)
-    if combinations is None or len(combinations) != 1:
-        return None
-    with plugin_guard(entry, call.span):
-        return kind(**combinations[0])
-
-
-def _constant_calls(value: Any, scenario: IndexedScenario) -> Any:
-    """A list of calls as a tuple of kinds; None for anything else."""
-    items = getattr(value, "items", ())
-    if not items or not all(isinstance(item, PassCall) for item in items):
-        return None
-    kinds = tuple(_constant_kind(item, scenario) for item in items)
-    return kinds if None not in kinds else OptionRange(float("-inf"), float("inf"))
 
 
 def _length(actor: ScenarioActor, scenario: IndexedScenario) -> float | None:

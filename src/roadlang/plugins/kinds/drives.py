@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ...ir.control import Control, ControlBatch, Observation, ObservationBatch
+    from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
     from ...ir.trace import Trace
 
@@ -50,6 +51,11 @@ class Simulator(Kind):
 
     verb: ClassVar[str] = "simulate"
     required_methods: ClassVar[tuple[str, ...]] = ("drive", "drive_all")
+
+    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
+        """What this simulator cannot drive of a scenario; as `Backend.unsupported`, at the
+        `simulate with` of a scene file."""
+        return ()
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Drive a scene.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from .base import Kind
 
 if TYPE_CHECKING:
+    from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
 
 
@@ -16,6 +17,14 @@ class Backend(Kind):
 
     verb: ClassVar[str] = "emit"
     required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "send")
+
+    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
+        """What this backend cannot express of a scenario, with the options that it has.
+
+        Returns a reason for each such part, such as "it has pedestrians"; `check` reports them at
+        the `emit` (RL243).
+        """
+        return ()
 
     def files(self, scene: Scene) -> Mapping[str, bytes | str]:
         """The files of one scene.
