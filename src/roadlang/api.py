@@ -121,6 +121,16 @@ if TYPE_CHECKING:
         Verdict,
         ViolatedSegment,
     )
+    from .ir.scene_junctions import (
+        SceneArm,
+        SceneConflict,
+        SceneConnection,
+        SceneControl,
+        SceneJunction,
+        SceneLaneEnd,
+        SceneRefusal,
+        SignalPhase,
+    )
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
     from .simulation.bodies import Body
@@ -137,6 +147,10 @@ _LATER = {
     ".ir.scene": (
         "Call Profile Provenance RoadPlace Scene SceneActor SceneNetwork SceneNode SceneRoad"
         " SceneSignal Verdict ViolatedSegment"
+    ),
+    ".ir.scene_junctions": (
+        "SceneArm SceneConflict SceneConnection SceneControl SceneJunction SceneLaneEnd"
+        " SceneRefusal SignalPhase"
     ),
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
@@ -235,14 +249,22 @@ __all__ = [
     "ScenarioContents",
     "Scene",
     "SceneActor",
+    "SceneArm",
+    "SceneConflict",
+    "SceneConnection",
+    "SceneControl",
+    "SceneJunction",
+    "SceneLaneEnd",
     "SceneNetwork",
     "SceneNode",
+    "SceneRefusal",
     "SceneRoad",
     "SceneSignal",
     "Search",
     "Searcher",
     "Selector",
     "Signal",
+    "SignalPhase",
     "Simulator",
     "Speed",
     "String",

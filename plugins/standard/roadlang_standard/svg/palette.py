@@ -33,6 +33,7 @@ ROOF_LIGHT = "#cda58b"
 ROOF_DARK = "#b98b6e"
 ROOF_LINE = "#7d5a45"
 OBJECT = "#c9a227"
+LIGHTS = {"red": "#e03131", "yellow": "#fcc419", "green": "#37b24d"}
 TIGHT = "#b35c00"
 
 FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from . import palette
+from .junctions import curbs, paint, shown_junctions, signal_heads, surface
 from .lanes import bands, lane_lines
 from .markup import element, group, path_data
 
@@ -17,27 +18,36 @@ if TYPE_CHECKING:
 
 _CASING = 1.1
 _NARROWEST_LANE = 4.0
+_SEAM = 0.3
 
 
 def roads(
     scene: Scene, ribbons: Mapping[str, Ribbon], names: Sequence[str], viewport: Viewport
 ) -> str:
     """The roads called `names` in full, in layers so that junctions have no inner edges."""
-    shown = [ribbons[name] for name in names]
+    shown = list(_outside_junctions(scene, ribbons, names, _SEAM))
+    marked = _outside_junctions(scene, ribbons, names)
+    places = shown_junctions(scene, set(names))
     discs = list(_junction_discs(scene, ribbons, set(names), viewport))
-    casing = [_surface(ribbon, 0.0) for ribbon in shown]
+    areas = [surface(place, viewport) for place in places]
+    edge = min((_edge(ribbon) for ribbon in shown), default=_CASING)
+    curb = [line for place in places for line in curbs(place, viewport, edge)]
+    casing = [*areas, *(_surface(ribbon, 0.0) for ribbon in shown)]
     beside = [shape for ribbon in shown for shape in bands(ribbon, _edge(ribbon), inner=False)]
-    surface = [_roadway(ribbon, _edge(ribbon)) for ribbon in shown]
+    top = [*areas, *(_roadway(ribbon, _edge(ribbon)) for ribbon in shown)]
     between = [shape for ribbon in shown for shape in bands(ribbon, 0.0, inner=True)]
     casing += [_disc(x, y, radius) for x, y, radius, _ in discs]
-    surface += [_disc(x, y, radius - edge) for x, y, radius, edge in discs]
+    top += [_disc(x, y, radius - edge) for x, y, radius, edge in discs]
     return group(
         [
             group(casing, fill=palette.CASING, stroke=palette.CASING, stroke_linejoin="round"),
             group(beside, class_="lanes", stroke="none"),
-            group(surface, fill=palette.SURFACE, stroke="none"),
+            group(top, fill=palette.SURFACE, stroke="none"),
             group(between, class_="lanes", stroke="none"),
-            group(_markings(scene, ribbons, shown, viewport), class_="markings"),
+            group(curb, class_="curbs"),
+            group(_markings(marked, viewport), class_="markings"),
+            group(paint(scene, places, viewport), class_="paint"),
+            group(signal_heads(places, viewport), class_="signals"),
         ],
         class_="roads",
     )
@@ -68,9 +78,10 @@ def _disc(x: float, y: float, radius: float) -> str:
 def _junction_discs(
     scene: Scene, ribbons: Mapping[str, Ribbon], names: set[str], viewport: Viewport
 ) -> Iterator[tuple[float, float, float, float]]:
-    """x, y, radius and casing in pixels of the disc that joins the roads at each node."""
+    """x, y, radius and casing in pixels of the disc that joins the roads at each node, in a scene
+    of an earlier version, which has no junctions."""
     for network in scene.networks:
-        for node in network.nodes:
+        for node in () if network.junctions else network.nodes:
             meeting = [ribbons[name] for name in node.roads if name in names]
             if len(meeting) > 1:
                 x, y = viewport.place([node.x, node.y]).tolist()
@@ -87,36 +98,23 @@ def _end_half(ribbon: Ribbon, x: float, y: float) -> float:
     return min(float(ribbon.half[0 if at_start else -1]), 1.2 * float(usual))
 
 
-def _markings(
-    scene: Scene, ribbons: Mapping[str, Ribbon], shown: Sequence[Ribbon], viewport: Viewport
-) -> Iterator[str]:
-    trimmed = _trims(scene, ribbons)
+def _outside_junctions(
+    scene: Scene, ribbons: Mapping[str, Ribbon], names: Sequence[str], seam: float = 0.0
+) -> Iterator[Ribbon]:
+    """What the junctions leave of the roads, and `seam` meters more where they meet."""
+    trims = {road.name: road.trim for road in scene.roads}
+    for name in names:
+        ribbon, (before, after) = ribbons[name], trims[name]
+        end = float(ribbon.stations[-1])
+        if ribbon.widened or not (before or after):
+            yield ribbon
+        elif before + after < end - 0.01:
+            yield ribbon.part(before - min(seam, before), end - after + min(seam, after))
+
+
+def _markings(shown: Iterable[Ribbon], viewport: Viewport) -> Iterator[str]:
     for ribbon in shown:
         lane = 2 * float(ribbon.half.mean()) / max(sum(lane.drivable for lane in ribbon.lanes), 1)
         if ribbon.widened or lane < _NARROWEST_LANE:
             continue
-        before, after = trimmed.get(ribbon.name, (0.0, 0.0))
-        end = float(ribbon.stations[-1])
-        if before + after >= end:
-            continue
-        part = ribbon.part(before, end - after) if before or after else ribbon
-        yield from lane_lines(part, lane, viewport.pixels_per_meter)
-
-
-def _trims(scene: Scene, ribbons: Mapping[str, Ribbon]) -> dict[str, tuple[float, float]]:
-    """Meters at the start and end of each road that lie in a junction of three or more."""
-    trims: dict[str, list[float]] = {}
-    roads = {road.name: road for road in scene.roads}
-    for network in scene.networks:
-        for node in network.nodes:
-            if len(node.roads) < 3:
-                continue
-            radius = 0.62 * max(max(roads[name].width) for name in node.roads if name in roads)
-            for name in node.roads:
-                road = roads[name]
-                ends = [(road.x[0], road.y[0]), (road.x[-1], road.y[-1])]
-                near = min(
-                    (0, 1), key=lambda i: abs(ends[i][0] - node.x) + abs(ends[i][1] - node.y)
-                )
-                trims.setdefault(name, [0.0, 0.0])[near] = radius
-    return {name: (before, after) for name, (before, after) in trims.items()}
+        yield from lane_lines(ribbon, lane, viewport.pixels_per_meter)
