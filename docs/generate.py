@@ -45,6 +45,7 @@ USE = {
     "select": "a call in `select:` of a `road`",
     "perturb": "`perturb with KIND { ... }` in a `network` or `road`; each also takes "
     "`over: [a, b]`, `taper`, and in a network `roads: [ids]`",
+    "control": "`control with KIND { ... }` in a `network`; each also takes `junctions: [ids]`",
     "drive": "`drive with KIND { ... }` in an `agent`; each also takes `when:`",
     "signal": "a call in a formula: a value at every arc length of a road",
     "number": "a call in a formula or value: one number of a scene",

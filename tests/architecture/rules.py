@@ -241,12 +241,12 @@ RULES: tuple[Rule, ...] = (
 )
 _QUALIFIED = re.compile(r"(standard|godot)\.")
 _ORDINARY = frozenset({
-    "acceleration", "auto", "builtin", "clearance", "confidence", "contacts", "cross_track_error",
-    "crossing", "curvature", "deviation", "distance", "drive", "frechet", "gap", "godot",
-    "heading", "integer", "json",
-    "length", "lp_distance", "margin", "pixels", "progress", "random", "road", "scale",
-    "segments", "speed", "start", "station", "steering", "straight", "sup_distance", "svg",
-    "time", "width", "x", "y"
+    "acceleration", "all_way_stop", "auto", "builtin", "clearance", "confidence", "contacts",
+    "cross_track_error", "crossing", "curvature", "deviation", "distance", "drive", "frechet",
+    "gap", "godot", "heading", "integer", "json", "length", "lp_distance", "margin", "pixels",
+    "progress", "random", "right_first", "road", "scale", "segments", "signals", "speed",
+    "start", "station", "steering", "stop", "straight", "sup_distance", "svg", "time", "width",
+    "x", "y", "yield"
 })  # fmt: skip
 """Kinds whose names are words of the language, units, file formats or fields of a scene too"""
 

@@ -189,7 +189,8 @@ def converted(
         return build(value, candidates, element, single=single, resolve=resolve).kind
     if isinstance(value, tuple):
         return tuple(converted(option, v, candidates, element, single, resolve) for v in value)
-    if isinstance(option.type, QuantityType) and option.type.whole and not isinstance(value, str):
+    number = option.type.item if isinstance(option.type, ListType) else option.type
+    if isinstance(number, QuantityType) and number.whole and not isinstance(value, str):
         return np.rint(value).astype(np.int64) if isinstance(value, np.ndarray) else round(value)
     return value
 

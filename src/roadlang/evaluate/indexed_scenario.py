@@ -32,6 +32,9 @@ MeasureGeometry = Callable[[PassCall, Any, int], Any]
 """From the call of a number of the geometry (`length(street)`), a `CandidateBatch` and the number
 of a road or copy to the values (V, 1)."""
 
+_AFTERWARDS = ("perturb", "control")
+"""Passes that leave the root of a road or network what it is."""
+
 PassObserver = Callable[[PassCall, Any], None]
 """Called with a pass and what it made: a `Picture`, an `Extraction`, a `Curve` or a `RoadBatch`."""
 
@@ -151,7 +154,7 @@ class IndexedScenario:
         )
 
     def _is_drawn(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
-        shaping = [call for call in thing.passes if call.verb != "perturb"]
+        shaping = [call for call in thing.passes if call.verb not in _AFTERWARDS]
         if any(self.kind(call)[1].is_random for call in shaping):
             return True
         across = ("width", *LANE_OPTIONS)

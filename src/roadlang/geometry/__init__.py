@@ -12,7 +12,8 @@ Nothing is imported until a name is used.
   folding)
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
-- junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`
+- junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`,
+  `minor_roads`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
@@ -55,8 +56,10 @@ if TYPE_CHECKING:
     from .joints import junction_window as junction_window
     from .junctions.model import Junction as Junction
     from .junctions.model import JunctionPlan as JunctionPlan
+    from .junctions.phases import signal_phases as signal_phases
     from .junctions.plan import PlanOptions as PlanOptions
     from .junctions.plan import plan_junctions as plan_junctions
+    from .junctions.priority import minor_roads as minor_roads
     from .lane import Lane as Lane
     from .network import Edge as Edge
     from .network import Node as Node
@@ -112,6 +115,8 @@ _HOMES = {
     "JunctionPlan": "junctions.model",
     "PlanOptions": "junctions.plan",
     "plan_junctions": "junctions.plan",
+    "signal_phases": "junctions.phases",
+    "minor_roads": "junctions.priority",
     "Node": "network",
     "Edge": "network",
     "RoadNetwork": "network",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-JunctionControl = Literal["right_first", "yield", "stop", "all_way_stop", "signals"]
+ControlRule = Literal["right_first", "yield", "stop", "all_way_stop", "signals"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +108,7 @@ class SignalPhase:
 class SceneControl:
     """Who goes first at a junction."""
 
-    kind: JunctionControl = "right_first"
+    kind: ControlRule = "right_first"
     """`yield` and `stop`: traffic of the minor roads; `all_way_stop`: in order of arrival"""
     minor: tuple[str, ...] = ()
     """names of the roads that yield or stop"""

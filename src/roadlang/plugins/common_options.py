@@ -21,6 +21,7 @@ from .lane_options import LaneOptions
 from .option_types import ListType, QuantityType
 from .options import OptionSchema, option, schema_of
 
+JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 
 
@@ -95,6 +96,18 @@ class NetworkPerturbOptions(PerturbOptions):
 
 
 @dataclass(frozen=True)
+class ControlOptions:
+    """Options of every `control with`."""
+
+    junctions: JunctionNumbers = option(
+        None,
+        minimum=0,
+        help="ids of the junctions; by default all but roundabouts",
+        example="[3, 7]",
+    )
+
+
+@dataclass(frozen=True)
 class DriveOptions:
     """Options of every `drive with`."""
 
@@ -144,6 +157,7 @@ class FalsifyOptions:
 _OF_VERB = {
     "lane": LaneOptions,
     "perturb": NetworkPerturbOptions,
+    "control": ControlOptions,
     "drive": DriveOptions,
     "agent": PlacementOptions,
     "object": PlacementOptions,

@@ -2,25 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ..geometry.junctions.model import Conflict, Connection, Junction, JunctionPlan, LaneEnd
+from ..geometry.junctions.priority import yields
 from ..ir.scene_junctions import (
     SceneArm,
     SceneConflict,
     SceneConnection,
+    SceneControl,
     SceneJunction,
     SceneLaneEnd,
     SceneRefusal,
 )
+from ..plugins.kinds import RightOfWay
 
 
-def scene_junctions(network: str, plan: JunctionPlan) -> tuple[SceneJunction, ...]:
-    """Those of a plan; roads by their names in the scene, `town/3`."""
-    return tuple(_junction(network, junction) for junction in plan.junctions)
+def scene_junctions(
+    network: str, plan: JunctionPlan, rules: Mapping[int, RightOfWay]
+) -> tuple[SceneJunction, ...]:
+    """Those of a plan, with the `rules` of some by their ids; roads by their names in the scene,
+    `town/3`."""
+    return tuple(
+        _junction(network, junction, rules.get(junction.id)) for junction in plan.junctions
+    )
 
 
-def _junction(network: str, junction: Junction) -> SceneJunction:
+def _junction(network: str, junction: Junction, rule: RightOfWay | None) -> SceneJunction:
     arms = (
         SceneArm(_road(network, arm.edge), arm.end, arm.trim, arm.left, arm.right)
         for arm in junction.arms
@@ -33,7 +41,7 @@ def _junction(network: str, junction: Junction) -> SceneJunction:
         tuple(arms),
         tuple(_connection(network, connection) for connection in junction.connections),
         _conflicts(junction.conflicts),
-        junction.yields,
+        junction.yields if rule is None else _yields(junction, rule),
         tuple(
             SceneRefusal(
                 _lane(network, refusal.source),
@@ -44,7 +52,25 @@ def _junction(network: str, junction: Junction) -> SceneJunction:
             for refusal in junction.refused
         ),
         tuple(_road(network, edge) for edge in junction.inside),
+        SceneControl() if rule is None else _control(network, rule),
     )
+
+
+def _control(network: str, rule: RightOfWay) -> SceneControl:
+    minor = tuple(_road(network, edge) for edge in rule.minor)
+    return SceneControl(rule.rule, minor, rule.phases, rule.offset)
+
+
+def _yields(junction: Junction, rule: RightOfWay) -> tuple[tuple[int, int], ...]:
+    """Who yields under a rule: nobody where the order of arrival decides, and at signals only to
+    what has green in the same phase."""
+    if rule.rule == "all_way_stop":
+        return ()
+    found = yields(junction.connections, junction.conflicts, rule.minor)
+    if rule.rule != "signals":
+        return found
+    phases = [set(phase.connections) for phase in rule.phases]
+    return tuple(pair for pair in found if any(phase.issuperset(pair) for phase in phases))
 
 
 def _connection(network: str, connection: Connection) -> SceneConnection:

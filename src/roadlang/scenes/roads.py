@@ -20,6 +20,7 @@ from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..ir.scene_section import lane_members
 from ..world.cross_sections import LaneBatch
+from ..world.junction_control import rights_of_way
 from ..world.lane_plan import lane_plan
 from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
 from ..world.road_lanes import lanes_of
@@ -157,7 +158,11 @@ def _network(network: ScenarioNetwork, candidates: CandidateBatch) -> SceneNetwo
         float(root.confidence),
         _mask(root),
         root.scale if root.mask is not None else None,
-        junctions=scene_junctions(network.name, root.junctions.plans[network.name]),
+        junctions=scene_junctions(
+            network.name,
+            root.junctions.plans[network.name],
+            rights_of_way(network, candidates),
+        ),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roadlang.geometry.junctions.model import Junction
-from roadlang.geometry.junctions.priority import minor_arms, yields
+from roadlang.geometry.junctions.priority import minor_roads, yields
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, star
 
 
@@ -40,7 +40,7 @@ def test_who_goes_straight_on_yields_to_nobody_ahead() -> None:
 
 
 def test_a_minor_road_yields_to_a_major_one_from_either_side() -> None:
-    minor = {(NORTH, "start"), (SOUTH, "start")}
+    minor = {NORTH, SOUTH}
     found = yields(CROSSING.connections, CROSSING.conflicts, minor)
     across = connection(CROSSING, SOUTH, NORTH)
     assert (across, connection(CROSSING, EAST, WEST)) in found
@@ -53,14 +53,14 @@ def test_no_pair_yields_both_ways() -> None:
 
 def test_the_road_that_goes_on_at_a_side_road_is_major() -> None:
     side = only(plan_of(star(0, 180, 90)))
-    assert minor_arms(side.area, side.arms) == {(3, "start")}
+    assert minor_roads(side) == (3,)
 
 
 def test_equal_roads_that_cross_have_no_major_one() -> None:
-    assert minor_arms(CROSSING.area, CROSSING.arms) == frozenset()
+    assert minor_roads(CROSSING) == ()
 
 
 def test_the_wider_road_is_major() -> None:
     network = star(0, 90, 180, 270, width=[14.0, 7.0, 14.0, 7.0])
     wide = only(plan_of(network, [4, 2, 4, 2]))
-    assert minor_arms(wide.area, wide.arms) == {(2, "start"), (4, "start")}
+    assert minor_roads(wide) == (2, 4)

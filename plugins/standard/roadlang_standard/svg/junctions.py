@@ -110,7 +110,7 @@ def _line(
         "path",
         d=path_data(viewport.place(connection.stop_line)),
         stroke=palette.MARKING,
-        stroke_width=max(_STOP_LINE * scale, 0.8),
+        stroke_width=max(_STOP_LINE * scale, 1.4),
         stroke_dasharray=dash,
     )
 
@@ -167,7 +167,7 @@ def signal_heads(junctions: Sequence[SceneJunction], viewport: Viewport) -> Iter
 
 
 def _head(x: float, y: float, color: str, scale: float) -> str:
-    size = max(0.55 * scale, 1.6)
+    size = max(0.55 * scale, 2.6)
     return element("circle", cx=x, cy=y, r=size, fill=palette.LIGHTS[color],
                    stroke=palette.INK, stroke_width=0.35 * size)  # fmt: skip
 

@@ -47,7 +47,7 @@ def junction_of(
     points, _ = sampled(found.fits, line_shares())
     conflicts = conflicts_of(connections, points[rows])
     at_ring = any(arm.edge.id in ring for arm in found.arms)
-    entering = {arm.key for arm in found.arms if arm.edge.id not in ring} if at_ring else set()
+    entering = {arm.edge.id for arm in found.arms if arm.edge.id not in ring} if at_ring else ()
     halves = [line for edge in place.inside for line in (lines[edge, "start"], lines[edge, "end"])]
     area = surface(place, found, trims, widths, halves)
     outline, arms, gaps = ring_with_faces(area, found, trims)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Sequence
 from itertools import combinations
 
-from .model import Arm, Conflict, Connection, LaneEnd, Point
+from .model import Arm, Conflict, Connection, Junction, LaneEnd, Point
 
 _OPPOSITE = math.radians(135.0)
 _CLEARLY = 1.25
@@ -15,11 +15,11 @@ _CLEARLY = 1.25
 def yields(
     connections: Sequence[Connection],
     conflicts: Sequence[Conflict],
-    minor: Collection[tuple[int, str]] = (),
+    minor: Collection[int] = (),
 ) -> tuple[tuple[int, int], ...]:
     """Pairs (a, b) of connection ids: a yields to b.
 
-    What comes from an arm in `minor` (edge, end) yields to what does not. Otherwise who turns
+    What comes from a road in `minor` yields to what does not. Otherwise who turns
     further left yields to oncoming traffic, and everyone to what comes from the right.
     """
     by_id = {connection.id: connection for connection in connections}
@@ -35,8 +35,8 @@ def yields(
     return tuple(sorted(found))
 
 
-def _a_yields(a: Connection, b: Connection, minor: Collection[tuple[int, str]]) -> bool:
-    low, high = _arm(a.source) in minor, _arm(b.source) in minor
+def _a_yields(a: Connection, b: Connection, minor: Collection[int]) -> bool:
+    low, high = a.source.edge in minor, b.source.edge in minor
     if low != high:
         return low
     gap = _wrapped(b.start[2] - a.start[2])
@@ -58,23 +58,26 @@ def _wrapped(angle: float) -> float:
     return (angle + math.pi) % (2.0 * math.pi) - math.pi
 
 
-def minor_arms(ring: Sequence[Point], arms: Sequence[Arm]) -> frozenset[tuple[int, str]]:
-    """The arms that do not belong to the road that clearly goes on: the widest, straightest pair,
-    if it is by a quarter more so than the best pair of the others. Empty if none is."""
-    faces = [_face(ring, arm) for arm in arms]
-    pairs = {
-        pair: _score(faces[pair[0]], faces[pair[1]]) for pair in combinations(range(len(arms)), 2)
-    }
-    if not pairs:
-        return frozenset()
-    best = max(pairs, key=lambda pair: (round(pairs[pair], 6), -pair[0], -pair[1]))
-    rest = [score for pair, score in pairs.items() if not set(pair) & set(best)]
-    alike = [score for pair, score in pairs.items() if set(pair) & set(best) and pair != best]
-    if pairs[best] <= 0.0 or pairs[best] < _CLEARLY * max(rest, default=0.0):
-        return frozenset()
-    if pairs[best] <= max(alike, default=0.0) * (1.0 + 1e-6):
-        return frozenset()
-    return frozenset((arm.edge, arm.end) for place, arm in enumerate(arms) if place not in best)
+def minor_roads(junction: Junction, *, clearly: bool = True) -> tuple[int, ...]:
+    """The roads beside the one that goes on: the widest, straightest pair of arms.
+
+    `clearly`: empty unless that pair is by a quarter more so than the best pair of the others. Of
+    equal pairs the first counts.
+    """
+    arms = junction.arms
+    faces = [_face(junction.area, arm) for arm in arms]
+    pairs = combinations(range(len(arms)), 2)
+    scores = {(i, j): _score(faces[i], faces[j]) for i, j in pairs}
+    if not scores:
+        return ()
+    best = max(scores, key=lambda pair: (round(scores[pair], 6), -pair[0], -pair[1]))
+    rest = [score for pair, score in scores.items() if not set(pair) & set(best)]
+    rivals = [score for pair, score in scores.items() if set(pair) & set(best) and pair != best]
+    rivaled = scores[best] <= max(rivals, default=0.0) * (1.0 + 1e-6)
+    if clearly and (rivaled or scores[best] < _CLEARLY * max(rest, default=0.0)):
+        return ()
+    major = {arms[place].edge for place in best}
+    return tuple(sorted({arm.edge for arm in arms} - major))
 
 
 def _face(ring: Sequence[Point], arm: Arm) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from .base import Kind
 from .drives import Controller, Simulator
+from .junctions import JunctionControl, RightOfWay
 from .lanes import LaneDirection, LaneKind, LaneMarking
 from .outputs import AgentKind, Backend, ObjectKind
 from .pictures import Adjuster, Extractor, Reader
@@ -19,6 +20,7 @@ from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
     Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
+    JunctionControl,
     LaneKind, Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
     Simulator, Searcher, Backend, AgentKind, ObjectKind,
 )  # fmt: skip
@@ -50,6 +52,7 @@ __all__ = [
     "DrawnValue",
     "DriveSignal",
     "Extractor",
+    "JunctionControl",
     "Kind",
     "LaneDirection",
     "LaneKind",
@@ -59,6 +62,7 @@ __all__ = [
     "Perturber",
     "Piece",
     "Reader",
+    "RightOfWay",
     "RoadNumber",
     "Sampler",
     "Search",

@@ -15,7 +15,7 @@ from .kinds import display_name, find_kind
 from .option_binding import BoundOptions, bind_options
 from .statement_spec import StatementSpec
 
-_ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "drive")
+_ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "control", "drive")
 _SOURCES = ("extract", "read", "draw")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...plugins.common_options import (
+    ControlOptions,
     DriveOptions,
     FalsifyOptions,
     NetworkPerturbOptions,
@@ -24,7 +25,8 @@ _SPECS = (
     StatementSpec("image", "images", lower_geometry, ImageOptions, {"read": None, "adjust": None}),
     StatementSpec(
         "network", "networks", lower_geometry, NetworkOptions,
-        {"extract": None, "read": None, "perturb": NetworkPerturbOptions},
+        {"extract": None, "read": None, "perturb": NetworkPerturbOptions,
+         "control": ControlOptions},
     ),
     StatementSpec(
         "road", "roads", lower_geometry, RoadOptions,

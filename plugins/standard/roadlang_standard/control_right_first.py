@@ -1,0 +1,22 @@
+"""`control with right_first`: the rule where nothing else is said."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import JunctionControl, RightOfWay
+
+if TYPE_CHECKING:
+    from roadlang.geometry import Junction
+
+
+@dataclass(frozen=True)
+class RightFirst(JunctionControl):
+    """Who comes from the right goes first; left turns yield to oncoming traffic."""
+
+    name: ClassVar[str] = "right_first"
+
+    def right_of_way(self, junction: Junction) -> RightOfWay:
+        """The same at every junction."""
+        return RightOfWay("right_first")

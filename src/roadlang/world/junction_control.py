@@ -1,0 +1,112 @@
+"""Who goes first at the junctions of a network, as its `control` passes say."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from typing import get_args
+
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import build, evaluate
+from ..evaluate.kind_instance import KindInstance, scalar
+from ..geometry.junctions.model import Junction, JunctionPlan
+from ..ir.scenario import ScenarioNetwork
+from ..ir.scene_junctions import ControlRule
+from ..ir.values import PassCall
+from ..plugins.guard import wrong_result
+from ..plugins.kinds import RightOfWay
+from .networks import network_root
+
+_RULES = get_args(ControlRule)
+
+
+def rights_of_way(network: ScenarioNetwork, candidates: CandidateBatch) -> dict[int, RightOfWay]:
+    """By the ids of junctions, of a single candidate; the last pass that names a junction counts.
+
+    What is drawn is drawn anew for each junction. Raises RL429 for a junction that is not there,
+    RL411 and RL430 for a road that is not there, or not there.
+    """
+    root = network_root(network, candidates)
+    plan = root.junctions.plans[network.name]
+    edges = [edge.id for edge in root.edges]
+    found: dict[int, RightOfWay] = {}
+    for call in _controls(network, candidates):
+        junctions = _chosen(call, plan, candidates)
+        for junction in junctions:
+            built = build(call, candidates, junction.id, single=True)
+            with built.guarded:
+                rule = built.kind.right_of_way(junction)
+            _check(rule, junction, built)
+            found[junction.id] = rule
+        _check_roads(call, junctions, edges, candidates)
+    return found
+
+
+def _controls(network: ScenarioNetwork, candidates: CandidateBatch) -> list[PassCall]:
+    """Those of the network that it is made from come first."""
+    chain = [link for link in candidates.scenario.chain(network) if hasattr(link, "passes")]
+    return [call for link in reversed(chain) for call in link.passes if call.verb == "control"]
+
+
+def _chosen(call: PassCall, plan: JunctionPlan, candidates: CandidateBatch) -> list[Junction]:
+    """The junctions that a pass is about."""
+    option = dict(call.common).get("junctions")
+    if option is None:
+        return [junction for junction in plan.junctions if junction.kind == "junction"]
+    wanted = _numbers(evaluate(option, candidates))
+    known = {node: junction for junction in plan.junctions for node in junction.nodes}
+    for id in wanted:
+        if id not in known:
+            raise _no_such_junction(id, plan, call.span)
+    return list({known[id].id: known[id] for id in wanted}.values())
+
+
+def _numbers(value: object) -> list[int]:
+    ids = scalar(value)
+    return [round(id) for id in (ids if isinstance(ids, tuple) else (ids,))]
+
+
+def _no_such_junction(id: int, plan: JunctionPlan, span: Span | None) -> DiagnosticError:
+    ids = [junction.id for junction in plan.junctions]
+    known = ", ".join(map(str, ids[:20])) or "none: no roads meet"
+    help_ = [f"its junctions are {known}"]
+    if ids:
+        near = min(ids, key=lambda other: (abs(other - id), other))
+        help_.append(f"did you mean `{near}`?")
+    return DiagnosticError(diagnose(Code.UNKNOWN_JUNCTION_ID, span, id=id, help=help_))
+
+
+def _check_roads(
+    call: PassCall,
+    junctions: Iterable[Junction],
+    edges: Collection[int],
+    candidates: CandidateBatch,
+) -> None:
+    """Whether the roads that a pass names are there, and end at one of its junctions."""
+    option = dict(call.options).get("roads")
+    if option is None:
+        return
+    at_junctions = sorted({arm.edge for junction in junctions for arm in junction.arms})
+    known = ", ".join(map(str, at_junctions[:20]))
+    for id in _numbers(evaluate(option, candidates)):
+        if id in at_junctions:
+            continue
+        code = Code.ROAD_NOT_AT_JUNCTION if id in edges else Code.UNKNOWN_ROAD_ID
+        help_ = f"the roads that end there are {known}"
+        raise DiagnosticError(diagnose(code, call.span, id=id, help=help_))
+
+
+def _check(rule: object, junction: Junction, built: KindInstance) -> None:
+    """Raises RL474 for what is no right of way at the junction."""
+    span = built.call.span
+    if not isinstance(rule, RightOfWay):
+        raise wrong_result(built.entry, span, f"gave a {type(rule).__name__}, not a RightOfWay")
+    if rule.rule not in _RULES:
+        raise wrong_result(built.entry, span, f"gave the rule {rule.rule!r}, not one of {_RULES}")
+    if not set(rule.minor) <= {arm.edge for arm in junction.arms}:
+        raise wrong_result(built.entry, span, "gave minor roads that do not end at the junction")
+    connections = {connection.id for connection in junction.connections}
+    if not all(connections.issuperset(phase.connections) for phase in rule.phases):
+        raise wrong_result(built.entry, span, "gave phases of connections that are not there")
+    if (rule.rule == "signals") != bool(rule.phases) and junction.connections:
+        raise wrong_result(built.entry, span, "gave phases and another rule than `signals`")

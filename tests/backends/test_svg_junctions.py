@@ -1,0 +1,55 @@
+"""`emit svg` of junctions: one surface, its curb, and what is painted at its edge."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from xml.etree import ElementTree
+
+from roadlang.scenes.sampling import SamplingResult
+from roadlang_standard.emit_svg import Svg
+from roadlang_standard.svg.palette import LIGHTS
+
+SVG = "{http://www.w3.org/2000/svg}"
+PLAN = '''
+image plan from """
+...#........#...
+################
+...#............
+""" { scale: 20m/px, legend: { "#": road } }
+network town from plan { CONTROL }
+'''
+
+
+def junction_figure(sample: Callable[..., SamplingResult], control: str) -> ElementTree.Element:
+    scene = sample(PLAN.replace("CONTROL", control)).scenes[0]
+    return ElementTree.fromstring(Svg().files(scene)["svg"])
+
+
+def group_of(figure: ElementTree.Element, name: str) -> list[ElementTree.Element]:
+    return [child for g in figure.iter(f"{SVG}g") if g.get("class") == name for child in g]
+
+
+def test_junctions_have_a_curb_between_the_roads(sample: Callable[..., SamplingResult]) -> None:
+    """A crossing of four roads has four corners, one of three roads two and a straight side."""
+    figure = junction_figure(sample, "")
+    assert len(group_of(figure, "curbs")) == 7
+    assert not group_of(figure, "paint")
+
+
+def test_lines_are_painted_where_traffic_stops(sample: Callable[..., SamplingResult]) -> None:
+    stops = group_of(junction_figure(sample, "control with all_way_stop"), "paint")
+    assert len(stops) == 7
+    assert all(line.get("stroke-dasharray") is None for line in stops)
+    yields = group_of(junction_figure(sample, "control with yield"), "paint")
+    assert len(yields) == 3
+    assert all(line.get("stroke-dasharray") for line in yields)
+
+
+def test_signals_show_the_light_of_the_first_moment(
+    sample: Callable[..., SamplingResult],
+) -> None:
+    heads = group_of(junction_figure(sample, "control with signals"), "signals")
+    colors = sorted(str(head.get("fill")) for head in heads)
+    assert len(heads) == 7
+    assert colors.count(LIGHTS["green"]) in (3, 4)
+    assert colors.count(LIGHTS["red"]) == 7 - colors.count(LIGHTS["green"])
