@@ -8,14 +8,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..evaluate.candidates import fixed_candidate
-from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry import CrossSection, RoadNetwork
+from ..evaluate.candidates import CandidateBatch
+from ..geometry import CrossSection, Edge, RoadNetwork
 from ..geometry.junctions.model import JunctionPlan
 from ..geometry.junctions.plan import PlanOptions, plan_junctions
 from ..ir.scenario import ScenarioNetwork
-from .lane_building import built_lanes
-from .lane_plan import LanePlan, is_left, lane_plan
+from .lane_building import built_lanes, left_hand
+from .lane_plan import LanePlan, lane_plan
 
 Floats = NDArray[np.float64]
 _CLOSE = 0.01
@@ -61,36 +60,30 @@ class NetworkPlans:
 
 
 def network_plans(
-    bottom: ScenarioNetwork, geometry: RoadNetwork, scenario: IndexedScenario
+    bottom: ScenarioNetwork, geometry: RoadNetwork, candidates: CandidateBatch
 ) -> NetworkPlans:
-    """The plans of a network and of those made from it."""
+    """The plans of a network and of those made from it, which may have other lanes.
+
+    The candidates must have the same lanes. Raises RL473 for a drawn width that is out of bounds.
+    """
+    scenario = candidates.scenario
+    options = PlanOptions(left_hand(candidates))
     made: dict[LanePlan, JunctionPlan] = {}
     plans: dict[str, JunctionPlan] = {}
     for network in scenario.networks.values():
-        if list(_networks(network, scenario))[-1] is bottom:
-            plan = lane_plan(network, scenario)
-            key = replace(plan, owner=None, speed_limit=None)
-            if key not in made:
-                options = PlanOptions(left_hand=is_left(scenario))
-                made[key] = plan_junctions(geometry, _sections(plan, geometry, scenario), options)
-            plans[network.name] = made[key]
+        if bottom not in scenario.chain(network):
+            continue
+        lanes = replace(lane_plan(network, scenario), speed_limit=None)
+        if lanes not in made:
+            sections = {edge.id: _section(edge, lanes, candidates) for edge in geometry.edges}
+            made[lanes] = plan_junctions(geometry, sections, options)
+        plans[network.name] = made[lanes]
     return NetworkPlans(plans, _greatest(geometry, plans.values()))
 
 
-def _networks(network: ScenarioNetwork, scenario: IndexedScenario) -> Iterable[ScenarioNetwork]:
-    return (link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork))
-
-
-def _sections(
-    plan: LanePlan, geometry: RoadNetwork, scenario: IndexedScenario
-) -> dict[int, CrossSection]:
-    candidate = fixed_candidate(scenario)
-    return {
-        edge.id: built_lanes(plan, candidate, edge.cross_section).cross_section(
-            edge.width, edge.width.stations
-        )
-        for edge in geometry.edges
-    }
+def _section(edge: Edge, lanes: LanePlan, candidates: CandidateBatch) -> CrossSection:
+    built = built_lanes(lanes, candidates, edge.cross_section)
+    return built.cross_section(edge.width, edge.width.stations)
 
 
 def _greatest(

@@ -68,7 +68,7 @@ def _counted(plan: LanePlan, candidates: CandidateBatch, count: int) -> LaneBatc
         width = np.atleast_2d(np.asarray(evaluate(plan.sidewalks, candidates), float))
         section = _with_sidewalks(section, _default_kind(candidates.scenario, drivable=False))
         widths = {section.ids[0]: width, section.ids[-1]: width}
-    if _left_hand(candidates):
+    if left_hand(candidates):
         section, widths = section.mirrored(), {-id: width for id, width in widths.items()}
     return LaneBatch(section, widths, {})
 
@@ -97,10 +97,10 @@ def _with_sidewalks(section: CrossSection, kind: type[LaneKind]) -> CrossSection
 
 def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
     oneway = plan.oneway is not None and bool(_fixed(plan.oneway, candidates))
-    left_hand = _left_hand(candidates)
+    keeps_left = left_hand(candidates)
     sides = [_calls(value, candidates) for value in (plan.left, plan.right)]
     directions: list[Direction] = ["backward", "forward"]
-    if left_hand:
+    if keeps_left:
         directions.reverse()
     if oneway:
         directions = ["forward", "forward"]
@@ -189,7 +189,8 @@ def _number(name: str, call: PassCall, candidates: CandidateBatch, default: floa
     return found
 
 
-def _left_hand(candidates: CandidateBatch) -> bool:
+def left_hand(candidates: CandidateBatch) -> bool:
+    """Whether vehicles drive on the left, of candidates alike in this."""
     return bool(_fixed(traffic_side(candidates.scenario), candidates) == "left")
 
 

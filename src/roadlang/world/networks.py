@@ -16,6 +16,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import CurveFrame, Edge, RoadNetwork, WidthProfile
 from ..geometry.joints import junction_window
+from ..geometry.junctions.one_way import one_way
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
 from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
@@ -91,10 +92,17 @@ def edge_batch(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) 
 
 
 def lanes_of_edge(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> LaneBatch:
-    """The lanes of one road of a network, of candidates that have the same ones."""
-    found = network_root(network, candidates).network.edge(edge)
+    """The lanes of one road of a network, of candidates that have the same ones.
+
+    Those of a roundabout run one way.
+    """
+    root = network_root(network, candidates)
     plan = lane_plan(network, candidates.scenario)
-    return built_lanes(plan, candidates, found.cross_section)
+    lanes = built_lanes(plan, candidates, root.network.edge(edge).cross_section)
+    ring = root.junctions.plans[network.name].ring
+    if edge in ring:
+        lanes = replace(lanes, pattern=one_way(lanes.pattern, ring[edge]))
+    return lanes
 
 
 def _root_edge(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> RoadBatch:
@@ -164,7 +172,7 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
                 help=found.remarks or ("try `extract with contour { threshold: ... }`",),
             )
         )
-    plans = network_plans(network, found.network, candidates.scenario)
+    plans = network_plans(network, found.network, candidates)
     return replace(found, junctions=plans)
 
 

@@ -32,4 +32,5 @@ def one_way(section: CrossSection, forward: bool) -> CrossSection:
         replace(lane, direction="forward" if forward else "backward") if lane.drivable else lane
         for lane in section.lanes
     )
-    return replace(section, lanes=lanes)
+    marking = "broken" if section.center_marking == "double" else section.center_marking
+    return replace(section, lanes=lanes, center_marking=marking)
