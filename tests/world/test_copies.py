@@ -43,7 +43,7 @@ def test_a_candidate_among_many_is_placed_as_alone(
         assert number == together.present[row].sum()
         for field in fields(PlacedBatch):
             alone = getattr(placed(actor, one), field.name)[0]
-            assert alone.tolist() == getattr(together, field.name)[row, :number].tolist()
+            np.testing.assert_array_equal(alone, getattr(together, field.name)[row, :number])
 
 
 def test_survivors_keep_their_own_places(acceptance: Callable[[str], Acceptance]) -> None:
