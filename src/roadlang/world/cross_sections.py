@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import CrossSection, OffsetProfile, WidthProfile
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..geometry import CrossSection, GeometryError, OffsetProfile, WidthProfile
 from ..geometry.cross_section import border_offsets, drivable_borders, scaled_widths
+from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +29,8 @@ class LaneBatch:
     pattern: CrossSection
     widths: dict[int, Floats]
     speed_limits: dict[int, Any]
+    thing: ScenarioRoad | ScenarioNetwork | None = None
+    """The statement that is at fault where the lanes do not fit the road."""
 
     def border_offsets(self, width: Floats, s: Floats) -> Floats:
         """(L + 1, V, n) offsets of the borders, from left to right, left positive.
@@ -41,9 +45,16 @@ class LaneBatch:
         )
 
     def lane_widths(self, width: Floats, s: Floats) -> Floats:
-        """(L, V, n) widths of the lanes from left to right, where the road is `width` (V, n)."""
+        """(L, V, n) widths of the lanes from left to right, where the road is `width` (V, n).
+
+        Raises RL431 where that leaves the drivable lanes none.
+        """
         widths = self._written(width, s)
-        return scaled_widths(widths, self._drivable, np.broadcast_to(width, widths.shape[1:]))
+        try:
+            return scaled_widths(widths, self._drivable, np.broadcast_to(width, widths.shape[1:]))
+        except GeometryError:
+            name, span = (self.thing.name, self.thing.span) if self.thing else ("", None)
+            raise DiagnosticError(diagnose(Code.NO_WIDTH_FOR_LANES, span, name=name)) from None
 
     def extent(self) -> Floats:
         """(V, 1) width of the drivable lanes, with what lies between them, as written."""
@@ -73,14 +84,15 @@ class LaneBatch:
             id: limit[_rows(limit, rows)] if isinstance(limit, np.ndarray) else limit
             for id, limit in self.speed_limits.items()
         }
-        return LaneBatch(self.pattern, widths, limits)
+        return replace(self, widths=widths, speed_limits=limits)
 
     def reversed(self, length: float) -> LaneBatch:
         """As seen by who travels the road, `length` meters long, the other way."""
-        return LaneBatch(
-            self.pattern.reversed(length),
-            {-id: width for id, width in self.widths.items()},
-            {-id: limit for id, limit in self.speed_limits.items()},
+        return replace(
+            self,
+            pattern=self.pattern.reversed(length),
+            widths={-id: width for id, width in self.widths.items()},
+            speed_limits={-id: limit for id, limit in self.speed_limits.items()},
         )
 
     @cached_property

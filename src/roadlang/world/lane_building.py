@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
@@ -20,6 +21,7 @@ from ..plugins.kinds import LaneKind
 from .cross_sections import LaneBatch
 from .lane_plan import LanePlan, lane_calls, traffic_side
 
+Floats = NDArray[np.float64]
 _OPTIONS = {option.name: option for option in common_options("lane")}
 _UNIT = WidthProfile.constant(1.0)
 _DOUBLE = 4
@@ -51,7 +53,7 @@ def built_lanes(
         lanes = (lane for lane in found.pattern.lanes if lane.speed_limit is None)
         limits = {lane.id: limit for lane in lanes if lane.drivable}
         found = replace(found, speed_limits={**limits, **found.speed_limits})
-    return found
+    return replace(found, thing=plan.thing)
 
 
 def _counted(plan: LanePlan, candidates: CandidateBatch, count: int) -> LaneBatch:
@@ -107,6 +109,7 @@ def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
     lanes: dict[int, Lane] = {}
     widths: dict[int, Any] = {}
     limits: dict[int, Any] = {}
+    sharing: list[int] = []
     for sign, calls, direction in zip((1, -1), sides, directions, strict=True):
         kinds = [_kind(call, candidates.scenario) for call in calls]
         for place, (call, kind) in enumerate(zip(calls, kinds, strict=True)):
@@ -115,10 +118,23 @@ def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
             lanes[id] = _lane(id, kind, direction, _marking(kind, outer, written, candidates))
             width = _number("width", call, candidates, kind.usual_width)
             widths[id] = np.atleast_2d(np.asarray(width, float))
+            if kind.drivable and "width" not in written:
+                sharing.append(id)
             if "speed_limit" in written:
                 limits[id] = _number("speed_limit", call, candidates, 0.0)
     ordered = tuple(lanes[id] for id in sorted(lanes, reverse=True))
-    return LaneBatch(CrossSection(ordered, _center(lanes)), widths, limits)
+    found = LaneBatch(CrossSection(ordered, _center(lanes)), widths, limits)
+    width = dict(plan.owner.options).get("width") if plan.owner is not None else None
+    if width is None or not sharing:
+        return found
+    return _shared(found, sharing, np.atleast_2d(np.asarray(evaluate(width, candidates), float)))
+
+
+def _shared(lanes: LaneBatch, sharing: list[int], width: Floats) -> LaneBatch:
+    """The lanes at `sharing` get equal parts of what the others leave of the width."""
+    others = lanes.extent() - sum(lanes.widths[id] for id in sharing)
+    rest = np.maximum((width - others) / len(sharing), 0.0)
+    return replace(lanes, widths={**lanes.widths, **dict.fromkeys(sharing, rest)})
 
 
 def _lane(id: int, kind: type[LaneKind], direction: Direction, marking: Marking) -> Lane:

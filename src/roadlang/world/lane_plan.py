@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -27,6 +27,8 @@ class LanePlan:
     sidewalks: Value | None = None
     center_marking: Value | None = None
     speed_limit: Value | None = None
+    thing: ScenarioRoad | ScenarioNetwork | None = field(default=None, compare=False)
+    """Whose lanes these are."""
 
     @property
     def has_lists(self) -> bool:
@@ -48,7 +50,7 @@ def lane_plan(thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) 
         nearest.update({name: _nearest(above, name) for name in shape}, lanes=None, sidewalks=None)
     elif owner is not None:
         nearest.update(left=None, right=None)
-    return LanePlan(owner, **nearest)
+    return LanePlan(owner, **nearest, thing=thing)
 
 
 def _names_lanes(link: ScenarioRoad | ScenarioNetwork) -> bool:

@@ -32,6 +32,8 @@ from .verified import verified
 
 Floats = NDArray[np.float64]
 DEFAULT_WIDTH = 7.0
+_SAME_WIDTH = 1e-3
+"""Meters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +91,10 @@ def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) ->
     """As written; of listed lanes on a road that was not measured, what they add up to."""
     options = dict(road.options)
     if "width" in options:
-        return _written_width(road, options["width"], candidates)
+        width = _written_width(road, options["width"], candidates)
+        if options.keys() & {"left", "right"}:
+            _require_sum(road, width, candidates)
+        return width
     if options.keys() & {"left", "right"} and not _is_measured(road, candidates):
         return _extent(road, lane_plan(road, candidates.scenario), candidates)
     return before.width
@@ -104,6 +109,24 @@ def _written_width(road: ScenarioRoad, written: Value, candidates: CandidateBatc
             )
         )
     return value
+
+
+def _require_sum(road: ScenarioRoad, width: Floats, candidates: CandidateBatch) -> None:
+    """Raises RL246 where the lanes of the same statement do not add up to its width."""
+    extent = _extent(road, lane_plan(road, candidates.scenario), candidates)
+    apart = np.abs(width - extent)
+    if not (apart < _SAME_WIDTH).all():
+        row = int(apart.max(axis=1).argmax())
+        lanes, written = (float(part[min(row, len(part) - 1), 0]) for part in (extent, width))
+        raise DiagnosticError(
+            diagnose(
+                Code.LANES_DISAGREE_WITH_WIDTH,
+                road.span,
+                name=road.name,
+                lanes=f"{lanes:.6g}m",
+                width=f"{written:.6g}m",
+            )
+        )
 
 
 def _is_measured(road: ScenarioRoad, candidates: CandidateBatch) -> bool:

@@ -20,6 +20,7 @@ from ..infer.statement_spec import StatementSpec
 from ..names.file_checks import file_fault
 from ..names.program import Declaration
 from ..types.expression_types import DeclaredType, TypedExpression
+from .lane_lists import lanes_fit
 from .randomness import is_random
 
 _SOURCE_ROLES = {"image": ("image",), "network": ("image", "network"), "road": ("network", "road")}
@@ -56,6 +57,8 @@ def lower_geometry(
     if statement.block is not None and not statement.block.complete:
         return None
     if not _spacing_is_fixed(checker, statement, bound.values):
+        return None
+    if not lanes_fit(checker, statement, bound.given):
         return None
     if not _belongs_together(checker, statement, source.source, passes):
         return None

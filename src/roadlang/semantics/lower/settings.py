@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import Code
 from ...ir.values import Value
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -9,6 +10,7 @@ from ..context import Context
 from ..infer.blocks import lower_options, lower_passes
 from ..infer.statement_spec import StatementSpec
 from ..names.program import PlacedStatement
+from .randomness import is_random
 
 
 def lower_settings(
@@ -20,4 +22,8 @@ def lower_settings(
     span = placed.statement.span
     bound = lower_options(checker, spec.word, block, spec.schema, context, span)
     lower_passes(checker, spec, block, context)
+    traffic = bound.given.get("traffic")
+    if traffic is not None and traffic.value is not None and is_random(checker, traffic.value):
+        expected = "the same in every scene: all lanes and junctions depend on it"
+        checker.report(Code.MUST_NOT_BE_RANDOM, traffic.span, what="`traffic`", expected=expected)
     return bound.values
