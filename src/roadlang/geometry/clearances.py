@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from .arrays import Booleans, Floats, Integers, norm
 from .batch import CurveBatch
 from .crossing import crossings, self_crossings
+from .nearest_points import AlongOneLine, AlongTwoLines, WayAlong, nearest_points
 
 RETURNING = 2.0
 """A road comes back to itself where the way along it is more than this many times the straight
@@ -18,7 +19,6 @@ PARTING = 4.0
 """The same for two roads that meet at a junction: those at more than 29 degrees may part."""
 
 _TOUCH = 1e-6
-_PAIRS_AT_ONCE = 4_000_000
 
 
 def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
@@ -26,7 +26,7 @@ def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
 
     Infinite where nothing counts: neighbors along the road do not (see `RETURNING`), nor does the
     surrounding of a junction that two roads share (`PARTING`). Zero at the stations beside a
-    crossing. Between stations it is exact to second order in their gap. S^2 operations a variant.
+    crossing. Between stations it is exact to second order in their gap.
     """
     result = np.stack([_to_itself(batch, variant) for variant in range(batch.variants)])
     _close(result, *self_crossings(batch), batch.closed)
@@ -42,28 +42,16 @@ def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
 def _to_itself(batch: CurveBatch, variant: int) -> Floats:
     points, steps = batch.points[variant], batch.steps[variant]
     arc = np.concatenate([[0.0], np.cumsum(steps)])
-    place = arc[: len(points)]
-
-    def along(rows: slice) -> Floats:
-        travel = np.abs(place[rows, None] - place[None])
-        return np.asarray(np.minimum(travel, arc[-1] - travel) if batch.closed else travel)
-
-    return _nearest(points, points, along, RETURNING, batch.closed)
+    way = AlongOneLine(arc[: len(points)], float(arc[-1]) if batch.closed else None)
+    return _nearest(points, points, way, RETURNING, batch.closed)
 
 
 def _to_other(batch: CurveBatch, other: CurveBatch, variant: int) -> Floats:
     """Distance to another road; along both and through the junctions that they share."""
-    points, row = batch.points[variant], variant % other.variants
-    theirs = other.points[row]
+    row = variant % other.variants
     travels = [] if batch.closed or other.closed else _travels(batch, other, variant, row)
-
-    def along(rows: slice) -> Floats:
-        shortest = np.full((len(points[rows]), len(theirs)), np.inf)
-        for travel, beyond in travels:
-            np.minimum(shortest, travel[rows, None] + beyond[None], out=shortest)
-        return shortest
-
-    return _nearest(points, theirs, along, PARTING, other.closed)
+    points, theirs = batch.points[variant], other.points[row]
+    return _nearest(points, theirs, AlongTwoLines(travels), PARTING, other.closed)
 
 
 def _travels(
@@ -81,25 +69,12 @@ def _travels(
     ]
 
 
-def _nearest(
-    points: Floats, line: Floats, along: Callable[[slice], Floats], ratio: float, closed: bool
-) -> Floats:
-    """(S,) distance from points to the polyline (T, 2), where `along`, of some rows, (rows, T),
-    exceeds `ratio` times it."""
+def _nearest(points: Floats, line: Floats, way: WayAlong, ratio: float, closed: bool) -> Floats:
+    """(S,) distance from points to the polyline (T, 2), where the way along is more than `ratio`
+    times it."""
     middle = line.mean(axis=0)
     p, q = points - middle, line - middle
-    index = np.zeros(len(p), dtype=np.int64)
-    counted = np.zeros(len(p), dtype=bool)
-    step = max(1, _PAIRS_AT_ONCE // len(q))
-    for start in range(0, len(p), step):
-        rows = slice(start, start + step)
-        square = p[rows] @ (-2.0 * q.T)
-        square += (p[rows] * p[rows]).sum(axis=1)[:, None]
-        square += (q * q).sum(axis=1)[None]
-        near = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
-        near[along(rows) <= ratio * near] = np.inf
-        index[rows] = near.argmin(axis=1)
-        counted[rows] = np.isfinite(near[np.arange(len(near)), index[rows]])
+    index, counted = nearest_points(p, q, way, ratio)
     count = len(line)
     distance = np.full(len(p), np.inf)
     for neighbor in (index - 1, index + 1):
