@@ -68,7 +68,7 @@ HABITS = [
     ("world { friction: 0.4-0.9 }", "RL208", "`0.4..0.9`", "0.4..0.9"),
     ("world { friction: 0.4 to 0.9 }", "RL001", "`0.4..0.9`", "0.4..0.9"),
     ("param w = 5metres", "RL203", "`5m`", "5m"),
-    (EGO + "expect e: always (ego.cross_track < 5m)", "RL227", "mean", "cross_track_error"),
+    (EGO + "expect e: always (ego.cross_track < 5m)", "RL227", "now called", "cross_track_error"),
     (EGO + "expect e: always (ego.lane == 1)", "RL227", "option `lane`", None),
     (EGO + "expect e: always (ego.wobble < 5m)", "RL227", "its members are `speed`", None),
     (EGO + "expect e: always (speed(ego) < 5m/s)", "RL225", "`ego.speed`", None),

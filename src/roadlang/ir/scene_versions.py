@@ -4,16 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from .renamed_words import KINDS, OPERANDS, OPTIONS
 from .scene import SCENE_SCHEMA
-
-_RENAMED_OPTIONS = {"colour": "color"}
-"""Options of kinds that had another name in `roadlang.scene/1`."""
-
-_RENAMED_KINDS = {"cross_track": "cross_track_error"}
-"""Kinds that had another name there."""
-
-_RENAMED_OPERANDS = {"one": "first", "other": "second"}
-"""Options of `distance` and `gap` between agents, which had other names there."""
 
 
 class UnknownSceneSchema(ValueError):
@@ -44,9 +36,9 @@ def _renamed(value: Any) -> Any:
 
 def _member(key: str, member: Any) -> Any:
     if key == "options" and isinstance(member, dict):
-        names = _RENAMED_OPTIONS | (_RENAMED_OPERANDS if "one" in member else {})
+        names = OPTIONS | (OPERANDS if "one" in member else {})
         return {names.get(name, name): value for name, value in member.items()}
     if key == "kind" and isinstance(member, str):
         plugin, dot, name = member.rpartition(".")
-        return f"{plugin}{dot}{_RENAMED_KINDS.get(name, name)}"
+        return f"{plugin}{dot}{KINDS.get(name, name)}"
     return _renamed(member)

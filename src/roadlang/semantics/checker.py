@@ -16,6 +16,7 @@ from ..stl.evaluate.interval_arithmetic import UNKNOWN, Bounds
 from ..syntax.tree import nodes as ast
 from .context import Context
 from .names.program import Program
+from .suggestions import suggestion
 from .types.expression_types import TypedExpression, unknown
 
 Rule = Callable[["Checker", Any, Context], TypedExpression]
@@ -68,7 +69,7 @@ class Checker:
         """
         if meant is not None:
             more = (help,) if isinstance(help, str) else tuple(help)
-            help = (f"did you mean `{meant}`?", *more)
+            help = (suggestion(span.text, meant), *more)
             fixes = (*fixes, Fix(span, meant))
         found = diagnose(code, span, help=help, labels=labels, fixes=fixes, **values)
         self.diagnostics.append(found)

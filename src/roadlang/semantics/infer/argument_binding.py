@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...diagnostics import Code, nearest
+from ...diagnostics import Code
 from ...ir.values import Items
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
+from ..suggestions import meant_name
 from ..types.assignable import check_assignable
 from ..types.expression_types import SequenceType, TypedExpression
 from .option_binding import BoundOptions, bound_of, infer_option, report_missing, report_unknown
@@ -72,7 +73,7 @@ class _Binder:
         report_unknown(self._checker, key, self._known, self._owner)
         self._complete = False
         # An argument whose name was misspelled is not missing as well.
-        meant = nearest(key.text, self._known)
+        meant = meant_name(key.text, self._known)
         if meant is not None:
             self._named.add(meant)
 

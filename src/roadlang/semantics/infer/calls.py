@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ...diagnostics import Code, nearest
+from ...diagnostics import Code
 from ...ir.values import Entity, PassCall
 from ...plugins.common_options import common_options
 from ...plugins.option_types import EntityType as EntityOption
@@ -14,6 +14,7 @@ from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
 from ..context import Context
+from ..suggestions import meant_name
 from ..types.arithmetic import of_functions, signal_of_functions
 from ..types.dimensions import common_dimension
 from ..types.expression_types import KindCallType, Quantity, SignalType, TypedExpression, unknown
@@ -84,7 +85,7 @@ def _no_function(
         arguments = ", ".join([owner, *(argument.span.text for argument in call.arguments)])
         help_ = f"write `{last}({arguments})`"
         return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=help_)
-    return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, meant=nearest(name, known))
+    return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, meant=meant_name(name, known))
 
 
 def _built_in(

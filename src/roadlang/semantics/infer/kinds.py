@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...diagnostics import Code, Span, nearest
+from ...diagnostics import Code, Span
 from ...plugins.attribution import PluginFault, attributed
 from ...plugins.kinds import VERBS
 from ...plugins.options import schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
 from ..checker import Checker, ResolvedKind
+from ..suggestions import meant_name
 
 _MOST_LISTED = 12
 _NOUNS = {
@@ -119,7 +120,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
         return
     known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
-    meant = nearest(name, qualified if "." in name else known)
+    meant = meant_name(name, qualified if "." in name else known)
     help_ = [] if meant else _elsewhere(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))

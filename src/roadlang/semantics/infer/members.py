@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Code, nearest
+from ...diagnostics import Code
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
 from ..context import Context
+from ..suggestions import meant_name
 from ..types.assignable import check_assignable
 from ..types.expression_types import DeclaredType, TypedExpression, unknown
 from .calls import dotted, is_member, of_kind, signature, takes_role
@@ -67,7 +68,7 @@ def _of_nothing(
     if context.verbs:
         find_kind(checker, context.verbs[0], parts, member.span)
         return unknown(member.span)
-    meant = nearest(base, checker.program.declarations)
+    meant = meant_name(base, checker.program.declarations)
     return checker.report(Code.UNKNOWN_NAME, member.of.span, name=base, meant=meant)
 
 
@@ -80,7 +81,7 @@ def _of_actor(
         known = _members(checker, owner)
         listed = f"its members are {', '.join(f'`{name}`' for name in known)}"
         habit = member_help(name)
-        meant = None if habit else nearest(name, known)
+        meant = None if habit else meant_name(name, known)
         help_ = () if meant else (*habit, listed)
         return checker.report(
             Code.UNDEFINED_SIGNAL, place, name=name, given=f"`{base}`", help=help_, meant=meant

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from ...diagnostics import Code, Label, Span, nearest
+from ...diagnostics import Code, Label, Span
 from ...ir.values import Entries, Value
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
+from ..suggestions import meant_name
 from ..types import expression_types as ty
 from ..types.assignable import check_assignable
 from ..types.dimensions import common_dimension, dimension_of
@@ -73,7 +74,7 @@ def bind_options(
             if typed is not None:
                 given[name] = typed
     # An option that was misspelled is not missing as well.
-    meant = {nearest(name, known) for name in misspelled}
+    meant = {meant_name(name, known) for name in misspelled}
     given_or_meant = {*first, *meant}
     missing = [o.name for o in schema if o.required and o.name not in given_or_meant]
     if missing and whole:
@@ -141,7 +142,7 @@ def report_unknown(
 ) -> None:
     """RL220, with the nearest option or all of them."""
     habit = () if key.text in known else option_help(key.text)
-    meant = None if habit else nearest(key.text, known)
+    meant = None if habit else meant_name(key.text, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
     help_ = habit or (() if meant else (listed,))
     checker.report(

@@ -28,6 +28,7 @@ from .expression_habits import (
 )
 from .form_mistakes import actor_order, interval_form, list_operand, missing_position
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
+from .placement_habits import position_on_road, weights_map
 from .sign_mistakes import (
     equal_for_word,
     one_too_many,
@@ -60,6 +61,8 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     conditional,
     function_definition,
     position_range,
+    position_on_road,
+    weights_map,
     range_word,
     typed_value,
     title_of_scenario,
