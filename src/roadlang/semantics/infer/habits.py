@@ -39,6 +39,7 @@ _FUNCTIONS = {
     "ttc": "write `time_to_collision(ego, lead) > 2s`",
 }
 _RANGES = ("Range", "random", "rand", "Uniform")
+_WEIGHTED = ("Discrete", "Options")
 _COUNTERS = ("index", "i", "j", "k", "n", "idx")
 _NAMES = {
     "pi": "an angle has a unit: `180deg`",
@@ -76,6 +77,12 @@ def function_help(call: ast.CallExpression, name: str) -> tuple[str, tuple[Fix, 
     if name in _RANGES and len(plain) == len(call.arguments) == 2 and numbers:
         low, high = (argument.value.span.text for argument in plain)
         return f"write `{low}..{high}`", (Fix(call.span, f"{low}..{high}"),)
+    weights = [a.value for a in call.arguments if a.key is not None and a.key.text == "weights"]
+    if name in _WEIGHTED and plain and weights and isinstance(weights[0], ast.ListValue):
+        values = ", ".join(argument.value.span.text for argument in plain)
+        counts = ", ".join(item.span.text for item in weights[0].items)
+        meant = f"choice({values}, weights: [{counts}])"
+        return f"write `{meant}`", (Fix(call.span, meant),)
     if name in ("DiscreteRange", "randint"):
         fixes = (Fix(call.function.span, "integer"),)
     return _FUNCTIONS[name], fixes

@@ -28,7 +28,7 @@ from .expression_habits import (
 )
 from .form_mistakes import actor_order, interval_form, list_operand, missing_position
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
-from .placement_habits import position_on_road, weights_map
+from .placement_habits import position_on_road
 from .sign_mistakes import (
     equal_for_word,
     one_too_many,
@@ -40,6 +40,7 @@ from .sign_mistakes import (
 )
 from .statement_habits import foreign_pass_help
 from .token_names import expectation, finding
+from .weighted_choice import weights_map
 from .word_mistakes import (
     bare_file_name,
     bare_letter,
