@@ -315,3 +315,21 @@ def test_edge_lines_make_no_loops_inside_tight_bends() -> None:
     parts = unfolded(inner, center)
     assert len(parts) == 2
     assert min(np.hypot(*(point - center).T).min() for part in parts for point in part) > 9.6
+
+
+@pytest.mark.parametrize(
+    ("seconds", "shown"),
+    [(0.0, "00:00"), (86_400.0, "00:00"), (86_370.0, "00:00"), (3_599.0, "01:00")],
+)
+def test_a_time_of_day_is_shown_in_hours_and_minutes(seconds: float, shown: str) -> None:
+    assert shown in texts(drawn(replace(bend(), world={"time_of_day": seconds})))
+
+
+@pytest.mark.parametrize(("count", "more"), [(14, None), (15, "and 1 more"), (40, "and 26 more")])
+def test_a_legend_says_how_many_requirements_it_leaves_out(count: int, more: str | None) -> None:
+    scene = bend()
+    many = tuple(replace(scene.requirements[0], name=f"r{index}") for index in range(count))
+    scene = replace(scene, requirements=many, expectations=())
+    written = texts(group(drawn(scene), "legend"))
+    assert [text for text in written if text.endswith(" more")] == ([more] if more else [])
+    assert sum(bool(re.fullmatch(r"r\d+", text)) for text in written) == min(count, 14)

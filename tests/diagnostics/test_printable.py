@@ -160,3 +160,12 @@ def test_no_command_prints_control_characters(
     shown = COLOR.sub("", printed.out + printed.err)
     assert shown
     assert unsafe(shown) == set()
+
+
+@pytest.mark.parametrize(
+    ("char", "width"),
+    [("a", 1), ("\u00e4", 1), ("\u0301", 0), ("\u20dd", 0), ("\u9053", 2), ("\uff21", 2)],
+)
+def test_how_many_columns_a_character_takes(char: str, width: int) -> None:
+    """A letter, a combining accent, an enclosing circle, a wide character, a full-width letter."""
+    assert columns(char) == width

@@ -76,3 +76,19 @@ def test_did_you_mean_names_the_nearest_known_name(word: str, meant: str | None)
     known = ["width", "wave_length", "lanes"]
     assert nearest(word, known) == meant
     assert did_you_mean(word, known) == ((f"did you mean `{meant}`?",) if meant else ())
+
+
+def test_of_two_that_overlap_the_one_that_begins_first_comes_first() -> None:
+    wide = Diagnostic("RL001", "error", "wide", SOURCE.span(0, 24))
+    inner = Diagnostic("RL001", "error", "inner", SOURCE.span(5, 9))
+    nowhere = Diagnostic("RL001", "error", "nowhere")
+    assert in_order([inner, wide, nowhere]) == [nowhere, wide, inner]
+
+
+def test_a_second_place_in_another_file_is_shown_with_that_file() -> None:
+    other = Source("street.rl", "road main {}\n")
+    twice = Diagnostic(
+        "RL103", "error", "twice", SOURCE.span(5, 9), labels=(Label(other.span(5, 9), "first"),)
+    )
+    assert " --> street.rl:1:6" in render(twice).splitlines()
+    assert render(twice).count(" --> ") == 2

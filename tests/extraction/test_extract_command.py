@@ -63,3 +63,11 @@ def test_unknown_kinds_and_unfit_options_are_explained(circuit: Any) -> None:
         done = run(folder / "circuit.png", *words)
         assert isinstance(done.exception, DiagnosticError)
         assert done.exception.diagnostics[0].code == code
+
+
+def test_a_scale_changes_no_number_in_pixels(circuit: Any) -> None:
+    _, folder = circuit
+    plain = json.loads(run(folder / "circuit.png").output)["roads"][0]
+    scaled = json.loads(run(folder / "circuit.png", "--scale", "0.25").output)["roads"][0]
+    assert plain["length"] == pytest.approx(scaled["length"], rel=1e-6)
+    assert plain["widths"] == pytest.approx(scaled["widths"], abs=0.02)

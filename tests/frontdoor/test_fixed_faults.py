@@ -169,3 +169,11 @@ def test_numpy_is_imported_only_to_draw_a_road_that_may_be_too_short(
         [sys.executable, "-c", code], capture_output=True, text=True, cwd=pictures
     )
     assert done.stdout.split() == [str(imports), str(imports)]
+
+
+@pytest.mark.parametrize("angle", ["180deg", "-180deg"])
+def test_a_road_is_as_long_to_the_right_as_to_the_left(angle: str) -> None:
+    """A half circle of 157 m, perhaps bent further: 100 m is on it, and nothing is said."""
+    road = f"road main {{ draw with segments {{ pieces: [arc(50m, {angle})] }} }}\n"
+    assert faults(road + "agent a is car on main at 150m\n") == []
+    assert faults(road + "agent a is car on main at 160m\n") == [("RL615", 2)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from roadlang.api import Scene
 from roadlang_godot.faults import EngineError
 from roadlang_godot.layout import layout_of
 from roadlang_godot.protocol import Message
+from roadlang_godot.simulate import Settings
 from roadlang_godot.sky import sun_at, world_settings
 from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
 
@@ -85,10 +87,11 @@ def test_an_object_in_a_condition_is_told_by_its_outline() -> None:
         "signals": {"d": {"kind": "distance", "options": {"first": "van", "second": "ego"}}},
     }
     ego = car("ego", main, 5.0, call("brake", when=when))
-    made = scene(main, agents=[ego], objects=[thing("parked_van", 50.0, 3.0, name="van")])
+    van = thing("parked_van", 50.0, 3.0, name="van")
+    made = scene(main, agents=[ego], objects=[replace(van, length=6.0, width=2.0)])
     frame = layout_of(made).frame
     tree = agent_spec(made, "ego")["drives"][0]["when"]
-    assert tree[1] == ["distance", "ego", 50.0 - frame.x, 3.0 - frame.y, 0.0, 4.0, 4.0]
+    assert tree[1] == ["distance", "ego", 50.0 - frame.x, 3.0 - frame.y, 0.0, 6.0, 2.0]
 
 
 def test_a_condition_that_the_engine_cannot_evaluate_is_refused() -> None:
@@ -121,3 +124,13 @@ def test_a_sun_that_is_given_stands_where_it_is_put() -> None:
 def test_what_a_scene_says_goes_before_what_its_weather_implies() -> None:
     assert world_settings({"weather": "rain"})["friction"] < world_settings({})["friction"]
     assert world_settings({"weather": "rain", "friction": 0.5})["friction"] == 0.5
+
+
+@pytest.mark.parametrize(
+    ("step", "every", "rate"),
+    [(0.02, 2, 100), (1 / 60, 1, 60), (0.01, 1, 100), (0.1, 6, 60), (1.0, 60, 60)],
+)
+def test_physics_has_at_least_sixty_ticks_a_second(step: float, every: int, rate: int) -> None:
+    """As many between two records as it takes, so that each record falls on a tick."""
+    settings = Settings(duration=10, step=step)
+    assert (settings.every, settings.rate, settings.ticks) == (every, rate, 10 * rate)

@@ -195,3 +195,12 @@ def test_a_world_file_may_be_turned(tmp_path: Path) -> None:
     """Pixels that are 0.5 m wide in a picture turned by 30 degrees."""
     (tmp_path / "a.pgw").write_text("0.4330127\n-0.25\n-0.25\n-0.4330127\n1000\n2000\n")
     assert opened(written(tmp_path / "a.png", shown())).scale == pytest.approx(0.5)
+
+
+def test_the_size_of_a_tiff_may_be_written_in_two_bytes_or_in_four(tmp_path: Path) -> None:
+    content = geotiff(tmp_path / "a.tif", 0.5, 9001).read_bytes()
+    for tag in (256, 257):
+        content = content.replace(
+            struct.pack("<HHII", tag, 3, 1, 2), struct.pack("<HHII", tag, 4, 1, 2)
+        )
+    assert read_header(content) == ImageHeader("TIFF", 2, 2)

@@ -70,3 +70,19 @@ def test_the_unit_of_a_dimension_reads_back_as_the_dimension(a: Dimension) -> No
 def test_every_unit_is_itself() -> None:
     for name, unit in UNITS.items():
         assert parse_unit(name) == unit
+
+
+@pytest.mark.parametrize(
+    ("dimension", "unit", "name"),
+    [
+        (PURE, "", "a dimensionless number"),
+        (SPEED, "m/s", "a speed"),
+        (ACCELERATION, "m/s^2", "an acceleration"),
+        (CURVATURE, "1/m", "a curvature"),
+        (FORCE, "m*kg/s^2", "a force"),
+        (Dimension(length=1.5), "m^1.5", "a quantity in m^1.5"),
+        (Dimension(time=-1, angle=1), "rad/s", "an angular velocity"),
+    ],
+)
+def test_a_dimension_has_a_unit_and_a_name(dimension: Dimension, unit: str, name: str) -> None:
+    assert (dimension.unit, str(dimension)) == (unit, name)

@@ -325,3 +325,17 @@ class DoubleLength(RoadNumber):
 def test_a_number_beyond_its_range(sample: Sample) -> None:
     message = refused(sample, STRAIGHT + "require r: acme.double(main) > 20m\n", DoubleLength)
     assert "number acme.double" in message
+
+
+@pytest.mark.parametrize(("first", "second"), [("0m..4m", "0m..1m"), ("0m..1m", "0m..4m")])
+def test_two_draws_of_one_distribution_have_bounds_of_their_own(
+    sample: Sample, first: str, second: str
+) -> None:
+    """Together up to 5 m: more than that is impossible, and a little less is not."""
+    text = swaying(
+        first,
+        f"road late from bent {{ perturb with sine {{ amplitude: {second}, wavelength: 90m }} }}",
+        "require far: eventually (deviation(late, main) > LIMIT)",
+    )
+    assert sample(text.replace("LIMIT", "5.1m")).impossible
+    assert not sample(text.replace("LIMIT", "4.9m")).impossible

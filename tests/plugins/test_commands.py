@@ -13,6 +13,7 @@ from click.shell_completion import ShellComplete
 
 from roadlang.cli.commands import COMMANDS
 from roadlang.cli.main import roadlang, run
+from roadlang.plugins.entry_points import command_candidates
 from tests.plugins.installed import install, start
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
@@ -280,3 +281,24 @@ def test_check_imports_no_command(acme: Path) -> None:
         [sys.executable, "-c", code], cwd=acme, capture_output=True, text=True, check=True
     )
     assert done.stdout.split()[-1] == "False"
+
+
+def test_of_two_plugins_of_one_distribution_a_command_is_that_of_its_own_package(
+    site: Path,
+) -> None:
+    """As `roadlang render` is one of `godot`, not of `standard`: leaving that out leaves it out."""
+    install(site, "acme", PLUGIN, commands=f"hello = {MODULE}:hello\nbye = roadlang_other:hello")
+    points = site / "acme_plugin-1.2.dist-info" / "entry_points.txt"
+    points.write_text(
+        points.read_text().replace("[roadlang]", "[roadlang]\nother = roadlang_other")
+    )
+    owners = {found.name: found.origin.plugin for found in command_candidates()}
+    assert (owners["hello"], owners["bye"], owners["render"]) == ("acme", "other", "godot")
+
+
+def test_a_command_of_a_package_without_a_plugin_belongs_to_the_first_of_its_distribution(
+    site: Path,
+) -> None:
+    install(site, "acme", PLUGIN, commands="hello = roadlang_tools:hello")
+    owners = {found.name: found.origin.plugin for found in command_candidates()}
+    assert owners["hello"] == "acme"

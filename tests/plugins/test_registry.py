@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
+
+from roadlang.diagnostics import DiagnosticError
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.entry_points import Origin
+from roadlang.plugins.finding import entry_of
 from roadlang.plugins.registry import BrokenPlugin, Registry
 
 ACME = Origin("acme", "acme-plugin", "1.2")
@@ -40,3 +44,14 @@ def test_hints_name_three_broken_plugins_and_count_the_others() -> None:
     assert hints(3)[2] == "the plugin p2-plugin 1 could not be loaded: ?"
     assert len(hints(3)) == 3
     assert hints(5)[3:] == ("2 more could not be loaded; `roadlang plugins` says why",)
+
+
+@pytest.mark.parametrize(
+    ("verb", "what"),
+    [("simulate", "engine"), ("emit", "backend"), ("perturb", "`perturb` kind")],
+)
+def test_an_unknown_choice_is_called_what_a_user_calls_it(verb: str, what: str) -> None:
+    with pytest.raises(DiagnosticError) as error:
+        entry_of(load_registry(), verb, "nonsense")
+    (found,) = error.value.diagnostics
+    assert (found.code, found.message) == ("RL930", f"there is no {what} called `nonsense`")

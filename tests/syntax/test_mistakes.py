@@ -230,3 +230,18 @@ def test_a_bracket_too_many_leaves_the_statements_behind_it_alone() -> None:
     tree, found = parse(Source("p.rl", text))
     assert [(d.code, d.span and d.span.line) for d in found] == [("RL004", 1), ("RL002", 2)]
     assert len(tree.statements) == 2
+
+
+def test_a_file_without_quotes_ends_at_the_next_blank() -> None:
+    tree, (found,) = parse(Source("p.rl", "include streets/main.rl as left\nroad a from b\n"))
+    assert found.span is not None
+    assert (found.code, found.span.text) == ("RL001", "streets/main.rl")
+    assert [fix.replacement for fix in found.fixes] == ['"streets/main.rl"']
+    assert len(tree.statements) == 2
+
+
+def test_what_is_missing_at_the_end_of_a_statement_is_not_said_of_the_file() -> None:
+    _, (found,) = parse(Source("p.rl", "road a from\n\nroad b from c\n"))
+    assert found.message.endswith("found the end of the statement")
+    _, (found,) = parse(Source("p.rl", "road b from c\nroad a from\n"))
+    assert found.message.endswith("found the end of the file")

@@ -215,3 +215,10 @@ def sorted_by_first(
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
     order = np.argsort(x)
     return tuple(np.array(x)[order]), tuple(np.array(y)[order])
+
+
+def test_things_of_one_kind_are_numbered_from_zero(sample: Sample) -> None:
+    (scene,) = sample(TOWN.replace("....T", "T...T").replace("...#...B.", "...#..TB.")).scenes
+    names = sorted(thing.name for thing in scene.objects)
+    assert names == ["town/building[0]", "town/tree[0]", "town/tree[1]", "town/tree[2]"]
+    assert {thing.group for thing in scene.objects} == {"town/building", "town/tree"}

@@ -1,0 +1,56 @@
+"""What commands say of many scenes in a line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roadlang.cli.compilation import Compilation
+from roadlang.cli.console import holding, violations
+from roadlang.session.expectations import Expectation
+from roadlang.session.loading import loads
+
+TEXT = """
+road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }
+expect long: length(main) > 500m
+expect short: length(main) < 20m
+"""
+
+
+def expectation(count: int, worst: float | None = -0.25) -> Expectation:
+    return Expectation("near", "e < 1m", tuple(range(20)), tuple(range(count)), worst)
+
+
+@pytest.mark.parametrize(
+    ("count", "listed"),
+    [(1, "(0)"), (8, "(0, 1, 2, 3, 4, 5, 6, 7)"), (9, "(0, 1, 2, 3, 4, 5, 6, 7, ...)")],
+)
+def test_the_first_eight_scenes_that_violate_are_listed(count: int, listed: str) -> None:
+    (line,) = violations([expectation(count), expectation(0)])
+    assert f"near: e < 1m, in {count} of 20 scenes {listed}" in line
+    assert line.endswith("; least robustness -0.25")
+
+
+def test_without_a_robustness_none_is_told() -> None:
+    (line,) = violations([expectation(2, None)])
+    assert line.endswith("(0, 1)")
+
+
+@pytest.mark.parametrize(
+    ("satisfied", "scenes", "text"),
+    [(3, 4, "hold in 3 of 4 scenes"), (0, 1, "hold in 0 of 1 scene")],
+)
+def test_in_how_many_scenes_all_hold(satisfied: int, scenes: int, text: str) -> None:
+    assert holding(satisfied, scenes).endswith(text)
+
+
+def test_a_scene_that_violates_two_expectations_counts_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run = Compilation(loads(TEXT), tmp_path / "out")
+    assert run.check()
+    run.compile(3, 0, 1)
+    run.report()
+    assert "; all expectations hold in 0 of 3 scenes" in capsys.readouterr().out
+    assert run.exit_code == 4

@@ -1,0 +1,80 @@
+"""Drives for Python users: traces as columns, and how the expectations came out over several."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+import pytest
+
+from roadlang import DriveSet, testing
+from roadlang.api import Controller, Scene, Simulator, Trace
+
+TIME = np.linspace(0.0, 2.0, 21)
+TEXT = """
+road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }
+agent ego is car on main at 5m..10m { drive with lane_follow { speed: 10m/s } }
+expect slow: always (ego.speed < 12m/s)
+expect central: always (abs(ego.cross_track_error) < 1m)
+simulate with sled
+"""
+
+
+@dataclass(frozen=True)
+class Sled(Simulator):
+    """Slides along at a speed that rises with the scene; knows nothing of lanes."""
+
+    name: ClassVar[str] = "sled"
+
+    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
+        speed = 10.0 + scene.index
+        return testing.trace(
+            testing.agent_trace(
+                "ego", time=TIME, x=speed * TIME, y=0.0, heading=0.0, speed=speed, station=0.0
+            )
+        )
+
+
+def drives(text: str = TEXT, n: int = 4) -> DriveSet:
+    return testing.sample(text, n, kinds=[Sled]).run()
+
+
+def test_a_drive_is_columns_of_which_what_is_not_recorded_is_nan() -> None:
+    (drive,) = drives(n=1)
+    columns = drive.to_dict()
+    assert drive.duration == 2.0
+    np.testing.assert_array_equal(columns["ego.x"], 10.0 * TIME)
+    assert np.isnan(columns["ego.steering"]).all()
+    assert len(drive.to_csv().splitlines()) == 1 + len(TIME)
+
+
+def test_what_cannot_be_evaluated_is_not_satisfied() -> None:
+    (drive,) = drives(n=1)
+    assert drive.verdicts["slow"].satisfied is True
+    assert drive.verdicts["central"].satisfied is None
+    assert not drive.satisfied
+    (found,) = drive.diagnostics
+    assert found.code == "RL701"
+    assert found.help[-1] == "this is the expectation `central` in scene 0"
+    assert found.span is not None
+    assert found.span.line == 5
+
+
+def test_the_worst_and_the_violating_of_several_drives_are_told() -> None:
+    found = drives(TEXT.replace("expect central", "# expect central"))
+    assert [drive.satisfied for drive in found] == [True, True, False, False]
+    assert not found.satisfied
+    (slow,) = found.expectations
+    assert (slow.judged, slow.violated) == ((0, 1, 2, 3), (2, 3))
+    assert slow.worst == pytest.approx(-1.0)
+
+
+def test_a_table_of_drives_has_draws_and_robustness() -> None:
+    table: dict[str, list[Any]] = drives().to_dict()
+    assert table["scene"] == [0, 1, 2, 3]
+    assert table["slow"] == pytest.approx([2.0, 1.0, 0.0, -1.0])
+    assert table["slow satisfied"] == [True, True, False, False]
+    assert table["central"] == [None] * 4
+    assert len(set(table["ego/at"])) == 4
