@@ -78,7 +78,7 @@ def test_a_table_is_a_loop_where_the_gap_is_at_most_two_usual_steps(
     tmp_path: Path, gap: float, closed: bool
 ) -> None:
     """The usual step is 1 m; a single long one does not make the gap usual."""
-    rows = [(x, 0.0) for x in range(21)] + [(20.0, y) for y in range(1, 11)]
-    rows += [(x, 10.0) for x in range(19, -1, -1)] + [(0.0, y) for y in (9.0, 2.0, gap)]
+    rows = [(float(x), 0.0) for x in range(21)] + [(20.0, float(y)) for y in range(1, 11)]
+    rows += [(float(x), 10.0) for x in range(19, -1, -1)] + [(0.0, y) for y in (9.0, 2.0, gap)]
     text = "x,y\n" + "".join(f"{x},{y}\n" for x, y in rows)
     assert read(tmp_path, text).closed == closed
