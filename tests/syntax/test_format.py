@@ -165,3 +165,12 @@ def test_a_line_has_a_hundred_columns_and_no_more(letters: int, lines: int) -> N
     text, _ = format_source(Source("p.rl", f"let a = b + {name}\n"))
     assert text is not None
     assert len(text.splitlines()) == lines
+
+
+@pytest.mark.parametrize(("columns", "lines"), [(99, 1), (100, 1), (101, 4)])
+def test_a_part_of_a_broken_line_has_a_hundred_columns_as_well(columns: int, lines: int) -> None:
+    """The call stays on its line, or has a line for each argument."""
+    name = "x" * (columns - len("  and f(, y)"))
+    written = formatted(f"require a: {'p' * 60} < 3 and f({name}, y)\n")
+    assert len(written.splitlines()) == 1 + lines, written
+    assert max(map(len, written.splitlines())) <= 101

@@ -81,11 +81,18 @@ def main(arguments: Sequence[str] | None = None) -> None:
         stop_noticing_sigterm()
     except Terminated:
         click.echo("stopped", err=True)
-        code = exit_codes.TERMINATED
+        _flush()
+        # Everything of ours is cleaned up. Libraries may wait for their threads when Python ends:
+        # whoever ends a process does not.
+        os._exit(exit_codes.TERMINATED)
+    _flush()
+    sys.exit(code)
+
+
+def _flush() -> None:
     with contextlib.suppress(OSError, ValueError):
         sys.stdout.flush()
         sys.stderr.flush()
-    sys.exit(code)
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
