@@ -73,7 +73,7 @@ def test_what_is_no_table_is_refused(tmp_path: Path, text: str, says: str) -> No
     assert says in caught.value.diagnostics[0].message
 
 
-@pytest.mark.parametrize(("gap", "closed"), [(0.0, True), (1.5, True), (2.5, False)])
+@pytest.mark.parametrize(("gap", "closed"), [(0.0, True), (1.5, True), (2.1, False), (2.5, False)])
 def test_a_table_is_a_loop_where_the_gap_is_at_most_two_usual_steps(
     tmp_path: Path, gap: float, closed: bool
 ) -> None:
