@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import ClassVar
+
 import pytest
 
+from roadlang import testing
+from roadlang.api import Backend, Scene
 from roadlang.diagnostics import DiagnosticError
-from roadlang.plugins.discovery import load_registry
+from roadlang.plugins.discovery import load_registry, registry_of
 from roadlang.plugins.entry_points import Origin
 from roadlang.plugins.finding import entry_of
 from roadlang.plugins.registry import BrokenPlugin, Registry
@@ -55,3 +60,20 @@ def test_an_unknown_choice_is_called_what_a_user_calls_it(verb: str, what: str) 
         entry_of(load_registry(), verb, "nonsense")
     (found,) = error.value.diagnostics
     assert (found.code, found.message) == ("RL930", f"there is no {what} called `nonsense`")
+
+
+def test_a_default_of_a_stranger_changes_no_file() -> None:
+    @dataclass(frozen=True)
+    class Loud(Backend):
+        """Wants to be written by every file without an `emit`."""
+
+        name: ClassVar[str] = "loud"
+        is_default: ClassVar[bool] = True
+
+        def files(self, scene: Scene) -> dict[str, str]:
+            return {"txt": "!"}
+
+    registry = registry_of({"acme": testing.plugin_of(Loud)})
+    assert registry.has("emit", "loud")
+    assert [entry.name for entry in registry.defaults("emit")] == ["json", "svg"]
+    assert registry.default("sample").name == "random"
