@@ -37,7 +37,7 @@ class Many(Drawer):
     speed: Speed = option(50 / 3.6, minimum=0, below=120)
     turn: Angle = option(math.pi / 2)
     count: Whole = option(3, minimum=1)
-    rest: Duration = option(None)
+    pause: Duration = option(None)
     start: Point = option((0.0, 2.5))
     points: ListOf[Point] = option((), at_least=0)
     between: Between = option(None)
@@ -59,7 +59,7 @@ OPTIONS = {schema.name: schema for schema in schema_of(Many)}
         ("speed", "speed (m/s)", "50km/h", ">= 0m/s, < 120m/s"),
         ("turn", "angle (rad)", "90deg", ""),
         ("count", "integer", "3", ">= 1"),
-        ("rest", "time (s)", "not set", ""),
+        ("pause", "time (s)", "not set", ""),
         ("start", "point (m)", "(0m, 2.5m)", ""),
         ("points", "list of points (m)", "[]", ""),
         ("loud", "true | false", "true", ""),
