@@ -1,5 +1,5 @@
 extends RefCounted
-## Chooses who drives: the last controller whose condition has come true.
+## Chooses who drives: the last controller whose `when` has come true and whose `while` holds.
 
 const Condition := preload("res://agents/condition.gd")
 const Controller := preload("res://agents/controllers/controller.gd")
@@ -20,13 +20,15 @@ var in_charge := -1
 ## The operator that gave no finite number in a condition, "" while there is none.
 
 var _controllers: Array[Controller] = []
+## Of `when`, which stays true once it is, and of `while`; null for none.
 var _conditions: Array[Condition] = []
+var _limits: Array[Condition] = []
 var _outside := Vector2.ZERO
 var _driven_outside := false
 var _steer := 0.0
 
 
-## Takes a list of {kind, when, ...options}; returns "" or what is wrong with it.
+## Takes a list of {kind, when, while, ...options}; returns "" or what is wrong with it.
 func take(drives: Array) -> String:
 	if drives.size() > MAX_CONTROLLERS:
 		return "too many controllers"
@@ -37,12 +39,11 @@ func take(drives: Array) -> String:
 		var controller: Controller = KINDS[options["kind"]].new()
 		controller.take(options)
 		_controllers.append(controller)
-		var condition: Condition = null
-		if options.get("when") != null:
-			condition = Condition.new(options["when"])
-			if condition.wrong:
+		_conditions.append(_condition(options.get("when")))
+		_limits.append(_condition(options.get("while")))
+		for condition: Condition in [_conditions[-1], _limits[-1]]:
+			if condition != null and condition.wrong:
 				return "a condition that this engine cannot read"
-		_conditions.append(condition)
 	return ""
 
 
@@ -52,8 +53,9 @@ func reset() -> void:
 	_driven_outside = false
 	for i in _controllers.size():
 		_controllers[i].reset()
-		if _conditions[i] != null:
-			_conditions[i].reset()
+		for condition: Condition in [_conditions[i], _limits[i]]:
+			if condition != null:
+				condition.reset()
 
 
 ## From now on a client gives the controls.
@@ -64,13 +66,13 @@ func drive_from_outside(steer: float, acceleration: float) -> void:
 
 ## Steering angle and acceleration of this step; `signals` looks up what conditions speak of.
 func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vector2:
+	in_charge = -1
 	for i in _controllers.size():
-		var condition := _conditions[i]
-		if condition == null:
-			in_charge = maxi(in_charge, i)
-			continue
-		if condition.step(signals, time):
-			in_charge = maxi(in_charge, i)
+		# Both are evaluated at every step: what lies in the past is remembered there.
+		var begun := _conditions[i] == null or _conditions[i].step(signals, time)
+		var goes_on := _limits[i] == null or _limits[i].value(signals, time) > 0.5
+		if begun and goes_on:
+			in_charge = i
 	if _driven_outside:
 		return _outside
 	if in_charge < 0:
@@ -79,6 +81,10 @@ func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vecto
 	if is_nan(wanted.x):
 		wanted.x = _kept_steering(agent, signals, dt)
 	return wanted
+
+
+static func _condition(tree: Variant) -> Condition:
+	return null if tree == null else Condition.new(tree)
 
 
 ## A controller that does not steer leaves that to the last one before it that does.

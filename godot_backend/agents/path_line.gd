@@ -10,6 +10,8 @@ var closed := false
 var length := 0.0
 var half_width := 0.0
 
+## The greatest speeds at the points, by the limits that they are planned for.
+var _plans: Dictionary = {}
 var _x := PackedFloat64Array()
 var _y := PackedFloat64Array()
 var _s := PackedFloat64Array()
@@ -99,6 +101,17 @@ func curvature(s: float) -> float:
 	return angle_difference(heading(s - STEP), heading(s + STEP)) / (2.0 * STEP)
 
 
+## The greatest speed at an arc length from which the bends beyond it can be driven with a lateral
+## acceleration, braking before them; `direction` is that of travel.
+func bend_speed(s: float, direction: float, lateral: float, braking: float) -> float:
+	var key := Vector3(direction, lateral, braking)
+	if not _plans.has(key):
+		_plans[key] = _planned(direction, lateral, braking)
+	var plan: PackedFloat64Array = _plans[key]
+	var i := segment_at(s)
+	return minf(plan[i], plan[i + 1])
+
+
 ## The point at an arc length, moved to the left; before the start and past the end, straight on.
 func point(s: float, left: float = 0.0) -> Vector2:
 	var i := segment_at(s)
@@ -118,6 +131,22 @@ func segment_at(s: float) -> int:
 
 func wrapped(s: float) -> float:
 	return fposmod(s, length) if closed else s
+
+
+func _planned(direction: float, lateral: float, braking: float) -> PackedFloat64Array:
+	var count := _x.size()
+	var square := PackedFloat64Array()
+	for s in _s:
+		square.append(lateral / maxf(absf(curvature(s)), 1e-6))
+	# Beyond the end of a closed line is its beginning: twice around.
+	for k in range(1, 2 * count if closed else count):
+		var i := posmod(count - 1 - k if direction > 0.0 else k, count)
+		var next := posmod(i + 1 if direction > 0.0 else i - 1, count)
+		var step := absf(_s[next] - _s[i])
+		square[i] = minf(square[i], square[next] + 2.0 * braking * (0.0 if step > 5.0 else step))
+	for i in count:
+		square[i] = sqrt(square[i])
+	return square
 
 
 func _heading_of(segment: int) -> float:

@@ -21,7 +21,9 @@ def driven(session: Session, made: Scene, duration: float = 70.0) -> Trace:
 
 
 def pursuit(speed: float) -> Call:
-    return call("pure_pursuit", speed=speed, lookahead=1.0, lookahead_time=0.4)
+    """Constant speed: it does not slow down for bends."""
+    options = {"lookahead": 1.0, "lookahead_time": 0.4, "lateral_acceleration": 100.0}
+    return call("pure_pursuit", speed=speed, **options)
 
 
 @pytest.mark.parametrize("kind", ["pure_pursuit", "stanley", "lane_follow", "car_follow"])

@@ -188,3 +188,27 @@ def test_a_controller_for_one_agent_is_looped_over() -> None:
         ego: AgentTrace = one.trace.agents["ego"]
         assert ego.speed[-1] == 0
         assert 75 < ego.x[-1] < 94
+
+
+def test_while_gives_back_to_the_one_before() -> None:
+    text = straight(
+        """drive with lane_follow { speed: 15m/s }
+           drive with brake {
+             speed: 5m/s, while: ego.station > 100m and ego.station < 200m
+           }"""
+    )
+    ego = driven(text, duration=60)
+    assert ego.speed[ego.station < 99].max() == pytest.approx(15, abs=0.2)
+    assert ego.speed[(ego.station > 140) & (ego.station < 199)].max() < 5.3
+    assert ego.speed[ego.station > 300].min() > 14
+
+
+def test_when_and_while_together_must_both_hold() -> None:
+    text = straight(
+        """drive with lane_follow { speed: 15m/s }
+           drive with brake { speed: 2m/s, when: time > 10s, while: ego.speed > 8m/s }"""
+    )
+    ego = driven(text, duration=20)
+    assert ego.speed[ego.time < 10].max() > 14
+    late = ego.speed[ego.time > 13]
+    assert 7 < late.min() < late.max() < 11

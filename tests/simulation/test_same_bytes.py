@@ -78,10 +78,10 @@ def test_a_scene_alone_is_its_row_of_a_block(text: str) -> None:
 
 def test_scenes_of_different_files_drive_in_one_block() -> None:
     scenes = [*records(LOOP, 3), *records(TRAFFIC, 3)]
-    together = drives(scenes)
+    together = drives(scenes, duration=45.0)
     assert len({len(trace.time) for trace in together}) > 2, "they end at times of their own"
     for scene, trace in zip(scenes, together, strict=True):
-        (alone,) = drives([scene])
+        (alone,) = drives([scene], duration=45.0)
         assert bytes_of(alone) == bytes_of(trace)
 
 

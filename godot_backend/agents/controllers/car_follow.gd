@@ -10,7 +10,9 @@ var _gap := 0.0
 
 
 func read() -> void:
-	_speed = number("speed", 10.0)
+	max_acceleration = number("acceleration", 1.5)
+	max_deceleration = number("deceleration", 2.0)
+	_speed = number("speed", 50.0 / 3.6)
 	_headway = number("headway", 1.5)
 	_gap = number("gap", 2.0)
 
@@ -18,7 +20,7 @@ func read() -> void:
 func command(agent: Agent, signals: Callable, _dt: float) -> Vector2:
 	var names: Array[String] = [agent.agent_name]
 	var gap: float = signals.call("gap_ahead", names)
-	var free := 1.0 - pow(maxf(agent.speed, 0.0) / maxf(_speed, 0.1), 4.0)
+	var free := 1.0 - pow(maxf(agent.speed, 0.0) / maxf(bend_speed(agent, _speed), 0.1), 4.0)
 	var pull := 0.0
 	if is_finite(gap):
 		var closing: float = agent.speed - signals.call("speed_ahead", names)

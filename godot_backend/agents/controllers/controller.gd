@@ -5,9 +5,13 @@ const Agent := preload("res://agents/agent.gd")
 
 ## Gain from a difference in speed to an acceleration, 1/s.
 const SPEED_GAIN := 2.0
+## Share of the greatest deceleration with which drivers plan to brake before a bend.
+const PLANNED_SHARE := 0.5
 
 var max_acceleration := 3.0
 var max_deceleration := 6.0
+## In bends; it slows down before them.
+var max_lateral := 4.5
 
 var _options: Dictionary = {}
 
@@ -16,6 +20,7 @@ func take(options: Dictionary) -> void:
 	_options = options
 	max_acceleration = number("acceleration", 3.0)
 	max_deceleration = number("deceleration", 6.0)
+	max_lateral = number("lateral_acceleration", 4.5)
 	read()
 
 
@@ -41,6 +46,19 @@ func number(key: String, usual: float) -> float:
 ## Acceleration toward a speed, held within what the car may do.
 func toward(agent: Agent, target: float) -> float:
 	return clampf(SPEED_GAIN * (target - agent.speed), -max_deceleration, max_acceleration)
+
+
+## A target speed, or what the bends ahead allow: asked for early by as much as `toward` lags
+## behind a target that falls.
+func bend_speed(agent: Agent, target: float) -> float:
+	if agent.path == null:
+		return target
+	for ahead: float in [0.0, agent.speed / SPEED_GAIN]:
+		var place := agent.station + agent.direction * ahead
+		var planned := PLANNED_SHARE * max_deceleration
+		var limit := agent.path.bend_speed(place, agent.direction, max_lateral, planned)
+		target = minf(target, limit)
+	return target
 
 
 ## Steering angle of pure pursuit (Coulter 1992): the arc from the rear axle through the line

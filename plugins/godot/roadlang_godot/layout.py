@@ -230,8 +230,9 @@ def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[st
         kind = plain_name(call.kind)
         if kind in IN_ENGINE:
             drive = {"kind": kind, **option_values(call)}
-            if call.when is not None:
-                drive["when"] = engine_condition(call.when, scene, frame)
+            for key, condition in (("when", call.when), ("while", call.during)):
+                if condition is not None:
+                    drive[key] = engine_condition(condition, scene, frame)
             out.append(drive)
     return out
 

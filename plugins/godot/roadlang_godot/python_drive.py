@@ -70,6 +70,8 @@ class PythonDriver:
             station=station,
             wheelbase=float(actor.options.get("wheelbase", 0.6 * actor.length)),
             line_ahead=ahead,
+            road_offset=float(row["cross_track_error"]) + ahead.offset,
+            road_width=ahead.width,
         )
 
 
@@ -88,6 +90,18 @@ class _Ahead:
         self._pose = pose
         self._sign = -1.0 if actor.facing == "back" else 1.0
         self._offset = line_offset(actor, line) if line is not None else 0.0
+
+    @property
+    def offset(self) -> float:
+        """Of the line to follow from the center line of the road, left along the way."""
+        return self._sign * self._offset
+
+    @property
+    def width(self) -> float:
+        """Of the road, meters; infinite without one."""
+        if self._line is None:
+            return math.inf
+        return float(np.interp(self._station, self._line.s, self._line.width))
 
     def __call__(self, distance: float) -> tuple[float, float, float, float]:
         """x, y, heading and curvature; without a road, straight on."""

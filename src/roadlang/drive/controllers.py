@@ -23,7 +23,9 @@ def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller
 
 def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
     each = {place: _controller(call, registry) for place, call in enumerate(actor.drive)}
-    steady = [place for place, call in enumerate(actor.drive) if call.when is None]
+    steady = [
+        place for place, call in enumerate(actor.drive) if call.when is None and call.during is None
+    ]
     if all(one is None for one in each.values()) or (steady and each[steady[-1]] is None):
         return None
     return Driver(each, steady[-1] if steady else None)

@@ -24,9 +24,12 @@ def call_of(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Cal
     for name, value in (*call.options, *call.common):
         if not isinstance(value, Condition):
             options[name] = concrete(evaluate(value, candidates, element), candidates, element)
-    conditions = [v for _, v in (*call.options, *call.common) if isinstance(v, Condition)]
-    when = condition_json(conditions[0], candidates, element) if conditions else None
-    return Call(entry.recorded, options, when)
+    conditions = {
+        name: condition_json(value, candidates, element)
+        for name, value in (*call.options, *call.common)
+        if isinstance(value, Condition)
+    }
+    return Call(entry.recorded, options, conditions.get("when"), conditions.get("while"))
 
 
 def condition_json(

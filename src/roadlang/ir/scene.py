@@ -122,7 +122,9 @@ class Call(Frozen):
     options: Mapping[str, Any] = field(default_factory=dict)
     """by name, in SI units and radians"""
     when: Mapping[str, Any] | None = None
-    """condition as JSON formula with its signals, where the call has one"""
+    """condition of its start as JSON formula with its signals, where the call has one"""
+    during: Mapping[str, Any] | None = None
+    """condition without which it is not active, written `while`, where the call has one"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,6 +45,7 @@ def scene_schema(world: Schema | None = None) -> Schema:
         Scene,
         {
             "Call.when": condition,
+            "Call.during": condition,
             "Verdict.formula": condition,
             "Scene.world": world or {"type": "object"},
         },

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from ..ir.dimension import PURE
@@ -116,6 +116,12 @@ class DriveOptions:
         help="the controller takes over when this becomes true; the last one to do so is active",
         example="distance(ego, lead) < 15m",
     )
+    while_: Condition = option(
+        None,
+        help="the controller is active only as long as this is true; then the one before it is "
+        "active again",
+        example="gap(ego, lead) < 10m",
+    )
 
 
 @dataclass(frozen=True)
@@ -167,4 +173,10 @@ _OF_VERB = {
 
 def common_options(verb: str) -> tuple[OptionSchema, ...]:
     """All options that kinds of a verb can have in some statement without declaring them."""
-    return schema_of(_OF_VERB[verb]) if verb in _OF_VERB else ()
+    return schema_of_common(_OF_VERB[verb]) if verb in _OF_VERB else ()
+
+
+def schema_of_common(options: type) -> tuple[OptionSchema, ...]:
+    """The options of one of the classes here. A field whose name is a word of Python has `_` at its
+    end (`while_`)."""
+    return tuple(replace(one, name=one.name.removesuffix("_")) for one in schema_of(options))

@@ -11,16 +11,15 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..geometry.arrays import Booleans, Floats, Integers
+from ..geometry.arrays import Floats, Integers
 from ..ir.control import Observation
-from ..ir.scene import Call
 from ..plugins.kinds import Controller
 from .bend_speeds import BendSpeeds
-from .conditions import Condition
 from .controllers import UNDRIVEN_BRAKING, Driver, GuardedController
 from .observing import View
 from .poses import Poses
-from .signals import Moment, SignalCall
+from .signals import Moment
+from .triggers import PlacedCall, Triggers
 from .world import World
 
 
@@ -59,35 +58,6 @@ class Group:
         self.singles = [self.singles[row] for row in kept] if self.singles else []
 
 
-@dataclass
-class Trigger:
-    """Conditions of one form, at one place of the lists of some agents."""
-
-    place: int
-    rows: Integers
-    condition: Condition
-    signals: dict[str, SignalCall]
-    latched: Booleans | None
-    """of `when:`, which stays true; None of `while:`"""
-
-    def active(self, moment: Moment) -> Booleans:
-        """(R,) whose controller is active now."""
-        now = self.condition.now(moment.world.time, lambda name: self.signals[name].values(moment))
-        if self.latched is None:
-            return now
-        self.latched |= now
-        return self.latched
-
-    def take(self, place: Integers, agents: Integers) -> None:
-        """Agents are at other places of the world now; at -1, no more."""
-        kept = np.flatnonzero(place[self.rows] >= 0)
-        for signal in self.signals.values():
-            signal.take(kept, agents, len(place))
-        self.condition.take(kept)
-        self.rows = place[self.rows[kept]]
-        self.latched = None if self.latched is None else self.latched[kept]
-
-
 class Crew:
     """What drives the agents of a world. `controllers`: of each scene, by agent; `measures`: which
     measure of a `Moment` a kind of drive signal is."""
@@ -102,11 +72,7 @@ class Crew:
         self._step = step
         self._bends = BendSpeeds(world)
         self._groups, calls = _grouped(world, controllers)
-        self._triggers = _triggers(world, calls, measures)
-        self._steady = np.full(len(world.present), -1)
-        for place, row, call in calls:
-            if call.when is None:
-                self._steady[row] = max(self._steady[row], place)
+        self._triggers = Triggers(world, calls, measures)
         self._before: Floats | None = None
 
     def decide(self, world: World, poses: Poses) -> Decision:
@@ -128,10 +94,8 @@ class Crew:
         place[agents] = np.arange(len(agents))
         for group in self._groups:
             group.take(place)
-        for trigger in self._triggers:
-            trigger.take(place, agents)
+        self._triggers.take(place, agents)
         self._bends.take(agents)
-        self._steady = self._steady[agents]
         self._before = None if self._before is None else self._before[agents]
 
     def _in_charge(self, world: World, poses: Poses) -> Integers:
@@ -139,12 +103,7 @@ class Crew:
         now = world.motion.acceleration
         jerk = (now - (now if self._before is None else self._before)) / self._step
         self._before = now
-        moment = Moment(world, poses, jerk)
-        in_charge = self._steady.copy()
-        for trigger in self._triggers:
-            active = np.where(trigger.active(moment), trigger.place, -1)
-            in_charge[trigger.rows] = np.maximum(in_charge[trigger.rows], active)
-        return in_charge
+        return self._triggers.in_charge(Moment(world, poses, jerk))
 
     def _steer_by_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
         """A controller that does not steer leaves that to the last one before it that does."""
@@ -197,7 +156,7 @@ def _decide_singly(group: Group, chosen: Integers, view: View, out: Decision) ->
 
 def _grouped(
     world: World, controllers: Sequence[Mapping[str, Controller]]
-) -> tuple[list[Group], list[tuple[int, int, Call]]]:
+) -> tuple[list[Group], list[PlacedCall]]:
     """Groups by place in the list, kind, and options that are not numbers; all calls."""
     members: dict[Any, list[tuple[int, GuardedController]]] = {}
     calls = []
@@ -229,41 +188,6 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
     }
     state = first.first_state(first.built(columns), len(rows))
     return Group(place, first, rows, columns, state, [])
-
-
-def _triggers(
-    world: World, calls: list[tuple[int, int, Call]], measures: Mapping[str, str]
-) -> list[Trigger]:
-    """Conditions of one form together: scenes of one file differ in their numbers alone."""
-    members: dict[Any, list[tuple[int, Mapping[str, Any]]]] = {}
-    for place, row, call in calls:
-        if call.when is not None:
-            kinds = {name: one["kind"] for name, one in call.when.get("signals", {}).items()}
-            numbers = sorted(call.when.get("numbers", {}))
-            form = json.dumps([call.when["formula"], kinds, numbers], sort_keys=True)
-            members.setdefault((place, form), []).append((row, call.when))
-    return [_trigger(place, found, world, measures) for (place, _), found in members.items()]
-
-
-def _trigger(
-    place: int,
-    members: list[tuple[int, Mapping[str, Any]]],
-    world: World,
-    measures: Mapping[str, str],
-) -> Trigger:
-    rows = np.array([row for row, _ in members], dtype=np.int64)
-    first = members[0][1]
-    scenes = [row // world.slots for row, _ in members]
-    signals = {
-        name: SignalCall([when["signals"][name] for _, when in members], scenes, world, measures)
-        for name in first.get("signals", {})
-    }
-    numbers = {
-        name: np.array([float(when["numbers"][name]) for _, when in members])
-        for name in first.get("numbers", {})
-    }
-    condition = Condition(first["formula"], numbers, len(rows))
-    return Trigger(place, rows, condition, signals, np.zeros(len(rows), dtype=bool))
 
 
 def _words(options: Mapping[str, Any]) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from ...plugins.common_options import schema_of_common
 from ...plugins.options import OptionSchema, schema_of
 from ..checker import Checker
 
@@ -36,4 +37,4 @@ class StatementSpec:
     def common_options(self, verb: str) -> tuple[OptionSchema, ...]:
         """The options that every kind of a verb has in this statement."""
         options = self.verbs.get(verb)
-        return schema_of(options) if options is not None else ()
+        return schema_of_common(options) if options is not None else ()

@@ -1,0 +1,125 @@
+"""`when:` and `while:` of controllers: which of them are active, over all agents of a world."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Integers
+from ..ir.scene import Call
+from .conditions import Condition
+from .signals import Moment, SignalCall
+from .world import World
+
+PlacedCall = tuple[int, int, Call]
+"""The place in the list of an agent, the column of the agent, and the call"""
+
+
+@dataclass
+class Trigger:
+    """Conditions of one form, at one place of the lists of R agents."""
+
+    place: int
+    rows: Integers
+    condition: Condition
+    signals: dict[str, SignalCall]
+    latched: Booleans | None
+    """of `when:`, which stays true once it is; None of `while:`"""
+
+    def holds(self, moment: Moment) -> Booleans:
+        """(R,) whose condition holds."""
+        now = self.condition.now(moment.world.time, lambda name: self.signals[name].values(moment))
+        if self.latched is None:
+            return now
+        self.latched |= now
+        return self.latched
+
+    def take(self, place: Integers, agents: Integers) -> None:
+        """Agents are at other places of the world now; at -1, no more."""
+        kept = np.flatnonzero(place[self.rows] >= 0)
+        for signal in self.signals.values():
+            signal.take(kept, agents, len(place))
+        self.condition.take(kept)
+        self.rows = place[self.rows[kept]]
+        self.latched = None if self.latched is None else self.latched[kept]
+
+
+class Triggers:
+    """Which controller of each agent is in charge: the last whose conditions all hold."""
+
+    def __init__(
+        self, world: World, calls: Sequence[PlacedCall], measures: Mapping[str, str]
+    ) -> None:
+        places = 1 + max((place for place, _, _ in calls), default=0)
+        self._exists = np.zeros((places, len(world.present)), dtype=bool)
+        for place, row, _ in calls:
+            self._exists[place, row] = True
+        starts = ((place, row, call.when) for place, row, call in calls)
+        limits = ((place, row, call.during) for place, row, call in calls)
+        self._triggers = [
+            *_triggers(world, starts, measures, latched=True),
+            *_triggers(world, limits, measures, latched=False),
+        ]
+        self._number = np.arange(places)[:, None]
+
+    def in_charge(self, moment: Moment) -> Integers:
+        """(N,) the place of the controller in charge, -1 for none."""
+        active = self._exists
+        if self._triggers:
+            active = active.copy()
+            for trigger in self._triggers:
+                active[trigger.place, trigger.rows] &= trigger.holds(moment)
+        return np.asarray(np.where(active, self._number, -1).max(axis=0))
+
+    def take(self, place: Integers, agents: Integers) -> None:
+        """Agents are at other places of the world now; at -1, no more."""
+        for trigger in self._triggers:
+            trigger.take(place, agents)
+        self._exists = self._exists[:, agents]
+
+
+def _triggers(
+    world: World,
+    conditions: Iterable[tuple[int, int, Mapping[str, Any] | None]],
+    measures: Mapping[str, str],
+    *,
+    latched: bool,
+) -> list[Trigger]:
+    """Conditions of one form together: scenes of one file differ in their numbers alone."""
+    members: dict[Any, list[tuple[int, Mapping[str, Any]]]] = {}
+    for place, row, condition in conditions:
+        if condition is not None:
+            kinds = {name: one["kind"] for name, one in condition.get("signals", {}).items()}
+            numbers = sorted(condition.get("numbers", {}))
+            form = json.dumps([condition["formula"], kinds, numbers], sort_keys=True)
+            members.setdefault((place, form), []).append((row, condition))
+    return [
+        _trigger(place, found, world, measures, latched) for (place, _), found in members.items()
+    ]
+
+
+def _trigger(
+    place: int,
+    members: list[tuple[int, Mapping[str, Any]]],
+    world: World,
+    measures: Mapping[str, str],
+    latched: bool,
+) -> Trigger:
+    rows = np.array([row for row, _ in members], dtype=np.int64)
+    first = members[0][1]
+    scenes = [row // world.slots for row, _ in members]
+    signals = {
+        name: SignalCall([one["signals"][name] for _, one in members], scenes, world, measures)
+        for name in first.get("signals", {})
+    }
+    numbers = {
+        name: np.array([float(one["numbers"][name]) for _, one in members])
+        for name in first.get("numbers", {})
+    }
+    condition = Condition(first["formula"], numbers, len(rows))
+    past = np.zeros(len(rows), dtype=bool) if latched else None
+    return Trigger(place, rows, condition, signals, past)
