@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +23,11 @@ def driven(session: Session, made: Scene, duration: float = 70.0) -> Trace:
 
 def pursuit(speed: float) -> Call:
     """Constant speed: it does not slow down for bends."""
-    options = {"lookahead": 1.0, "lookahead_time": 0.4, "lateral_acceleration": 100.0}
+    options: dict[str, Any] = {
+        "lookahead": 1.0,
+        "lookahead_time": 0.4,
+        "lateral_acceleration": 100.0,
+    }
     return call("pure_pursuit", speed=speed, **options)
 
 
