@@ -13,7 +13,10 @@ from roadlang.world.copies import counts
 from roadlang.world.placement import start_of
 from tests.straight_road import STRAIGHT
 
-TREES = STRAIGHT + "object trees is tree on main at choice(10m, 30m) { count: integer(0, 3) }\n"
+TREES = (
+    STRAIGHT + "object trees is tree on main at choice(10m, 30m) "
+    "{ count: integer(0, 3), overlap: true }\n"
+)
 
 
 @pytest.mark.parametrize("limit", ["<= 10m", "< 10m", "<= 30m", "< 20m"])

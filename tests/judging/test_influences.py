@@ -63,5 +63,5 @@ def test_the_work_for_agents_in_a_row_grows_with_their_number(
 
     monkeypatch.setattr(Dependencies, "entities", counted)
     found = acceptance(STRAIGHT + "".join(reversed(lines) if is_reversed else lines))
-    assert len(found.requirements) == count
+    assert len(found.requirements) == 2 * count  # each begins on its road, each has room
     assert looked_at < 10 * count

@@ -61,7 +61,8 @@ def test_constants_are_computed_at_once_however_long_their_chain() -> None:
 
 def test_agents_may_stand_behind_one_another_in_a_long_row() -> None:
     row = "agent g0 is car on main at 1m\n" + "".join(
-        f"agent g{i} is car on main at g{i - 1}.start + 1cm\n" for i in range(1, 400)
+        f"agent g{i} is car on main at g{i - 1}.start + 1cm {{ overlap: true }}\n"
+        for i in range(1, 400)
     )
     scene = roadlang.loads(ROAD + row).sample()[0]
     assert scene.agents["g399"].start == pytest.approx(1 + 399 * 0.01)

@@ -29,9 +29,12 @@ def start_of(thing: SceneActor) -> float:
 @pytest.mark.parametrize(
     ("where", "x", "y"),
     [
-        ("at 20m", 20, 0),
-        ("at 50%", 100, 0),
-        ("at 20m { offset: 1.5m }", 20, 1.5),
+        ("at 20m", 20, -2),
+        ("at 50%", 100, -2),
+        ("at 20m { lane: none }", 20, 0),
+        ("at 20m { facing: back }", 20, 2),
+        ("at 20m { offset: 0.5m }", 20, -1.5),
+        ("at 20m { lane: none, offset: 1.5m }", 20, 1.5),
         ("at 20m { lane: -1 }", 20, -2),
         ("at 20m { lane: 1, offset: 0.5m }", 20, 2.5),
         ("at 20m { side: left, offset: 1m }", 20, 4 + 1 + 0.9),
@@ -42,6 +45,59 @@ def test_a_car_stands_where_it_is_put(sample: Sample, where: str, x: float, y: f
     car = placed(sample, f"agent ego is car on main {where}")["ego"]
     assert car.x == pytest.approx(x)
     assert car.y == pytest.approx(y, abs=1e-9)
+
+
+LANES = (
+    "road main {\n  draw with waypoints { points: [(0m, 0m), (200m, 0m)] }\n"
+    "  left: [drive(3m), bike(1m), parking(2m), sidewalk(2m)]\n"
+    "  right: [bus(3m), drive(3m), drive(3m), sidewalk(2m)]\n}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("options", "lane"),
+    [
+        ("", -2),
+        ("facing: back", 1),
+        ("lane: outer", -3),
+        ("lane: outer, facing: back", 1),
+        ("lane: bus", -1),
+        ("lane: parking", 3),
+        ("lane: sidewalk", -4),
+        ("lane: sidewalk, facing: back", 4),
+        ("lane: none", None),
+        ("side: right", None),
+    ],
+)
+def test_a_lane_may_be_named(sample: Sample, options: str, lane: int | None) -> None:
+    (scene,) = sample(LANES + f"agent ego is bicycle on main at 9m {{ {options} }}").scenes
+    assert scene.agents[0].lane == lane
+
+
+@pytest.mark.parametrize(
+    ("traffic", "options", "lane"),
+    [("left", "", 1), ("left", "facing: back", -1), ("right", "", -1)],
+)
+def test_an_agent_is_on_the_side_that_traffic_keeps(
+    sample: Sample, traffic: str, options: str, lane: int
+) -> None:
+    text = f"world {{ traffic: {traffic} }}\nagent ego is car on main at 9m {{ {options} }}\n"
+    (scene,) = sample(STRAIGHT + text).scenes
+    assert scene.agents[0].lane == lane
+    assert math.cos(scene.agents[0].heading) == pytest.approx(-1 if options else 1)
+
+
+def test_a_lane_drawn_among_words_differs_by_copy(sample: Sample) -> None:
+    text = "agent cars is car on main at 0%..100% { count: 9, lane: choice(outer, none) }\n"
+    things = placed(sample, text)
+    assert {car.lane for car in things.values()} == {-1, None}
+
+
+def test_a_kind_of_lane_that_is_not_there_is_refused(sample: Sample) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        sample(STRAIGHT + "agent ego is car on main at 3m { lane: parking }\n")
+    assert caught.value.diagnostics[0].code == "RL613"
+    assert "1 (drive), -1 (drive)" in caught.value.diagnostics[0].help[0]
 
 
 @pytest.mark.parametrize(
@@ -97,8 +153,15 @@ def test_the_number_of_copies_may_be_drawn(sample: Sample) -> None:
     assert {car.kind for scene in scenes for car in scene.agents} == {"car", "truck"}
 
 
-def test_who_would_stand_beyond_the_end_is_drawn_again(sample: Sample) -> None:
+def test_who_would_stand_beyond_the_end_is_placed_again(sample: Sample) -> None:
     result = sample(STRAIGHT + "agent ego is car on main at 150m..300m\n", 10)
+    assert all(150 <= start_of(scene.agents[0]) <= 200 - 2.25 for scene in result.scenes)
+    assert result.candidates == 10
+
+
+def test_who_stands_by_a_param_beyond_the_end_is_drawn_again_with_all_else(sample: Sample) -> None:
+    text = STRAIGHT + "param where = 150m..300m\nagent ego is car on main at where\n"
+    result = sample(text, 10)
     assert all(150 <= start_of(scene.agents[0]) <= 200 for scene in result.scenes)
     assert any("begins on" in row.text for row in result.table)
 

@@ -198,6 +198,7 @@ class Code:
     UNKNOWN_LANE: Final = "RL613"
     GRID_TOO_LARGE: Final = "RL614"
     POSITION_OFF_ROAD: Final = "RL615"
+    NO_ROOM: Final = "RL616"
     NO_AGENTS: Final = "RL700"
     SIGNAL_NOT_RECORDED: Final = "RL701"
     OTHER_JOURNAL: Final = "RL702"

@@ -78,6 +78,10 @@ class CopyBatch(CandidateBatch):
         """Some of the copies."""
         return CopyBatch(self.candidates, self.rows[index], self.copies[index], self.tries[index])
 
+    def at_tries(self, tries: Integers) -> CopyBatch:
+        """The same copies, placed at other tries (R,)."""
+        return CopyBatch(self.candidates, self.rows, self.copies, tries)
+
     def record_in(self, record: DrawRecord) -> None:
         """Add all that was drawn for each copy of each candidate to a record."""
         order = np.argsort(self.copies, kind="stable")

@@ -15,6 +15,8 @@ from numpy.typing import ArrayLike
 
 from .arrays import Floats, Integers
 
+_MOST_CELLS = 100_000
+"""Along a side of the plane"""
 _AT_ONCE = 2_000_000
 """Pairs that are looked at together: their arrays stay below some 100 MB."""
 
@@ -118,7 +120,7 @@ def close_pairs(
     """Indices (i, j) of the pairs of (n,) and (m,) rectangles whose circles are `margin` or less
     apart, by i, then j; with groups, of the same group only.
 
-    Pairs farther apart than that are never compared: the rectangles are sorted along x.
+    What lies in cells that do not touch is never compared.
     """
     found = list(_swept(a, b, margin, group_a, group_b)) if len(a.x) and len(b.x) else []
     if not found:
@@ -135,40 +137,51 @@ def _swept(
     group_a: Integers | None,
     group_b: Integers | None,
 ) -> Iterator[tuple[Integers, Integers]]:
-    reach = a.radius + (float(b.radius.max()) + margin)
-    key_a, key_b = _keys(a, b, float(reach.max()), group_a, group_b)
-    order = np.argsort(key_b, kind="stable")
-    ordered = key_b[order]
-    first = np.searchsorted(ordered, key_a - reach)
-    count = np.searchsorted(ordered, key_a + reach, side="right") - first
+    first, count, order = _candidates(a, b, margin, group_a, group_b)
+    index = np.tile(np.arange(len(a.x)), 3)
     ends = np.cumsum(count)
     start = 0
     while start < len(count):
         base = int(ends[start - 1]) if start else 0
         stop = max(start + 1, int(np.searchsorted(ends, base + _AT_ONCE, side="right")))
         part = count[start:stop]
-        i = np.repeat(np.arange(start, stop), part)
+        i = np.repeat(index[start:stop], part)
         within = np.arange(len(i)) - np.repeat(np.cumsum(part) - part, part)
         j = order[np.repeat(first[start:stop], part) + within]
         dx, dy = b.x[j] - a.x[i], b.y[j] - a.y[i]
         limit = a.radius[i] + b.radius[j] + margin
         near = dx * dx + dy * dy <= limit * limit
-        if group_a is not None and group_b is not None:
-            near &= group_a[i] == group_b[j]
         yield i[near], j[near]
         start = stop
 
 
-def _keys(
+def _candidates(
     a: Footprints,
     b: Footprints,
-    reach: float,
+    margin: float,
     group_a: Integers | None,
     group_b: Integers | None,
-) -> tuple[Floats, Floats]:
-    """Where each is on the line that is swept: its x, groups beside each other."""
-    if group_a is None or group_b is None:
-        return a.x, b.x
-    least = min(float(a.x.min()), float(b.x.min()))
-    span = max(float(a.x.max()), float(b.x.max())) - least + 2.0 * reach + 1.0
-    return a.x - least + group_a * span, b.x - least + group_b * span
+) -> tuple[Integers, Integers, Integers]:
+    """For each `a`, in three rows of cells, the first of `b` there and how many, in an `order`.
+
+    The cells are as wide as two rectangles may be apart, so that what is near lies in the same one
+    or in one of its neighbors.
+    """
+    x, y = min(a.x.min(), b.x.min()), min(a.y.min(), b.y.min())
+    wide, high = max(a.x.max(), b.x.max()) - x, max(a.y.max(), b.y.max()) - y
+    reach = float(a.radius.max() + b.radius.max()) + margin
+    cell = max(reach * (1.0 + 1e-9), float(max(wide, high)) / _MOST_CELLS)
+    columns, rows = int(wide / cell) + 3, int(high / cell) + 3
+
+    def key(boxes: Footprints, group: Integers | None) -> Integers:
+        across = ((boxes.x - x) / cell).astype(np.int64) + 1
+        up = ((boxes.y - y) / cell).astype(np.int64) + 1
+        return np.asarray(((0 if group is None else group) * rows + up) * columns + across)
+
+    key_b = key(b, group_b)
+    order = np.argsort(key_b, kind="stable")
+    ordered = key_b[order]
+    middle = key(a, group_a)
+    keys = np.concatenate([middle - columns, middle, middle + columns])
+    first = np.searchsorted(ordered, keys - 1)
+    return first, np.searchsorted(ordered, keys + 1, side="right") - first, order

@@ -65,28 +65,66 @@ class Acceptance:
         which are then evaluated singly."""
         return any(self._is_varying(requirement) for requirement in self.requirements)
 
-    def judge(self, candidates: CandidateBatch) -> AcceptanceResult:
-        """Each requirement is tried on the survivors of those before it."""
+    def judge(
+        self, candidates: CandidateBatch, scenes: Sequence[int] | NDArray[np.int64] | None = None
+    ) -> AcceptanceResult:
+        """Each requirement is tried on the survivors of those before it.
+
+        With `scenes` (V,) the last requirements are tried on the survivors of each scene only until
+        one passes: those behind it count as accepted.
+        """
         count = candidates.count
         rho = np.full((len(self.requirements), count), np.nan)
         result = AcceptanceResult(np.full(count, ACCEPTED), rho, np.zeros(rho.shape, dtype=bool))
-        together = [i for i, r in enumerate(self.requirements) if not self._is_varying(r)]
-        singly = [i for i, r in enumerate(self.requirements) if self._is_varying(r)]
-        rows = self._sift(candidates, np.arange(count), together, result)
+        indices = range(len(self.requirements))
+        singly = [i for i in indices if self._is_varying(self.requirements[i])]
+        together = [i for i in indices if i not in singly]
+        last = [i for i in together if self.requirements[i].last and not singly]
+        early = [i for i in together if i not in last]
+        rows = self._sift(candidates, np.arange(count), early, result)
         if singly:
             for row in rows:
                 single = np.array([row])
                 self._sift(candidates.take(single), single, singly, result)
+        elif last and scenes is None:
+            self._sift(candidates.take(rows), rows, last, result)
+        elif last and scenes is not None:
+            self._sift_wanted(candidates, rows, np.asarray(scenes)[rows], last, result)
         return result
 
+    def rejected_last(self, result: AcceptanceResult) -> Mask:
+        """(V,) candidates that only one of the last requirements rejected."""
+        last = np.array([requirement.last for requirement in self.requirements] + [False])
+        return last[result.rejected_by]
+
+    def _sift_wanted(
+        self,
+        candidates: CandidateBatch,
+        rows: NDArray[np.intp],
+        scenes: NDArray[np.int64],
+        chosen: Sequence[int],
+        result: AcceptanceResult,
+    ) -> None:
+        """Try the first survivor of each scene, then the second of those that it failed in."""
+        while len(rows):
+            _, first = np.unique(scenes, return_index=True)
+            first = np.sort(first)
+            passed = self._sift(candidates.take(rows[first]), rows[first], chosen, result)
+            done = np.isin(scenes, scenes[np.isin(rows, passed)])
+            done[first] = True
+            rows, scenes = rows[~done], scenes[~done]
+
     def measure(self, candidates: CandidateBatch) -> Measurements:
-        """Every requirement, of rejected candidates too."""
+        """Every requirement, of rejected candidates too; the last ones count as satisfied."""
         shape = (len(self.requirements), candidates.count)
         rho, satisfied = np.empty(shape), np.empty(shape, dtype=bool)
         start = 0
         for part in self._comparable(candidates):
             rows = slice(start, start + part.count)
             for index, requirement in enumerate(self.requirements):
+                if requirement.last:
+                    rho[index, rows], satisfied[index, rows] = 0.0, True
+                    continue
                 rho[index, rows] = found = requirement.rho(part)
                 satisfied[index, rows] = requirement.is_satisfied(part, found)
             start = rows.stop

@@ -8,16 +8,17 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
 from ..ir.values import RandomValue
 from ..world.networks import edge_batch, network_root
-from ..world.placement import room
+from ..world.placement import blocker_of, room_among_others, room_on_road
 from ..world.roads import road_batch, road_root
 from ..world.shortest_features import features_of_candidates
 from ..world.stations import STATIONS_PER_FEATURE, unknown_features
-from .influences import influences_on_start, is_thing_random
+from .influences import influences_on_place, influences_on_start, is_thing_random
 from .requirement import Requirement
 
 Floats = NDArray[np.float64]
@@ -32,13 +33,42 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
     return Requirement(
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",
-        rho=partial(room, actor),
+        rho=partial(room_on_road, actor),
         cost=8.0 if drawn else 6.0,
         names=behind.names,
         is_random=behind.is_random,
         implied=True,
         span=actor.span,
     )
+
+
+def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:
+    """An agent or object overlaps nothing that was placed before it, and is on the road where it
+    was placed again."""
+    behind = influences_on_place(actor, scenario)
+    return Requirement(
+        name=actor.name,
+        text=f"there is room for `{actor.name}`",
+        rho=partial(_room, actor, not behind.is_random),
+        cost=0.0,
+        last=True,
+        names=behind.names,
+        is_random=behind.is_random,
+        implied=True,
+        span=actor.span,
+    )
+
+
+def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> Floats:
+    """(V,) as `room_among_others`. Raises RL616 where two stand where no draw has a say."""
+    room = room_among_others(actor, candidates)
+    if is_fixed and (room < 0.0).any():
+        other = blocker_of(actor, candidates) or actor.name
+        help_ = "leave more room, or write `overlap: true` if that is meant"
+        raise DiagnosticError(
+            diagnose(Code.NO_ROOM, actor.span, name=actor.name, other=other, help=help_)
+        )
+    return room
 
 
 def perturbed_names(scenario: IndexedScenario) -> list[str]:

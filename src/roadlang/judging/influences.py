@@ -9,6 +9,7 @@ from functools import partial
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, PassCall
+from ..world.placement_order import placement_order
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,31 +57,29 @@ def _joined(
     return Influences(things.union(*(found.names for found in actors)), is_random)
 
 
+def influences_on_place(actor: ScenarioActor, scenario: IndexedScenario) -> Influences:
+    """On where an agent or object finds room: as nothing overlaps, all that are placed before it
+    have a say."""
+    return _of_actors(scenario)[actor.name]
+
+
 def _of_actors(scenario: IndexedScenario) -> Mapping[str, Influences]:
-    return scenario.once("influences of actors", partial(_each_after_those_named, scenario))
+    return scenario.once("influences of actors", partial(_in_order_of_placement, scenario))
 
 
-def _each_after_those_named(scenario: IndexedScenario) -> Mapping[str, Influences]:
-    """Of every agent and object, each after those that it is placed by: thousands may stand in a
-    row, each behind the last."""
+def _in_order_of_placement(scenario: IndexedScenario) -> Mapping[str, Influences]:
+    """Of every agent and object, with those of all that are placed before it."""
     found: dict[str, Influences] = {}
-    pending = list(scenario.actors)
-    entered: set[str] = set()
-    while pending:
-        name = pending[-1]
-        actor = scenario.actors[name]
-        named = _names_in(actor, scenario)
-        if name not in entered:
-            entered.add(name)
-            pending += [
-                other for other in named if other in scenario.actors and other not in entered
-            ]
-        else:
-            pending.pop()
-            if name not in found:
-                values = (actor.at, *(value for _, value in actor.options))
-                is_random = bool(scenario.dependencies.draws(*values))
-                found[name] = _joined(named, is_random, found, scenario)
+    things: frozenset[str] = frozenset()
+    is_random = False
+    for actor in placement_order(scenario):
+        new = _names_in(actor, scenario) - scenario.actors.keys() - things
+        if new:
+            things |= new
+        values = (actor.at, actor.kind, *(value for _, value in actor.options))
+        is_random = is_random or bool(scenario.dependencies.draws(*values))
+        is_random = is_random or any(is_thing_random(name, scenario) for name in new)
+        found[actor.name] = Influences(things, is_random)
     return found
 
 

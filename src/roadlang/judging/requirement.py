@@ -24,7 +24,8 @@ class Requirement:
 
     `rho` gives robustness (V,); `truth` Boolean satisfaction (V,), None where a robustness of 0
     satisfies. `names`: the roads, networks and images that it depends on, `is_random`: whether a
-    draw has a say in it, `cost`: an estimate of its work for one station.
+    draw has a say in it, `cost`: an estimate of its work for one station. One that
+    is `last` is judged of candidates that satisfy all others, and of no more than are wanted.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Requirement:
     implied: bool = False
     test: Condition | PassCall | None = None
     span: Span | None = None
+    last: bool = False
 
     @cached_property
     def line(self) -> int | None:

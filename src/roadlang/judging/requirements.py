@@ -13,6 +13,7 @@ from .cost import cost_of
 from .implied import (
     begins_on_road,
     does_not_fold,
+    has_room,
     hidden_perturbations,
     is_shown_by_stations,
     perturbed_names,
@@ -31,9 +32,10 @@ def requirements_of(scenario: IndexedScenario) -> tuple[Requirement, ...]:
         for actor in scenario.actors.values()
         if actor.on is not None
     ]
+    found += [has_room(actor, scenario) for actor in scenario.actors.values()]
     found += [is_shown_by_stations(name, scenario) for name in hidden_perturbations(scenario)]
     found += [does_not_fold(name, scenario) for name in perturbed_names(scenario)]
-    return tuple(sorted(found, key=lambda requirement: requirement.cost))
+    return tuple(sorted(found, key=lambda requirement: (requirement.last, requirement.cost)))
 
 
 def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requirement:

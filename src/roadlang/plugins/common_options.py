@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Annotated
+from typing import Annotated, Any
 
 from ..ir.dimension import PURE
 from .annotations import (
@@ -11,6 +11,7 @@ from .annotations import (
     Condition,
     Duration,
     ExpectationNames,
+    Flag,
     Length,
     LengthInterval,
     Number,
@@ -18,10 +19,11 @@ from .annotations import (
     Word,
 )
 from .lane_options import LaneOptions
-from .option_types import ListType, QuantityType
+from .option_types import KindNameType, ListType, QuantityType, UnionType
 from .options import OptionSchema, option, schema_of
 
 JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
+LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, whole=True), KindNameType("lane")))]
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 
 
@@ -37,12 +39,14 @@ class PlacementOptions:
         "`lane`; with `side`, outward from the road edge",
         example="0.5m",
     )
-    lane: Whole = option(
+    lane: LaneChoice = option(
         None,
+        words=("none", "outer"),
         minimum=-32,
         maximum=32,
         help="lane id as in OpenDRIVE: -1 is the first lane to the right of the center line, 1 the "
-        "first to the left; by default it is on the center line of the road",
+        "first to the left; or `outer`, a kind of lane, or `none`; by default an agent is in the "
+        "first lane of its direction, an object in none",
         example="-1",
     )
     side: Word = option(
@@ -69,6 +73,15 @@ class PlacementOptions:
         help="number of copies; each draws its own random values",
         example="integer(0, 3)",
     )
+    apart: Length = option(
+        None,
+        minimum=0,
+        maximum=1000,
+        help="least distance to all other agents and objects, from side to side; 0.5m where "
+        "neither of two says more",
+        example="2m",
+    )
+    overlap: Flag = option(False, help="whether it may stand in other agents and objects")
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,10 @@ from ..ir.values import Measure, RandomValue
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
+from ..world.arrangement import kinds_of
 from ..world.copies import is_group, most_copies
 from ..world.networks import network_root
-from ..world.placement import kinds_of, placed
+from ..world.placement import placed
 
 _UNUSUAL_HEIGHT = 3.0
 _USUAL_HEIGHT = 1.5

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +23,7 @@ from ..world.junction_control import rights_of_way
 from ..world.lane_plan import lane_plan
 from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
 from ..world.road_lanes import lanes_of
+from ..world.road_strips import has_heirs, has_perturbed_heirs
 from ..world.roads import road_batch, road_root
 from .junctions import scene_junctions
 
@@ -33,7 +33,7 @@ def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
     scenario = candidates.scenario
     roads = [_declared(road, candidates) for road in scenario.roads.values()]
     for network in scenario.networks.values():
-        derived = not _has_bent_heirs(network, scenario)
+        derived = not has_perturbed_heirs(network, scenario)
         bottom = _bottom(network, scenario)
         root = network_root(network, candidates)
         for edge in root.edges:
@@ -93,11 +93,10 @@ def scene_road(
 
 def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
     scenario = candidates.scenario
-    heirs = any(scenario.source_of(other) is road for other in scenario.roads.values())
     batch = road_batch(road.name, candidates)
     root = _root_name(road, candidates)
     lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
-    return scene_road(road.name, root, batch, lanes, limit, not heirs)
+    return scene_road(road.name, root, batch, lanes, limit, not has_heirs(road, scenario))
 
 
 def _speed_limit(thing: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch) -> float | None:
@@ -128,13 +127,6 @@ def _trim(road: SceneRoad, root_length: float, trims: tuple[float, float]) -> tu
 
 def _bottom(network: ScenarioNetwork, scenario: IndexedScenario) -> str:
     return [link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork)][-1].name
-
-
-def _has_bent_heirs(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
-    """Whether something bent is made from it, which then stands in its place."""
-    things: list[Any] = [*scenario.roads.values(), *scenario.networks.values()]
-    heirs = [thing for thing in things if thing is not network and network in scenario.chain(thing)]
-    return any(call.verb == "perturb" for heir in heirs for call in heir.passes)
 
 
 def _network(network: ScenarioNetwork, candidates: CandidateBatch) -> SceneNetwork:

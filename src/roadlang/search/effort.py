@@ -55,6 +55,7 @@ def default_attempts(acceptance: Acceptance) -> int:
     work = sum(
         requirement.cost * _stations(requirement.names, scenario)
         for requirement in acceptance.requirements
+        if not requirement.last
     )
     return int(np.clip(BUDGET / max(work, 1.0), FEWEST, MOST))
 

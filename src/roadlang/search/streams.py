@@ -20,6 +20,9 @@ from .effort import attempts_of, batch_size
 from .rejection_report import RejectionStats
 from .samplers import DrawnPlace, drawn_values
 
+_FEWEST = 32
+"""Candidates that are judged at once, however few are wanted"""
+
 
 @dataclass(frozen=True)
 class StreamResult:
@@ -43,7 +46,7 @@ def accepted_of_stream(
     limit = size if size is not None else attempts_of(sampler, acceptance)
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: list[Accepted] = []
-    for candidates in _stream(acceptance, sampler, draws, seed, limit):
+    for candidates in _stream(acceptance, sampler, draws, seed, limit, 2 * wanted):
         judged = acceptance.judge(candidates)
         rows = np.flatnonzero(judged.accepted)[: wanted - len(accepted)]
         for row in rows:
@@ -72,8 +75,9 @@ def _stream(
     draws: Sequence[DrawnPlace],
     seed: int,
     limit: int,
+    most: int,
 ) -> Iterator[CandidateBatch]:
-    width = batch_size(acceptance)
+    width = min(batch_size(acceptance), max(most, _FEWEST))
     for start in range(0, limit, width):
         indices = read_only(np.arange(start, min(start + width, limit)))
         with sampler.guarded:

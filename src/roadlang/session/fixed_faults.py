@@ -18,21 +18,22 @@ from ..geometry.lanes import DEFAULT_LANES
 from ..images.image_header import read_header
 from ..images.image_scale import scale_in_file
 from ..ir.scenario import FileSource, Scenario, ScenarioActor, ScenarioImage, ScenarioRoad
-from ..ir.values import ConstantValue, Flag, PassCall
+from ..ir.values import ConstantValue, Flag, PassCall, TextValue
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
 from ..plugins.registry import Registry
 from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
 from .constant_kinds import constant_kind
+from .fixed_overlaps import fixed_overlaps
 from .unsupported import unsupported_parts
 
 _ROUNDING = 1e-9
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
-    """Images without scale, lanes that are not there, positions beyond their roads, and what
-    backends and the simulator do not support.
+    """Images without scale, lanes that are not there, positions beyond their roads, things in one
+    place, and what backends and the simulator do not support.
 
     Of roads from pictures nothing is said: they are read when scenes are made.
     """
@@ -42,7 +43,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
         if actor.on in scenario.roads:
             fault = _lane_fault(actor, scenario) or _position_fault(actor, scenario)
             found += [fault] if fault is not None else []
-    return found + unsupported_parts(scenario)
+    return [*found, *fixed_overlaps(scenario), *unsupported_parts(scenario)]
 
 
 def _nothing_measured(call: PassCall, candidates: Any, element: int) -> Any:
@@ -80,7 +81,7 @@ def _file_has_scale(source: FileSource) -> bool:
 def _lane_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
     lane = dict(actor.options).get("lane")
     lanes = _lane_ids(actor, scenario)
-    if lane is None or lanes is None:
+    if lane is None or lanes is None or isinstance(lane, TextValue | PassCall):
         return None
     low, high = scenario.value_bounds.of(lane)
     return unknown_lane(actor, round(low), lanes) if low == high else None

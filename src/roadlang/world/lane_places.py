@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.copies import CopyBatch
+from ..geometry import CrossSection
 from ..ir.scenario import ScenarioActor
 from .cross_sections import LaneBatch
 from .placement_faults import unknown_lane
@@ -54,6 +55,50 @@ def lane_places(
                 middle[chosen[within]] = (borders[index] + borders[index + 1])[within] / 2.0
                 backward[chosen[within]] = lanes.pattern.lanes[index].direction == "backward"
     return LanePlaces(left, right, middle, backward)
+
+
+def lanes_by_word(
+    actor: ScenarioActor, copies: CopyBatch, word: str, against: NDArray[np.bool_]
+) -> Integers:
+    """(R,) ids of the lanes that a word names, for copies that travel along the road or `against`
+    it: `first`, the one next to the middle, `outer`, the outermost for vehicles, or a kind of lane,
+    on the side that traffic keeps. Raises RL613 where the road has none."""
+    assert actor.on is not None
+    found = np.zeros(copies.count, np.int64)
+    usual = copies.scenario.registry.default("lane").name
+    for rows, lanes in lane_parts(actor.on, copies.candidates):
+        chosen = np.isin(copies.rows, rows)
+        for way in (False, True):
+            here = chosen & (against == way)
+            if here.any():
+                found[here] = _named_lane(actor, lanes.pattern, word, way, usual)
+    return found
+
+
+def _named_lane(
+    actor: ScenarioActor, section: CrossSection, word: str, against: bool, usual: str
+) -> int:
+    directed = section.driving_ids("backward" if against else "forward")
+    driving = directed or section.driving_ids()
+    if word == "first":
+        of_usual_kind = [id for id in driving if section.lane(id).kind == usual]
+        return next(iter((*of_usual_kind, *driving, *section.ids)))
+    if word == "outer":
+        return (driving or section.ids)[-1]
+    of_kind = [lane.id for lane in section.lanes if lane.kind == word]
+    # The side of a one-way road's other direction has no driving lane: it is the other side.
+    right = (driving[0] < 0) != (against and not directed) if driving else not against
+    nearest = sorted(of_kind, key=lambda id: ((id < 0) != right, abs(id)))
+    if not nearest:
+        raise DiagnosticError(no_lane_of_kind(actor, word, section))
+    return nearest[0]
+
+
+def no_lane_of_kind(actor: ScenarioActor, word: str, section: CrossSection) -> Diagnostic:
+    """RL613, of a road without a lane of some kind."""
+    lanes = ", ".join(f"{lane.id} ({lane.kind})" for lane in section.lanes)
+    help_ = f"its lanes are {lanes}"
+    return diagnose(Code.UNKNOWN_LANE, actor.span, road=actor.on, lane=f"`{word}`", help=help_)
 
 
 def _place_of(actor: ScenarioActor, lanes: LaneBatch, id: int) -> int:

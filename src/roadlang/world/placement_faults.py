@@ -5,6 +5,9 @@ from __future__ import annotations
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..ir.scenario import ScenarioActor, ScenarioImage
 
+USUAL_APART = 0.5
+"""Meters between two things of which neither says more or less"""
+
 
 def missing_scale(image: ScenarioImage) -> Diagnostic:
     """RL406: neither the image nor its file says how large a pixel is."""

@@ -13,8 +13,9 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
 from ..ir.scenario import ScenarioActor
+from ..ir.values import PassCall
 from .copies import element_of
-from .lane_places import LanePlaces, lane_places
+from .lane_places import LanePlaces, lane_places, lanes_by_word
 from .road_places import places_along
 from .roads import road_batch
 
@@ -36,17 +37,19 @@ class Poses:
     backward: Mask
 
 
-def poses_of(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> Poses:
-    """Where each copy stands; `widths` (R,) of the copies, in meters. Raises RL613."""
+def poses_of(actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: Floats) -> Poses:
+    """Where each copy stands; `lengths` and `widths` (R,) of the copies, in meters. Raises
+    RL613."""
     if actor.on is None:
         return _in_the_world(actor, copies)
     start = starts_of(actor, copies)
     place = places_along(actor.on, copies.candidates, copies.rows, start)
     lane = _lanes(actor, copies)
     lanes = lane_places(actor, copies, place, lane)
-    offset = _offsets(actor, copies, lanes, lane, widths)
-    backward = _backward(actor, copies, lanes.backward)
     turned = _number(actor, "heading", copies)
+    across = _across(turned, lengths, widths)
+    offset = _offsets(actor, copies, lanes, lane, across)
+    backward = _backward(actor, copies, lanes.backward)
     heading = place.heading + np.where(backward, math.pi, 0.0) + turned
     directions = place.heading.tolist()
     sine = np.array([math.sin(direction) for direction in directions])
@@ -81,15 +84,43 @@ def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> Poses:
 
 
 def _lanes(actor: ScenarioActor, copies: CopyBatch) -> Integers:
-    """(R,) lane ids; 0 of what is in no lane."""
+    """(R,) lane ids; 0 of what is in no lane. An agent on a road is in a lane unless it is said to
+    be in none or beside the road."""
     value = _option(actor, "lane", copies)
+    options = {name for name, _ in actor.options}
     if value is None:
-        return np.zeros(copies.count, np.int64)
-    return np.rint(_column(value, copies)).astype(np.int64)
+        agents = copies.scenario.source.agents
+        value = "none" if "side" in options or actor not in agents else "first"
+    words = [_word(item) for item in _items(value)]
+    if not isinstance(words[0], str):
+        return np.rint(_column(value, copies)).astype(np.int64)
+    against = _is_word(_option(actor, "facing", copies), "back", copies)
+    found = np.zeros(copies.count, np.int64)
+    for word in sorted(set(words) - {"none"}):
+        chosen = np.broadcast_to(np.array([item == word for item in words]), (copies.count,))
+        found[chosen] = lanes_by_word(actor, copies, word, against)[chosen]
+    return found
+
+
+def _items(value: Any) -> list[Any]:
+    is_column = isinstance(value, np.ndarray) and value.dtype.kind in "OU"
+    return value.reshape(-1).tolist() if is_column else [value]
+
+
+def _word(value: Any) -> Any:
+    """A word, or the name of a kind of lane."""
+    return value.kind.rpartition(".")[2] if isinstance(value, PassCall) else value
+
+
+def _across(turned: Floats, lengths: Floats, widths: Floats) -> Floats:
+    """(R,) meters that things take across the road, turned against it."""
+    sine = np.array([abs(math.sin(angle)) for angle in turned.tolist()])
+    cosine = np.array([abs(math.cos(angle)) for angle in turned.tolist()])
+    return np.asarray(lengths * sine + widths * cosine)
 
 
 def _offsets(
-    actor: ScenarioActor, copies: CopyBatch, lanes: LanePlaces, lane: Integers, widths: Floats
+    actor: ScenarioActor, copies: CopyBatch, lanes: LanePlaces, lane: Integers, across: Floats
 ) -> Floats:
     """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
 
@@ -100,7 +131,7 @@ def _offsets(
     found = np.where(lane == 0, offset, lanes.middle + offset)
     if side is None:
         return found
-    outward = offset + widths / 2
+    outward = offset + across / 2
     found = np.where(_is_word(side, "left", copies), lanes.left + outward, found)
     return np.where(_is_word(side, "right", copies), lanes.right - outward, found)
 

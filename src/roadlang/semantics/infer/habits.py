@@ -88,12 +88,16 @@ def function_help(call: ast.CallExpression, name: str) -> tuple[str, tuple[Fix, 
     return _FUNCTIONS[name], fixes
 
 
+def is_side_as_lane(name: ast.Name, context: Context) -> bool:
+    """Whether `left` or `right` stands where the id of a lane does."""
+    return context.place.rpartition("/")[2] == "lane" and name.text in _SIDES
+
+
 def name_help(
     checker: Checker, name: ast.Name, context: Context
 ) -> tuple[str, tuple[Fix, ...]] | None:
     """Help and fix for a name that is not declared, by where it stands; None if none is known."""
-    option = context.place.rpartition("/")[2]
-    if option == "lane" and name.text in _SIDES:
+    if is_side_as_lane(name, context):
         lane = _SIDES[name.text]
         help = (
             "lanes have ids as in OpenDRIVE: -1 is the first to the right, 1 the first to the left"

@@ -7,7 +7,7 @@ from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..types.expression_types import TypedExpression, unknown
-from .habits import name_help
+from .habits import is_side_as_lane, name_help
 from .kinds import find_kind
 
 _MOST_LISTED = 12
@@ -19,9 +19,11 @@ def report_unresolved(checker: Checker, name: ast.Name, context: Context) -> Typ
     if checker.program.incomplete and not (context.words or context.verbs):
         return unknown(name.span)
     declared = nearest(name.text, checker.program.declarations)
-    word = nearest(name.text, context.words)
-    if context.words and (word or not declared):
-        listed = ", ".join(f"`{word}`" for word in context.words)
+    kinds = [kind for verb in context.verbs for kind in checker.registry.names(verb)]
+    words = (*context.words, *kinds)
+    word = nearest(name.text, words)
+    if context.words and (word or not (declared or is_side_as_lane(name, context))):
+        listed = ", ".join(f"`{word}`" for word in words)
         return checker.report(
             Code.UNKNOWN_OPTION_VALUE,
             name.span,
@@ -29,7 +31,7 @@ def report_unresolved(checker: Checker, name: ast.Name, context: Context) -> Typ
             help=f"the words are {listed}",
             meant=word,
         )
-    if context.verbs:
+    if context.verbs and not context.words:
         verb = context.verbs[0]
         if not declared or nearest(name.text, checker.registry.names(verb)):
             find_kind(checker, verb, name.text, name.span)

@@ -1,0 +1,250 @@
+"""Agents and objects placed one after the other, so that nothing overlaps.
+
+A copy that does not fit is placed again, from draws keyed by its try; the roads and whatever was
+placed before stay. Copies of a group that fit stay too: of two that overlap, the later is moved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.copies import CopyBatch
+from ..evaluate.evaluation import evaluate
+from ..geometry import Footprints
+from ..ir.scenario import ScenarioActor
+from .copies import CopyKinds, counts, element_of, kinds_of_copies, most_copies
+from .neighbors import COPY, Neighbors, legend_neighbors, missing_room, room_among
+from .placement_order import can_be_placed_again, placement_order
+from .poses import Poses, poses_of
+from .road_strips import depth_in_lanes
+from .roads import road_batch
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)
+"""How often a copy is tried in each round before it is given up. Within a round it keeps clear of
+what was placed in earlier rounds, and of copies before it: the same however many are placed."""
+POSE = tuple(field.name for field in fields(Poses))
+
+
+class Arrangement:
+    """The agents and objects of the candidates that were placed so far, in order."""
+
+    def __init__(self, candidates: CandidateBatch) -> None:
+        self.candidates = candidates
+        self.order = placement_order(candidates.scenario)
+        self.numbers = {actor.name: index for index, actor in enumerate(self.order)}
+        self._done = 0
+        self._noted = 0
+        self._neighbors = Neighbors()
+
+    def placed(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
+        """Arrays (V, N): those of `PlacedBatch`, `missing`, the meters that a copy lacks to its
+        neighbors, and `blocker`, the number in the order of what it is too near to, or -1."""
+        number = self.numbers[actor.name]
+        while self._done <= number:
+            self._place(self.order[self._done])
+            self._done += 1
+        return self._place(actor)
+
+    def _place(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
+        key = ("placed", actor.name)
+        return self.candidates.once(key, lambda: self._found(actor))
+
+    def _found(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
+        count, most = self.candidates.count, most_copies(actor, self.candidates)
+        if most == 0:
+            names = ("present", *POSE, "length", "width", "apart", "missing", "blocker")
+            return dict.fromkeys(names, np.empty((count, 0)))
+        self._note(self.numbers[actor.name])
+        present = np.arange(1, most + 1) <= counts(actor, self.candidates)[:, None]
+        turn = _Turn.of(actor, self.candidates, present.reshape(-1))
+        turn.settle(self._neighbors)
+        if self.candidates.record is not None:
+            turn.record()
+        parts = turn.columns()
+        shaped = {name: part.reshape(count, most) for name, part in parts.items()}
+        return {"present": present, **shaped}
+
+    def _note(self, number: int) -> None:
+        """Add those placed before to what the next keep clear of."""
+        for actor in self.order[self._noted : number]:
+            placed = self._place(actor)
+            self._neighbors.add(self.numbers[actor.name], placed)
+        self._noted = max(self._noted, number)
+
+
+@dataclass
+class _Turn:
+    """The copies of one agent or object while they are placed: rows (R,), all candidates."""
+
+    actor: ScenarioActor
+    candidates: CandidateBatch
+    kinds: CopyKinds
+    present: NDArray[np.bool_]
+    apart: Floats
+    tries: Integers
+    poses: Poses
+    missing: Floats
+    blocker: Integers
+
+    @classmethod
+    def of(
+        cls, actor: ScenarioActor, candidates: CandidateBatch, present: NDArray[np.bool_]
+    ) -> _Turn:
+        copies = CopyBatch.every(candidates, len(present) // candidates.count)
+        kinds = kinds_of(actor, candidates)
+        found = poses_of(actor, copies, kinds.lengths, kinds.widths)
+        poses = Poses(*(np.array(getattr(found, name)) for name in POSE))
+        tries = np.zeros(copies.count, np.int64)
+        nothing, nobody = np.zeros(copies.count), np.full(copies.count, -1)
+        apart = _apart(actor, copies)
+        return cls(actor, candidates, kinds, present, apart, tries, poses, nothing, nobody)
+
+    def settle(self, neighbors: Neighbors) -> None:
+        """Place copies again until each fits or has been tried as often as `TRIES` says."""
+        pending = np.flatnonzero(self.present)
+        again = can_be_placed_again(self.actor, self.candidates)
+        placed = neighbors.beginning(*self._legends() if again else ())
+        following = np.zeros(len(self.present), np.int64)
+        for number in TRIES if again else TRIES[:1]:
+            fits = self._try(pending, following[pending], number, placed, again)
+            settled = pending[fits]
+            boxes, rows = self._boxes(settled), settled // self._most
+            placed.add_rows(COPY, boxes, rows, self.apart[settled])
+            pending = pending[~fits]
+            if not len(pending):
+                break
+            following[pending] = self.tries[pending] + 1
+
+    def _try(
+        self, index: Integers, first: Integers, number: int, placed: Neighbors, again: bool
+    ) -> NDArray[np.bool_]:
+        """Whether copies (n,) fit by one of `number` tries from `first` (n,) on; each stays where
+        it fitted first, or where it was tried last."""
+        tries = (first[:, None] + np.arange(number)).reshape(-1)
+        several = np.repeat(index, number)
+        if tries.any():
+            copies = CopyBatch.every(self.candidates, self._most).chosen(several)
+            lengths, widths = self.kinds.lengths[several], self.kinds.widths[several]
+            poses = poses_of(self.actor, copies.at_tries(tries), lengths, widths)
+        else:
+            poses = Poses(*(getattr(self.poses, name)[several] for name in POSE))
+        missing, blocker = self._missing(several, poses, placed, again)
+        fits = (missing <= 0.0).reshape(-1, number)
+        chosen = np.where(fits.any(axis=1), fits.argmax(axis=1), number - 1)
+        chosen += np.arange(len(index)) * number
+        for name in POSE:
+            getattr(self.poses, name)[index] = getattr(poses, name)[chosen]
+        self.tries[index] = tries[chosen]
+        self._note(index, missing[chosen], blocker[chosen])
+        free = index[missing[chosen] <= 0.0]
+        self._note(free, *room_among(self._boxes(free), free // self._most, self.apart[free]))
+        return np.asarray(self.missing[index] <= 0.0)
+
+    def _note(self, index: Integers, missing: Floats, blocker: Integers) -> None:
+        self.missing[index], self.blocker[index] = missing, blocker
+
+    def _legends(self) -> tuple[Neighbors, ...]:
+        return (legend_neighbors(self.candidates, self._varying),)
+
+    @property
+    def _varying(self) -> bool:
+        """Whether its road differs in its stations, so that there is one candidate."""
+        on = self.actor.on
+        return on is not None and self.candidates.scenario.is_varying(on)
+
+    def _missing(
+        self, index: Integers, poses: Poses, placed: Neighbors, again: bool
+    ) -> tuple[Floats, Integers]:
+        """(n,) meters that copies at these poses lack, and what they are too near to."""
+        rows = index // self._most
+        boxes = self._boxes_at(poses, index)
+        missing, blocker = missing_room(boxes, rows, self.apart[index], placed)
+        if again and self.actor.on is not None:
+            missing = np.maximum(missing, self._beyond_road(index, poses.start))
+            if _has(self.actor, "side"):
+                missing = np.maximum(missing, self._in_lanes(boxes, rows, poses.start))
+        return missing, blocker
+
+    def _beyond_road(self, index: Integers, start: Floats) -> Floats:
+        """(n,) meters that copies stand beyond the ends of their road: agents in a lane with their
+        bumpers, others with their middles."""
+        road = road_batch(str(self.actor.on), self.candidates)
+        if road.closed:
+            return np.zeros(len(index))
+        length = road.length.reshape(-1)
+        length = length[np.minimum(index // self._most, len(length) - 1)]
+        half = np.zeros(len(index))
+        if self.actor in self.candidates.scenario.source.agents and not _has(self.actor, "side"):
+            half = np.minimum(self.kinds.lengths[index], length) / 2
+        beyond = np.maximum(half - start, start + half - length)
+        return np.where(beyond > 1e-9 * length, beyond, 0.0)
+
+    def _in_lanes(self, boxes: Footprints, rows: Integers, start: Floats) -> Floats:
+        candidates = self.candidates
+        return depth_in_lanes(boxes, rows, self.actor.on, start, candidates, self._varying)
+
+    def _boxes(self, index: Integers) -> Footprints:
+        poses = Poses(*(getattr(self.poses, name)[index] for name in POSE))
+        return self._boxes_at(poses, index)
+
+    def _boxes_at(self, poses: Poses, index: Integers) -> Footprints:
+        lengths, widths = self.kinds.lengths[index], self.kinds.widths[index]
+        return Footprints(poses.x, poses.y, poses.heading, lengths, widths)
+
+    @property
+    def _most(self) -> int:
+        return len(self.present) // self.candidates.count
+
+    def record(self) -> None:
+        """Record the draws of where each copy stands at last."""
+        assert self.candidates.record is not None
+        copies = CopyBatch.every(self.candidates, self._most, self.tries)
+        poses_of(self.actor, copies, self.kinds.lengths, self.kinds.widths)
+        copies.record_in(self.candidates.record)
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All arrays (R,) by name."""
+        pose = {name: getattr(self.poses, name) for name in POSE}
+        sizes = {"length": self.kinds.lengths, "width": self.kinds.widths}
+        return {**pose, **sizes, "apart": self.apart, "missing": self.missing,
+                "blocker": self.blocker}  # fmt: skip
+
+
+def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
+    """The kind of every copy, candidates one after the other."""
+
+    def make() -> CopyKinds:
+        if most_copies(actor, candidates) == 0:
+            return CopyKinds(())
+        copies = CopyBatch.every(candidates, most_copies(actor, candidates))
+        kinds = kinds_of_copies(actor, copies)
+        if candidates.record is not None and candidates.count == 1:
+            copies.record_in(candidates.record)
+        return kinds
+
+    return candidates.once(("kinds", actor.name), make, inherited=False)
+
+
+def _apart(actor: ScenarioActor, copies: CopyBatch) -> Floats:
+    """(R,) meters that copies keep from everything: NaN where nothing is said, -inf where they may
+    overlap."""
+    options = dict(actor.options)
+    apart = np.full(copies.count, np.nan)
+    if "apart" in options:
+        value = np.asarray(evaluate(options["apart"], copies, element_of(actor)), float)
+        apart[:] = value.reshape(-1)
+    if "overlap" in options:
+        value = np.asarray(evaluate(options["overlap"], copies, element_of(actor)), bool)
+        apart[np.broadcast_to(value.reshape(-1), (copies.count,))] = -np.inf
+    return apart
+
+
+def _has(actor: ScenarioActor, option: str) -> bool:
+    return any(name == option for name, _ in actor.options)
