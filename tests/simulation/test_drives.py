@@ -130,20 +130,20 @@ def test_a_crash_says_who_with_whom_and_how_hard_and_both_stand() -> None:
 
 
 def test_objects_are_solid() -> None:
-    other = "object van is parked_van on main at 80m"
+    other = "object van is parked_van on main at 80m { lane: -1 }"
     (trace,) = drive(TWO.format(speed=15, other=other), duration=20)
     assert touched(trace) == [("ego", "van")]
     assert trace.agents["ego"].x[-1] == pytest.approx(80 - (4.5 + 5.9) / 2, abs=1e-6)
 
 
 def test_nothing_passes_through_a_post_between_two_samples() -> None:
-    other = "object post is box on main at 300m { length: 0.05m, width: 0.05m }"
+    other = "object post is box on main at 300m { length: 5cm, width: 5cm, lane: -1 }"
     (trace,) = drive(TWO.format(speed=60, other=other), duration=30, step=1.0, control_step=1.0)
     assert touched(trace) == [("ego", "post")]
 
 
 def test_what_begins_inside_one_another_touches_at_once() -> None:
-    other = "agent lead is car on main at 7m { drive with brake }"
+    other = "agent lead is car on main at 7m { overlap: true, drive with brake }"
     (trace,) = drive(TWO.format(speed=20, other=other), duration=2)
     assert trace.events[0]["time"] == 0.0
     assert trace.agents["ego"].contacts[0] == 1

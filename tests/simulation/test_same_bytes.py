@@ -23,6 +23,10 @@ road loop {
 }
 agent ego is car on loop at 0%..90% { drive with lane_follow { speed: (6m/s)..(20m/s) } }
 """
+SHORT = """
+road main { draw with segments { pieces: [straight(90m)] } }
+agent ego is car on main at 5m..60m { drive with lane_follow { speed: 10m/s } }
+"""
 TRAFFIC = """
 road base {
   draw with segments { pieces: [straight(60m), arc(40m, 80deg), straight(60m)] }
@@ -77,7 +81,7 @@ def test_a_scene_alone_is_its_row_of_a_block(text: str) -> None:
 
 
 def test_scenes_of_different_files_drive_in_one_block() -> None:
-    scenes = [*records(LOOP, 3), *records(TRAFFIC, 3)]
+    scenes = [*records(LOOP, 3), *records(SHORT, 3), *records(TRAFFIC, 3)]
     together = drives(scenes, duration=45.0)
     assert len({len(trace.time) for trace in together}) > 2, "they end at times of their own"
     for scene, trace in zip(scenes, together, strict=True):
