@@ -55,7 +55,7 @@ def test_two_roads_with_and_without_a_shared_end(
     np.testing.assert_allclose(found(points, line, way, ratio), expected, rtol=1e-12, atol=1e-9)
 
 
-@pytest.mark.parametrize(("is_spiral", "share"), [(False, 0.01), (True, 0.3)])
+@pytest.mark.parametrize(("is_spiral", "share"), [(False, 0.02), (True, 0.3)])
 def test_of_a_long_road_few_pairs_are_looked_at(
     is_spiral: bool, share: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
