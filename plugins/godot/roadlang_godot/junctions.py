@@ -7,8 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from roadlang.geometry import Floats
+
 from .frame import SceneOrigin
-from .line import Floats, RoadSamples
+from .line import RoadSamples
 from .protocol import Message
 from .thing import ScenePart
 

@@ -7,12 +7,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+from roadlang.geometry import Floats
 
 if TYPE_CHECKING:
     from roadlang.api import SceneRoad
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

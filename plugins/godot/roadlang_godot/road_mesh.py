@@ -8,8 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Floats
+
 from .frame import SceneOrigin
-from .line import Floats, RoadSamples
+from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .thing import ScenePart
 

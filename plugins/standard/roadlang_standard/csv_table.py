@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING
 from roadlang.api import Code, DiagnosticError, diagnose, did_you_mean
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
 
 _SIDES = (("w_tr_left_m", "w_tr_right_m"), ("width_left", "width_right"), ("left", "right"))
 _MOST_ROWS = 200_000

@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING
 from roadlang.api import Axis
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
 
 MOST_COLUMNS = 40
 """One-hot columns; where there would be more, unordered values are searched as if ordered."""

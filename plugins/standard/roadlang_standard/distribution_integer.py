@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Distribution, Whole, option
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
 
 _MOST_CELLS = 1_000
 

@@ -10,12 +10,8 @@ from roadlang.api import AgentName, AgentOrObject, DriveSignal, option
 from .separation import middles, nearest, outlines, rate
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from roadlang.api import Trace
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,8 @@ from roadlang.api import AgentOrObject, DriveSignal, geometry, option
 from .separation import footprints, nearest
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from roadlang.api import AgentTrace
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from roadlang.api import Axis, Number, Search, Searcher, option
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
 
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
+
 
 _SMALLEST = 6
 """Points in a generation, at least."""

@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Axis, Code, DiagnosticError, Search, Searcher, Whole, diagnose, option
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
 
 MOST = 10_000_000
 

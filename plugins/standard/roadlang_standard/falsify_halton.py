@@ -11,10 +11,7 @@ from roadlang.api import Axis, Search, Searcher
 from .halton_sequence import halton_points
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

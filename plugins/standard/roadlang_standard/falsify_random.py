@@ -10,9 +10,8 @@ from roadlang.api import Axis, Search, Searcher
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
 
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 def halton_points(indices: NDArray[np.int64], dimensions: int, seed: int) -> Floats:

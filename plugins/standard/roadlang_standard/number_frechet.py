@@ -9,10 +9,7 @@ from roadlang.api import geometry
 from roadlang_standard.road_pairs import RoadPair
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

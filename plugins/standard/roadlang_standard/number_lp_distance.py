@@ -10,10 +10,7 @@ from roadlang.api import LENGTH, Dimension, Number, geometry, option
 from roadlang_standard.road_pairs import RoadPair, distances
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,8 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Length, Perturber, geometry, option
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from roadlang.api import BatchRandom, RoadBatch
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -11,12 +11,9 @@ from roadlang.api import RoadName, RoadNumber, geometry, option
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    import numpy as np
-    from numpy.typing import NDArray
-
     from roadlang.api import RoadBatch
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
 
 COMPARED = "road that is compared, at its stations"
 OTHER = "road that it is compared with"

@@ -14,8 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from roadlang.api import DrawnValue
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 MOST = 10_000_000

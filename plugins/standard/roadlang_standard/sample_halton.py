@@ -16,8 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from roadlang.api import DrawnValue
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,9 @@ from typing import TYPE_CHECKING, Any
 from roadlang.api import geometry
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from roadlang.api import AgentTrace
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
     Separation = Callable[[AgentTrace, AgentTrace], Floats]
 
 

@@ -10,10 +10,7 @@ from roadlang.api import RoadOrNetwork, Signal, option
 from roadlang_standard.road_pairs import COMPARED, OTHER, distances
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from roadlang.api import ObservationBatch
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
     Column = Floats | float
 
 SPEED_GAIN = 2.0

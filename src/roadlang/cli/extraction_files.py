@@ -9,16 +9,14 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from ..geometry.arrays import Floats
 from ..ir.picture import Extraction, Picture
 from ..version import __version__
 
 SCHEMA = "roadlang.extraction/1"
 _STEP = 2.0
 _OVERLAY_SIDE = 1600
-
-Floats = NDArray[np.float64]
 
 
 def as_json(

@@ -8,12 +8,12 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ..geometry.arrays import Floats
 from ..ir.batch import BatchRandom, RoadBatch, unit_interval
 from .draw_record import DrawRecord
 from .indexed_scenario import IndexedScenario
 from .randomness import place_keys, variant_keys
 
-Floats = NDArray[np.float64]
 T = TypeVar("T")
 
 

@@ -8,13 +8,12 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ..geometry.arrays import Floats, Integers
 from ..ir.batch import unit_interval
 from .candidates import CandidateBatch, coordinate_name, rows_of
 from .draw_record import DrawRecord
 from .randomness import place_keys, retried
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 T = TypeVar("T")
 
 

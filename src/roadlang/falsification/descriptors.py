@@ -6,15 +6,14 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..judging.deciding_moment import deciding_moment
 from ..plugins.registry import Registry
 from .outcome import Moment
 
-Floats = NDArray[np.float64]
 CURVATURE = 0.008
 """Root mean square difference of curvature beyond which roads are distinct, 1/m."""
 SPEED, STATION = 5.0, 50.0

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..geometry.arrays import Floats
 from .outcome import Outcome
-
-Floats = NDArray[np.float64]
 
 
 class DistinctFailures:

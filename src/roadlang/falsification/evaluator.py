@@ -9,12 +9,12 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError
 from ..drive.simulators import Driven, drive_scenes
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
+from ..geometry.arrays import Floats
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
@@ -24,7 +24,6 @@ from ..world.index import index_scenario
 from .descriptors import descriptor, measures, moment_of, protagonist
 from .outcome import Outcome
 
-Floats = NDArray[np.float64]
 _PILOT, _PILOT_SIZE = -2, 64
 """Candidates that the usual size of violations is learned from."""
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..geometry.arrays import Floats
 from .outcome import Outcome
 
-Floats = NDArray[np.float64]
 _LEAST = 1e-12
 
 

@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..geometry.arrays import read_only
+from ..geometry.arrays import Floats, read_only
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Axis, Search
 from ..plugins.results import real_numbers
 from .evaluator import Proposal
 from .outcome import Outcome
 from .plan import Plan
-
-Floats = NDArray[np.float64]
 
 
 class Islands:

@@ -18,7 +18,7 @@ Nothing is imported until a name is used.
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
 - crossings: `crossings`, `self_crossings`
-- errors: `GeometryError`
+- errors: `GeometryError`; types of arrays: `Floats`, `Integers`, `Booleans`
 """
 
 from __future__ import annotations
@@ -27,6 +27,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .arrays import Booleans as Booleans
+    from .arrays import Floats as Floats
+    from .arrays import Integers as Integers
     from .batch import CurveBatch as CurveBatch
     from .clearances import clearance as clearance
     from .cross_section import CrossSection as CrossSection
@@ -83,6 +86,9 @@ if TYPE_CHECKING:
     from .window import over as over
 
 _HOMES = {
+    "Booleans": "arrays",
+    "Floats": "arrays",
+    "Integers": "arrays",
     "encroachment_times": "encounters",
     "time_to_contact": "encounters",
     "GeometryError": "errors",

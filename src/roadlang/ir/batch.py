@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..geometry import CurveBatch
-
-    Floats = NDArray[np.float64]
+    from ..geometry.arrays import Floats
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..geometry import CrossSection, Lane, OffsetProfile, WidthProfile
+from ..geometry.arrays import Floats
 from .scene_lane import SceneLane
 
 if TYPE_CHECKING:
     from ..geometry.lanes import Marking
-
-Floats = NDArray[np.float64]
 
 
 def equal_lanes(

@@ -9,10 +9,7 @@ from typing import TYPE_CHECKING, Any
 from .read_only import Frozen
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from ..geometry.arrays import Floats
 
 
 @dataclass(frozen=True)

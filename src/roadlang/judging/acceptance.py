@@ -11,14 +11,13 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Booleans, Floats
 from ..ir.values import Condition
 from .early_verdicts import is_impossible, settled_rows
 from .requirement import Requirement
 from .requirements import requirements_of
 from .stated_ranges import check_stated_ranges
 
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 ACCEPTED = -1
 
 
@@ -30,10 +29,10 @@ class AcceptanceResult:
 
     rejected_by: NDArray[np.int64]
     rho: Floats
-    settled: Mask
+    settled: Booleans
 
     @property
-    def accepted(self) -> Mask:
+    def accepted(self) -> Booleans:
         """Which candidates satisfy every requirement, (V,)."""
         return np.asarray(self.rejected_by == ACCEPTED)
 
@@ -43,7 +42,7 @@ class Measurements:
     """`rho` (R, V): the robustness of every requirement; `satisfied` (R, V)."""
 
     rho: Floats
-    satisfied: Mask
+    satisfied: Booleans
 
 
 class Acceptance:
@@ -92,7 +91,7 @@ class Acceptance:
             self._sift_wanted(candidates, rows, np.asarray(scenes)[rows], last, result)
         return result
 
-    def rejected_last(self, result: AcceptanceResult) -> Mask:
+    def rejected_last(self, result: AcceptanceResult) -> Booleans:
         """(V,) candidates that only one of the last requirements rejected."""
         last = np.array([requirement.last for requirement in self.requirements] + [False])
         return last[result.rejected_by]

@@ -9,9 +9,9 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..geometry.arrays import Floats
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..plugins.finding import entry_of
@@ -22,8 +22,6 @@ from ..plugins.results import real_numbers
 from ..stl import Formula, from_json
 from ..stl.evaluate.satisfaction import zero_satisfies
 from .verdicts import decided
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Booleans
 from ..ir.values import Condition
 from ..stl.evaluate.static_truth import static_truth
 from .requirement import Requirement
 from .variable_bounds import CandidateBounds, ScenarioBounds
 
-Mask = NDArray[np.bool_]
 
-
-def settled_rows(requirement: Requirement, candidates: CandidateBatch) -> Mask:
+def settled_rows(requirement: Requirement, candidates: CandidateBatch) -> Booleans:
     """(V,) True where a requirement is certain to hold, whatever the geometry."""
     condition = requirement.test
     if not isinstance(condition, Condition) or condition.domain != "road":

@@ -6,11 +6,11 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
 from ..ir.values import RandomValue
 from ..world.networks import edge_batch, network_root
@@ -20,8 +20,6 @@ from ..world.shortest_features import features_of_candidates
 from ..world.stations import STATIONS_PER_FEATURE, unknown_features
 from .influences import influences_on_place, influences_on_start, is_thing_random
 from .requirement import Requirement
-
-Floats = NDArray[np.float64]
 
 
 def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:

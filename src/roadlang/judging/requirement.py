@@ -6,16 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ..diagnostics import Span
 from ..evaluate.candidates import CandidateBatch
+from ..geometry.arrays import Booleans, Floats
 from ..ir.values import Condition, PassCall
 from ..stl.evaluate.satisfaction import Rows, is_satisfied, zero_satisfies
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -34,7 +29,7 @@ class Requirement:
     cost: float
     names: frozenset[str]
     is_random: bool
-    truth: Callable[[CandidateBatch], Mask] | None = None
+    truth: Callable[[CandidateBatch], Booleans] | None = None
     implied: bool = False
     test: Condition | PassCall | None = None
     span: Span | None = None
@@ -45,13 +40,13 @@ class Requirement:
         """Line of the statement, from 1; None for one that no line states."""
         return self.span.line if self.span is not None else None
 
-    def is_satisfied(self, candidates: CandidateBatch, rho: Floats) -> Mask:
+    def is_satisfied(self, candidates: CandidateBatch, rho: Floats) -> Booleans:
         """(V,) whether candidates of robustness `rho` (V,) satisfy the requirement."""
         truth = self.truth
         if truth is None:
             return is_satisfied(rho, zero_satisfies)
 
-        def of_rows(rows: Rows) -> Mask:
+        def of_rows(rows: Rows) -> Booleans:
             return truth(candidates.take(rows))
 
         return is_satisfied(rho, of_rows)

@@ -7,6 +7,7 @@ from functools import partial
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Booleans, Floats
 from ..ir.scenario import ScenarioConstraint
 from ..ir.values import Condition
 from .cost import cost_of
@@ -19,7 +20,7 @@ from .implied import (
     perturbed_names,
 )
 from .influences import influences
-from .requirement import Floats, Mask, Requirement
+from .requirement import Requirement
 from .road_conditions import condition_rho, condition_truth
 from .road_monitors import monitor_rho
 
@@ -41,7 +42,7 @@ def requirements_of(scenario: IndexedScenario) -> tuple[Requirement, ...]:
 def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requirement:
     test = constraint.test
     rho: Callable[[CandidateBatch], Floats]
-    truth: Callable[[CandidateBatch], Mask] | None
+    truth: Callable[[CandidateBatch], Booleans] | None
     if isinstance(test, Condition):
         text, rho, truth = test.text, partial(condition_rho, test), partial(condition_truth, test)
     else:

@@ -7,18 +7,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
+from ..geometry.arrays import Booleans, Floats
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
 from ..world.copies import is_absent, most_copies
 from ..world.signals import EvaluatedRoad, axes_of, signal
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -34,7 +31,7 @@ class ConditionTrace:
     positions: Floats
     values: dict[str, Any]
     wrap: float | None
-    absent: Mask | None
+    absent: Booleans | None
 
 
 def condition_rho(condition: Condition, candidates: CandidateBatch) -> Floats:
@@ -48,7 +45,7 @@ def condition_rho(condition: Condition, candidates: CandidateBatch) -> Floats:
     return np.broadcast_to(worst, (candidates.count,))
 
 
-def condition_truth(condition: Condition, candidates: CandidateBatch) -> Mask:
+def condition_truth(condition: Condition, candidates: CandidateBatch) -> Booleans:
     """(V,) Boolean satisfaction of a formula; of a network, on all of its roads."""
     holds = np.ones(1, dtype=bool)
     for trace in condition_traces(condition, candidates):

@@ -5,16 +5,14 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build
+from ..geometry.arrays import Floats
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
 from ..world.signals import axes_of
-
-Floats = NDArray[np.float64]
 
 
 def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:

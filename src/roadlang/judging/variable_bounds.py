@@ -6,12 +6,12 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
+from ..geometry.arrays import Floats
 from ..ir.road_bounds import RoadBounds
 from ..ir.scenario import ScenarioRoad
 from ..ir.values import Condition, Entity, Measure, PassCall, Value
@@ -24,7 +24,6 @@ from ..stl.evaluate.interval_arithmetic import UNKNOWN, Bounds, hull
 from ..world.displacement_bound import displacement_bound
 from ..world.signals import call_key
 
-Floats = NDArray[np.float64]
 ROUNDING = 1e-9
 """How far a computed value may be beyond a bound, relative to it, or in its unit below 1"""
 

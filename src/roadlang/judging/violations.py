@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
+from ..geometry.arrays import Booleans, Floats
 from ..ir.scene import ViolatedSegment
 from ..ir.values import Condition
 from ..stl import Always
 from ..stl.evaluate.axis import SamplePositions
 from .road_conditions import ConditionTrace, condition_traces
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 def violated_stretches(
@@ -35,7 +32,7 @@ def violated_stretches(
     return tuple(found)
 
 
-def _in_window(formula: Always, trace: ConditionTrace) -> Mask:
+def _in_window(formula: Always, trace: ConditionTrace) -> Booleans:
     """(S,) the samples that `always[a, b]` looks at from the first one."""
     counted = np.zeros(len(trace.positions), dtype=bool)
     axis = SamplePositions(trace.positions, trace.wrap)
@@ -45,7 +42,7 @@ def _in_window(formula: Always, trace: ConditionTrace) -> Mask:
     return counted
 
 
-def _runs(road: str, positions: Floats, wrong: Mask) -> list[ViolatedSegment]:
+def _runs(road: str, positions: Floats, wrong: Booleans) -> list[ViolatedSegment]:
     padded = np.concatenate([[False], wrong, [False]])
     starts = np.flatnonzero(padded[1:] & ~padded[:-1])
     ends = np.flatnonzero(~padded[1:] & padded[:-1]) - 1

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.kind_instance import KindInstance
-from ..geometry.arrays import read_only
+from ..geometry.arrays import Floats, read_only
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result
@@ -28,7 +28,6 @@ from .effort import attempts_of
 from .rejection_report import RejectionStats
 from .surrogate import Surrogate
 
-Floats = NDArray[np.float64]
 FIRST = 64
 """Candidates of the pilot that are drawn evenly."""
 ROUND = 16

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from ..geometry.arrays import Floats
+
 NOISE = 1e-3
 MOST = 300
 """Points that a fit looks at: its work grows with their cube."""

@@ -15,16 +15,13 @@ from .scene import Scene
 from .tables import columns_of
 
 if TYPE_CHECKING:
-    import numpy as np
     import pandas
-    from numpy.typing import NDArray
 
     from ..diagnostics import Diagnostic, Span
+    from ..geometry.arrays import Floats
     from ..ir.scene import Verdict
     from ..ir.trace import Trace
     from ..plugins.registry import Registry
-
-    Floats = NDArray[np.float64]
 
 
 def drive(

@@ -8,12 +8,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from ..geometry.arrays import Floats
     from ..ir.scene import Profile
-
-    Floats = NDArray[np.float64]
 
 
 def read_only(values: Any) -> Floats:

@@ -15,15 +15,12 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from .profiles import Profiles, read_only
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from ..geometry.arrays import Floats
     from ..ir.scene import Provenance, SceneActor, SceneNetwork, SceneRoad, Verdict
     from ..ir.scene import Scene as SceneRecord
     from ..plugins.registry import Registry
     from .drives import Drive
 
-    Floats = NDArray[np.float64]
 
 FIGURE = "svg"
 """The `emit` whose file is the figure of a scene, and its ending."""

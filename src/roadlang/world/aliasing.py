@@ -11,12 +11,12 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build
 from ..geometry import CurveFrame
+from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioNetwork
 from ..ir.values import PassCall
 from .networks import network_root
@@ -26,7 +26,6 @@ from .root_roads import undisplaced_road
 from .shortest_features import states_feature
 from .stations import Root
 
-Floats = NDArray[np.float64]
 TOLERANCE = 0.15
 """Share of the displacement; a straight line misses a wave of six stations by so much."""
 FINER = 7

@@ -16,6 +16,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry import Footprints
+from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import ScenarioActor
 from .copies import CopyKinds, counts, element_of, kinds_of_copies, most_copies
 from .neighbors import COPY, Neighbors, legend_neighbors, missing_room, room_among
@@ -24,8 +25,6 @@ from .poses import Poses, poses_of
 from .road_strips import depth_in_lanes
 from .roads import road_batch
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)
 """How often a copy is tried in each round before it is given up. Within a round it keeps clear of
 what was placed in earlier rounds, and of copies before it: the same however many are placed."""

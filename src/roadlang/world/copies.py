@@ -14,13 +14,13 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build, converted, evaluate
 from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
+from ..geometry.arrays import Floats
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, Measure, PassCall, RandomValue
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 
-Floats = NDArray[np.float64]
 MOST_COPIES = 10_000
 _UNUSUAL_SIZE = 1.0
 """Meters, of a kind that has no length or width"""

@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..geometry import CrossSection, GeometryError, OffsetProfile, WidthProfile
+from ..geometry.arrays import Floats
 from ..geometry.cross_section import border_offsets, drivable_borders, scaled_widths
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

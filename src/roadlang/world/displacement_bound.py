@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.kind_instance import KindInstance, row_of_kind
+from ..geometry.arrays import Floats
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
-
-Floats = NDArray[np.float64]
 
 
 def displacement_bound(built: KindInstance, count: int) -> Floats:

@@ -6,17 +6,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..geometry import CrossSection, Edge, RoadNetwork
+from ..geometry.arrays import Floats
 from ..geometry.junctions.model import JunctionPlan
 from ..geometry.junctions.plan import PlanOptions, plan_junctions
 from ..ir.scenario import ScenarioNetwork
 from .lane_building import built_lanes, left_hand
 from .lane_plan import LanePlan, lane_plan
 
-Floats = NDArray[np.float64]
 _CLOSE = 0.01
 
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
@@ -14,6 +13,7 @@ from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import check_bounds, scalar
 from ..geometry import CrossSection, Lane, WidthProfile
+from ..geometry.arrays import Floats
 from ..geometry.lanes import DEFAULT_LANES, Direction, Marking
 from ..ir.values import ConstantValue, PassCall, Value
 from ..plugins.common_options import common_options
@@ -21,7 +21,6 @@ from ..plugins.kinds import LaneKind
 from .cross_sections import LaneBatch
 from .lane_plan import LanePlan, lane_calls, traffic_side
 
-Floats = NDArray[np.float64]
 _OPTIONS = {option.name: option for option in common_options("lane")}
 _UNIT = WidthProfile.constant(1.0)
 _DOUBLE = 4

@@ -10,14 +10,12 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.copies import CopyBatch
 from ..geometry import CrossSection
+from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import ScenarioActor
 from .cross_sections import LaneBatch
 from .placement_faults import unknown_lane
 from .road_lanes import lane_parts
 from .road_places import RoadPlaces
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)

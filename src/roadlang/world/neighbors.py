@@ -10,12 +10,11 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..geometry import Footprints, close_pairs, distance_between, separation
+from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import ScenarioImage, ScenarioNetwork
 from .networks import network_root
 from .placement_faults import USUAL_APART
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 LEGEND = -1
 COPY = -2
 """Numbers, instead of those of agents and objects, of what a legend names and of copies of the same

@@ -6,13 +6,13 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import KindInstance, row_of_kind
 from ..geometry import DisplacedBatch, displace, over
+from ..geometry.arrays import Floats
 from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
@@ -22,7 +22,6 @@ from .displacement_bound import displacement_bound
 from .root_roads import is_undisplaced
 from .verified import verified
 
-Floats = NDArray[np.float64]
 FARTHEST = 1e6
 _ROUNDING = 1e-9
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import fields
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
+from ..geometry.arrays import Floats
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .arrangement import Arrangement
@@ -18,7 +18,6 @@ from .placement_order import can_be_placed_again
 from .poses import starts_of
 from .roads import road_batch
 
-Floats = NDArray[np.float64]
 FAR = 1e9
 """Meters to the end of a road that nothing can be beyond"""
 _FIELDS = tuple(field.name for field in fields(PlacedBatch))

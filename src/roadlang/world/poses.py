@@ -7,21 +7,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
 from .lane_places import LanePlaces, lane_places, lanes_by_word
 from .road_places import places_along
 from .roads import road_batch
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +30,7 @@ class Poses:
     start: Floats
     offset: Floats
     lane: Integers
-    backward: Mask
+    backward: Booleans
 
 
 def poses_of(actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: Floats) -> Poses:
@@ -136,7 +132,7 @@ def _offsets(
     return np.where(_is_word(side, "right", copies), lanes.right - outward, found)
 
 
-def _backward(actor: ScenarioActor, copies: CopyBatch, by_lane: Mask) -> Mask:
+def _backward(actor: ScenarioActor, copies: CopyBatch, by_lane: Booleans) -> Booleans:
     """(R,) whether copies face against the road: as said, or as their lane runs."""
     facing = _option(actor, "facing", copies)
     if facing is None:
@@ -165,7 +161,7 @@ def _of_rows(columns: Floats, copies: CopyBatch) -> Floats:
     return column[np.minimum(copies.rows, len(column) - 1)]
 
 
-def _is_word(value: Any, word: str, copies: CopyBatch) -> Mask:
+def _is_word(value: Any, word: str, copies: CopyBatch) -> Booleans:
     if isinstance(value, np.ndarray):
         return np.broadcast_to(
             np.array([item == word for item in value.reshape(-1)]), (copies.count,)

@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
+from ..geometry.arrays import Floats
 from ..ir.batch import RoadBatch
 from .roads import road_batch
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,19 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Footprints, close_pairs, separation
+from ..geometry.arrays import Floats, Integers
 from ..ir.batch import RoadBatch
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from .networks import edge_batch, network_root
 from .placement_order import deciding_actors
 from .roads import road_batch
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 BESIDE = 3.0
 """Meters along its own road before and behind a thing beside it where it is as near to the lanes as
 its `offset` says."""

@@ -8,7 +8,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
@@ -16,6 +15,7 @@ from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import CrossSection, Curve, CurveFrame, Path, Road, WidthProfile
+from ..geometry.arrays import Floats
 from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, Input, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall, Value
@@ -30,7 +30,6 @@ from .selection import selected
 from .stations import station_spacing
 from .verified import verified
 
-Floats = NDArray[np.float64]
 DEFAULT_WIDTH = 7.0
 _SAME_WIDTH = 1e-3
 """Meters."""

@@ -6,18 +6,16 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Floats
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import implements
 from ..plugins.registry import KindEntry
 from ..plugins.stated_bounds import OptionRange, corners
-
-Floats = NDArray[np.float64]
 
 
 def states_feature(call: PassCall, scenario: IndexedScenario) -> bool:

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build
+from ..geometry.arrays import Floats
 from ..ir.batch import RoadBatch
 from ..ir.scenario import ScenarioNetwork
 from ..ir.values import Entity, PassCall, Value
@@ -21,8 +21,6 @@ from .copies import is_group
 from .networks import NetworkRoot, edge_batch, network_root
 from .placement import start_of
 from .roads import road_batch
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Floats
+
 from .clean import contract, drop_loops, extend_to_border, join, prune
 from .continuing import carry_on
 from .drafting import Draft, draft, usual_width_of
@@ -20,7 +22,7 @@ from .linking import dead_ends, link
 from .masks import without_holes, without_specks
 from .scale import resized, start_scale
 from .skeleton import skeleton
-from .smoothing import Floats, stations
+from .smoothing import stations
 from .tones import Image, Layer
 from .worth import drop_unworthy, prune_by_worth
 

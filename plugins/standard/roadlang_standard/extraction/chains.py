@@ -6,7 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .graph import Floats, Graph, Line
+from roadlang.geometry import Floats
+
+from .graph import Graph, Line
 
 _TURN = np.deg2rad(38)
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from roadlang.geometry import Floats
+
 from .chains import direction
-from .graph import Floats, Graph, Line
+from .graph import Graph, Line
 
 _ROUNDS = 12
 

@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from roadlang.geometry import Floats
+
 from .chains import direction
 from .clean import join, prune
-from .graph import Floats, Graph, Line, trace
+from .graph import Graph, Line, trace
 from .hysteresis import hysteresis
 from .linking import DeadEnd, dead_end, dead_ends
 from .skeleton import skeleton

@@ -8,11 +8,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Floats
+
 from .chains import LineChain, chains
 from .edges import recentered, sides, usual_width, widths
 from .found import FoundNetwork, FoundRoad
 from .graph import Graph, Line
-from .smoothing import Floats, resample, smooth, stations
+from .smoothing import resample, smooth, stations
 
 Layer = NDArray[np.float32]
 

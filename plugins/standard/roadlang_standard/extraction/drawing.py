@@ -8,12 +8,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Booleans
+
 from .found import FoundNetwork
 from .masks import roads_of_surface, without_specks
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
-
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class RoadRegion:
     """A road-like region: its mask in a window, its usual width in pixels, length over width."""
 
     window: tuple[slice, slice]
-    part: Mask
+    part: Booleans
     width: float
     elongation: float
 
@@ -71,7 +71,7 @@ def likeness(surface: Layer) -> float:
     return float(min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape)))
 
 
-def between_lines(ink: Mask) -> Layer | None:
+def between_lines(ink: Booleans) -> Layer | None:
     """The surface (h, w) between two thin edge lines, up to their middles; None if there is none.
 
     Lines with gaps are closed by the least that makes the road a region of its own.
@@ -82,12 +82,12 @@ def between_lines(ink: Mask) -> Layer | None:
     return _surface(ribbons, ink, float(ink.sum() / max(1, skeleton(ink).sum())))
 
 
-def has_edge_lines(ink: Mask) -> bool:
+def has_edge_lines(ink: Booleans) -> bool:
     """Whether there are roads between thin lines (h, w)."""
     return bool(_between(ink))
 
 
-def _between(ink: Mask) -> list[RoadRegion]:
+def _between(ink: Booleans) -> list[RoadRegion]:
     pen = _pen_width(ink)
     if pen > 0.02 * min(ink.shape) + 3:
         return []
@@ -102,7 +102,7 @@ def _between(ink: Mask) -> list[RoadRegion]:
     return []
 
 
-def _edged(ribbons: list[RoadRegion], ink: Mask, pen: float) -> bool:
+def _edged(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> bool:
     """Whether the ink is mostly the edge of the ribbons: not so between two filled roads."""
     if pen > 0.6 * max(ribbon.width for ribbon in ribbons):
         return False
@@ -117,14 +117,14 @@ def _union(ribbons: list[RoadRegion], shape: tuple[int, ...]) -> NDArray[np.uint
     return union
 
 
-def _pen_width(ink: Mask) -> float:
+def _pen_width(ink: Booleans) -> float:
     """Usual thickness of the ink."""
     inner = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & ink]
     return 2 * float(np.quantile(ridge, 0.7)) - 1 if len(ridge) else np.inf
 
 
-def _ribbons(ink: Mask) -> list[RoadRegion]:
+def _ribbons(ink: Booleans) -> list[RoadRegion]:
     """The road-like regions of the paper: the longest, and pieces as wide as it."""
     count, labels, stats, _ = cv2.connectedComponentsWithStats(
         (~ink).astype(np.uint8), connectivity=4
@@ -156,7 +156,7 @@ def _rim(labels: NDArray[np.int32], key: int) -> int:
     return int(sum((edge == key).sum() for edge in edges))
 
 
-def _surface(ribbons: list[RoadRegion], ink: Mask, pen: float) -> Layer:
+def _surface(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> Layer:
     """The ribbons grown to the middle of the lines around them; thin lines across them vanish."""
     union = _union(ribbons, ink.shape)
     if len(ribbons) > 1:

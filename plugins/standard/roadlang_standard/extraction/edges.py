@@ -8,7 +8,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .smoothing import Floats, smooth_values
+from roadlang.geometry import Floats
+
+from .smoothing import smooth_values
 
 _STEP = 0.25
 

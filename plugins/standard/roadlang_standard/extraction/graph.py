@@ -6,10 +6,8 @@ from dataclasses import dataclass, field
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+from roadlang.geometry import Booleans, Floats
 
 
 @dataclass
@@ -59,7 +57,7 @@ class Graph:
         self.nodes = {key: self.nodes[key] for key, count in self.degree().items() if count}
 
 
-def trace(skeleton: Mask) -> Graph:
+def trace(skeleton: Booleans) -> Graph:
     """The graph of a one-pixel skeleton."""
     stride = skeleton.shape[1] + 2
     padded = np.pad(skeleton, 1)
@@ -76,7 +74,7 @@ def trace(skeleton: Mask) -> Graph:
     return graph
 
 
-def _junctions(padded: Mask) -> Mask:
+def _junctions(padded: Booleans) -> Booleans:
     """Pixels where at least three branches meet (crossing number), and knots of them."""
     p = padded.astype(np.int8)
     ring = [
@@ -96,7 +94,7 @@ def _junctions(padded: Mask) -> Mask:
     return found
 
 
-def _walk(graph: Graph, padded: Mask, owner: dict[int, int], stride: int) -> None:
+def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) -> None:
     steps = (-1, 1, -stride, stride, -stride - 1, -stride + 1, stride - 1, stride + 1)
     free = {int(i) for i in np.flatnonzero(padded)} - owner.keys()
 

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
 
-from .smoothing import Floats, resample, smooth
+from roadlang.geometry import Floats
+
+from .smoothing import resample, smooth
 
 Layer = NDArray[np.float32]
 _MOST_CELLS = 120_000

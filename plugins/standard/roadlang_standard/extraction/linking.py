@@ -11,9 +11,11 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
 
+from roadlang.geometry import Floats
+
 from .chains import direction
 from .clean import at_border, join
-from .graph import Floats, Graph, Line
+from .graph import Graph, Line
 from .smoothing import stations
 
 Layer = NDArray[np.float32]

@@ -6,6 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Booleans
+
 from .clean import contract, drop_crumbs, extend_to_border, join, prune
 from .drafting import Draft, draft, usual_width_of
 from .found import FoundNetwork
@@ -13,7 +15,6 @@ from .graph import trace
 from .skeleton import skeleton
 
 Layer = NDArray[np.float32]
-Mask = NDArray[np.bool_]
 
 
 def roads_of_surface(
@@ -51,17 +52,17 @@ def roads_of_surface(
     return draft(graph, surface, score, manner, method)
 
 
-def _is_noise(thin: Mask) -> bool:
+def _is_noise(thin: Booleans) -> bool:
     """Whether a skeleton fills a large picture more than roads do: it is smoothed first."""
     return bool(thin.size > 100_000 and thin.mean() > 0.03)
 
 
-def without_specks(mask: Mask, least: float) -> Mask:
+def without_specks(mask: Booleans, least: float) -> Booleans:
     """The mask without parts and without holes of fewer than `least` pixels."""
     return without_holes(~without_holes(~mask, least, 8), least)
 
 
-def without_holes(mask: Mask, least: float, connectivity: int = 4) -> Mask:
+def without_holes(mask: Booleans, least: float, connectivity: int = 4) -> Booleans:
     """The mask with holes of fewer than `least` pixels filled; itself if there are none."""
     _, labels, stats, _ = cv2.connectedComponentsWithStats(
         (~mask).astype(np.uint8), connectivity=connectivity

@@ -7,10 +7,10 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-Mask = NDArray[np.bool_]
+from roadlang.geometry import Booleans
 
 
-def skeleton(mask: Mask) -> Mask:
+def skeleton(mask: Booleans) -> Booleans:
     """The skeleton (h, w) of a mask: same topology, one pixel wide, centered.
 
     The cost follows the length of the borders and the width of the shapes, not the image.
@@ -55,7 +55,7 @@ def _alive(
 
 
 @cache
-def _tables() -> tuple[Mask, Mask]:
+def _tables() -> tuple[Booleans, Booleans]:
     """For both half steps: may a pixel with these neighbors go? Bit 0 is north, clockwise."""
     code = np.arange(256)
     p2, p3, p4, p5, p6, p7, p8, p9 = ((code >> bit) & 1 for bit in range(8))

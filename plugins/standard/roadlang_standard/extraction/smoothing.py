@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
 from scipy.ndimage import maximum_filter1d
 from scipy.sparse import diags, eye
 from scipy.sparse.linalg import splu
 
-Floats = NDArray[np.float64]
+from roadlang.geometry import Floats
+
 _PIN = 1e6
 
 

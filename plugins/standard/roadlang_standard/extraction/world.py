@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .found import Floats, FoundNetwork, FoundRoad
+from roadlang.geometry import Floats
+
+from .found import FoundNetwork, FoundRoad
 from .legend import LegendObject
 from .smoothing import resample
 

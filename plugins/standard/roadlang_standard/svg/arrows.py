@@ -6,7 +6,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .viewport import Floats
+    from roadlang.geometry import Floats
 
 _SHAPES = {
     "straight": ([(-1.6, 0.0), (1.0, 0.0)], (1.0, 0.0), 0.0),

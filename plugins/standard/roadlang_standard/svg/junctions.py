@@ -11,8 +11,9 @@ from .markup import element, path_data
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneConnection, SceneJunction, SceneRoad
+    from roadlang.geometry import Floats
 
-    from .viewport import Floats, Viewport
+    from .viewport import Viewport
 
 _STOP_LINE = 0.4
 _TEETH = "0.5 0.4"

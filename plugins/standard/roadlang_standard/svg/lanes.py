@@ -10,8 +10,9 @@ from .markup import element, path_data
 from .ribbon import unfolded
 
 if TYPE_CHECKING:
+    from roadlang.geometry import Floats
+
     from .ribbon import Ribbon
-    from .viewport import Floats
 
 _DASH, _GAP = 3.0, 4.5
 _CURB = 0.2

@@ -12,8 +12,7 @@ from .markup import element, group, number, path_data, rho, text
 
 if TYPE_CHECKING:
     from roadlang.api import Profile, Scene
-
-    from .viewport import Floats
+    from roadlang.geometry import Floats
 
 _ROW = 3.1
 _PLOT = 2.1

@@ -10,10 +10,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from roadlang.api import SceneRoad, geometry
+    from roadlang.geometry import Floats
 
     from .viewport import Viewport
 
-    Floats = NDArray[np.float64]
 
 _CLOSEST_POINTS = 1.2
 _NARROWEST = 3.5

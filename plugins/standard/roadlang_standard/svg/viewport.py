@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from roadlang.api import Scene
+    from roadlang.geometry import Floats
 
-    Floats = NDArray[np.float64]
 
 _WIDEST = 3.2
 _TALLEST = 1.05

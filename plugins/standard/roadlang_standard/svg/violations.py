@@ -10,9 +10,9 @@ from .markup import element, group, path_data, title
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, Verdict
+    from roadlang.geometry import Floats
 
     from .ribbon import Ribbon
-    from .viewport import Floats
 
 _BAND = 4.0
 _SHORTEST = 2.0

@@ -8,12 +8,10 @@ from .base import Kind
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
 
     from ... import geometry
+    from ...geometry.arrays import Floats
     from ...ir.batch import BatchRandom, RoadBatch
-
-    Floats = NDArray[np.float64]
 
 
 class Drawer(Kind):

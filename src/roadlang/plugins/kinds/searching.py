@@ -10,10 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 from .base import Kind
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from ...geometry.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,8 @@ from ...ir.dimension import Dimension
 from .base import Kind
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from ...geometry.arrays import Floats
     from ...ir.trace import Trace
-
-    Floats = NDArray[np.float64]
 
 
 class Signal(Kind):
