@@ -333,3 +333,44 @@ def test_a_legend_says_how_many_requirements_it_leaves_out(count: int, more: str
     written = texts(group(drawn(scene), "legend"))
     assert [text for text in written if text.endswith(" more")] == ([more] if more else [])
     assert sum(bool(re.fullmatch(r"r\d+", text)) for text in written) == min(count, 14)
+
+
+def poses(root: ElementTree.Element, name: str) -> list[tuple[float, float, float]]:
+    """Where the things of a class are drawn (x, y), and by how much they are turned, clockwise."""
+    shapes = (g.get("transform") for g in group(root, name).iter(f"{SVG}g"))
+    found = (re.match(r"translate\((\S+) (\S+)\) rotate\((\S+)\)", shape or "") for shape in shapes)
+    return [(float(m[1]), float(m[2]), float(m[3])) for m in found if m]
+
+
+def test_north_is_up_and_east_is_right() -> None:
+    cars = (
+        actor("west", "car", -50, 0),
+        actor("east", "car", 50, 0, heading=np.pi / 2),
+        actor("north", "car", 0, 40, heading=-np.pi / 4),
+        actor("south", "car", 0, -40, heading=np.pi),
+    )
+    west, east, north, south = poses(drawn(replace(bend(), agents=cars)), "agents")
+    assert west[0] < north[0] < east[0]
+    assert north[1] < east[1] < south[1]
+    assert (west[1], north[0]) == pytest.approx((east[1], south[0]))
+    assert east[0] - west[0] == pytest.approx(100 / 80 * (south[1] - north[1]), rel=1e-3)
+    turns = [pose[2] for pose in (west, east, north, south)]
+    assert turns == pytest.approx([0.0, -90.0, 45.0, -180.0], abs=0.01)
+
+
+@pytest.mark.parametrize(("copies", "label"), [(4, "parked[3]"), (5, "parked (5)")])
+def test_up_to_four_copies_have_a_label_each(copies: int, label: str) -> None:
+    cars = tuple(actor(f"parked[{i}]", "car", 40.0 * i, 0, group="parked") for i in range(copies))
+    labels = texts(group(drawn(replace(bend(), agents=cars)), "labels"))
+    assert label in labels
+    assert len([text for text in labels if text.startswith("parked")]) == (4 if copies == 4 else 1)
+
+
+def test_only_what_is_satisfied_has_a_pin_where_it_is_tight() -> None:
+    """What is violated is marked where it is violated."""
+    scene = bend()
+    place = RoadPlace("bent", 100.0)
+    phi1 = replace(scene.requirements[0], tightest=place)
+    calm = replace(scene.expectations[0], tightest=place)
+    root = drawn(replace(scene, requirements=(phi1,), expectations=(calm,)))
+    assert texts(group(root, "tightest")) == ["phi1"]

@@ -266,3 +266,23 @@ def test_the_least_robustness_of_several_scenes_is_the_worst(file: Path) -> None
     assert len(set(values)) > 1
     assert found.worst == min(value for value in values if value is not None)
     assert found.judged == (0, 1, 2, 3)
+
+
+def test_a_slip_in_the_name_of_a_file_is_found(file: Path) -> None:
+    with pytest.raises(roadlang.DiagnosticError) as error:
+        roadlang.load(file.with_name("scen.rl"))
+    (found,) = error.value.diagnostics
+    assert (found.code, found.help) == ("RL920", ("did you mean `scene.rl`?",))
+
+
+def test_a_folder_of_an_earlier_version_is_written_over(file: Path, tmp_path: Path) -> None:
+    """What a manifest of another version names is removed as well; another file is not replaced."""
+    folder = tmp_path / "out"
+    roadlang.load(file).sample(3).emit(folder, ["json"])
+    manifest = folder / "manifest.json"
+    manifest.write_text(manifest.read_text().replace("roadlang.manifest/1", "roadlang.manifest/0"))
+    roadlang.load(file).sample(1).emit(folder, ["json"])
+    assert sorted(path.name for path in folder.iterdir()) == ["manifest.json", "scene-0000.json"]
+    manifest.write_text('{"schema": "npm/1", "files": []}')
+    with pytest.raises(roadlang.DiagnosticError, match="RL460"):
+        roadlang.load(file).sample(1).emit(folder, ["json"])

@@ -14,6 +14,8 @@ from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.scenario_json import scenario_schema
 from roadlang.ir.scene_schema import manifest_schema, scene_schema
+from roadlang.plugins.discovery import load_registry
+from roadlang.plugins.json_schema import schema_of_kind
 from roadlang.stl.formats.json_schema import FORMULA, formula_definitions
 
 SCENE = """
@@ -86,3 +88,13 @@ def test_the_schema_of_scenarios_knows_formulas() -> None:
 def test_the_version_is_said_once() -> None:
     version = scene_schema()["$defs"]["Scene"]["properties"]["schema"]
     assert version.keys() == {"description", "const"}
+
+
+def test_limits_of_options_are_those_of_json_schema() -> None:
+    registry = load_registry()
+    sine = schema_of_kind(registry.find("perturb", "sine"))["properties"]
+    assert sine["wavelength"]["exclusiveMinimum"] == 0
+    assert "minimum" not in sine["wavelength"]
+    pursuit = schema_of_kind(registry.find("drive", "pure_pursuit"))["properties"]
+    assert (pursuit["speed"]["minimum"], pursuit["speed"]["maximum"]) == (0, 120)
+    assert pursuit["lookahead"]["exclusiveMinimum"] == 0

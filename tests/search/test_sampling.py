@@ -187,3 +187,14 @@ def test_progress_is_told(sample: Sample) -> None:
     sample(BENT, 20, progress=lambda done, total: steps.append((done, total)))
     assert steps[-1] == (20, 20)
     assert sorted(steps) == steps
+
+
+def test_draws_of_copies_are_no_dimension_of_a_grid(sample: Sample) -> None:
+    """There may be more copies than anybody wants to combine: each draws for itself."""
+    text = STRAIGHT + "object trees is tree on main at 0%..100% { count: 3, side: left }\n"
+    grid = "sample with grid { steps: 4 }\n"
+    assert len(sample(text + grid, None).scenes) == 1
+    drawn = "param wide = 1m..2m\nobject post is box at (wide, 3m)\n"
+    scenes = sample(text + drawn + grid, None).scenes
+    assert len(scenes) == 4
+    assert len({scene.objects[0].start for scene in scenes}) == 4

@@ -150,3 +150,24 @@ def test_a_lone_equals_sign_is_one_fault_not_two(tmp_path: Path) -> None:
     assert [diagnostic.code for diagnostic in found] == ["RL010"]
     _, found = check_text(text.replace("=", "=="), tmp_path / "scene.rl", {}, load_registry())
     assert [diagnostic.code for diagnostic in found] == ["RL291"]
+
+
+@pytest.mark.parametrize(
+    ("value", "found"),
+    [("-1m..3m", "it can be -1m"), ("-1m", "it is -1m"), ("0m..3m", None), ("0m", None)],
+)
+def test_a_range_that_reaches_beyond_a_limit_says_what_it_can_be(
+    value: str, found: str | None, tmp_path: Path
+) -> None:
+    passes = f"perturb with harmonics {{ amplitude: {value} }}"
+    diagnostics = found_in(ROAD + f"road bent from main {{ {passes} }}\n", tmp_path)
+    expected = [] if found is None else [f"`amplitude` must be at least 0m, but {found}"]
+    assert [diagnostic.message for diagnostic in diagnostics] == expected
+
+
+@pytest.mark.parametrize("value", ["0m", "0m..5m"])
+def test_a_limit_that_is_excluded_is_too_little(value: str, tmp_path: Path) -> None:
+    passes = f"perturb with sine {{ amplitude: 1m, wavelength: {value} }}"
+    (found,) = found_in(ROAD + f"road bent from main {{ {passes} }}\n", tmp_path)
+    assert found.code == "RL208"
+    assert "greater than 0m" in found.message

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from roadlang.ir.dimension import LENGTH
+from roadlang.ir.values import ConstantValue
 from roadlang.plugins.registry import Registry
 from roadlang.semantics import check_text
 
@@ -50,3 +52,26 @@ def test_params_of_included_files_are_set_from_the_command_line(
     assert scenario is not None, found
     values = {item.name: item.value for item in scenario.values}
     assert [getattr(values[f"{side}.bend"], "value", None) for side in ("left", "right")] == [5, 30]
+
+
+def test_what_a_file_sets_wins_over_what_its_includes_set(
+    tmp_path: Path, registry: Registry
+) -> None:
+    (tmp_path / "inner.rl").write_text("param wide = 2m\nparam long = 20m\n")
+    (tmp_path / "outer.rl").write_text('include "inner.rl" { wide: 3m, long: 30m }\n')
+    text = 'include "outer.rl" { wide: 4m }\n'
+    scenario, found = check_text(text, tmp_path / "scene.rl", {"long": "50m"}, registry)
+    assert scenario is not None, found
+    values = {value.name: value.value for value in scenario.values}
+    assert values == {"wide": ConstantValue(4.0, LENGTH), "long": ConstantValue(50.0, LENGTH)}
+
+
+def test_the_header_of_a_scenario_is_that_of_the_main_file(
+    tmp_path: Path, registry: Registry
+) -> None:
+    (tmp_path / "street.rl").write_text('scenario street "A street"\nparam wide = 2m\n')
+    scenario, found = check_text(
+        'include "street.rl"\nscenario town "A town"\n', tmp_path / "scene.rl", {}, registry
+    )
+    assert scenario is not None, found
+    assert (scenario.header.name, scenario.header.title) == ("town", "A town")

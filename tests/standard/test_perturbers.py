@@ -82,6 +82,15 @@ def test_a_sine_closes_with_a_whole_number_of_periods(ring: RoadBatch, wavelengt
     assert slope > 0
 
 
+@pytest.mark.parametrize(("wished", "periods"), [(3.0, 3), (2.6, 3), (2.4, 2), (0.3, 1)])
+def test_a_sine_on_a_loop_has_the_nearest_number_of_periods(
+    ring: RoadBatch, random: BatchRandom, wished: float, periods: int
+) -> None:
+    assert ring.period is not None
+    (moves,) = Sine(1.0, ring.period / wished).displacements(ring, random)
+    np.testing.assert_allclose(moves, np.sin(2 * np.pi * periods * ring.stations / ring.period))
+
+
 def test_a_bump_ends_where_it_says(straight: RoadBatch, random: BatchRandom) -> None:
     moves = Bump(at=100.0, height=2.0, length=40.0).displacements(straight, random)[0]
     assert moves.max() == pytest.approx(2.0)

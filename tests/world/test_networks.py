@@ -222,3 +222,11 @@ def test_things_of_one_kind_are_numbered_from_zero(sample: Sample) -> None:
     names = sorted(thing.name for thing in scene.objects)
     assert names == ["town/building[0]", "town/tree[0]", "town/tree[1]", "town/tree[2]"]
     assert {thing.group for thing in scene.objects} == {"town/building", "town/tree"}
+
+
+def test_any_road_of_the_network_may_be_drawn(sample: Sample) -> None:
+    text = TOWN + "road street from town { select: any }\n"
+    scenes = sample(text, 60).scenes
+    edges = {road.name for road in scenes[0].roads if road.network == "town"}
+    streets = [next(r for r in scene.roads if r.name == "street") for scene in scenes]
+    assert len({(street.x, street.y) for street in streets}) == len(edges) == 4
