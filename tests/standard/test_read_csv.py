@@ -82,3 +82,16 @@ def test_a_table_is_a_loop_where_the_gap_is_at_most_two_usual_steps(
     rows += [(float(x), 10.0) for x in range(19, -1, -1)] + [(0.0, y) for y in (9.0, 2.0, gap)]
     text = "x,y\n" + "".join(f"{x},{y}\n" for x, y in rows)
     assert read(tmp_path, text).closed == closed
+
+
+def test_widths_of_a_loop_stay_with_their_points(tmp_path: Path) -> None:
+    """The last row is the first again: its width is not that of the point before it."""
+    rows = [(x, y, 6.0 + index / 10) for index, (x, y) in enumerate(RING)]
+    text = "x,y,width\n" + "".join(f"{x},{y},{width}\n" for x, y, width in [*rows, rows[0]])
+    loop = read(tmp_path, text)
+    assert isinstance(loop, Road)
+    assert loop.closed
+    quarter = loop.curve.length / 4
+    assert loop.width.at(np.array([0.0, quarter, 2 * quarter])) == pytest.approx(
+        [6, 7, 8], abs=0.05
+    )

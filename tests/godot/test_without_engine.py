@@ -1,0 +1,70 @@
+"""What is decided in Python before an engine is started, and after it has ended."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.cli.main import run
+from roadlang_godot.layout import layout_of
+from roadlang_godot.line import line_of
+from roadlang_godot.pictures import MARGIN, Shot, meters_a_pixel
+from roadlang_godot.traces import contact_events
+from tests.godot.godot_scenes import pieces, road, scene, straight
+
+TIME = np.arange(6) * 0.5
+ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
+
+
+def test_a_contact_is_an_event_when_it_begins_and_not_while_it_lasts() -> None:
+    """A second body that is touched meanwhile is part of the same contact."""
+    ego = testing.agent_trace("ego", time=TIME, contacts=[0, 1, 2, 1, 0, 1])
+    van = testing.agent_trace("van", time=TIME, contacts=[1, 1, 0, 0, 0, 1])
+    events = contact_events({"van": van, "ego": ego})
+    assert [(event["time"], event["agent"]) for event in events] == [
+        (0.0, "van"), (0.5, "ego"), (2.5, "ego"), (2.5, "van"),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 720), (720, 1280), (500, 500)])
+def test_a_top_view_shows_all_of_the_scene(width: int, height: int) -> None:
+    made = scene(road("main", pieces(straight(400.0))))
+    layout = layout_of(made)
+    scale = meters_a_pixel(layout, Shot("top", width, height))
+    assert width * scale >= 400.0 + MARGIN
+    assert height * scale >= 400.0 + MARGIN
+    assert min(width, height) * scale == pytest.approx(400.0 + 2 * MARGIN, abs=15.0)
+    assert meters_a_pixel(layout, Shot("top", width, height, scale=0.3)) == 0.3
+
+
+@pytest.mark.parametrize(
+    "size", ["1280", "1280x", "15x720", "720x15", "9000x720", "720x9000", "axb", "-720x720"]
+)
+def test_a_size_that_is_none_is_refused_before_anything_starts(
+    size: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "scene.rl").write_text(ROAD)
+    picture = tmp_path / "a.png"
+    assert run(["render", str(tmp_path / "scene.rl"), "-o", str(picture), "--size", size]) == 2
+    assert f"`{size}` is no size such as 1280x720" in capsys.readouterr().err
+    assert not picture.exists()
+
+
+def test_a_line_goes_through_its_samples_and_bends_between_them() -> None:
+    """Points of a circle of 30 m every 6 m: the line stays on it within a centimeter."""
+    angle = np.linspace(0, 1.2, 7)
+    circle = road("arc", 30.0 * np.column_stack([np.sin(angle), 1 - np.cos(angle)]))
+    circle = replace(circle, heading=tuple(angle), stations=tuple(30.0 * angle))
+    line = line_of(circle)
+    s = np.linspace(0, 36, 100)
+    points, heading, width = line.at(s)
+    np.testing.assert_allclose(np.hypot(points[:, 0], points[:, 1] - 30.0), 30.0, atol=0.01)
+    np.testing.assert_allclose(heading, s / 30, atol=0.01)
+    np.testing.assert_allclose(width, 7.0)
+    left, right = line.edges(s)
+    np.testing.assert_allclose(np.hypot(left[:, 0], left[:, 1] - 30.0), 26.5, atol=0.02)
+    np.testing.assert_allclose(np.hypot(right[:, 0], right[:, 1] - 30.0), 33.5, atol=0.02)
