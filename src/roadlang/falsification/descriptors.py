@@ -10,13 +10,13 @@ import numpy as np
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
 from ..ir.trace import AgentTrace, Trace
-from ..judging.deciding_moment import deciding_moment
+from ..judging.deciding_moment import first_violation
 from ..plugins.registry import Registry
 from .outcome import Moment
 
 CURVATURE = 0.008
 """Root mean square difference of curvature beyond which roads are distinct, 1/m."""
-SPEED, STATION = 5.0, 50.0
+SPEED, STATION = 10.0, 100.0
 """Differences beyond which the behavior at the deciding moment is distinct, m/s and meters."""
 STATIONS = 64
 """Places along the road where its curvature is compared."""
@@ -24,8 +24,8 @@ _DECIMALS = 6
 
 
 def moment_of(verdict: Verdict, scene: Scene, trace: Trace, registry: Registry) -> Moment | None:
-    """When, where and for whom the drive decides an expectation."""
-    found = deciding_moment(verdict, trace, registry)
+    """When, where and for whom a drive that violates an expectation goes wrong."""
+    found = first_violation(verdict, trace, registry)
     if found is None or not found.actors:
         return None
     sample = found.sample

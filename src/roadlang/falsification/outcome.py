@@ -9,7 +9,7 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """The moment that decides an expectation."""
+    """The moment at which a violated expectation goes wrong."""
 
     expectation: str
     time: float

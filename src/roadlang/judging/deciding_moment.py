@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..ir.scene import Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..plugins.registry import Registry
-from ..stl.explain.explanation import decider
+from ..stl import Formula
+from ..stl.explain.explanation import decider, first_blamed
 from .drives import DriveCondition, group
+
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -23,7 +29,22 @@ class DecidingMoment:
 
 
 def deciding_moment(verdict: Verdict, trace: Trace, registry: Registry) -> DecidingMoment | None:
-    """None for what is no formula over the drive."""
+    """The moment of the robustness. None for what is no formula over the drive."""
+    return _moment(verdict, trace, registry, decider)
+
+
+def first_violation(verdict: Verdict, trace: Trace, registry: Registry) -> DecidingMoment | None:
+    """When a violated formula goes wrong: the first sample at which a comparison fails that it
+    would have needed. None for what is no formula over the drive."""
+    return _moment(verdict, trace, registry, first_blamed)
+
+
+def _moment(
+    verdict: Verdict,
+    trace: Trace,
+    registry: Registry,
+    find: Callable[[Formula, Floats, Mapping[str, Any]], tuple[frozenset[str], int]],
+) -> DecidingMoment | None:
     if verdict.domain != "drive" or verdict.formula is None or "monitor" in verdict.formula:
         return None
     condition = DriveCondition(verdict.formula, trace, registry)
@@ -32,11 +53,9 @@ def deciding_moment(verdict: Verdict, trace: Trace, registry: Registry) -> Decid
     if not choices or not len(time):
         return None
     chosen, values = min(choices, key=lambda choice: float(formula.rho(time, choice[1])))
-    comparison, sample = decider(formula, time, values)
+    variables, sample = find(formula, time, values)
     signals = {
-        name: call
-        for name, call in verdict.formula.get("signals", {}).items()
-        if name in comparison.variables
+        name: call for name, call in verdict.formula.get("signals", {}).items() if name in variables
     }
     return DecidingMoment(sample, tuple(_actors(signals, chosen, trace, sample)))
 

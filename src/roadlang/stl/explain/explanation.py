@@ -111,13 +111,27 @@ def explain(
 
 
 def decider(
-    formula: f.Formula, positions: Positions, signals: Signals, variant: int = 0
-) -> tuple[f.Formula, int]:
-    """The sub-formula, a comparison where there is one, and the sample that decide the robustness
-    at the first sample."""
-    trace = SampledSignals.of(positions, signals, formula.variables, None).alone(variant)
+    formula: f.Formula, positions: Positions, signals: Signals
+) -> tuple[frozenset[str], int]:
+    """The variables of the comparison, and the sample, that decide the robustness at the first
+    sample of a single trace."""
+    trace = SampledSignals.of(positions, signals, formula.variables, None).alone(0)
     chain, _ = _Finder(trace).chain(formula)
-    return chain[-1]
+    last, sample = chain[-1]
+    return last.variables, sample
+
+
+def first_blamed(
+    formula: f.Formula, positions: Positions, signals: Signals
+) -> tuple[frozenset[str], int]:
+    """As `decider`, of the first comparison that fails although the formula would have needed it;
+    where there is none, what decides."""
+    trace = SampledSignals.of(positions, signals, formula.variables, None).alone(0)
+    stretches = violated_stretches(formula, trace)
+    if not stretches:
+        return decider(formula, positions, signals)
+    first = stretches[0]
+    return frozenset(first.signals), int(np.searchsorted(trace.positions, first.start))
 
 
 class _Finder:
