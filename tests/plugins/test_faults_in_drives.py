@@ -110,6 +110,10 @@ FAULTS = {
     "simulator without a trace": (
         'return Trace(TIME, {"ego": ego}, "still")', "return 3", "RL474", "not a Trace",
     ),
+    "simulator that forgets an agent": (
+        'return Trace(TIME, {"ego": ego}, "still")', 'return Trace(TIME, {}, "still")',
+        "RL474", "without the agent `ego`",
+    ),
 }  # fmt: skip
 
 

@@ -52,6 +52,7 @@ class Code:
     UNUSED_LET: Final = "RL190"
     UNIT_SHADOWS_NAME: Final = "RL191"
     ACTOR_ON_REPLACED_ROAD: Final = "RL192"
+    ABRUPT_INTERVAL: Final = "RL193"
     WRONG_DIMENSION: Final = "RL201"
     MISSING_UNIT: Final = "RL202"
     UNKNOWN_UNIT: Final = "RL203"

@@ -66,6 +66,11 @@ def drive_scenes(
             raise wrong_result(entry, None, f"gave a {type(trace).__name__}, not a Trace")
     if len(traces) != len(scenes):
         raise wrong_result(entry, None, f"gave {len(traces)} traces of {len(scenes)} scenes")
+    for scene, trace in zip(scenes, traces, strict=True):
+        missing = [agent.name for agent in scene.agents if agent.name not in trace.agents]
+        if missing:
+            fault = f"gave a trace of `{scene.name}` without the agent `{missing[0]}`"
+            raise wrong_result(entry, None, fault)
     return tuple(
         Driven(scene, trace, judge(scene, trace, registry))
         for scene, trace in zip(scenes, traces, strict=True)

@@ -17,11 +17,20 @@ from ..files.reading import UnreadableFile, read_file, read_start
 from ..geometry.lanes import DEFAULT_LANES
 from ..images.image_header import read_header
 from ..images.image_scale import scale_in_file
-from ..ir.scenario import FileSource, Scenario, ScenarioActor, ScenarioImage, ScenarioRoad
+from ..ir.scenario import (
+    FileSource,
+    Scenario,
+    ScenarioActor,
+    ScenarioImage,
+    ScenarioNetwork,
+    ScenarioRoad,
+)
 from ..ir.values import ConstantValue, Flag, PassCall, TextValue
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
 from ..plugins.registry import Registry
+from ..plugins.stated_bounds import OptionRange
+from ..world.interval_faults import interval_off_road
 from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
 from .constant_kinds import constant_kind
@@ -32,13 +41,13 @@ _ROUNDING = 1e-9
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
-    """Images without scale, lanes that are not there, positions beyond their roads, things in one
-    place, and what backends and the simulator do not support.
+    """Images without scale, intervals without length, lanes that are not there, positions beyond
+    their roads, things in one place, and what backends and the simulator do not support.
 
     Of roads from pictures nothing is said: they are read when scenes are made.
     """
     scenario = IndexedScenario(source, registry, _nothing_measured)
-    found = list(_missing_scales(scenario))
+    found = [*_missing_scales(scenario), *_intervals_without_length(scenario)]
     for actor in (*source.agents, *source.objects):
         if actor.on in scenario.roads:
             fault = _lane_fault(actor, scenario) or _position_fault(actor, scenario)
@@ -55,6 +64,20 @@ def _missing_scales(scenario: IndexedScenario) -> Iterator[Diagnostic]:
         image = scenario.source_of(network)
         if isinstance(image, ScenarioImage) and not _has_scale(image, scenario):
             yield missing_scale(image)
+
+
+def _intervals_without_length(scenario: IndexedScenario) -> Iterator[Diagnostic]:
+    """RL414 for `over: [50m, 50m]`."""
+    things: list[ScenarioRoad | ScenarioNetwork] = list(scenario.roads.values())
+    for thing in [*things, *scenario.networks.values()]:
+        for call in thing.passes:
+            over = dict(call.common).get("over")
+            interval = scenario.value_bounds.option(over) if call.verb == "perturb" else None
+            if isinstance(interval, OptionRange) or not isinstance(interval, tuple):
+                continue
+            ends = {end for part in interval for end in (part.low, part.high)}
+            if len(ends) == 1:
+                yield interval_off_road(call, thing.name, *(2 * [ends.pop()]))
 
 
 def _has_scale(image: ScenarioImage, scenario: IndexedScenario) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import KindInstance, row_of_kind
@@ -19,6 +19,7 @@ from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
 from ..plugins.results import real_numbers
 from .displacement_bound import displacement_bound
+from .interval_faults import interval_off_road
 from .root_roads import is_undisplaced
 from .verified import verified
 
@@ -162,16 +163,7 @@ def _over(
 
 def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: float) -> Floats:
     end = float(road.period if road.period is not None else road.stations[-1])
-    # Of an interval without length at most one station would move: a jump, or nothing.
-    empty = low == high or (low > high and road.period is None)
-    if empty or low >= end or high <= 0:
-        raise DiagnosticError(
-            diagnose(
-                Code.INTERVAL_OFF_ROAD,
-                call.span,
-                interval=f"[{low:g}m, {high:g}m]",
-                road=road.name,
-                length=f"{end:.1f}m",
-            )
-        )
+    reversed_ = low > high and road.period is None
+    if low == high or reversed_ or low >= end or high <= 0:
+        raise DiagnosticError(interval_off_road(call, road.name, low, high, end))
     return over(road.stations, low, high, taper, road.period)

@@ -8,7 +8,8 @@ from ..checker import Checker
 
 
 def warn(checker: Checker) -> None:
-    """Unused names, names that a unit hides, agents and objects on roads that are not built."""
+    """Unused names, names that a unit hides, agents and objects on roads that are not built,
+    perturbations that end abruptly."""
     for declaration in checker.program.in_role("let"):
         name = declaration.name
         # A file that others include may well name more than each of them needs.
@@ -19,6 +20,7 @@ def warn(checker: Checker) -> None:
         if word in checker.program.declarations:
             checker.report(Code.UNIT_SHADOWS_NAME, span, name=word, text=span.text)
     _warn_of_replaced_roads(checker)
+    _warn_of_abrupt_intervals(checker)
 
 
 def _warn_of_replaced_roads(checker: Checker) -> None:
@@ -38,3 +40,30 @@ def _warn_of_replaced_roads(checker: Checker) -> None:
                 Code.ACTOR_ON_REPLACED_ROAD, on.span, name=name, road=on.text, heir=heir,
                 help=f"place it on `{heir}`", fixes=fixes,
             )  # fmt: skip
+
+
+def _warn_of_abrupt_intervals(checker: Checker) -> None:
+    """Passes with `over` but without `taper`."""
+    for declaration in checker.program.in_role("road", "network"):
+        statement = declaration.statement
+        block = statement.block if isinstance(statement, ast.Geometry) else None
+        for call in block.passes if block else ():
+            options = {item.key.text: item for item in call.block.options} if call.block else {}
+            if call.verb.text != "perturb" or "over" not in options or "taper" in options:
+                continue
+            over = options["over"].span
+            meant = f"{over.text}, taper: {_taper(options['over'].value)}"
+            checker.report(
+                Code.ABRUPT_INTERVAL, over, kind=call.kind.text,
+                help=f"write `{meant}`", fixes=[Fix(over, meant)],
+            )  # fmt: skip
+
+
+def _taper(interval: ast.Expression) -> str:
+    """10 m, or a quarter of an interval that is shorter than 40 m."""
+    ends = interval.items if isinstance(interval, ast.ListValue) else ()
+    numbers = [end for end in ends if isinstance(end, ast.NumberLiteral) and end.unit == "m"]
+    if len(numbers) != 2:
+        return "10m"
+    quarter = (numbers[1].value - numbers[0].value) / 4
+    return f"{quarter:g}m" if 0 < quarter < 10 else "10m"
