@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
 from tests.architecture.house import House, SourceFile, dotted
+from tests.architecture.shipped_kinds import DEFAULT_KINDS, WORDS, shipped_kinds
 
 Rule = Callable[[House], Iterator[str]]
 MOST_LINES, MOST_FUNCTION_LINES = 300, 45
@@ -193,13 +194,14 @@ def rooms_that_compute_read_no_files(house: House) -> Iterator[str]:
 
 def the_core_names_no_shipped_kind(house: House) -> Iterator[str]:
     """What the core has to know of a kind, the kind says itself."""
-    kinds = _shipped_kinds(house)
+    kinds = shipped_kinds(house) - {word for words in WORDS.values() for word in words.split()}
     for file in house.core:
         prose = _docstrings(file.tree)
         for node in ast.walk(file.tree):
             if not isinstance(node, ast.Constant) or not isinstance(node.value, str):
                 continue
-            if node not in prose and (node.value in kinds or _QUALIFIED.match(node.value)):
+            allowed = node in prose or node.value in DEFAULT_KINDS.get(file.path, ())
+            if not allowed and (node.value in kinds or _QUALIFIED.match(node.value)):
                 yield _at(file, node.lineno, f'names the kind "{node.value}"')
 
 
@@ -240,15 +242,6 @@ RULES: tuple[Rule, ...] = (
     every_file_says_what_it_is_for,
 )
 _QUALIFIED = re.compile(r"(standard|godot)\.")
-_ORDINARY = frozenset({
-    "acceleration", "all_way_stop", "auto", "builtin", "clearance", "confidence", "contacts",
-    "cross_track_error", "crossing", "curvature", "deviation", "distance", "drive", "frechet",
-    "gap", "godot", "heading", "integer", "json", "length", "lp_distance", "margin", "pixels",
-    "progress", "random", "right_first", "road", "scale", "segments", "signals", "speed",
-    "start", "station", "steering", "stop", "straight", "sup_distance", "svg", "time", "width",
-    "x", "y", "yield"
-})  # fmt: skip
-"""Kinds whose names are words of the language, units, file formats or fields of a scene too"""
 
 
 def _at(file: SourceFile, line: int, fault: str) -> str:
@@ -266,18 +259,6 @@ def _docstrings(tree: ast.Module) -> set[ast.AST]:
     """Strings that are statements of their own."""
     found = (node.value for node in ast.walk(tree) if isinstance(node, ast.Expr))
     return {value for value in found if isinstance(value, ast.Constant)}
-
-
-def _shipped_kinds(house: House) -> frozenset[str]:
-    """The names of the kinds in the wheel that are not ordinary words of the language too."""
-    names = set()
-    for file in house.plugins:
-        for node in ast.walk(file.tree):
-            if not (isinstance(node, ast.AnnAssign) and dotted(node.target) == "name"):
-                continue
-            if isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
-                names.add(node.value.value)
-    return frozenset(names) - _ORDINARY - {""}
 
 
 def _circles(graph: Mapping[str, set[str]]) -> list[set[str]]:

@@ -87,6 +87,7 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     (rules.rooms_that_compute_read_no_files, "stl/evaluate/kernels.py", "np.load('kernels.npy')"),
     (rules.the_core_names_no_shipped_kind, "world/networks.py", "DEFAULT = 'standard.auto'"),
     (rules.the_core_names_no_shipped_kind, "search/effort.py", "CHEAP = ('sine', 'bump')"),
+    (rules.the_core_names_no_shipped_kind, "scenes/emitting.py", "FIRST = 'svg'"),
     (rules.files_and_functions_are_small, "world/new.py", "\n" * rules.MOST_LINES),
     (
         rules.files_and_functions_are_small,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import re
 
 import pytest
 
 from tests.architecture.house import ROOT, House
 from tests.architecture.rules import RULES, Rule
+from tests.architecture.shipped_kinds import DEFAULT_KINDS, WORDS, shipped_kinds
 
 HOUSE = House.read()
 
@@ -15,6 +17,23 @@ HOUSE = House.read()
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
 def test_the_house_keeps(rule: Rule) -> None:
     assert not list(rule(HOUSE))
+
+
+@pytest.mark.parametrize("group", WORDS)
+def test_each_name_that_is_exempt_is_a_kind_and_in_the_core(group: str) -> None:
+    strings = {
+        node.value
+        for file in HOUSE.core
+        for node in ast.walk(file.tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    assert set(WORDS[group].split()) <= shipped_kinds(HOUSE) & strings
+
+
+def test_each_default_kind_is_named_where_it_is_allowed() -> None:
+    for path, kinds in DEFAULT_KINDS.items():
+        assert kinds <= shipped_kinds(HOUSE)
+        assert all(f'"{kind}"' in HOUSE.files[path].text for kind in kinds)
 
 
 def test_every_room_is_in_the_table() -> None:

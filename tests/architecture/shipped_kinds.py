@@ -1,0 +1,41 @@
+"""The kinds in the wheel, and where the core may have their names in quotes."""
+
+from __future__ import annotations
+
+import ast
+
+from tests.architecture.house import House, dotted
+
+WORDS = {
+    "columns of traces, fields of scenes and networks": (
+        "acceleration confidence contacts cross_track_error curvature gap heading length progress"
+        " speed start station steering width x y"
+    ),
+    "words of the language, its units and its near misses": (
+        "auto drive pixels random road scale signals time"
+    ),
+    "functions and modules of the geometry": "clearance crossing frechet margin segments",
+    "rules of junctions, and turns at them": "all_way_stop right_first stop straight yield",
+    "types of JSON Schema": "integer",
+}
+"""Names of kinds that mean something else wherever the core has them in quotes. The rule cannot
+tell the two apart; a name that is in no file any more has to go."""
+DEFAULT_KINDS = {
+    "src/roadlang/semantics/lower/statements.py": frozenset({"builtin"}),
+    "src/roadlang/session/emitting.py": frozenset({"json", "svg"}),
+    "src/roadlang/session/scene.py": frozenset({"svg"}),
+}
+"""Kinds that stand for none: `run` without a `simulate`, a file without an `emit`, the figure of a
+scene in a notebook. A choice of the front door, which a kind cannot make for itself."""
+
+
+def shipped_kinds(house: House) -> frozenset[str]:
+    """The names of the kinds in the wheel."""
+    names = set()
+    for file in house.plugins:
+        for node in ast.walk(file.tree):
+            if not (isinstance(node, ast.AnnAssign) and dotted(node.target) == "name"):
+                continue
+            if isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+                names.add(node.value.value)
+    return frozenset(names) - {""}
