@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..diagnostics import Diagnostic
 from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.draw_record import DrawRecord
@@ -25,6 +26,7 @@ from ..world.aliasing import aliasing_remarks
 from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
+from .junction_warnings import junction_warnings
 from .roads import scene_networks, scene_roads
 
 _NUMBERED = re.compile(r"\[\d+\]$")
@@ -36,6 +38,7 @@ class ConcreteScene:
 
     scene: Scene
     remarks: tuple[str, ...]
+    warnings: tuple[Diagnostic, ...] = ()
 
 
 def instantiate(
@@ -57,7 +60,7 @@ def instantiate(
     remarks = [remark for root in roots for remark in root.remarks]
     # Without the record of draws: what is run again is not drawn again.
     remarks += aliasing_remarks(candidates.take(np.zeros(1, dtype=np.intp)))
-    return ConcreteScene(scene, tuple(remarks))
+    return ConcreteScene(scene, tuple(remarks), junction_warnings(source.networks, candidates))
 
 
 def driven_scene(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]) -> Scene:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..diagnostics import Diagnostic
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..ir.scenario import Scenario
@@ -42,6 +43,8 @@ class SamplingResult:
     missing: tuple[int, ...] = ()
     impossible: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+    warnings: tuple[Diagnostic, ...] = ()
+    """what could not be built as drawn"""
     diversity: float | None = None
     """mean distance of each accepted draw to the nearest other, in the unit cube of the draws"""
 
@@ -91,6 +94,7 @@ def sample_scenes(
         table=rows_of(found.stats, task.acceptance.requirements, frozenset()),
         missing=tuple(found.missing),
         remarks=tuple(dict.fromkeys(remarks)),
+        warnings=tuple(dict.fromkeys(warning for item in concrete for warning in item.warnings)),
         diversity=found.diversity,
     )
 

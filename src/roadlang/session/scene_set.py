@@ -99,8 +99,13 @@ class SceneSet(Sequence[Scene]):
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Warnings of the check, and why there are fewer scenes than asked for (RL600 to RL602)."""
-        return (*self.loaded.check(), *_shortfall(self.result, str(self.loaded.path)))
+        """Warnings of the check, what could not be built as drawn, and why there are fewer scenes
+        than asked for (RL600 to RL602)."""
+        return (
+            *self.loaded.check(),
+            *self.result.warnings,
+            *_shortfall(self.result, str(self.loaded.path)),
+        )
 
     @property
     def expectations(self) -> tuple[Expectation, ...]:

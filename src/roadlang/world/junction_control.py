@@ -91,9 +91,10 @@ def _check_roads(
     for id in _numbers(evaluate(option, candidates)):
         if id in at_junctions:
             continue
-        code = Code.ROAD_NOT_AT_JUNCTION if id in edges else Code.UNKNOWN_ROAD_ID
         help_ = f"the roads that end there are {known}"
-        raise DiagnosticError(diagnose(code, call.span, id=id, help=help_))
+        if id in edges:
+            raise DiagnosticError(diagnose(Code.ROAD_NOT_AT_JUNCTION, call.span, id=id, help=help_))
+        raise DiagnosticError(diagnose(Code.UNKNOWN_ROAD_ID, call.span, id=id, help=help_))
 
 
 def _check(rule: object, junction: Junction, built: KindInstance) -> None:

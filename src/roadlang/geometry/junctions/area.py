@@ -40,10 +40,11 @@ def surface(
     radii = [corner.radius for corner in place.arms.corners if corner.radius is not None]
     radius = max(radii, default=NOSE)
     closed = base.buffer(radius, quad_segs=6).buffer(-radius, quad_segs=6)
-    closed = closed.intersection(_hull_of_faces(found))
-    beyond = [road_beyond(arm, trims) for arm in found.arms]
-    roads = shapely.union_all([road for road in beyond if road is not None])
-    area = shapely.union_all([base, closed]).difference(roads)
+    if found.faces:
+        base = base.union(closed.intersection(_hull_of_faces(found)))
+    roads = [road_beyond(arm, trims) for arm in found.arms]
+    roads = [road for road in roads if road is not None]
+    area = base.difference(shapely.union_all(roads)) if roads else base
     parts = [part for part in shapely.get_parts(area) if part.geom_type == "Polygon"]
     largest = max(parts, key=lambda part: float(part.area))
     return shapely.Polygon(largest.exterior)

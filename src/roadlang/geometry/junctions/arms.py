@@ -16,10 +16,12 @@ from .model import End
 
 ArmKey: TypeAlias = tuple[int, End]
 
-FARTHEST_TRIM = 60.0
+FARTHEST_TRIM = 90.0
 """Meters: roads that still touch there overlap, and no junction hides that."""
+USUAL_TRIM = 60.0
+"""Meters: the trim of arms that still touch there, and the farthest that a tight turn pushes."""
 SPACING = 0.5
-REACH = 110.0
+REACH = 120.0
 """Meters of an arm that are looked at."""
 
 

@@ -44,7 +44,8 @@ def junction_of(
     widths = [_widths(found, pair) for pair in found.pairs]
     rows = [int(row) for row in np.flatnonzero(found.usable)]
     connections = tuple(_connection(id, found, row, widths[row]) for id, row in enumerate(rows))
-    points, _ = sampled(found.fits, line_shares())
+    longest = max((connection.length for connection in connections), default=0.0)
+    points, _ = sampled(found.fits, line_shares(longest))
     conflicts = conflicts_of(connections, points[rows])
     at_ring = any(arm.edge.id in ring for arm in found.arms)
     entering = {arm.edge.id for arm in found.arms if arm.edge.id not in ring} if at_ring else ()

@@ -12,12 +12,12 @@ from .model import Conflict, Connection
 
 VEHICLE_GAP = 2.3
 """Meters between the middles of two vehicles of 2 m that pass each other with 0.3 m to spare."""
-_SHARES = np.linspace(0.0, 1.0, 25)
+_FEWEST, _SPACING = 25, 1.6
 _BLOCK = 512
 
 
 def conflicts_of(connections: Sequence[Connection], points: Floats) -> tuple[Conflict, ...]:
-    """All pairs whose middle lines, `points` (N, 25, 2) at even distances, come closer than
+    """All pairs whose middle lines, `points` (N, k, 2) at `line_shares`, come closer than
     `VEHICLE_GAP` (or than their lanes are wide)."""
     if len(connections) < 2:
         return ()
@@ -44,9 +44,10 @@ def conflicts_of(connections: Sequence[Connection], points: Floats) -> tuple[Con
     return tuple(found)
 
 
-def line_shares() -> Floats:
-    """(25,) the shares of its length at which `conflicts_of` wants a connection's points."""
-    return _SHARES
+def line_shares(longest: float) -> Floats:
+    """(k,) the shares of its length at which `conflicts_of` wants the points of a connection, where
+    the longest is so many meters: close enough that no crossing is missed."""
+    return np.linspace(0.0, 1.0, max(_FEWEST, int(np.ceil(longest / _SPACING)) + 1))
 
 
 def _near_pairs(points: Floats) -> tuple[Integers, Integers]:
@@ -66,6 +67,6 @@ def _kind(a: Connection, b: Connection) -> Literal["cross", "merge", "diverge"]:
 def _interval(close: np.ndarray, length: float) -> tuple[float, float]:
     """From the first to the last close point, and half a step more."""
     places = np.flatnonzero(close)
-    half = 0.5 / (len(_SHARES) - 1)
-    start = max(float(_SHARES[places[0]]) - half, 0.0) * length
-    return start, min(float(_SHARES[places[-1]]) + half, 1.0) * length
+    steps = len(close) - 1
+    start = max(float(places[0]) - 0.5, 0.0) / steps * length
+    return start, min(float(places[-1]) + 0.5, steps) / steps * length

@@ -39,7 +39,9 @@ def corner_between(
     small: bool,
 ) -> Corner:
     """The corner of two arms that leave with `headings`; `small`: as tight as possible."""
-    angle = (headings[1] - headings[0] + math.pi / 4.0) % (2.0 * math.pi) - math.pi / 4.0
+    # Arms of different nodes may lean towards each other.
+    least = 0.25 * math.pi if arms[0].node == arms[1].node else 0.75 * math.pi
+    angle = (headings[1] - headings[0] + least) % (2.0 * math.pi) - least
     inner = _curb_to_lane(arms)
     radius = NOSE if small or inner is None else _radius(angle, inner)
     if angle >= _FLAT:

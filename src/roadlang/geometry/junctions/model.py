@@ -116,9 +116,10 @@ class Problem:
     """What could not be built. `edges` are the roads, `amount` is in meters.
 
     `refused`: turns of up to 150 degrees between the two roads; `overlap`: the surfaces of two
-    roads overlap outside the junction, over `amount` along the first; `vanished`: a dead end lies
-    wholly within a junction; `sweep`: vehicles that turn would drive over a third road; `outside`:
-    a connection leaves the area by `amount`; `stuck`: a lane of the road has no way on.
+    roads overlap outside the junction, over `amount`, or where there is none (`junction` -1);
+    `vanished`: a dead end lies wholly within a junction; `sweep`: vehicles that turn would drive
+    over a third road; `outside`: a connection leaves the area by `amount`; `stuck`: a lane of the
+    road has no way on.
     """
 
     kind: Literal["refused", "overlap", "vanished", "sweep", "outside", "stuck"]

@@ -13,6 +13,9 @@ from .trims import Trimmed, trimmed
 
 SHORTEST_ROAD = 2.0
 """Meters of a road between two places; what would be shorter is swallowed."""
+_LONGEST_STUB, _LONGEST_INSIDE = 30.0, 60.0
+"""Meters: longer dead ends, and roads between two places, are not swallowed. Where no room is left
+of them, the roads of the drawing overlap."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +108,9 @@ class PlaceFinder:
             if (is_stub or edge.id in self._ring) and ends[0] not in self._small:
                 self._small |= set(ends)
                 changed |= places
-            elif edge.id not in self._ring:
+            elif edge.id not in self._ring and edge.length <= (
+                _LONGEST_STUB if is_stub else _LONGEST_INSIDE
+            ):
                 self._inside.add(edge.id)
                 if is_stub:
                     self._vanished.add(edge.id)

@@ -15,6 +15,7 @@ from .connecting import connected
 from .mirroring import mirrored
 from .model import Junction, JunctionPlan
 from .one_way import sections_with_rings
+from .overlaps import overlaps
 from .places import SHORTEST_ROAD, PlaceFinder, all_trims
 from .roundabouts import ring_directions
 
@@ -55,9 +56,10 @@ def plan_junctions(
         junctions.append(built.junction)
         found += built.problems
     inside = {edge for place in places for edge in place.inside}
-    return JunctionPlan(
-        tuple(junctions), _trims_by_edge(network, trims, inside), tuple(found), ring
-    )
+    by_edge = _trims_by_edge(network, trims, inside)
+    known = {frozenset(problem.edges) for problem in found if problem.kind == "overlap"}
+    found += overlaps(network, sections, by_edge, known)
+    return JunctionPlan(tuple(junctions), by_edge, tuple(found), ring)
 
 
 def _make_room(network: RoadNetwork, trims: dict[ArmKey, float]) -> None:

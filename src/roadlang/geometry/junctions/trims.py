@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Floats, cross
-from .arms import FARTHEST_TRIM, SPACING, ArmKey, ArmLine, nearest_on
+from .arms import FARTHEST_TRIM, SPACING, USUAL_TRIM, ArmKey, ArmLine, nearest_on
 from .corners import Corner, corner_between
 
 LEAST = 1.0
@@ -90,12 +90,16 @@ def _all_trims(
         for key, trim in _corner_trims(first, second, corner.radius):
             trims[key] = max(trims[key], trim)
     for i, arm in enumerate(order):
-        others = [other for j, other in enumerate(order) if not _are_neighbors(i, j, len(order))]
+        others = [
+            other
+            for j, other in enumerate(order)
+            if j != i and (other.node != arm.node or not _are_neighbors(i, j, len(order)))
+        ]
         for other in (*others, *_seen_from(arm, swallowed)):
             if _leave_apart(arm, other):
                 continue
             trims[arm.key] = max(trims[arm.key], _clear_of(arm, other))
-    return {key: min(trim, FARTHEST_TRIM) for key, trim in trims.items()}
+    return {key: trim if trim <= FARTHEST_TRIM else USUAL_TRIM for key, trim in trims.items()}
 
 
 def _seen_from(arm: ArmLine, swallowed: Sequence[ArmLine]) -> tuple[ArmLine, ...]:

@@ -1,0 +1,108 @@
+"""What could not be built at the junctions of a network, as warnings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ..diagnostics import Code, Diagnostic, diagnose
+from ..evaluate.candidates import CandidateBatch
+from ..geometry.junctions.model import JunctionPlan, Problem
+from ..geometry.junctions.overlaps import NO_JUNCTION
+from ..ir.scenario import ScenarioNetwork
+from ..world.networks import network_root
+
+_MOST = 6
+
+
+def junction_warnings(
+    networks: Iterable[ScenarioNetwork], candidates: CandidateBatch
+) -> tuple[Diagnostic, ...]:
+    """One for each junction or pair of roads; networks with the same junctions are one."""
+    found: list[Diagnostic] = []
+    seen: list[JunctionPlan] = []
+    for network in networks:
+        plan = network_root(network, candidates).junctions.plans[network.name]
+        if plan not in seen:
+            seen.append(plan)
+            found += _of_plan(network, plan)
+    return tuple(found)
+
+
+def _of_plan(network: ScenarioNetwork, plan: JunctionPlan) -> Iterator[Diagnostic]:
+    for junction in sorted({problem.junction for problem in plan.problems}):
+        problems = [problem for problem in plan.problems if problem.junction == junction]
+        turns = [p for p in problems if p.kind in ("refused", "sweep")]
+        if turns:
+            yield _turns(network, junction, turns, problems)
+        for problem in problems:
+            if problem.kind == "overlap":
+                yield _overlap(network, problem)
+            elif problem.kind == "vanished":
+                yield _inside(network, problem)
+        misses = [p for p in problems if p.kind == "outside"]
+        if misses:
+            yield _misfit(network, junction, misses)
+
+
+def _turns(
+    network: ScenarioNetwork, junction: int, turns: list[Problem], problems: list[Problem]
+) -> Diagnostic:
+    pairs = dict.fromkeys(f"{p.edges[0]} to {p.edges[1]}" for p in turns)
+    stuck = [str(p.edges[0]) for p in problems if p.kind == "stuck"]
+    help_ = [f"no lane leads on from {_roads(dict.fromkeys(stuck))}"] if stuck else []
+    return diagnose(
+        Code.TURNS_NOT_CONNECTED,
+        network.span,
+        junction=junction,
+        network=network.name,
+        turns=f"the turn{'s' if len(pairs) > 1 else ''} from road {_listed(pairs)}",
+        help=help_,
+    )
+
+
+def _overlap(network: ScenarioNetwork, problem: Problem) -> Diagnostic:
+    first, second = problem.edges
+    beyond = f"beyond junction {problem.junction}"
+    return diagnose(
+        Code.ROADS_OVERLAP,
+        network.span,
+        first=first,
+        second=second,
+        network=network.name,
+        length=f"{problem.amount:.1f}m",
+        place="where no junction is" if problem.junction == NO_JUNCTION else beyond,
+    )
+
+
+def _inside(network: ScenarioNetwork, problem: Problem) -> Diagnostic:
+    return diagnose(
+        Code.ROAD_INSIDE_JUNCTION,
+        network.span,
+        road=problem.edges[0],
+        network=network.name,
+        length=f"{problem.amount:.1f}m",
+        junction=problem.junction,
+    )
+
+
+def _misfit(network: ScenarioNetwork, junction: int, misses: list[Problem]) -> Diagnostic:
+    edges = dict.fromkeys(str(edge) for problem in misses for edge in problem.edges)
+    return diagnose(
+        Code.JUNCTION_DOES_NOT_FIT,
+        network.span,
+        junction=junction,
+        network=network.name,
+        roads=_roads(edges),
+        amount=f"{max(problem.amount for problem in misses):.2f}m",
+    )
+
+
+def _roads(ids: Iterable[str]) -> str:
+    shown = list(ids)
+    return f"road{'s' if len(shown) > 1 else ''} {_listed(shown)}"
+
+
+def _listed(items: Iterable[str]) -> str:
+    shown = list(items)
+    more = f" and {len(shown) - _MOST} more" if len(shown) > _MOST else ""
+    return ", ".join(shown[:_MOST]) + more
