@@ -5,16 +5,41 @@ const RoadShader := preload("res://build/shaders/road.gdshader")
 const TileShader := preload("res://build/shaders/tile.gdshader")
 const GrassShader := preload("res://build/shaders/grass.gdshader")
 
-## Surfaces of a road.
+## Surfaces of lanes, by number: color, meters between joints or stall lines across (0 for none),
+## and whether these are painted.
 const MARKED := 0
 const PLAIN := 1
+const SURFACES: Array[Array] = [
+	[Color(0.19, 0.19, 0.2), 0.0, false],
+	[Color(0.19, 0.19, 0.2), 0.0, false],
+	[Color(0.24, 0.2, 0.19), 0.0, false],
+	[Color(0.33, 0.15, 0.13), 0.0, false],
+	[Color(0.23, 0.23, 0.24), 5.5, true],
+	[Color(0.46, 0.45, 0.43), 1.5, false],
+	[Color(0.2, 0.3, 0.12), 0.0, false],
+]
 
 static var _materials: Dictionary = {}
 
 
-static func road(surface: int) -> ShaderMaterial:
-	var material := _shared("road %d" % surface, RoadShader)
+## A strip of lanes with the lines along its left and right border.
+static func road(surface: int, left: int, right: int) -> ShaderMaterial:
+	var material := _shared("road %d %d %d" % [surface, left, right], RoadShader)
+	var look: Array = SURFACES[clampi(surface, 0, SURFACES.size() - 1)]
 	material.set_shader_parameter("marked", surface == MARKED)
+	material.set_shader_parameter("surface", look[0])
+	material.set_shader_parameter("joint", look[1])
+	material.set_shader_parameter("joint_painted", look[2])
+	material.set_shader_parameter("left_line", left)
+	material.set_shader_parameter("right_line", right)
+	return material
+
+
+## The upright side of a curb, lit as if it lay flat: it is too low for its own shade to matter.
+static func curb() -> StandardMaterial3D:
+	var material := plain(Color(0.55, 0.54, 0.51))
+	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	material.cull_mode = BaseMaterial3D.CULL_DISABLED
 	return material
 
 

@@ -55,7 +55,7 @@ func _add_mesh(corners: PackedVector3Array, indices: PackedInt32Array) -> void:
 	arrays[Mesh.ARRAY_INDEX] = indices
 	_mesh = ArrayMesh.new()
 	_mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
-	_mesh.surface_set_material(0, Looks.road(Looks.PLAIN))
+	_mesh.surface_set_material(0, Looks.road(Looks.PLAIN, 0, 0))
 	var instance := MeshInstance3D.new()
 	instance.mesh = _mesh
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF

@@ -1,5 +1,5 @@
 extends "res://build/thing.gd"
-## A piece of road as a strip between its left and right edge, drawn and driven on.
+## A piece of road: a strip of lanes that look alike, drawn, and driven on unless it is raised.
 
 const Protocol := preload("res://net/protocol.gd")
 const Looks := preload("res://build/looks.gd")
@@ -15,6 +15,9 @@ var _mesh: ArrayMesh
 func build(reader: Reader) -> String:
 	var lanes := reader.u8()
 	var surface := reader.u8()
+	var left := reader.u8()
+	var right := reader.u8()
+	var raised := reader.u8() > 0
 	var stations := reader.u16()
 	var start := reader.f32(1e7)
 	var spacing := reader.f32(1000.0)
@@ -24,8 +27,12 @@ func build(reader: Reader) -> String:
 	if not reader.at_end() or lanes < 1 or spacing <= 0.0:
 		return "bad segment"
 	var edges := numbers.to_byte_array().to_vector3_array()
-	_add_mesh(edges, start, spacing, lanes, surface)
-	add_body(_faces(edges))
+	_add_mesh(edges, start, spacing, lanes, Looks.road(surface, left, right))
+	if raised:
+		_add_curb(edges, 0)
+		_add_curb(edges, 1)
+	else:
+		add_body(_faces(edges))
 	return ""
 
 
@@ -36,7 +43,7 @@ func content() -> PackedByteArray:
 
 
 func _add_mesh(
-	edges: PackedVector3Array, start: float, spacing: float, lanes: int, surface: int
+	edges: PackedVector3Array, start: float, spacing: float, lanes: int, material: Material
 ) -> void:
 	var normals := PackedVector3Array()
 	normals.resize(edges.size())
@@ -59,10 +66,29 @@ func _add_mesh(
 	arrays[Mesh.ARRAY_INDEX] = _strip(edges.size() / 2)
 	_mesh = ArrayMesh.new()
 	_mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
-	_mesh.surface_set_material(0, Looks.road(surface))
+	_mesh.surface_set_material(0, material)
 	var instance := MeshInstance3D.new()
 	instance.mesh = _mesh
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	add_child(instance)
+
+
+## The upright face of a raised strip along its left (0) or right (1) border, down to the ground.
+func _add_curb(edges: PackedVector3Array, side: int) -> void:
+	var face := PackedVector3Array()
+	for i in edges.size() / 2:
+		var top := edges[2 * i + side]
+		var foot := Vector3(top.x, 0.0, top.z)
+		face.append_array([foot, top] if side == 0 else [top, foot])
+	var arrays := []
+	arrays.resize(Mesh.ARRAY_MAX)
+	arrays[Mesh.ARRAY_VERTEX] = face
+	arrays[Mesh.ARRAY_INDEX] = _strip(edges.size() / 2)
+	var mesh := ArrayMesh.new()
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	mesh.surface_set_material(0, Looks.curb())
+	var instance := MeshInstance3D.new()
+	instance.mesh = mesh
 	add_child(instance)
 
 

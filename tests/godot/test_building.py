@@ -12,6 +12,7 @@ import pytest
 from roadlang_godot.engine import Engine
 from roadlang_godot.faults import EngineError
 from roadlang_godot.frame import SceneOrigin
+from roadlang_godot.lane_strips import lane_strips
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import polyline
 from roadlang_godot.protocol import Message
@@ -85,7 +86,8 @@ def test_only_what_changed_is_sent_again(session: Session) -> None:
     edges = np.frombuffer(things[4].content, "<f4").reshape(-1, 2, 3).copy()
     edges[3:6, :, 1] += 0.4
     s = np.linspace(400, 500, len(edges))
-    changed = strip_thing("main", edges, s, 2, things[4].id, 0)
+    (look,) = lane_strips(line.cross_section)
+    changed = strip_thing("main", edges, s, look, things[4].id)
     assert session.update([*things[:4], changed, *things[5:]]) == 1
     assert session.prove().builds == len(things) + 1
 

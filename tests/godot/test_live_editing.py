@@ -11,10 +11,11 @@ import pytest
 from roadlang.ir.scene import Scene
 from roadlang_godot.engine import Engine
 from roadlang_godot.frame import SceneOrigin
+from roadlang_godot.lane_strips import lane_strips
 from roadlang_godot.line import polyline
 from roadlang_godot.live import LiveScene
 from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import SURFACE_MARKED, strip_thing
+from roadlang_godot.road_mesh import strip_thing
 from roadlang_godot.session import Session
 from roadlang_godot.thing import ScenePart
 from tests.godot.godot_engines import until
@@ -36,7 +37,8 @@ def raised(height: float) -> ScenePart:
     strip = np.stack(
         [SceneOrigin().ground(left, height), SceneOrigin().ground(right, height)], axis=1
     )
-    return strip_thing("main", strip, s, 2, 1, SURFACE_MARKED)
+    (look,) = lane_strips(polyline("main", pieces(straight(100)), 7.0).cross_section)
+    return strip_thing("main", strip, s, look, 1)
 
 
 def probes(session: Session, height: object) -> bool:

@@ -209,19 +209,10 @@ def line_offset(actor: SceneActor, line: RoadSamples) -> float:
 
     The middle of its lane where it has one, else where it stands; who crosses goes its own way.
     """
-    if actor.lane is not None:
-        return lane_center(actor.lane, line, actor.start or 0.0)
+    if actor.lane is not None and actor.lane in line.cross_section.ids:
+        return float(line.cross_section.offset(actor.lane, actor.start or 0.0))
     offset = actor.offset or 0.0
     return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
-
-
-def lane_center(lane: int, line: RoadSamples, station: float) -> float:
-    """Offset of the middle of a lane (OpenDRIVE numbers: -1 first to the right, 1 to the left)."""
-    width = float(line.at(np.array([station]))[2][0])
-    each = width / max(line.lanes, 1)
-    if line.lanes == 1:
-        return 0.0
-    return (abs(lane) - 0.5) * each * (1 if lane > 0 else -1)
 
 
 def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[str, Any]]:

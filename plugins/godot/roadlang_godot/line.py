@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roadlang.api import geometry
 from roadlang.geometry import Floats
 
 if TYPE_CHECKING:
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
 class RoadSamples:
     """Samples of a road: `s` (n,) arc length, `points` (n, 2), `heading` (n,), `width` (n,).
 
-    A closed line has its first sample again at the end.
+    A closed line has its first sample again at the end. `section` are its lanes by `s`; without
+    it `lanes` share the width.
     """
 
     name: str
@@ -28,6 +30,16 @@ class RoadSamples:
     width: Floats
     lanes: int
     closed: bool
+    section: geometry.CrossSection | None = None
+
+    @cached_property
+    def cross_section(self) -> geometry.CrossSection:
+        """The lanes by arc length."""
+        if self.section is not None:
+            return self.section
+        return geometry.CrossSection.of_lane_count(
+            max(self.lanes, 1), geometry.WidthProfile(self.s, self.width)
+        )
 
     @cached_property
     def length(self) -> float:
@@ -58,10 +70,15 @@ class RoadSamples:
         return points, heading, np.interp(s, self.s, self.width)
 
     def edges(self, s: Floats) -> tuple[Floats, Floats]:
-        """Left and right edge (m, 2) at arc lengths `s` (m,)."""
-        points, heading, width = self.at(s)
-        left = np.stack([-np.sin(heading), np.cos(heading)], axis=-1) * width[:, None] / 2
-        return points + left, points - left
+        """Left and right edge (m, 2) of the drivable lanes at arc lengths `s` (m,)."""
+        left, right = self.beside(s, np.stack(self.cross_section.drivable_extent(s)))
+        return left, right
+
+    def beside(self, s: Floats, offsets: Floats) -> Floats:
+        """Points (k, m, 2) at lateral offsets (k, m), left positive."""
+        points, heading, _ = self.at(s)
+        left = np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
+        return np.asarray(points + offsets[..., None] * left)
 
 
 def line_of(road: SceneRoad) -> RoadSamples:
@@ -76,8 +93,16 @@ def line_of(road: SceneRoad) -> RoadSamples:
         heading = np.append(heading, heading[0])
         width = np.append(width, width[0])
     keep = np.append(True, np.diff(s) > 1e-9)
+    section = road.cross_section()
     return RoadSamples(
-        road.name, s[keep], points[keep], heading[keep], width[keep], road.lanes, road.closed
+        road.name,
+        s[keep],
+        points[keep],
+        heading[keep],
+        width[keep],
+        road.lanes,
+        road.closed,
+        section,
     )
 
 

@@ -1,9 +1,9 @@
-"""Roads as strips between their edges, in pieces that each fit one datagram."""
+"""Roads as strips of lanes, in pieces that each fit one datagram."""
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,18 +11,18 @@ from numpy.typing import NDArray
 from roadlang.geometry import Floats
 
 from .frame import SceneOrigin
+from .lane_strips import CURB_HEIGHT, LaneStrip, lane_strips
 from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .thing import ScenePart
 
-SURFACE_MARKED, SURFACE_PLAIN = 0, 1
 PIECE = 100.0
 """Longest piece, meters: the unit of live edits."""
 SAG = 0.01
 """How far a chord may be from the curve, meters."""
 COARSEST, FINEST = 2.5, 0.4
 
-_HEAD = struct.Struct("<BBHff")
+_HEAD = struct.Struct("<BBBBBHff")
 _MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - _HEAD.size) // 24
 
 
@@ -47,24 +47,33 @@ def stations(line: RoadSamples, start: float, end: float) -> Iterator[Floats]:
         at = float(at + length)
 
 
-def segment(
-    line: RoadSamples, s: Floats, id: int, frame: SceneOrigin, surface: int = SURFACE_MARKED
-) -> ScenePart:
-    """The piece of a road with these stations."""
-    left, right = line.edges(s)
-    strip = np.empty((len(s), 2, 3), dtype="<f4")
-    strip[:, 0] = frame.ground(left)
-    strip[:, 1] = frame.ground(right)
-    return strip_thing(line.name, strip, s, line.lanes, id, surface)
+def segments(
+    line: RoadSamples,
+    s: Floats,
+    strips: Sequence[LaneStrip],
+    first_id: int,
+    frame: SceneOrigin,
+) -> list[ScenePart]:
+    """The piece of a road with these stations: a thing for each strip of lanes."""
+    edges = line.beside(s, line.cross_section.border_offsets(s))
+    things = []
+    for id, look in enumerate(strips, start=first_id):
+        strip = np.empty((len(s), 2, 3), dtype="<f4")
+        strip[:, 0] = frame.ground(edges[look.first])
+        strip[:, 1] = frame.ground(edges[look.last])
+        strip[..., 1] += CURB_HEIGHT if look.raised else 0.0
+        things.append(strip_thing(line.name, strip, s, look, id))
+    return things
 
 
 def strip_thing(
-    name: str, strip: NDArray[np.float32], s: Floats, lanes: int, id: int, surface: int
+    name: str, strip: NDArray[np.float32], s: Floats, look: LaneStrip, id: int
 ) -> ScenePart:
     """A segment of (n, 2, 3) left and right edge points in engine coordinates."""
     spacing = float(s[1] - s[0])
     vertices = strip.tobytes()
-    head = _HEAD.pack(min(max(lanes, 1), 255), surface, len(s), float(s[0]), spacing)
+    marks = (look.surface, look.left, look.right, int(look.raised))
+    head = _HEAD.pack(min(look.lanes, 255), *marks, len(s), float(s[0]), spacing)
     label = f"{name} from {s[0]:.0f} m to {s[-1]:.0f} m"
     return ScenePart(Message.SEGMENT, id, head + vertices, vertices, label)
 
@@ -79,5 +88,8 @@ def road_things(
     """All pieces of a road, or of the part of it between two stations."""
     begin = float(line.s[0]) if start is None else start
     finish = float(line.s[-1]) if end is None else end
-    pieces = stations(line, begin, finish)
-    return [segment(line, s, first_id + i, frame) for i, s in enumerate(pieces)]
+    things: list[ScenePart] = []
+    strips = tuple(lane_strips(line.cross_section))
+    for s in stations(line, begin, finish):
+        things += segments(line, s, strips, first_id + len(things), frame)
+    return things

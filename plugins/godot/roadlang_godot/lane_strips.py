@@ -1,0 +1,120 @@
+"""The lanes of a road as strips: what each looks like, and the lines along its two borders."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from roadlang.api import geometry
+
+CURB_HEIGHT = 0.12
+"""Meters."""
+_SAME_WIDTH = 0.01
+"""Meters."""
+
+
+class Surface(IntEnum):
+    """What a strip is made of (`build/looks.gd`)."""
+
+    MARKED = 0
+    PLAIN = 1
+    BUS = 2
+    BIKE = 3
+    PARKING = 4
+    SIDEWALK = 5
+    GRASS = 6
+
+
+class BorderLine(IntEnum):
+    """The line along a border of a strip (`build/shaders/road.gdshader`)."""
+
+    NONE = 0
+    SOLID = 1
+    BROKEN = 2
+    DOUBLE = 3
+    CURB = 4
+    EDGE = 5
+    """Solid, a little inside the edge of the road."""
+
+
+_SURFACES = {
+    "bus": Surface.BUS,
+    "bike": Surface.BIKE,
+    "parking": Surface.PARKING,
+    "shoulder": Surface.PLAIN,
+    "sidewalk": Surface.SIDEWALK,
+    "median": Surface.SIDEWALK,
+    "grass": Surface.GRASS,
+}
+_LINES = {
+    "none": BorderLine.NONE,
+    "solid": BorderLine.SOLID,
+    "broken": BorderLine.BROKEN,
+    "double": BorderLine.DOUBLE,
+    "curb": BorderLine.CURB,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class LaneStrip:
+    """Lanes beside each other that look alike, between borders `first` and `last` from the left.
+
+    Broken lines part its `lanes`; a `raised` strip is only seen, and driven through.
+    """
+
+    first: int
+    last: int
+    surface: Surface
+    left: BorderLine
+    right: BorderLine
+    raised: bool
+
+    @property
+    def lanes(self) -> int:
+        """How many."""
+        return self.last - self.first
+
+
+def lane_strips(section: geometry.CrossSection) -> Iterator[LaneStrip]:
+    """The strips of a road from left to right."""
+    lanes, markings = section.lanes, section.markings
+    first = 0
+    for place in range(1, len(lanes) + 1):
+        if place < len(lanes) and _go_on(lanes[place - 1], lanes[place], markings[place]):
+            continue
+        kind = lanes[first]
+        yield LaneStrip(
+            first,
+            place,
+            surface_of(kind),
+            _line(markings, first, kind.raised),
+            _line(markings, place, kind.raised),
+            kind.raised,
+        )
+        first = place
+
+
+def surface_of(lane: geometry.Lane) -> Surface:
+    """Of a kind that a plugin brings: as a sidewalk if it is raised, else as a roadway."""
+    usual = Surface.SIDEWALK if lane.raised else Surface.MARKED
+    return _SURFACES.get(lane.kind, usual if lane.drivable or lane.raised else Surface.PLAIN)
+
+
+def _go_on(one: geometry.Lane, other: geometry.Lane, marking: str) -> bool:
+    """Whether two neighbors are drawn as one strip of equal lanes."""
+    alike = surface_of(one) == surface_of(other) == Surface.MARKED
+    if not alike or marking != "broken":
+        return False
+    apart = np.abs(one.width.widths - other.width.at(one.width.stations))
+    return bool((apart < _SAME_WIDTH).all())
+
+
+def _line(markings: tuple[str, ...], place: int, raised: bool) -> BorderLine:
+    line = _LINES[markings[place]]
+    if place in (0, len(markings) - 1) and line == BorderLine.SOLID:
+        return BorderLine.EDGE
+    # The curb lies on the raised side.
+    return BorderLine.NONE if line == BorderLine.CURB and not raised else line

@@ -1,0 +1,76 @@
+"""Lanes as strips: which are drawn together, what lies between them, what is raised."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from roadlang.geometry import CrossSection, WidthProfile
+from roadlang.scenes.sampling import SamplingResult
+from roadlang_godot.frame import SceneOrigin
+from roadlang_godot.lane_strips import CURB_HEIGHT, BorderLine, LaneStrip, Surface, lane_strips
+from roadlang_godot.layout import line_offset
+from roadlang_godot.line import line_of
+from roadlang_godot.road_mesh import road_things
+
+Sample = Callable[..., SamplingResult]
+DRAW = "draw with waypoints { points: [(0m, 0m), (90m, 0m)] }\n"
+
+
+def strips(sample: Sample, options: str) -> list[LaneStrip]:
+    (scene,) = sample("road main {" + options + "\n" + DRAW + "}").scenes
+    return list(lane_strips(scene.roads[0].cross_section()))
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 3])
+def test_equal_lanes_are_one_strip_between_edge_lines(lanes: int) -> None:
+    section = CrossSection.of_lane_count(lanes, WidthProfile.constant(9.0))
+    (strip,) = lane_strips(section)
+    assert strip.lanes == lanes
+    assert (strip.left, strip.right) == (BorderLine.EDGE, BorderLine.EDGE)
+
+
+def test_a_double_line_parts_two_strips() -> None:
+    left, right = lane_strips(CrossSection.of_lane_count(4, WidthProfile.constant(12.0)))
+    assert left.right == right.left == BorderLine.DOUBLE
+    assert (left.lanes, right.lanes) == (2, 2)
+
+
+def test_each_kind_of_lane_has_its_surface(sample: Sample) -> None:
+    found = strips(sample, "left: [drive, bike, sidewalk], right: [drive, parking, grass]")
+    assert [strip.surface for strip in found] == [
+        Surface.SIDEWALK,
+        Surface.BIKE,
+        Surface.MARKED,
+        Surface.PARKING,
+        Surface.GRASS,
+    ]
+    assert [strip.raised for strip in found] == [True, False, False, False, False]
+    assert all(one.last == other.first for one, other in pairwise(found))
+
+
+def test_the_curb_lies_on_the_raised_side(sample: Sample) -> None:
+    walk, bike, *_ = strips(sample, "left: [drive, bike, sidewalk], right: [drive]")
+    assert walk.right == BorderLine.CURB
+    assert bike.left == BorderLine.NONE
+
+
+def test_strips_lie_side_by_side_and_raised_ones_above(sample: Sample) -> None:
+    text = "road main { left: [drive(3m), sidewalk(2m)], right: [drive(3m)], " + DRAW + "}"
+    (scene,) = sample(text).scenes
+    walk, drive = road_things(line_of(scene.roads[0]), 1, SceneOrigin())
+    left = np.frombuffer(walk.content, "<f4").reshape(-1, 2, 3)
+    right = np.frombuffer(drive.content, "<f4").reshape(-1, 2, 3)
+    np.testing.assert_allclose(left[:, 1, [0, 2]], right[:, 0, [0, 2]], atol=1e-4)
+    np.testing.assert_allclose(left[..., 1] - right[..., 1], CURB_HEIGHT, atol=1e-6)
+
+
+def test_an_agent_in_left_hand_traffic_follows_the_middle_of_its_lane(sample: Sample) -> None:
+    text = "world { traffic: left }\nroad main { left: [drive(3m)], right: [drive(4m)], " + DRAW
+    (scene,) = sample(text + "}\nagent ego is car on main at 5m { lane: 1 }").scenes
+    (ego,) = scene.agents
+    assert ego.facing == "forward"
+    assert line_offset(ego, line_of(scene.roads[0])) == pytest.approx(2.0)
