@@ -1,6 +1,6 @@
 """All that a plugin author imports.
 
-What is needed only while a kind runs is imported when it is asked for: checking a scene file
+What is needed only while a kind runs is imported when it is first used: checking a scene file
 imports the kinds that it names, and should not pay for scenes and traces.
 """
 

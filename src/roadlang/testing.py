@@ -48,7 +48,8 @@ def sample(
     folder: str | Path = ".",
     **params: ParamValue,
 ) -> SceneSet:
-    """Scenes of a text in which `kinds` can be named, beside those of all installed plugins.
+    """Scenes of a text in which `kinds` can be named, in addition to those of all installed
+    plugins.
 
     Files that the text names are in `folder`. Raises `roadlang.DiagnosticError`, whose text is
     what a user would see, for faults of the text and of the kinds.

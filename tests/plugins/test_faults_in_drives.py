@@ -102,7 +102,7 @@ FAULTS = {
         "return 1.0 - np.abs(self.agent.speed).max()", "1 / 0", "RL470", "monitor acme.calm",
     ),
     "monitor that gives no number": (
-        "return 1.0 - np.abs(self.agent.speed).max()", "return np.nan", "RL474", "is no number",
+        "return 1.0 - np.abs(self.agent.speed).max()", "return np.nan", "RL474", "is not a number",
     ),
     "simulator that raises": (
         'return Trace(TIME, {"ego": ego}, "still")', "1 / 0", "RL470", "simulate acme.still",

@@ -141,7 +141,7 @@ def test_a_reader_that_reads_something_else(
 def test_a_monitor_that_gives_no_number(sample: Sample) -> None:
     odd = kind(Monitor, "robustness", [np.nan])
     found = failure(sample, STRAIGHT + "require calm with odd\n", odd)
-    assert "gave a robustness that is no number" in found.message
+    assert "gave a robustness that is not a number" in found.message
 
 
 def test_what_a_kind_prints_goes_to_standard_error(

@@ -31,7 +31,7 @@ class Raising(Perturber):
 
 @dataclass(frozen=True)
 class Infinite(Perturber):
-    """Gives what is no number."""
+    """Gives what is not a number."""
 
     name: ClassVar[str] = "infinite"
     size: Length = option(1.0)

@@ -71,11 +71,11 @@ class Channel:
         return out
 
     def next_due(self) -> float:
-        """When the next message is to be sent again; infinity where none is on its way."""
+        """When the next message is to be sent again; infinity if none is unacknowledged."""
         return min((f.resend_at for f in self._flying.values()), default=float("inf"))
 
     def acknowledged(self, payload: bytes) -> None:
-        """Take an acknowledgement; anything that is none is ignored."""
+        """Take an acknowledgement; anything else is ignored."""
         if len(payload) != _ACK.size:
             return
         upto, mask = _ACK.unpack(payload)
@@ -105,7 +105,7 @@ class Channel:
         return True
 
     def take_ack(self) -> bytes:
-        """The acknowledgement to send, empty where none is due."""
+        """The acknowledgement to send, empty if there is none."""
         if not self._ack_due:
             return b""
         self._ack_due = False

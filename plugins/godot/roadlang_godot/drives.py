@@ -1,4 +1,4 @@
-"""Which controllers the engine has, and what of a call it is told."""
+"""Which controllers the engine has, and what is sent to it of a call."""
 
 from __future__ import annotations
 

@@ -176,8 +176,8 @@ def connect(
 ) -> Session:
     """A session with an engine that already runs.
 
-    Raises `EngineError` RL502 where nobody answers, RL503 where it refuses, RL512 where the
-    address is no good, RL516 where the package for a WebSocket is missing.
+    Raises `EngineError` RL502 where nobody answers, RL503 where it refuses, RL512 where the address
+    is wrong, RL516 where the package for a WebSocket is missing.
     """
     try:
         link: DatagramLink = (

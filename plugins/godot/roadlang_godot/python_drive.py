@@ -43,7 +43,7 @@ class PythonDriver:
         return out
 
     def observations(self, state: Records, time: float) -> dict[str, Observation]:
-        """What each agent is seen to do, by name."""
+        """The state of each agent, by name."""
         by_number = {int(row["agent"]): row for row in state}
         return {
             name: self._observation(self._actors[name], by_number[number], time)

@@ -1,4 +1,4 @@
-"""Pixel roads: one tile per cell, its shape told by which of the four neighbors are road."""
+"""Pixel roads: one tile per cell, whose shape follows from which of the four neighbors are road."""
 
 from __future__ import annotations
 

@@ -192,7 +192,8 @@ class Session:
         return None
 
     def pump(self, timeout: float) -> None:
-        """Send what is due and take what has come, waiting up to `timeout` seconds for it."""
+        """Send what is pending and take what has arrived, waiting for it up to `timeout`
+        seconds."""
         now = time.monotonic()
         if now - self._last_pump > _PING_EVERY:
             # Nobody listened for a while: that the engine was not heard then is no sign.

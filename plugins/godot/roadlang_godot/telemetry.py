@@ -32,7 +32,7 @@ RECORD = np.dtype(
     ]
 )
 """x east, y north, z up in the engine's frame (meters), heading in radians from east; `wheels` are
-bits of those on the ground, `contacts` the bodies touched beside the ground."""
+bits of those on the ground, `contacts` the bodies touched, not counting the ground."""
 
 Records = NDArray[Any]
 

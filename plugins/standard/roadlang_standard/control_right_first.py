@@ -1,4 +1,4 @@
-"""`control with right_first`: the rule where nothing else is said."""
+"""`control with right_first`: the default rule."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class Integer(Distribution):
         return [(number + 0.5) / count for number in range(count)]
 
     def cells(self) -> list[float] | None:
-        """Of more than a thousand numbers none is worth to be looked for by itself."""
+        """Of more than a thousand numbers, none is searched for individually."""
         count = self.high - self.low + 1
         if count > _MOST_CELLS:
             return None

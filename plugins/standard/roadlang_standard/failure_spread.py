@@ -55,7 +55,7 @@ class FailureSpread:
         return np.stack(vectors)
 
     def tell(self, values: Floats) -> None:
-        """What came of the vectors that were asked for last: the length of moves adapts."""
+        """Take the results of the last vectors; the step length adapts."""
         import numpy as np
 
         moved = np.array(self._moved[: len(values)], dtype=bool)

@@ -113,7 +113,7 @@ class _Run:
         self._stale = 0
 
     def ask(self, count: int) -> Floats:
-        """Points of the present generation, which may be asked for in parts."""
+        """Points of the current generation, which may be requested in parts."""
         import numpy as np
 
         return np.asarray(self._strategy.ask(count))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def nearest(one: Any, other: Any, separation: Separation) -> Floats:
-    """(T,) the least of a measure over two groups; nobody is compared with itself."""
+    """(T,) the least of a measure over two groups; nothing is compared with itself."""
     import numpy as np
 
     some = one if isinstance(one, tuple) else (one,)

@@ -1,4 +1,4 @@
-"""An exception that nobody expected, as a short report."""
+"""An unexpected exception, as a short report."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One set of scenes, compiled into a folder, and what is said of it."""
+"""Compiles one set of scenes into a folder, and reports on it."""
 
 from __future__ import annotations
 

@@ -116,7 +116,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 def _runs(
     file: str, overrides: dict[str, str], params: str | None, emit: str | None, target: Path
 ) -> tuple[list[Compilation], bool]:
-    """What is to be compiled, and whether each of it has a folder of its own."""
+    """What is to be compiled, and whether each set has a separate folder."""
     from ..session.loading import load
     from ..session.runs import run_folders, variants
     from .compilation import Compilation

@@ -31,7 +31,7 @@ def exit_code_of(diagnostics: Iterable[Diagnostic]) -> int:
 
 
 def severest(codes: Iterable[int]) -> int:
-    """The exit code of several; `DONE` where there is none."""
+    """The most severe of several exit codes; `DONE` without any."""
     present = set(codes)
     return next((code for code in _SEVEREST_FIRST if code in present), DONE)
 

@@ -102,7 +102,7 @@ def command(
 
 
 def _load() -> None:
-    """Import what extractors stand on, so that the seconds told are those of the picture."""
+    """Import what extractors need, so that the time that is printed is that of the picture."""
     from importlib import import_module
 
     for name in (

@@ -96,7 +96,7 @@ def _flush() -> None:
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
-    """Run a command line and return its exit code; bad input and bugs alike end in words."""
+    """Run a command line and return its exit code; bad input and bugs are both reported as text."""
     try:
         result = roadlang.main(arguments, prog_name="roadlang", standalone_mode=False)
         sys.stdout.flush()

@@ -26,7 +26,7 @@ class BrokenCommand:
     reason: str
 
     def refuse(self) -> DiagnosticError:
-        """RL932, for whoever asks for it."""
+        """RL932, for the caller to raise."""
         return DiagnosticError(
             diagnose(
                 Code.BROKEN_PLUGIN_COMMAND,

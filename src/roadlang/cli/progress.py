@@ -1,4 +1,4 @@
-"""A progress bar on the terminal's stderr; nothing at all where nobody watches."""
+"""A progress bar on the terminal's stderr; none where stderr is not a terminal."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ Severity = Literal["error", "warning", "note"]
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A replacement of one place in the source that would mend the fault."""
+    """A replacement of one place in the source that would correct the fault."""
 
     span: Span
     replacement: str

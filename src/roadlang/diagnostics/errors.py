@@ -1,4 +1,4 @@
-"""The exception that carries diagnostics to whoever reports them."""
+"""The exception that carries diagnostics to the code that reports them."""
 
 from __future__ import annotations
 

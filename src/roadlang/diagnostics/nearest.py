@@ -19,7 +19,7 @@ _MOST_POSTINGS = 2048
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """The known name most like `word`, or None when none is near."""
+    """The known name most similar to `word`, or None if none is similar."""
     return _nearest(word, tuple(known))
 
 
@@ -36,7 +36,7 @@ def _nearest(word: str, known: tuple[str, ...]) -> str | None:
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> tuple[str, ...]:
-    """A help line naming the nearest known name; empty when none is near."""
+    """A help line that names the most similar known name; empty if none is similar."""
     found = nearest(word, known)
     return (f"did you mean `{found}`?",) if found else ()
 

@@ -51,7 +51,7 @@ class Source:
 
     @property
     def end(self) -> Span:
-        """The empty span behind the last character that is not white space."""
+        """The empty span after the last character that is not white space."""
         offset = len(self.text.rstrip())
         return Span(self, offset, offset)
 
@@ -81,7 +81,7 @@ class Span:
 
     @property
     def end_column(self) -> int:
-        """Column behind the last character, on `end_line`."""
+        """Column after the last character, on `end_line`."""
         return self.source.position(self.end)[1]
 
     @property

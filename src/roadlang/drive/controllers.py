@@ -1,4 +1,4 @@
-"""The controllers of a scene that are written in Python, ready to be asked."""
+"""The controllers of a scene that are written in Python, as instances."""
 
 from __future__ import annotations
 

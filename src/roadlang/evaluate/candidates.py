@@ -18,10 +18,10 @@ T = TypeVar("T")
 
 
 class CandidateBatch:
-    """V candidates, told apart by (scene, attempt).
+    """V candidates, identified by (scene, attempt).
 
     `given` holds coordinates that a sampler or a search has chosen, (V,) by name; all others are
-    hashed of their place. `record`, where one is passed, is told of all that is drawn. Whatever is
+    hashed of their place. `record`, where one is passed, is given all that is drawn. Whatever is
     computed is kept by `once`, also for the survivors that `take` chooses, so that a later
     requirement pays only for what is new to it; they have no record.
     """
@@ -148,7 +148,7 @@ def coordinate_name(place: str, element: int) -> str:
 
 
 def rows_of(value: Any, rows: NDArray[np.intp], count: int) -> Any:
-    """The rows of what was computed for `count` candidates; what is alike in all stays."""
+    """The rows of what was computed for `count` candidates; what is the same for all stays."""
     if isinstance(value, np.ndarray):
         return value if value.ndim == 0 or value.shape[0] == 1 else value[rows]
     if isinstance(value, RoadBatch):

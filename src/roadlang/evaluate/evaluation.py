@@ -77,7 +77,7 @@ def evaluate(value: Value, candidates: CandidateBatch, element: int = 0) -> Any:
 
 
 def named(name: str, candidates: CandidateBatch) -> Any:
-    """What a `param` or `let` is. Raises RL478 where it is no number, as after 0 / 0."""
+    """The value of a `param` or `let`. Raises RL478 where it is not a number, as after 0 / 0."""
 
     def make(whole: CandidateBatch) -> Any:
         found = evaluate(declared.value, whole)

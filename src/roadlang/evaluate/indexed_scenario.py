@@ -138,7 +138,7 @@ class IndexedScenario:
     def chain(
         self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
     ) -> Iterator[ScenarioImage | ScenarioNetwork | ScenarioRoad]:
-        """A thing, what it is made from, and so on."""
+        """A thing, the thing that it is made from, and so on."""
         link: ScenarioImage | ScenarioNetwork | ScenarioRoad | None = thing
         while link is not None:
             yield link

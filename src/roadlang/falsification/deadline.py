@@ -7,7 +7,8 @@ from collections.abc import Callable
 
 
 def deadline(seconds: float | None) -> Callable[[], bool]:
-    """A function that tells whether so many seconds are over; never without a number."""
+    """A function that returns whether this many seconds have passed; always False without a
+    number."""
     if seconds is None:
         return lambda: False
     end = time.monotonic() + seconds

@@ -16,7 +16,7 @@ from .plan import Plan
 
 
 class Islands:
-    """The searches of a plan. Each is asked for a batch in every round."""
+    """The searches of a plan. Each gives a batch of points in every round."""
 
     def __init__(self, plan: Plan, axes: Sequence[Axis]) -> None:
         self._plan = plan

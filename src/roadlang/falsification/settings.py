@@ -27,9 +27,9 @@ def plan_of(
 ) -> tuple[Plan, tuple[str, ...]]:
     """The plan and the expectations to violate, the most important first.
 
-    `searcher` and `given` (values of `SETTINGS`, None where nothing is said) come before the scene
-    file. Raises `DiagnosticError` RL703 where there is nothing to violate, RL930 for a searcher
-    that does not exist, RL208 for a value that is out of bounds.
+    `searcher` and `given` (values of `SETTINGS`, None where not set) come before the scene file.
+    Raises `DiagnosticError` RL703 where there is nothing to violate, RL930 for a searcher that does
+    not exist, RL208 for a value that is out of bounds.
     """
     settings = _settings(scenario) | {k: v for k, v in given.items() if v is not None}
     expects = _expects(scenario.source, settings.pop("expects"))

@@ -1,9 +1,9 @@
 """Several files of a folder replaced together, so that a kill at any moment can be made good.
 
-New contents and the files that they replace are gathered in a folder of their own,
-`.roadlang-*`, beside the files. Its journal is what decides: before there is one, nothing has
-happened; `journal.json` says that the new files are to be put in place, `undo.json` that the old
-ones are. Either is carried out from the beginning as often as it takes.
+New contents and the files that they replace are gathered in a separate folder, `.roadlang-*`,
+beside the files. Its journal is what decides: before there is one, nothing has happened;
+`journal.json` says that the new files are to be put in place, `undo.json` that the old ones are.
+Either is carried out from the beginning as often as it takes.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ from .frame import CurveFrame
 class DisplacedBatch(CurveBatch):
     """One curve displaced in V ways along its normal: `points + displacement * normal`.
 
-    Everything is computed from the frame and the displacement when it is first asked for.
+    Everything is computed from the frame and the displacement when it is first needed.
     """
 
     def __init__(self, frame: CurveFrame, displacement: Floats) -> None:

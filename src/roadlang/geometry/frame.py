@@ -17,7 +17,8 @@ from .folding import BaseSteps
 
 @dataclass(frozen=True, eq=False)
 class CurveFrame(SharedArrays):
-    """`stations` (S,) of a curve and what it is there; make one with `CurveFrame.of`."""
+    """`stations` (S,) of a curve, and its points, headings and curvatures there; make one with
+    `CurveFrame.of`."""
 
     curve: Curve
     stations: Floats

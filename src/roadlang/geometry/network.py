@@ -92,7 +92,7 @@ class Edge(SharedArrays):
         return replace(self, curve=curve, widths=widths, cross_section=section)
 
     def road(self, lanes: int = 2) -> Road:
-        """The edge as a road of its own: with its cross-section, or with so many equal lanes."""
+        """The edge as a separate road: with its cross-section, or with this many equal lanes."""
         if self.cross_section is not None:
             return Road.of(self.curve, self.cross_section)
         return Road(self.curve, self.width, lanes)

@@ -1,4 +1,4 @@
-"""Curves through a few points that somebody typed, whose distances may differ a lot."""
+"""Curves through a few points typed by hand, whose distances may differ a lot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Opens picture files of any quality: what cannot be used is said before it is decoded."""
+"""Opens picture files of any quality: what cannot be used is reported before it is decoded."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Pixels = NDArray[np.uint8]
 
 @dataclass(frozen=True)
 class OpenedImage:
-    """`pixels` (height, width, 3) BGR, and the scale where the file, or one beside it, has it."""
+    """`pixels` (height, width, 3) BGR, and the scale where the file, or one next to it, has it."""
 
     pixels: Pixels
     found_scale: FoundScale | None

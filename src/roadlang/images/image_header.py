@@ -1,4 +1,5 @@
-"""The size of a picture from its first bytes, so that none is decoded that is too large."""
+"""The size of a picture from its first bytes, so that pictures that are too large are not
+decoded."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from .tiff import TiffError, TiffTags
 
 @dataclass(frozen=True, slots=True)
 class ImageHeader:
-    """What the first bytes of an image file say of it; sizes are in pixels."""
+    """What the first bytes of an image file state; sizes are in pixels."""
 
     format: str
     width: int

@@ -1,4 +1,4 @@
-"""Meters per pixel from a GeoTIFF's tags or from a world file beside a picture."""
+"""Meters per pixel from a GeoTIFF's tags or from a world file next to a picture."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _DEGREES_AT_MOST = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class FoundScale:
-    """`meters` per pixel; of a world file beside the picture also its name and sha256."""
+    """`meters` per pixel; of a world file next to the picture also its name and sha256."""
 
     meters: float
     world_file: str = ""

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 class RoadBatch(Frozen):
     """A road in V variants, sampled at S stations of its root road (arc length, meters).
 
-    All roads that derive from one root share its stations, so that they can be compared point
-    by point. Arrays have V rows, or one row where all variants are alike. What is not asked for
-    is not computed.
+    All roads that derive from one root share its stations, so that they can be compared point by
+    point. Arrays have V rows, or one row where all variants are equal. They are computed when they
+    are first used.
     """
 
     name: str

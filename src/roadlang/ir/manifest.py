@@ -11,7 +11,7 @@ MANIFEST_SCHEMA = "roadlang.manifest/1"
 
 @dataclass(frozen=True, slots=True)
 class OutputFile:
-    """A file beside the manifest. `scene` is None for what was written once for all scenes."""
+    """A file next to the manifest. `scene` is None for what was written once for all scenes."""
 
     path: str
     """beside the manifest"""

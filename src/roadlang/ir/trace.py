@@ -18,8 +18,8 @@ class AgentTrace(Frozen):
 
     `station` is arc length along the agent's own road, `cross_track_error` the signed distance from
     the line it should follow (left positive), `progress` the share of the road driven (0 to 1),
-    `contacts` the number of bodies touched beside the ground. What an engine does not report is
-    NaN throughout, and a signal of it is refused with a diagnostic.
+    `contacts` the number of bodies touched, not counting the ground. What an engine does not report
+    is NaN throughout, and a signal of it is refused with a diagnostic.
     """
 
     name: str

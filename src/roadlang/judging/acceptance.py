@@ -70,7 +70,7 @@ class Acceptance:
         """Each requirement is tried on the survivors of those before it.
 
         With `scenes` (V,) the last requirements are tried on the survivors of each scene only until
-        one passes: those behind it count as accepted.
+        one passes: those after it count as accepted.
         """
         count = candidates.count
         rho = np.full((len(self.requirements), count), np.nan)

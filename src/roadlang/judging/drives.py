@@ -157,5 +157,5 @@ def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> flo
         kind: Any = entry.load()
         rho = float(kind(**options).judge(trace))
     if math.isnan(rho):
-        raise wrong_result(entry, None, "gave a robustness that is no number")
+        raise wrong_result(entry, None, "gave a robustness that is not a number")
     return rho

@@ -27,6 +27,6 @@ def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
             fault = f"gave a robustness of shape {rho.shape}, not ({candidates.count},)"
             raise wrong_result(built.entry, call.span, fault)
         if np.isnan(rho).any():
-            raise wrong_result(built.entry, call.span, "gave a robustness that is no number")
+            raise wrong_result(built.entry, call.span, "gave a robustness that is not a number")
         worst = np.minimum(worst, rho)
     return worst

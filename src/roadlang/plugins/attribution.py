@@ -1,4 +1,5 @@
-"""Code of plugins runs in here: whatever it does is told of it, and of nobody else."""
+"""Runs code of plugins: what it raises or prints is attributed to the plugin, and to nothing
+else."""
 
 from __future__ import annotations
 
@@ -16,15 +17,15 @@ class PluginFault(Exception):
 
 
 class Reason(TypeError):
-    """Why something of a plugin cannot be used; its text needs no class or place beside it."""
+    """Why something of a plugin cannot be used; its text needs no class or place in addition."""
 
 
 @contextmanager
 def attributed() -> Iterator[None]:
     """Around code of plugins. Raises `PluginFault` for whatever it raises.
 
-    Ctrl-C and SIGTERM pass: they are nobody's fault. What the code prints goes to standard
-    error: standard output is for the results of commands.
+    Ctrl-C and SIGTERM pass through. What the code prints goes to standard error: standard output is
+    for the results of commands.
     """
     try:
         with redirect_stdout(sys.stderr):

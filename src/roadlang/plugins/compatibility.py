@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def unmet_requirement(distribution: Distribution | None) -> str | None:
     """Why a distribution cannot be used with this roadlang; None if it can.
 
-    pip sees to it, but `pip install --no-deps`, and an upgrade of roadlang afterwards, do not.
+    pip ensures it, but `pip install --no-deps`, and an upgrade of roadlang afterwards, do not.
     """
     if distribution is None or distribution.metadata["Name"].lower() == DISTRIBUTION:
         return None

@@ -35,7 +35,7 @@ def registry_of(plugins: Mapping[str, Any], *, installed: bool = False) -> Regis
 
 
 def collect(found: Iterable[Candidate]) -> Registry:
-    """Load each candidate by itself and gather what the healthy ones bring."""
+    """Load each candidate separately and collect the kinds of those that work."""
     found = list(found)
     entries: list[KindEntry] = []
     broken: list[BrokenPlugin] = []
@@ -55,7 +55,8 @@ def collect(found: Iterable[Candidate]) -> Registry:
 
 
 def _check_entry_point(candidate: Candidate, found: list[Candidate]) -> None:
-    """Raises `KindFault`: its kinds could not be told from others', or not be written at all."""
+    """Raises `KindFault`: its kinds could not be distinguished from others', or could not be
+    written in a scene file."""
     origin = candidate.origin
     check_name(origin.plugin, "its entry point")
     others = [c.origin for c in found if c is not candidate and c.origin.plugin == origin.plugin]

@@ -43,7 +43,7 @@ class Origin:
 
 @dataclass(frozen=True)
 class Candidate:
-    """A plugin, or a command of one, that may turn out to be broken.
+    """A plugin, or a command of a plugin, that may be broken.
 
     `name` is that of the plugin or command. `kinds` are the kinds of a plugin that names them in
     its metadata: `module:Class` by verb and name (`perturb sine`).
@@ -66,7 +66,7 @@ class Candidate:
 
 
 def plugin_candidates(blocked: Iterable[str] = ()) -> list[Candidate]:
-    """The plugins that nobody has left out, shipped ones first."""
+    """The installed plugins that are not disabled, shipped ones first."""
     return _not_blocked(_installed_plugins(), blocked)
 
 
@@ -85,7 +85,7 @@ def _installed_plugins() -> list[Candidate]:
 
 
 def _with_kinds(name: str, points: Iterable[EntryPoint]) -> Iterator[Candidate]:
-    """The plugins of one name that name their kinds: one, unless distributions are at odds."""
+    """The plugins of one name that list their kinds: one for each distribution."""
     by_origin: dict[Origin, list[EntryPoint]] = {}
     for point in points:
         by_origin.setdefault(_origin_of(point, name), []).append(point)
@@ -95,7 +95,7 @@ def _with_kinds(name: str, points: Iterable[EntryPoint]) -> Iterator[Candidate]:
 
 
 def command_candidates() -> list[Candidate]:
-    """The commands of plugins that nobody has left out, shipped ones first.
+    """The commands of plugins that are not disabled, shipped ones first.
 
     A command belongs to the plugin of its distribution that has the same top-level package, or to
     the first plugin of it; of a distribution without plugins, to one of the command's name.

@@ -157,7 +157,8 @@ class Registry:
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """What to say of broken plugins where something was not found: it may be in one of them."""
+        """Help lines about broken plugins for where something was not found: it may be in one of
+        them."""
         lines = [str(broken) for broken in self.broken]
         more = len(lines) - _MOST_HINTS
         rest = f"{more} more could not be loaded; `roadlang plugins` says why"

@@ -1,4 +1,5 @@
-"""What kinds return, as arrays of numbers, or the diagnostic that says what it is instead."""
+"""What kinds return, as arrays of numbers, or the diagnostic that describes what they are
+instead."""
 
 from __future__ import annotations
 

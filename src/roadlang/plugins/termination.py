@@ -27,7 +27,7 @@ def stop_noticing_sigterm() -> None:
 
 
 def raise_if_terminated() -> None:
-    """Raise `Terminated` again if somebody else's code has caught it."""
+    """Raise `Terminated` again if other code has caught it."""
     if _received:
         raise Terminated
 

@@ -47,9 +47,10 @@ class ValueBounds:
     _of_draws: dict[str, Bounds] = field(default_factory=dict)
 
     def of(self, value: Value | None) -> Bounds:
-        """Bounds of a number; nothing is known of what the geometry decides, or of no number.
+        """Bounds of a number; nothing is known of what the geometry decides, or of what is not a
+        number.
 
-        Raises RL474 where a distribution states a support that is no range.
+        Raises RL474 where a distribution states a support that is not a range.
         """
         found = None if value is None else self.known(value)
         if found is not None:
@@ -69,7 +70,7 @@ class ValueBounds:
         return UNKNOWN
 
     def option(self, value: Value | None) -> Any:
-        """The value of an option: a number as an `OptionRange`, a list as a tuple of such.
+        """The value of an option: a number as an `OptionRange`, a list as a tuple of them.
 
         None where nothing is known of it.
         """

@@ -33,7 +33,7 @@ def scene_actors(
 
 
 def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
-    """What the legends of the images named, beside roads: `town/tree[0]`."""
+    """What the legends of the images name, in addition to roads: `town/tree[0]`."""
     found: list[SceneActor] = []
     networks = candidates.scenario.networks.values()
     bottoms = [

@@ -46,7 +46,7 @@ def instantiate(
 ) -> ConcreteScene:
     """The scene of the only candidate, which has a record; `index` is the scene's number.
 
-    Evaluated by itself, so that its bytes do not depend on what it was searched with.
+    Evaluated alone, so that its bytes do not depend on the batch that it was found in.
     """
     source = candidates.scenario.source
     scene = replace(
@@ -97,7 +97,7 @@ def _with_draws(scene: Scene, candidates: CandidateBatch) -> Scene:
 
 
 def fixed_remarks(scenario: IndexedScenario) -> tuple[str, ...]:
-    """What extractors had to say of the networks that are the same in every scene."""
+    """Remarks of extractors on the networks that are the same in every scene."""
     fixed = [item for item in scenario.networks.values() if not scenario.is_varying(item.name)]
     roots = [network_root(network, fixed_candidate(scenario)) for network in fixed]
     return tuple(remark for root in roots for remark in root.remarks)
@@ -134,7 +134,7 @@ def _version(distribution: str) -> str:
 
 
 def _inputs(candidates: CandidateBatch) -> list[Input]:
-    """The files behind all networks and roads, by path."""
+    """The files that all networks and roads come from, by path."""
     scenario = candidates.scenario
     networks = [network_root(network, candidates) for network in scenario.networks.values()]
     roads = [road_root(name, candidates) for name in scenario.roads]

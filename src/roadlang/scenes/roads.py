@@ -105,7 +105,7 @@ def _speed_limit(thing: ScenarioRoad | ScenarioNetwork, candidates: CandidateBat
 
 
 def _root_name(road: ScenarioRoad, candidates: CandidateBatch) -> str:
-    """The road of the scene that this one was before anything bent it."""
+    """The road of the scene that this one was perturbed from."""
     scenario = candidates.scenario
     bottom = [link for link in scenario.chain(road) if isinstance(link, ScenarioRoad)][-1]
     root = road_root(road.name, candidates)

@@ -34,7 +34,7 @@ class Accepted:
     coordinates: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
 
     def candidate(self, scenario: IndexedScenario, seed: int, record: DrawRecord) -> CandidateBatch:
-        """The candidate by itself: nothing of it depends on what it was searched with."""
+        """The candidate alone: nothing about it depends on the batch that it was found in."""
         scene, attempt = np.array([self.scene]), np.array([self.attempt])
         return CandidateBatch(scenario, seed, scene, attempt, self.coordinates, record)
 

@@ -70,8 +70,8 @@ class Pilot:
         return float(self.surrogate.chance(even).mean()) < RARE
 
     def choose(self, sampler: KindInstance, random: BatchRandom) -> Floats:
-        """(1, d) the first proposal that is likely to hold, even draws before steered ones; the
-        likeliest of all where none is."""
+        """(1, d) the first proposal that is likely to hold, even draws before steered ones; if none
+        is, the most likely of all."""
         assert self.surrogate is not None
         dimensions = len(self.names)
         width = _numbers(sampler, dimensions)
@@ -137,7 +137,7 @@ def _steered(sampler: KindInstance, known: Floats, uniform: Floats) -> Floats:
 def guided_attempts(
     acceptance: Acceptance, sampler: KindInstance, seed: int, scenes: Sequence[int]
 ) -> tuple[list[Accepted], RejectionStats]:
-    """The first accepted attempt of each scene, each searched for by itself."""
+    """The first accepted attempt of each scene, each searched for separately."""
     pilot = acceptance.scenario.once(("pilot", seed), lambda: run_pilot(acceptance, sampler, seed))
     stats = RejectionStats.empty(len(acceptance.requirements))
     if 0 in scenes:

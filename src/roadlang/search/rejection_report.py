@@ -79,7 +79,7 @@ class RejectionStats:
 def rows_of(
     stats: RejectionStats, requirements: Sequence[Requirement], impossible: frozenset[int]
 ) -> tuple[RejectionRow, ...]:
-    """The table, those that reject most first; what goes without saying only where it rejects."""
+    """The table, those that reject most first; implicit requirements only where they reject."""
     rows = []
     for index, requirement in enumerate(requirements):
         tried, rejected = stats.tried[index], stats.rejected[index]

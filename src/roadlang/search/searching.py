@@ -30,7 +30,7 @@ def search(
 def _search_scenes(
     task: SceneSearch[T], n: int, pool: WorkerPool[SceneSearch[T]], progress: Progress | None
 ) -> SearchResult[T]:
-    """Scene 0 first and by itself: where it is given up, so is everything."""
+    """Scene 0 first and alone: if it is given up, so is everything."""
     found = SearchResult[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
     blocks += [range(start, min(start + BLOCK, n)) for start in range(1, n, BLOCK)]

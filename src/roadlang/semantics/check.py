@@ -34,9 +34,9 @@ def check_text(
 ) -> tuple[Scenario | None, list[Diagnostic]]:
     """The scenario of a scene file, or None where there are errors, and all diagnostics in order.
 
-    The text need not be saved; files that it names are beside `path`. `overrides` are values of
-    params by name, as written after `--set name=`. `outputs` (`json`, `svg { size: 800px }`) come
-    in the place of the file's `emit`s.
+    The text need not be saved; files that it names are relative to the folder of `path`.
+    `overrides` are values of params by name, as written after `--set name=`. `outputs` (`json`,
+    `svg { size: 800px }`) come in the place of the file's `emit`s.
     """
     with _collector_paused():
         return _check(load(path, text, overrides), registry, outputs)

@@ -80,7 +80,7 @@ class Checker:
         return self._rules[type(expression)](self, expression, context)
 
     def bounds_of(self, value: Value) -> Bounds:
-        """The least and the greatest number that a value can be, as far as can be told."""
+        """The least and the greatest number that a value can be, as far as is known."""
         try:
             return self.value_bounds.of(value)
         except DiagnosticError:  # a plugin's mistake shows when it draws, with its name
@@ -91,7 +91,7 @@ class Checker:
         return entry, entry.load()
 
     def definition(self, name: str) -> TypedExpression:
-        """What a `param` or `let` is."""
+        """The value of a `param` or `let`."""
         known = self._definitions.get(name)
         if known is not None:
             return known

@@ -9,7 +9,8 @@ from ..ir.renamed_words import new_name
 
 
 def meant_name(word: str, known: Iterable[str]) -> str | None:
-    """The known name that `word` is now called, or the one most like it; None if none is near."""
+    """The known name that `word` is now called, or the most similar one; None if none is
+    similar."""
     names = tuple(known)
     return new_name(word, names) or nearest(word, names)
 

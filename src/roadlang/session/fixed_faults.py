@@ -1,7 +1,7 @@
-"""Faults that no draw can mend: `check` finds them, before anything is sampled.
+"""Faults that every scene would have: `check` finds them before anything is sampled.
 
-What can be told from the scenario alone is told without numpy. Only where a position may be beyond
-the end of a road is the road drawn.
+What the scenario alone decides is found without numpy. Only where a position may be beyond the end
+of a road is the road drawn.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
     """Images without scale, intervals without length, lanes that are not there, positions beyond
     their roads, things in one place, and what backends and the simulator do not support.
 
-    Of roads from pictures nothing is said: they are read when scenes are made.
+    Roads from pictures are not checked: they are read when scenes are made.
     """
     scenario = IndexedScenario(source, registry, _nothing_measured)
     found = [*_missing_scales(scenario), *_intervals_without_length(scenario)]
@@ -178,7 +178,7 @@ def _least_length(call: PassCall, scenario: IndexedScenario) -> float:
 
 
 def _length(actor: ScenarioActor, scenario: IndexedScenario) -> float | None:
-    """Meters; None where it differs between scenes, or cannot be told."""
+    """Meters; None where it differs between scenes, or is not known."""
     if any(scenario.is_varying(road.name) for road in _roads(actor, scenario)):
         return None
     from ..evaluate.candidates import fixed_candidate

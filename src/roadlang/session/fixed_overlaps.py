@@ -77,7 +77,7 @@ def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _Standing | No
 
 
 def _lane(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[object, ...]:
-    """What those have in common that stand behind each other."""
+    """A key that is equal for those that stand in the same lane, one after the other."""
     options = dict(actor.options)
     if "lane" in options:
         lane = _constant(options["lane"], scenario)

@@ -94,13 +94,13 @@ class SceneSet(Sequence[Scene]):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What extractors had to say of the pictures."""
+        """Remarks of extractors on the pictures."""
         return self.result.remarks
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Warnings of the check, what could not be built as drawn, and why there are fewer scenes
-        than asked for (RL600 to RL602)."""
+        than requested (RL600 to RL602)."""
         return (
             *self.loaded.check(),
             *self.result.warnings,
@@ -170,7 +170,7 @@ def _row(scene: Scene) -> dict[str, Any]:
 
 
 def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
-    """Why there are fewer scenes than asked for."""
+    """Why there are fewer scenes than requested."""
     hint = "the table shows what rejects most"
     if result.scenes and result.missing:
         made = f"{result.accepted} of {result.wanted}"

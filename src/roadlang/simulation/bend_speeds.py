@@ -15,7 +15,7 @@ STRAIGHT = 1e-6
 
 
 class BendSpeeds:
-    """The plans of the agents of a world, each made when its limits are first asked for."""
+    """The plans of the agents of a world, each made when its limits are first needed."""
 
     def __init__(self, world: World) -> None:
         count, cells = len(world.present), world.track.lines.cells

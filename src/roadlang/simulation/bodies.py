@@ -19,7 +19,7 @@ LEAST_FRICTION = 1e-3
 
 @dataclass(frozen=True)
 class Body:
-    """What the options of a kind of agent do not say of it. SI units and radians."""
+    """Properties of a kind of agent that its options do not state. SI units and radians."""
 
     drag_area: float = 0.67
     """drag coefficient times frontal area, m^2"""

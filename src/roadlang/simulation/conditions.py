@@ -29,7 +29,7 @@ class Condition:
         self._past: dict[tuple[int, ...], deque[tuple[float, Booleans, Booleans]]] = {}
 
     def now(self, time: float, signal: Signal) -> Booleans:
-        """(R,) whether it holds now. To be asked at every step, in order. Raises RL513."""
+        """(R,) whether it holds now. To be evaluated at every step, in order. Raises RL513."""
         values: dict[str, Floats] = {}
 
         def value(name: str) -> Floats:

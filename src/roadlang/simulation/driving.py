@@ -1,4 +1,4 @@
-"""Who drives: the controllers of all agents of a world, asked in batches at every step."""
+"""The controllers of all agents of a world, called in batches at every step."""
 
 from __future__ import annotations
 

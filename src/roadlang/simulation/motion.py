@@ -37,7 +37,7 @@ class Motion:
     """along the body, in the last step"""
 
     def take(self, rows: Any) -> Motion:
-        """That of some agents, in arrays of their own."""
+        """That of some agents, in separate arrays."""
         return Motion(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
 
     def halt(self, rows: Any) -> None:

@@ -21,7 +21,7 @@ _COLUMNS = (
 
 
 class Recorder:
-    """Samples of all agents of a block of scenes. Scenes end at times of their own."""
+    """Samples of all agents of a block of scenes. Scenes may end at different times."""
 
     def __init__(self, world: World, poses: Poses) -> None:
         self._scenes = scenes = world.scenes

@@ -98,7 +98,7 @@ BETWEEN: Mapping[str, Callable[[Outlines, Outlines], Floats]] = {
 
 
 class SignalCall:
-    """One signal of a condition for R agents, which may be in scenes of their own.
+    """One signal of a condition for R agents, which may be in different scenes.
 
     `calls` (R,) name the same kind, and `measures` says what of a `Moment` it is; agents are found
     by name in the scene of each. Of a group, a signal of one agent is that of its first, one of a

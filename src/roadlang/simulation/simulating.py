@@ -53,7 +53,7 @@ Controllers = Mapping[str, Controller]
 def simulate_scenes(
     scenes: Sequence[Scene], controllers: Sequence[Controllers], settings: EngineSettings
 ) -> Iterator[Trace]:
-    """The trace of each scene. A scene drives alone as it drives beside others.
+    """The trace of each scene. A scene gives the same trace alone and with others.
 
     Raises DiagnosticError RL700 where a scene has no agent, RL510, RL513 and RL47x of controllers.
     """

@@ -33,7 +33,7 @@ FINER = 7
 
 
 def aliasing_remarks(candidate: CandidateBatch) -> tuple[str, ...]:
-    """What to say of the passes whose displacement the stations do not show, of one candidate."""
+    """Remarks on the passes of one candidate whose displacement the stations do not show."""
     scenario = candidate.scenario
     things: tuple[Root, ...] = (*scenario.networks.values(), *scenario.roads.values())
     return tuple(

@@ -73,7 +73,7 @@ def is_absent(
 
 @dataclass(frozen=True)
 class CopyKinds:
-    """The kind of each copy, candidates one after the other; copies that are alike share one."""
+    """The kind of each copy, candidates one after the other; equal copies share one."""
 
     instances: tuple[KindInstance, ...]
 

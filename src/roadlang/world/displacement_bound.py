@@ -11,9 +11,9 @@ from ..plugins.kinds import implements
 
 
 def displacement_bound(built: KindInstance, count: int) -> Floats:
-    """(V,) or (1,) meters, V being `count`. Raises RL474 for what is no bound.
+    """(V,) or (1,) meters, V being `count`. Raises RL474 for what is not a bound.
 
-    A kind that is written for one variant is asked for one after the other.
+    A kind that is written for one variant is evaluated for one after the other.
     """
     kind = built.kind
     with built.guarded:

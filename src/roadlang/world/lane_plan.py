@@ -109,7 +109,7 @@ def is_left(scenario: IndexedScenario) -> bool:
 
 
 def counted_ids(count: int, oneway: bool, left_hand: bool, extra: int = 0) -> tuple[int, ...]:
-    """The ids of so many driving lanes with `extra` lanes on either side, from left to right."""
+    """The ids of this many driving lanes with `extra` lanes on either side, from left to right."""
     ids = tuple(range(-1, -count - 1, -1)) if oneway else lane_ids(count)
     left, right = sum(id > 0 for id in ids) + extra, sum(id < 0 for id in ids) + extra
     if left_hand:

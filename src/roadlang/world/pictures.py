@@ -114,7 +114,7 @@ def _from_file(
 
 
 def _inputs_of(source: FileSource, opened: OpenedImage) -> tuple[Input, ...]:
-    """The picture, and the world file beside it that its scale is from."""
+    """The picture, and the world file next to it that its scale is from."""
     picture, found = Input(source.path, opened.sha256), opened.found_scale
     if found is None or not found.world_file:
         return (picture,)

@@ -15,7 +15,7 @@ from .networks import NetworkRoot
 
 
 def selected(road: ScenarioRoad, root: NetworkRoot, candidates: CandidateBatch) -> Path:
-    """The way through the network. Raises RL472 where there is none."""
+    """The path through the network. Raises RL472 if there is none."""
     option = dict(road.options).get("select")
     choice: Any = "longest" if option is None else evaluate(option, candidates)
     if isinstance(choice, PassCall):

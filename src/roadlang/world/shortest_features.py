@@ -28,7 +28,8 @@ def shortest_feature(
 ) -> float | None:
     """Meters along a road of `length` meters, whatever is drawn; None where that is not known.
 
-    That of the kind and that of the interval (`over`, `taper`). Raises RL474 for what is no length.
+    That of the kind and that of the interval (`over`, `taper`). Raises RL474 for what is not a
+    length.
     """
     parts = [_of_kind(call, scenario, length, closed), _of_interval(call, scenario, length, closed)]
     if None in parts:

@@ -1,4 +1,4 @@
-"""`roadlang godot`: the bundled simulator, started and left to whoever connects."""
+"""`roadlang godot`: the bundled simulator, started for a client to connect to."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ _STEP = 0.25
 
 @dataclass(frozen=True)
 class Sides:
-    """Distances (n,) in pixels from the center line to the edges, NaN where none is seen."""
+    """Distances (n,) in pixels from the center line to the edges, NaN where none is found."""
 
     left: Floats
     right: Floats
@@ -75,7 +75,7 @@ def _sampled(
 
 
 def usual_width(found: Sides) -> float:
-    """The median of the widths that are seen, NaN if none is."""
+    """The median of the measured widths, NaN without any."""
     widths = (found.left + found.right)[found.seen]
     return float(np.median(widths)) if len(widths) else float("nan")
 

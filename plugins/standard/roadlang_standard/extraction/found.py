@@ -53,7 +53,7 @@ class FoundNetwork:
 
     @property
     def confidence(self) -> float:
-        """Mean over the length of the roads, 0 where there is none."""
+        """Mean over the length of the roads, 0 without roads."""
         lengths = np.array([road.length for road in self.roads])
         if not len(lengths):
             return 0.0

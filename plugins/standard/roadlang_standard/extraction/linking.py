@@ -209,7 +209,7 @@ def _close(own: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _backwards(ahead: Floats) -> NDArray[np.float64]:
-    """Factors (side, side) that make it dear to leave other than ahead."""
+    """Factors (side, side) that make it expensive to leave in any direction but ahead."""
     y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
     along = (x * ahead[0] + y * ahead[1]) / np.maximum(np.hypot(x, y), 1e-9)
     return np.where(np.hypot(x, y) < 1.5, 1.0, 1.0 + 2.0 * np.clip(0.5 - along, 0, 1.5))

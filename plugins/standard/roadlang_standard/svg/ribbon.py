@@ -53,7 +53,7 @@ class Ribbon:
         return np.concatenate([self.beside(left - less), self.beside(right + less)[::-1]])
 
     def beside(self, offset: Floats | float) -> Floats:
-        """A line along the road, so many pixels to its left."""
+        """A line along the road, this many pixels to its left."""
         import numpy as np
 
         return self.center + np.broadcast_to(offset, self.half.shape)[:, None] * self.left

@@ -58,7 +58,7 @@ def pedestrian(length: float, width: float, color: str) -> list[str]:
 
 
 def tree(size: float, variant: int) -> list[str]:
-    """A crown of scalloped layers, turned by `variant` so that no two look alike."""
+    """A crown of scalloped layers, turned by `variant` so that no two look the same."""
     radius = size / 2
     layers = zip(reversed(palette.LEAVES), (1.0, 0.7, 0.38), strict=True)
     crown = []

@@ -1,4 +1,4 @@
-"""The catalog of messages: one Markdown page per code, beside this file."""
+"""The catalog of messages: one Markdown page per code, next to this file."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ class ArmLine:
 
     def borders(self, start: float, stop: float) -> tuple[Floats, Floats]:
         """The left and right border (n, 2) between two distances from the node: exact at faces that
-        were asked for before, and at samples."""
+        were requested before, and at samples."""
         s = self.s[(self.s > start + 1e-6) & (self.s < stop - 1e-6)]
         s = np.concatenate([[start], s, [stop]])
         columns = [self.points, self.normal, self.left[:, None], self.right[:, None]]

@@ -85,7 +85,7 @@ def strip(fits: Fits, row: int, widths: tuple[float, float]) -> Any:
 
 
 def valid(polygons: Any) -> Any:
-    """The same, mended where a border runs backwards in a tight bend."""
+    """The same, corrected where a border runs backwards in a tight bend."""
     import shapely
 
     good = shapely.is_valid(polygons)

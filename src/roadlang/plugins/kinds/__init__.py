@@ -34,7 +34,7 @@ def base_of(verb: str) -> type[Kind]:
 
 
 def implements(kind: type[Kind], method: str) -> bool:
-    """Whether a kind has a method of its base by itself, or merely inherits it."""
+    """Whether a kind implements a method of its base, rather than inheriting it."""
     own, inherited = getattr(kind, method), getattr(base_of(kind.verb), method)
     return getattr(own, "__func__", own) is not getattr(inherited, "__func__", inherited)
 

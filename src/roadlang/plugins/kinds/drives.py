@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Controller(Kind):
-    """`drive with`: what steers an agent. Every engine can drive one that implements `controls` or
+    """`drive with`: drives an agent. Every engine can drive one that implements `controls` or
     `control`; one that does not is driven by engines that know it by its name."""
 
     verb: ClassVar[str] = "drive"

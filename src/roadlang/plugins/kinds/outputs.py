@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Backend(Kind):
-    """`emit`: scenes to files, or to an engine. What one returns another cannot see."""
+    """`emit`: writes scenes to files, or sends them to a simulator."""
 
     verb: ClassVar[str] = "emit"
     required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "send")
@@ -49,8 +49,8 @@ class Backend(Kind):
 class AgentKind(Kind):
     """What may follow `agent N is`.
 
-    Its fields are its size and looks: `length`, `width` and `height` in meters, by which it is
-    placed and drawn, and whatever engines make of the others.
+    Its fields are its size and appearance: `length`, `width` and `height` in meters, by which it is
+    placed and drawn, and others that simulators may use.
     """
 
     verb: ClassVar[str] = "agent"

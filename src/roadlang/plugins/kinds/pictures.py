@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 
 class Adjuster(Kind):
-    """`adjust with`: image to image. Set `is_random` where it draws from `random`, so that each
-    scene has an image of its own."""
+    """`adjust with`: changes an image. Set `is_random` where it draws from `random`, so that each
+    scene has a different image."""
 
     verb: ClassVar[str] = "adjust"
     required_methods: ClassVar[tuple[str, ...]] = ("adjust",)
@@ -33,7 +33,7 @@ class Adjuster(Kind):
 
 
 class Extractor(Kind):
-    """`extract with`: image to network."""
+    """`extract with`: finds the roads of an image."""
 
     verb: ClassVar[str] = "extract"
     required_methods: ClassVar[tuple[str, ...]] = ("extract",)
@@ -49,7 +49,7 @@ class Extractor(Kind):
 
 
 class Reader(Kind):
-    """`read with`: a file to what the statement declares.
+    """`read with`: reads an image, network or road from a file.
 
     The file of a road or network without `read with` is read by the kind whose `suffixes` has the
     ending of its name; for an image `read with` has to be written.
@@ -64,7 +64,7 @@ class Reader(Kind):
     """the statements that it reads for: "image", "network", "road" or several"""
 
     def read(self, path: Path) -> Curve | Road | RoadNetwork | Extraction | NDArray[np.uint8]:
-        """What the file at `path` holds; roadlang has seen to it that it is there and readable.
+        """What the file at `path` holds; roadlang has checked that it exists and can be read.
 
         For `road` a `geometry.Curve`, or a `geometry.Road` that has a width and lanes as well; for
         `network` a `geometry.RoadNetwork`, as `geometry.network_of_polylines` makes it, or an

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Drawer(Kind):
-    """`draw with`: nothing to a curve."""
+    """`draw with`: the center line of a road, from the options alone."""
 
     verb: ClassVar[str] = "draw"
     required_methods: ClassVar[tuple[str, ...]] = ("draw",)
@@ -64,7 +64,7 @@ class Selector(Kind):
     geometry_is_user_input: ClassVar[bool] = True
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
-        """The way through the network.
+        """The path through the network.
 
         Returns a `geometry.Path` of it: what `network.route` and `network.longest` return, or
         `Path(network, steps)` of steps that follow each other. Anything else is RL474.
@@ -73,7 +73,7 @@ class Selector(Kind):
 
 
 class Perturber(Kind):
-    """`perturb with`: a road to itself, displaced.
+    """`perturb with`: displaces a road.
 
     Implement `displacement` (one variant, options are plain numbers) or, for speed,
     `displacements` (a batch, random options are (variants, 1) columns). Displacements are meters

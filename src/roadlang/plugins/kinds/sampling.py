@@ -64,7 +64,7 @@ class DrawnValue(Protocol):
 
 
 class Sampler(Kind):
-    """`sample with`: which points of the unit cube of all draws are tried.
+    """`sample with`: which points of the unit cube of all random values are tried.
 
     A sampler without methods draws at random. `points` chooses candidates by their index; `steer`
     chooses them by what is known of others.

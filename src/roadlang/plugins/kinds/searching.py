@@ -1,4 +1,4 @@
-"""Kinds that search for scenes which violate an expectation: points are asked for, results told."""
+"""Kinds that search for scenes that violate an expectation, in ask-and-tell form."""
 
 from __future__ import annotations
 
@@ -41,17 +41,17 @@ class Axis:
 
 
 class Search:
-    """A search in progress: it is asked for points and told what came of them."""
+    """A search in progress: `ask` gives points to evaluate, `tell` takes their results."""
 
     def ask(self, count: int) -> Floats:
         """The next points, (count, axes) numbers in [0, 1).
 
-        Fewer than `count` only where the search comes to its end; then no more are asked for.
+        Fewer than `count` only at the end of the search, which is then over.
         """
         raise NotImplementedError
 
     def tell(self, points: Floats, values: Floats, descriptors: Floats) -> None:
-        """What came of the points that were asked for last.
+        """Take the results of the points that `ask` gave last.
 
         `values` (count,): below 0 an expectation is violated, the lower the worse; from 0 to 1 all
         hold, with the less robustness the lower; from 1 a requirement is violated and the scene was

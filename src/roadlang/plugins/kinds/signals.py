@@ -91,7 +91,8 @@ class DriveSignal(Signal):
 
 
 class Monitor(Kind):
-    """`require N with` or `expect N with`: a judge of roads or of drives, instead of a formula."""
+    """`require N with` or `expect N with`: evaluates roads or drives in Python, in the place of a
+    formula."""
 
     verb: ClassVar[str] = "monitor"
     domain: ClassVar[str] = "road"
@@ -102,7 +103,7 @@ class Monitor(Kind):
         cls.required_methods = ("judge",) if cls.domain == "drive" else ("robustness",)
 
     def robustness(self) -> Floats:
-        """Of a judge of roads: how well each candidate satisfies it.
+        """If `domain` is "road": how well each candidate satisfies the monitor.
 
         Returns (variants,) or (1,) numbers: positive or 0 where satisfied, negative where not, and
         greater the farther from the limit. NaN is RL474.
@@ -110,7 +111,7 @@ class Monitor(Kind):
         raise NotImplementedError
 
     def judge(self, trace: Trace) -> float:
-        """Of a judge of drives: how well the drive satisfies it.
+        """If `domain` is "drive": how well the drive satisfies the monitor.
 
         Returns a number as `robustness` does. A field that names an agent holds its `AgentTrace`.
         """

@@ -111,7 +111,7 @@ def _is_reversed(checker: Checker, call: PassCall, found: ResolvedKind) -> bool:
 
 
 def constant_of(value: Value) -> Any:
-    """A constant number, or a tuple of such; None for anything else."""
+    """A constant number, or a tuple of them; None for anything else."""
     if isinstance(value, ConstantValue):
         return value.value
     if isinstance(value, Items):

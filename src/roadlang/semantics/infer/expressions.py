@@ -147,13 +147,13 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
 
 
 def infer_point(checker: Checker, point: ast.Point, context: Context) -> TypedExpression:
-    """`(x, y)`: every item by itself."""
+    """`(x, y)`: each item separately."""
     items = tuple(checker.infer(item, context) for item in point.items)
     return _collected(TypedExpression(point.span, CoordinatesType(), items=items))
 
 
 def infer_list(checker: Checker, items: ast.ListValue, context: Context) -> TypedExpression:
-    """`[a, b, ...]`: every item by itself."""
+    """`[a, b, ...]`: each item separately."""
     parts = tuple(checker.infer(item, context) for item in items.items)
     return _collected(TypedExpression(items.span, SequenceType(), items=parts))
 
@@ -238,7 +238,7 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
 
 
 def _signal_or_formula(found: TypedExpression, text: str, span: Span) -> TypedExpression:
-    """What a `let` names; a signal by itself is a variable of that name in formulas."""
+    """What a `let` names; a signal alone is a variable of that name in formulas."""
     evidence = DomainEvidence(found.evidence.domain, span, text) if found.evidence else None
     if not isinstance(found.term, Variable) or len(found.signals) != 1:
         return replace(found, span=span, evidence=evidence)

@@ -1,4 +1,4 @@
-"""Which kind reads a file, told by its name."""
+"""Which kind reads a file, by the file's name."""
 
 from __future__ import annotations
 

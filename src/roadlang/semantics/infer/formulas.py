@@ -179,7 +179,7 @@ def _flag(value: Reference) -> dict[str, Any]:
 def _ends(
     checker: Checker, interval: ast.IntervalExpression | None, context: Context
 ) -> tuple[TypedExpression, ...] | None:
-    """The two ends of an interval, constant numbers; () where there is none."""
+    """The two ends of an interval, constant numbers; () without an interval."""
     if interval is None:
         return ()
     ends = [checker.infer(end, context) for end in (interval.low, interval.high)]

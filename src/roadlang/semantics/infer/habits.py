@@ -96,7 +96,8 @@ def is_side_as_lane(name: ast.Name, context: Context) -> bool:
 def name_help(
     checker: Checker, name: ast.Name, context: Context
 ) -> tuple[str, tuple[Fix, ...]] | None:
-    """Help and fix for a name that is not declared, by where it stands; None if none is known."""
+    """Help and fix for a name that is not declared, by its place in the file; None if there is no
+    help."""
     if is_side_as_lane(name, context):
         lane = _SIDES[name.text]
         help = (

@@ -1,4 +1,4 @@
-"""Kinds by name, and what to say of those that are not there."""
+"""Kinds by name, and diagnostics for those that do not exist."""
 
 from __future__ import annotations
 
@@ -49,7 +49,8 @@ def find_kind(checker: Checker, verb: str, name: str, span: Span) -> ResolvedKin
 
 
 def _warn_of_others(checker: Checker, entry: KindEntry, span: Span) -> None:
-    """A plain name means the shipped kind: whoever wants that of another plugin writes so."""
+    """A plain name means the shipped kind: the one of another plugin is written with the plugin's
+    name."""
     for other in checker.registry.shadowed(entry):
         checker.report(
             Code.SHADOWED_KIND,

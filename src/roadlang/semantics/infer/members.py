@@ -1,4 +1,4 @@
-"""What stands behind a dot: `ego.speed`, `lead.start`, `acme.robot`."""
+"""What follows a dot: `ego.speed`, `lead.start`, `acme.robot`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What to say of a name that nothing declares."""
+"""Diagnostics for names that are not declared."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from ..checker import Checker
 
 
 def evaluation_order(checker: Checker) -> list[str]:
-    """All names, each behind those that it depends on; cycles are reported."""
+    """All names, each after those that it depends on; cycles are reported."""
     order: list[str] = []
     done: set[str] = set()
     for name in list(checker.program.declarations):
@@ -15,7 +15,7 @@ def evaluation_order(checker: Checker) -> list[str]:
 
 
 def _visit(checker: Checker, start: str, done: set[str], order: list[str]) -> None:
-    """Depth first, with a stack of its own: chains may be longer than Python's."""
+    """Depth first, with an explicit stack: chains may be longer than Python's."""
     if start in done:
         return
     path = {start: iter(checker.uses.get(start, ()))}

@@ -207,7 +207,7 @@ def _with_default(
     source: ir.Source | None,
     passes: tuple[PassCall, ...],
 ) -> tuple[PassCall, ...] | None:
-    """The passes with the one that goes without saying: `extract with auto`, or a reader."""
+    """The passes with the implicit one: `extract with auto`, or a reader."""
     if any(call.verb in ("extract", "read", "draw") for call in passes):
         return passes
     name = statement.name.text

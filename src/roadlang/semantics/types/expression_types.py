@@ -127,7 +127,8 @@ class KindCallType:
 
 @dataclass(frozen=True, slots=True)
 class Unknown:
-    """What an error that was already reported left behind: it fits everywhere, silently."""
+    """The type of what has already been reported: it fits everywhere, so that nothing is reported
+    twice."""
 
     def __str__(self) -> str:
         return "unknown"

@@ -1,4 +1,4 @@
-"""Whether a number keeps the limits of its option, in every scene as far as can be told."""
+"""Whether a number keeps the limits of its option, in every scene as far as is known."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stand-ins, behind the samples seen, for those that may still come."""
+"""Stand-ins, after the samples seen, for those that may still come."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def _looks_back_from_later(formula: f.Formula, later: bool) -> bool:
 
 
 def _marks(formula: f.Formula, positions: FloatArray, slack: float) -> FloatArray:
-    """Places behind the trace where a seen sample, moved by bounds of nested intervals, lies:
-    there the samples in reach of some window change, and between them they do not.
+    """Places after the trace where a seen sample, moved by bounds of nested intervals, lies: there
+    the samples in reach of some window change, and between them they do not.
     """
     last = float(positions[-1])
     shifts = np.array(sorted(_shifts(formula)))

@@ -20,7 +20,8 @@ TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Windows:
-    """Samples `starts[k]..ends[k]` of the operand for each sample asked about; end < start: none.
+    """Samples `starts[k]..ends[k]` of the operand for each sample that is evaluated; end < start:
+    none.
 
     Past operators look at time backwards (`flipped`), closed roads repeat the operand (`laps`);
     `starts`, `ends` and `first` count from the beginning of the operand's `span` seen that way.
@@ -44,7 +45,8 @@ class Windows:
         return self._on_axis(np.arange(self.starts[window], self.ends[window] + 1))
 
     def before(self, window: int, sample: int) -> IntArray:
-        """For until: the samples from the one asked about to the `sample`-th of its window."""
+        """For until: the samples from the one that is evaluated to the `sample`-th of its
+        window."""
         return self._on_axis(np.arange(self.first + window, self.starts[window] + sample))
 
     def _on_axis(self, counted: IntArray) -> IntArray:
@@ -91,7 +93,7 @@ class SamplePositions:
     ) -> Windows | None:
         """Windows of the samples `targets` (first, last), or None if all of them are empty.
 
-        `path` extends the operand's span to the samples asked about, as until needs.
+        `path` extends the operand's span to the samples that are evaluated, as until needs.
         """
         interval = interval or UNBOUNDED
         laps = 1
@@ -136,7 +138,7 @@ class SamplePositions:
 def _bounds(
     lows: FloatArray, highs: FloatArray, interval: Interval, targets: tuple[int, int]
 ) -> tuple[IntArray, IntArray]:
-    """First and last sample that meets the window of each sample asked about."""
+    """First and last sample that meets the window of each sample that is evaluated."""
     indices = np.arange(targets[0], targets[1] + 1)
     near = lows[indices] + interval.lo
     starts = np.maximum(np.searchsorted(highs, near - _slack(near), "left"), indices)

@@ -132,7 +132,7 @@ def _keep_freed_memory() -> None:
     """Let the C library reuse the arrays of one chunk for the next.
 
     glibc returns every block above 128 KiB to the system, and faults it in page by page when it is
-    asked for again, which took four fifths of the time. It raises that limit to the greatest
-    block (up to 32 MiB) that it has seen freed; an untouched one costs nothing.
+    requested again, which took four fifths of the time. It raises that limit to the greatest block
+    (up to 32 MiB) that it has seen freed; an untouched one costs nothing.
     """
     np.empty(31 << 17)

@@ -85,7 +85,7 @@ class FormulaGraph:
         return self._indices[node]
 
     def term(self, term: t.Term) -> int:
-        """Add a term and what it is made of."""
+        """Add a term and its parts."""
         match term:
             case t.Constant(value):
                 return self.add(NumberOperation(value))
@@ -106,7 +106,7 @@ class FormulaGraph:
         )
 
     def formula(self, formula: f.Formula) -> int:
-        """Add a formula in normal form and what it is made of."""
+        """Add a formula in normal form and its parts."""
         match formula:
             case f.Truth(value):
                 return self.add(NumberOperation(np.inf if value else -np.inf))

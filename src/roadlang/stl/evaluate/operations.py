@@ -65,14 +65,14 @@ class Given:
 
 @dataclass(frozen=True)
 class Extend:
-    """The first input at the first `seen` samples, the second at the stand-ins behind them."""
+    """The first input at the first `seen` samples, the second at the stand-ins after them."""
 
     seen: int
 
 
 @dataclass(frozen=True)
 class AtUnseen:
-    """The first input; behind the first `seen` samples joined with the second by `function`."""
+    """The first input; after the first `seen` samples joined with the second by `function`."""
 
     seen: int
     function: Function

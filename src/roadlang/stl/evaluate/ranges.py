@@ -1,6 +1,6 @@
 """The least and the greatest robustness that any continuation of a trace can give a formula.
 
-A continuation adds samples behind the last one, as many as it likes and wherever it likes. So a
+A continuation adds samples after the last one, as many as it likes and wherever it likes. So a
 later sample can make a minimum lower, whatever its value; it cannot make it higher, but it can
 refrain from coming. See docs/stl.md for the rules of each operator.
 """

@@ -86,7 +86,7 @@ class SampledSignals:
         return values
 
     def check(self) -> None:
-        """Read every signal once. Raises DiagnosticError RL302 for a value that is no number."""
+        """Read every signal once. Raises DiagnosticError RL302 for a value that is not a number."""
         for name in self.signals:
             self.rows(name, 0, self.variants)
 

@@ -1,4 +1,5 @@
-"""What a formula without temporal operators can be worth at a sample that nobody has seen yet.
+"""What a formula without temporal operators can be worth at a sample that has not been recorded
+yet.
 
 Its signals may then have any values, but the same ones throughout the formula. Robustness is a
 maximum of minima of affine functions of them, abs, min and max included (a product of signals is

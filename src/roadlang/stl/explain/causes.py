@@ -31,7 +31,7 @@ class ViolationInterval:
 
 
 def violated_stretches(formula: f.Formula, trace: SampledSignals) -> tuple[ViolationInterval, ...]:
-    """All stretches to blame if the one trace violates `formula` at its start; else none."""
+    """All intervals to blame if the only trace violates `formula` at its start; otherwise none."""
     plain = normal_form(formula)
     finder = _Blame(trace)
     start = np.zeros(trace.samples, dtype=bool)

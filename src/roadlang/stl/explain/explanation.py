@@ -1,4 +1,4 @@
-"""Why a formula is worth what it is: the sub-formulas, samples and comparisons to blame."""
+"""Why a formula has its robustness: the sub-formulas, samples and comparisons that decide."""
 
 from __future__ import annotations
 

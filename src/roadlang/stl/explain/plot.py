@@ -1,4 +1,4 @@
-"""A plot of a verdict as SVG: the robustness, the signals, and the stretches to blame."""
+"""A plot of a verdict as SVG: the robustness, the signals, and the intervals to blame."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def plot_svg(
 
 
 class _Panel:
-    """One curve over the positions, with lines, shaded stretches and a dot."""
+    """One curve over the positions, with lines, shaded intervals and a dot."""
 
     def __init__(self, title: str, color: str, x: FloatArray, y: FloatArray) -> None:
         self.title, self.color, self.x, self.y = title, color, x, y

@@ -1,4 +1,4 @@
-"""From the syntax tree of a formula to the formula: numbers are told from statements."""
+"""From the syntax tree of a formula to the formula; numbers are distinguished from statements."""
 
 from __future__ import annotations
 

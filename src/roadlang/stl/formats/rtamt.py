@@ -46,7 +46,7 @@ def to_rtamt(formula: f.Formula) -> str:
 
 
 def _unary(formula: f.UnaryTemporal) -> str:
-    """[a, inf] is said in two steps: a ahead, and then without bounds."""
+    """[a, inf] is written in two steps: a ahead, and then without bounds."""
     word = formula.notation.rtamt
     interval = formula.interval
     text = to_rtamt(formula.operand)

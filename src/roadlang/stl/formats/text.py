@@ -34,7 +34,7 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
 
 
 def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
-    """Formulas of Breach are told how they can be read."""
+    """For formulas of Breach, says how they can be read."""
     if not errors or not _BREACH.search(text):
         return errors
     hint = "this looks like Breach: `roadlang.stl.read_breach` reads it"

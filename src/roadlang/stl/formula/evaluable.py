@@ -1,4 +1,4 @@
-"""What every formula can be asked.
+"""The methods of every formula.
 
 This is a facade, the one place of the room where imports go up: a method imports what does its
 work when it is called. So `formula.rho(...)` reads well, and a formula that is only checked or

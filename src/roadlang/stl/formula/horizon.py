@@ -13,7 +13,7 @@ def horizon(formula: f.Formula) -> float:
 
 
 def memory(formula: f.Formula) -> float:
-    """The furthest that a sample behind can matter."""
+    """The farthest that an earlier sample can matter."""
     return _furthest(formula, past=True)
 
 

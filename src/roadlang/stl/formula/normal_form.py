@@ -1,8 +1,8 @@
 """Formulas in the few operators that the kernels know, negations pushed to the comparisons.
 
-The rewriting changes neither robustness (to the last bit: x - y and -(y - x) round alike), nor
-Boolean satisfaction. What remains: Truth, Comparison, And, Or, the temporal operators, and Not
-in front of until and since, which have no dual here.
+The rewriting changes neither robustness (to the last bit: x - y and -(y - x) round equally), nor
+Boolean satisfaction. What remains: Truth, Comparison, And, Or, the temporal operators, and Not in
+front of until and since, which have no dual here.
 """
 
 from __future__ import annotations

@@ -209,7 +209,7 @@ class UnaryTemporal(TemporalOperator):
 
     @property
     def window(self) -> Interval | None:
-        """The interval, None for all samples ahead (or behind)."""
+        """The interval, None for all later (or earlier) samples."""
         return self.interval
 
     @property
@@ -233,7 +233,7 @@ class BinaryTemporal(TemporalOperator):
 
     @property
     def window(self) -> Interval | None:
-        """The interval, None for all samples ahead (or behind)."""
+        """The interval, None for all later (or earlier) samples."""
         return self.interval
 
     @property

@@ -58,7 +58,7 @@ def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.Junction]) -> 
 
 
 def _covering(shared: Sequence[_Shared], past: bool, interval: Interval) -> list[f.Formula]:
-    """What is said of all samples of `interval`, on the same side of the present."""
+    """What holds at all samples of `interval`, on the same side of the present."""
     return [
         state
         for about_past, known, state in shared

@@ -40,7 +40,7 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Constant(Term):
-    """The same number at every sample, in the units of what it is compared with."""
+    """The same number at every sample, in the unit of the other side of the comparison."""
 
     value: float
 

@@ -128,6 +128,6 @@ def _rule(rule: Mapping[str, Any]) -> list[Any]:
 
 
 def _gaps(empty_indices: Iterable[bool], size: int) -> list[int]:
-    """How many absent optional parts stand before each child, and behind the last one."""
+    """How many absent optional parts stand before each child, and after the last one."""
     flags = "".join("1" if empty else "0" for empty in empty_indices)
     return [len(ones) for ones in flags.split("0")] if flags else [0] * (size + 1)

@@ -28,11 +28,11 @@ _STALE = (
 
 
 class Rule(NamedTuple):
-    """`build` is the method of the builder that makes the value; "" hands on the only child, and
-    `LIST` hands on the children of a repetition as a list.
+    """`build` is the method of the builder that makes the value; "" returns the only child, and
+    `LIST` returns the children of a repetition as a list.
 
-    `selection` says which children are handed over: an index, ~index for a list whose items are
-    handed over one by one, None for an optional part that is not there.
+    `selection` says which children are passed: an index, ~index for a list whose items are passed
+    one by one, None for an optional part that is not there.
     """
 
     origin: str

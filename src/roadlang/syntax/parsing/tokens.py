@@ -14,7 +14,7 @@ Token: TypeAlias = tuple[str, str, int, int]
 
 @dataclass(slots=True)
 class Lexed:
-    """The tokens of a source, the last one `$END`; comments stand beside them."""
+    """The tokens of a source, the last one `$END`; comments are returned separately."""
 
     tokens: list[Token] = field(default_factory=list)
     comments: list[Comment] = field(default_factory=list)

@@ -52,7 +52,7 @@ class _Printer:
             self.lines.append("")
 
     def _comments(self, indent: int, end: int) -> None:
-        """The comments before `end`: on their own line, or behind the last line written."""
+        """The comments before `end`: on their own line, or after the last line written."""
         while self.next < len(self.comments) and self.places[self.next] < end:
             comment = self.comments[self.next]
             self.next += 1

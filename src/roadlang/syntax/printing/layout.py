@@ -19,7 +19,7 @@ class LineBreak:
 
 @dataclass(frozen=True, slots=True)
 class Nest:
-    """Lines that begin inside are indented by so many columns more."""
+    """Lines that begin inside are indented by this many more columns."""
 
     indent: int
     inner: Doc

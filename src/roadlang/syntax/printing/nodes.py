@@ -118,7 +118,7 @@ def _flat_entry(entry: ast.MapEntry) -> Doc:
 
 
 def braces(items: list[tuple[Doc, bool]]) -> Doc:
-    """`{ a, b }`; an item that is flagged ends with `}` and needs no comma behind it."""
+    """`{ a, b }`; an item that is flagged ends with `}` and needs no comma after it."""
     if not items:
         return "{}"
     inner: list[Doc] = []

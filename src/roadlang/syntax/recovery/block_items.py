@@ -59,7 +59,7 @@ def _block_around(tokens: Sequence[Token], culprit: int) -> tuple[int, int] | No
 def _items(
     source: Source, tokens: Sequence[Token], opener: int, closer: int
 ) -> list[tuple[int, int]]:
-    """Ranges of tokens between commas, before lines that begin an item, and behind `}`."""
+    """Ranges of tokens between commas, before lines that begin an item, and after `}`."""
     found: list[tuple[int, int]] = []
     depth, start = 0, opener + 1
     for index in range(opener + 1, closer):

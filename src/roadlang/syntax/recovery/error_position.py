@@ -48,7 +48,7 @@ class ErrorPosition:
     states: tuple[int, ...] = ()
 
     def token(self, offset: int = 0) -> Token:
-        """The token so many places on; before the first and behind the last one: `$END`."""
+        """The token this many places later; before the first and after the last: `$END`."""
         index = self.index + offset
         if 0 <= index < len(self.tokens):
             return self.tokens[index]
@@ -116,7 +116,7 @@ class ErrorPosition:
         return accepts(self.tables, self.states, *kinds, *following)
 
     def unmatched_closer(self) -> str | None:
-        """The kind of the first closing bracket behind this place that nothing here opens."""
+        """The kind of the first closing bracket after this place that nothing here opens."""
         stack: list[str] = []
         for index, (kind, *_) in enumerate(self.tokens):
             if kind in OPENERS:

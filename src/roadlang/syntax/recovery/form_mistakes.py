@@ -61,7 +61,7 @@ def _opener(place: ErrorPosition, closer: int, opens: str, closes: str) -> int |
 
 
 def list_operand(place: ErrorPosition) -> Mistake | None:
-    """A list beside an operator, or where an operand is due."""
+    """A list next to an operator, or where an operand is expected."""
     behind = place.kind(-1) == "RSQB" and place.kind() in (
         "PLUS", "MINUS", "TIMES", "DIVIDE", "COMPARISON", "RANGE", "POWER", "AND", "OR",
     )  # fmt: skip

@@ -14,7 +14,7 @@ _UNIT = re.compile(
 
 
 def loose_unit(place: ErrorPosition) -> Mistake | None:
-    """`5 m`: the unit is read as a name, and the parser stumbles over it or behind it."""
+    """`5 m`: the unit is read as a name, and the parser stumbles over it or after it."""
     for offset in (0, -1):
         number = place.token(offset - 1)
         if number[0] != "NUMBER" or place.kind(offset) not in ("NAME",):

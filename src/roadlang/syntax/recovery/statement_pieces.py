@@ -1,4 +1,4 @@
-"""Cuts a file that does not parse as a whole into pieces that are parsed each by itself."""
+"""Cuts a file that does not parse as a whole into pieces that are parsed separately."""
 
 from __future__ import annotations
 

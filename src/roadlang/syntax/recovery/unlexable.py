@@ -1,4 +1,4 @@
-"""What the scanner cannot read: say what it is, and put the token there that was meant."""
+"""What the scanner cannot read: reports it, and inserts the token that was meant."""
 
 from __future__ import annotations
 
@@ -198,7 +198,7 @@ def _letter(place: UnlexableText) -> Answer | None:
 
 
 def _color(place: UnlexableText) -> Answer | None:
-    """`key: #2e7d32`: a comment that looks like a color where a value is due."""
+    """`key: #2e7d32`: a comment that looks like a color where a value is expected."""
     match = _COLOR.match(place.text, place.start)
     if match is None:
         return None

@@ -13,7 +13,7 @@ _FEW = 8
 
 
 def binary(source: Source) -> Diagnostic | None:
-    """A source with so many control characters that it is an image or the like."""
+    """A source with so many control characters that it is not text, such as an image."""
     first = _CONTROL.search(source.text)
     if first is None:
         return None

@@ -11,7 +11,7 @@ Tokens = list[Token]
 def weights_map(place: ErrorPosition) -> Mistake | None:
     """`Discrete({1m: 2, 3m: 1})` is read as `Discrete(1m, 3m, weights: [2, 1])`.
 
-    That there is no such function is said once, where functions are looked up.
+    The unknown function is reported once, where functions are looked up.
     """
     around = [place.kind(offset) for offset in (-3, -2, -1)]
     if around != ["NAME", "LPAR", "LBRACE"] or place.word(-3) not in ("Discrete", "Options"):

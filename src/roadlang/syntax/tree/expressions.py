@@ -147,7 +147,7 @@ class NotExpression(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class IntervalExpression(SyntaxNode):
-    """`[low, high]` behind a temporal word."""
+    """`[low, high]` after a temporal word."""
 
     low: Expression
     high: Expression
@@ -198,7 +198,7 @@ class Point(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class ListValue(SyntaxNode):
-    """`[a, b, c]`: a list, an interval or a stretch; never a draw."""
+    """`[a, b, c]`: a list or an interval; never a draw."""
 
     items: tuple[Expression, ...]
 

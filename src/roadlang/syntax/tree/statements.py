@@ -148,7 +148,7 @@ BY_RULE: dict[str, type[Statement]] = {
 
 @dataclass(frozen=True, slots=True)
 class File(SyntaxNode):
-    """A whole file. Comments stand beside the tree, in order of place.
+    """A whole file. Comments are kept outside the tree, in order of place.
 
     `spoiled` are the names that statements declare which could not be read (and have been
     reported): nothing should be said about uses of these names.
