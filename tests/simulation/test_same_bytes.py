@@ -14,7 +14,7 @@ from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.drive.trace_files import COLUMNS
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation import simulating
+from roadlang.simulation import compiled, simulating
 
 LOOP = """
 road loop {
@@ -104,3 +104,18 @@ def test_how_often_it_is_recorded_changes_no_drive() -> None:
         for name in b.agents:
             x, y = a.agents[name].x[::5][:count], b.agents[name].x[:count]
             assert x.tobytes() == y.tobytes()
+
+
+def test_compiled_it_drives_to_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("numba")
+    scenes = [*records(LOOP, 3), *records(TRAFFIC, 3)]
+    monkeypatch.setattr(compiled, "is_installed", lambda: False)
+    plain = [bytes_of(trace) for trace in drives(scenes)]
+    monkeypatch.setattr(compiled, "is_installed", lambda: True)
+    monkeypatch.setattr(simulating, "WORTH_COMPILING", 0.0)
+    ran = []
+    monkeypatch.setattr(
+        compiled, "advance", lambda *a, original=compiled.advance: ran.append(original(*a))
+    )
+    assert [bytes_of(trace) for trace in drives(scenes)] == plain
+    assert ran, "the compiled motion was used"

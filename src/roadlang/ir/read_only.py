@@ -50,10 +50,11 @@ def frozen(value: Any) -> Any:
     """
     if type(value) in _READ_ONLY:
         return value
-    if hasattr(value, "flags"):
+    flags = getattr(value, "flags", None)
+    if flags is not None:
         from ..geometry.arrays import read_only  # numpy: only where there are arrays
 
-        return read_only(value)
+        return read_only(value) if flags.writeable else value
     if isinstance(value, Mapping):
         return FrozenDict({key: frozen(item) for key, item in value.items()})
     if type(value) is list:
@@ -70,7 +71,10 @@ class Frozen:
 
     def __post_init__(self) -> None:
         for name in self.__dataclass_fields__:  # type: ignore[attr-defined]
-            object.__setattr__(self, name, frozen(getattr(self, name)))
+            value = getattr(self, name)
+            unchangeable = frozen(value)
+            if unchangeable is not value:
+                object.__setattr__(self, name, unchangeable)
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)

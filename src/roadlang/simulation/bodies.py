@@ -89,6 +89,14 @@ class Bodies:
         values["walks"] = values["walks"] > 0.5
         return cls(**values)
 
+    @property
+    def columns(self) -> tuple[Floats, ...]:
+        """What `vehicle.driven` has to know of a car."""
+        return (
+            self.half_base, self.friction, self.front_slope, self.rear_slope, self.slow,
+            self.power, self.grip, self.transfer, self.inertia, self.drag, self.rolling,
+        )  # fmt: skip
+
     def take(self, rows: Any) -> Bodies:
         """Those of some agents."""
         return Bodies(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})

@@ -51,13 +51,13 @@ class Contacts:
 
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
+        if not len(self._pairs[0]) and not len(self._near[0]):
+            return []
         before = self._before or poses
         self._before = poses
         shift_x, shift_y = poses.x - before.x, poses.y - before.y
         shift = np.hypot(shift_x, shift_y)
         self._gone += shift
-        if not len(self._pairs[0]) and not len(self._near[0]):
-            return []
         found = self._of_agents(world, poses, (shift_x, shift_y, shift))
         found += self._of_objects(world, poses, (shift_x, shift_y))
         return self._settled(found, world, seconds) if found else []

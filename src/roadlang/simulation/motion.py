@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Booleans, Floats
 from .bodies import Bodies
 from .lines import Lines
-from .vehicle import accelerated, demand, displaced, forces, loads, steered, turned
+from .vehicle import driven, moved, steered, turned, walked
 
 
 @dataclass
@@ -57,11 +58,14 @@ class Track:
     origin: Floats
     spacing: Floats
     per_meter: Floats
+    length: Floats
+    closed: Booleans
+    has_closed: bool
 
     @classmethod
     def of(cls, lines: Lines, row: Any) -> Track:
         """`row`: (N,) the line of each agent."""
-        spacing = lines.spacing[row]
+        spacing, closed = lines.spacing[row], lines.closed[row]
         return cls(
             lines,
             row,
@@ -70,22 +74,27 @@ class Track:
             lines.origin[row],
             spacing,
             1.0 / spacing,
+            lines.length[row],
+            closed,
+            bool(closed.any()),
         )
 
     def of_rows(self, rows: Any) -> Track:
         """That of some agents."""
+        if isinstance(rows, slice):
+            return self
+        closed = self.closed[rows]
         return Track(
             self.lines, self.row[rows], self.first[rows], self.last[rows], self.origin[rows],
-            self.spacing[rows], self.per_meter[rows],
+            self.spacing[rows], self.per_meter[rows], self.length[rows], closed,
+            bool(closed.any()),
         )  # fmt: skip
 
     def wrapped(self, along: Floats) -> Floats:
         """Arc lengths, on closed lines within one lap."""
-        closed = self.lines.closed[self.row]
-        if not closed.any():
+        if not self.has_closed:
             return along
-        length = self.lines.length[self.row]
-        return np.asarray(along - np.floor(along / length) * closed * length)
+        return np.asarray(along - np.floor(along / self.length) * self.closed * self.length)
 
     def cell(self, along: Floats) -> tuple[Any, Floats]:
         """(N,) the cells at arc lengths, and the distance from where each begins."""
@@ -94,38 +103,33 @@ class Track:
         return self.first + cell, gone - cell * self.spacing
 
 
+Advance = Callable[[Motion, Bodies, Track, tuple[Floats, Floats], int, float], None]
+"""Something that does what `advance` does."""
+
+
 def advance(
     motion: Motion, car: Bodies, track: Track, wanted: tuple[Floats, Floats], steps: int, dt: float
 ) -> None:
     """Move on by some steps of `dt` seconds. `wanted`: tangent of the steering angle, held within
     what the agent can steer; acceleration."""
     headings, curvatures = track.lines.heading, track.lines.curvature
-    tires = (car.half_base, car.friction, car.front_slope, car.rear_slope, car.slow)
     walks = car.walks if car.walks.any() else None
-    m = motion
-    cell, rest = track.cell(m.along)
+    m, columns = motion, car.columns
+    cell, _ = track.cell(m.along)
     curvature = curvatures[cell]
     for _ in range(steps):
         m.tangent = steered(m.tangent, wanted[0], car.lag, car.rate)
-        used = demand(wanted[1], m.speed, car.power, car.grip, dt)
-        load = loads(m.acceleration, car.transfer)
-        force = forces(m.speed, m.slide, m.yaw_rate, m.tangent, used, load, tires)
-        speed, slide, yaw_rate, m.acceleration = accelerated(
-            (m.speed, m.slide, m.yaw_rate), force, car.half_base, car.inertia,
-            (car.drag, car.rolling), dt,
-        )  # fmt: skip
+        before = (m.speed, m.slide, m.yaw_rate)
+        after = driven(before, m.tangent, m.acceleration, wanted[1], columns, dt)
         if walks is not None:
-            on_foot = np.maximum(m.speed + wanted[1] * dt, 0.0)
-            speed = np.where(walks, on_foot, speed)
-            slide = np.where(walks, 0.0, slide)
-            yaw_rate = np.where(walks, on_foot * m.tangent / (2.0 * car.half_base), yaw_rate)
-        ds, dn = displaced(0.5 * (m.speed + speed), slide, m.cosine, m.sine, m.offset, curvature)
-        m.speed, m.slide, m.yaw_rate = speed, slide, yaw_rate
-        m.along = m.along + ds * dt
-        m.offset = m.offset + dn * dt
+            on_foot = walked(before, m.tangent, wanted[1], car.half_base, dt)
+            after = tuple(np.where(walks, *pair) for pair in zip(on_foot, after, strict=True))
+        m.speed, m.slide, m.yaw_rate, m.acceleration = after
+        speeds, direction = (before[0], m.speed, m.slide), (m.cosine, m.sine)
+        m.along, m.offset = moved((m.along, m.offset), speeds, direction, curvature, dt)
         cell, rest = track.cell(m.along)
         curvature = curvatures[cell]
         heading = headings[cell] + curvature * rest
-        angle = yaw_rate * dt - (heading - m.line_heading)
+        angle = m.yaw_rate * dt - (heading - m.line_heading)
         m.cosine, m.sine = turned(m.cosine, m.sine, angle)
         m.line_heading = heading

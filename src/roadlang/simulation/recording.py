@@ -32,6 +32,7 @@ class Recorder:
         self._parts: dict[int, list[Floats]] = {row: [] for row in range(len(scenes))}
         self._rows = np.arange(len(scenes))
         self._turns = False
+        self._axes = np.zeros(0)
         self._ends: dict[int, int] = {}
         self._events: dict[int, list[dict[str, Any]]] = {}
 
@@ -78,6 +79,13 @@ class Recorder:
         self._close()
         return [self._trace(row, scene) for row, scene in enumerate(self._scenes)]
 
+    def _axis(self, count: int) -> Floats:
+        """The first times, as one array for all scenes."""
+        if len(self._axes) < len(self._times):
+            self._axes = np.array(self._times)
+            self._axes.flags.writeable = False
+        return self._axes[:count]
+
     def _close(self) -> None:
         """Turn samples into columns: (scenes, agents, quantities, times)."""
         if not self._chunk:
@@ -87,6 +95,7 @@ class Recorder:
         times, quantities, _ = samples.shape
         shaped = samples.reshape(times, quantities, len(self._rows), self._slots)
         columns = np.ascontiguousarray(shaped.transpose(2, 3, 1, 0))
+        columns.flags.writeable = False
         for row, part in zip(self._rows, columns, strict=True):
             self._parts[int(row)].append(part)
 
@@ -95,7 +104,7 @@ class Recorder:
         columns = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=2)
         count = min(self._ends.get(row, len(self._times)), columns.shape[2])
         columns = columns[:, :, :count]
-        time = np.array(self._times[:count])
+        time = self._axis(count)
         agents = {
             actor.name: _agent(actor, columns[slot], time, self._turns)
             for slot, actor in enumerate(scene.agents)

@@ -11,14 +11,18 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
+from . import compiled, motion
 from .bodies import Body
 from .contacts import Contacts
 from .driving import Crew
+from .motion import Advance
 from .recording import Recorder
 from .world import world_of
 
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""
+WORTH_COMPILING = 1e6
+"""Steps of agents from which on it is worth to load the compiled motion, or even to compile it."""
 LEFT_OUT = 0.25
 """Share of the scenes of a block that are over when it is made smaller."""
 
@@ -60,8 +64,11 @@ def simulate_scenes(
     for scene in scenes:
         if not scene.agents:
             raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name))
+    work = sum(len(scene.agents) for scene in scenes) * settings.duration / settings.vehicle_step
+    is_worth_it = compiled.is_loaded() or work > WORTH_COMPILING
+    advance = compiled.advance if is_worth_it and compiled.is_installed() else motion.advance
     for start, stop in _blocks(scenes):
-        yield from _drive_block(scenes[start:stop], controllers[start:stop], settings)
+        yield from _drive_block(scenes[start:stop], controllers[start:stop], settings, advance)
 
 
 def _blocks(scenes: Sequence[Scene]) -> Iterator[tuple[int, int]]:
@@ -76,12 +83,16 @@ def _blocks(scenes: Sequence[Scene]) -> Iterator[tuple[int, int]]:
 
 
 def _drive_block(
-    scenes: Sequence[Scene], controllers: Sequence[Controllers], settings: EngineSettings
+    scenes: Sequence[Scene],
+    controllers: Sequence[Controllers],
+    settings: EngineSettings,
+    advance: Advance,
 ) -> list[Trace]:
     decided, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
     last = settings.ticks(settings.duration)
     dt = settings.vehicle_step
     world = world_of(scenes, settings.bodies, dt, settings.control_step)
+    world.advance = advance
     crew = Crew(world, controllers, decided * dt, settings.signals)
     contacts = Contacts(world)
     poses = world.poses

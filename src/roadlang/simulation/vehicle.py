@@ -107,6 +107,12 @@ def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any
     )
 
 
+def walked(motion: Any, tangent: Any, wanted: Any, half_base: Any, dt: float) -> Any:
+    """What `accelerated` gives, of someone on foot: no tires, no sliding."""
+    speed = np.maximum(motion[0] + wanted * dt, 0.0)
+    return speed, 0.0 * speed, speed * tangent / (2.0 * half_base), wanted
+
+
 def displaced(along: Any, left: Any, cosine: Any, sine: Any, offset: Any, curvature: Any) -> Any:
     """Speeds along and to the left of the line, whose curvature is that at the foot point.
 
@@ -123,3 +129,25 @@ def turned(cosine: Any, sine: Any, angle: Any) -> Any:
     scale = 1.0 / (1.0 + square)
     along, across = (1.0 - square) * scale, 2.0 * half * scale
     return cosine * along - sine * across, sine * along + cosine * across
+
+
+def driven(motion: Any, tangent: Any, before: Any, wanted: Any, car: Any, dt: float) -> Any:
+    """Speeds after a step, along, to the left and yaw rate, and the acceleration along the car.
+
+    `before`: the acceleration in the last step; `car`: axles, friction, slopes, least speed of
+    slips, power, grip, load transfer, inertia, drag and rolling resistance, as `Bodies` has them.
+    """
+    half_base, friction, front_slope, rear_slope, slow, power, grip, transfer, inertia = car[:9]
+    used = demand(wanted, motion[0], power, grip, dt)
+    load = loads(before, transfer)
+    tires = (half_base, friction, front_slope, rear_slope, slow)
+    force = forces(motion[0], motion[1], motion[2], tangent, used, load, tires)
+    return accelerated(motion, force, half_base, inertia, (car[9], car[10]), dt)
+
+
+def moved(place: Any, speeds: Any, direction: Any, curvature: Any, dt: float) -> Any:
+    """Arc length and offset after a step. `speeds`: along before and after it, to the left;
+    `direction`: cosine and sine of the heading from that of the line."""
+    along = 0.5 * (speeds[0] + speeds[1])
+    ds, dn = displaced(along, speeds[2], direction[0], direction[1], place[1], curvature)
+    return place[0] + ds * dt, place[1] + dn * dt

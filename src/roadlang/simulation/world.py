@@ -14,7 +14,7 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
 from .bodies import Bodies, Body
 from .lines import Lines, LineSource, road_line, straight_line
-from .motion import Motion, Track, advance
+from .motion import Advance, Motion, Track, advance
 from .poses import Poses, poses_of
 from .starting import line_offset, start_of
 
@@ -63,6 +63,8 @@ class World:
     pace: tuple[Floats, Floats]
     """along and to the left of the lines, in the last step"""
     tick: int = 0
+    advance: Advance = advance
+    """the equations of motion"""
 
     @property
     def time(self) -> float:
@@ -96,7 +98,7 @@ class World:
         if heading is not None:
             self._face(heading)
         before = (motion.along, motion.offset)
-        advance(motion, bodies, self.track, (np.tan(angle), acceleration), steps, self.dt)
+        self.advance(motion, bodies, self.track, (np.tan(angle), acceleration), steps, self.dt)
         moved = motion.along - before[0]
         seconds = steps * self.dt
         self.pace = (moved / seconds, (motion.offset - before[1]) / seconds)
@@ -107,20 +109,20 @@ class World:
     @property
     def closed(self) -> Booleans:
         """(N,) whose line ends where it begins."""
-        return np.asarray(self.track.lines.closed[self.track.row])
+        return self.track.closed
 
     @property
     def length(self) -> Floats:
         """(N,) of the lines, meters."""
-        return np.asarray(self.track.lines.length[self.track.row])
+        return self.track.length
 
     @property
     def at_end(self) -> Booleans:
         """(N,) who has arrived at the end of its line, or has gone all around."""
         arrived = self.length - self.motion.along < ARRIVED
-        around = self.traveled >= self.length
-        found: Booleans = self.has_road & np.where(self.closed, around, arrived)
-        return found
+        if self.track.has_closed:
+            arrived = np.where(self.closed, self.traveled >= self.length, arrived)
+        return np.asarray(self.has_road & arrived)
 
     @property
     def finished(self) -> Booleans:
@@ -181,9 +183,8 @@ class World:
 
     def _wrap(self) -> None:
         """On closed lines, arc length begins anew after a lap."""
-        closed = self.closed
-        if closed.any():
-            over = np.floor(self.motion.along / self.length) * closed
+        if self.track.has_closed:
+            over = np.floor(self.motion.along / self.length) * self.closed
             self.motion.along = self.motion.along - over * self.length
             turn = self.track.lines.turn[self.track.row]
             self.motion.line_heading = self.motion.line_heading - over * turn
