@@ -44,6 +44,8 @@ class Edge(SharedArrays):
     before its start); one width is for all of it. `confidence` in [0, 1] is the extractor's.
     `cross_section` are its lanes along the curve, which also say the width, whatever `widths` is;
     without it the lanes are those that the network's options say. `Edge.of` makes one of them.
+    What maps say besides: the `name` of the street, and `elevations` (n,), meters above the origin
+    at even arc lengths, which nothing uses yet.
     """
 
     id: int
@@ -53,6 +55,8 @@ class Edge(SharedArrays):
     widths: Floats
     confidence: float = 1.0
     cross_section: CrossSection | None = None
+    name: str = ""
+    elevations: Floats | None = None
 
     @classmethod
     def of(cls, id: int, start: int, end: int, curve: Curve, section: CrossSection) -> Edge:
@@ -102,13 +106,15 @@ class Edge(SharedArrays):
 class RoadNetwork:
     """Roads (`edges`) that are joined at `nodes`. `network_of_polylines` makes one of points.
 
-    Ids are unique among nodes and among edges. Raises GeometryError for ids used twice, for an
+    Ids are unique among nodes and among edges. `origin` is the latitude and longitude of (0, 0),
+    in degrees, where a map says so. Raises GeometryError for ids used twice, for an
     edge whose nodes do not exist or lie elsewhere than its ends, and for widths that are not
     positive.
     """
 
     nodes: tuple[Node, ...]
     edges: tuple[Edge, ...]
+    origin: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         if len(self._nodes) != len(self.nodes) or len(self._edges) != len(self.edges):
@@ -192,7 +198,10 @@ class RoadNetwork:
     def transformed(
         self, matrix: ArrayLike, shift: ArrayLike = (0.0, 0.0), width_factor: float = 1.0
     ) -> RoadNetwork:
-        """Each point p becomes `matrix @ p + shift`; widths are multiplied by `width_factor`."""
+        """Each point p becomes `matrix @ p + shift`; widths are multiplied by `width_factor`.
+
+        The `origin` is lost where (0, 0) moves.
+        """
         linear, offset = finite(matrix, "the matrix"), finite(shift, "the shift")
         nodes = []
         for node in self.nodes:
@@ -203,7 +212,8 @@ class RoadNetwork:
             edge.transformed(edge.curve.transformed(linear, offset), width_factor, mirrors)
             for edge in self.edges
         ]
-        return RoadNetwork(tuple(nodes), tuple(edges))
+        origin = None if offset.any() else self.origin
+        return RoadNetwork(tuple(nodes), tuple(edges), origin)
 
     def longest(self) -> Path:
         """The longest simple road through the network (see `paths.longest_path`)."""

@@ -4,77 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
 from .read_only import Frozen
 from .scene_junctions import SceneJunction
-from .scene_lane import SceneLane
-
-if TYPE_CHECKING:
-    from ..geometry import CrossSection
+from .scene_road import SceneRoad as SceneRoad
 
 SCENE_SCHEMA = "roadlang.scene/2"
-
-
-@dataclass(frozen=True, slots=True)
-class SceneRoad:
-    """One curve. The tuples have a number for each of its stations."""
-
-    name: str
-    """as declared; `town/3` for edge 3 of network `town`"""
-    stations: tuple[float, ...] = field(repr=False)
-    """arc length along this road, meters"""
-    reference_stations: tuple[float, ...] = field(repr=False)
-    """arc length of the root road at the same points, meters: the positions of the requirements"""
-    x: tuple[float, ...] = field(repr=False)
-    """meters east"""
-    y: tuple[float, ...] = field(repr=False)
-    """meters north"""
-    heading: tuple[float, ...] = field(repr=False)
-    """radians, counter-clockwise from east"""
-    curvature: tuple[float, ...] = field(repr=False)
-    """1/m, positive to the left"""
-    width: tuple[float, ...] = field(repr=False)
-    """of the drivable lanes, from edge to edge, meters"""
-    lanes: int
-    """how many drivable ones, both directions together"""
-    closed: bool
-    """whether the end joins the start"""
-    length: float
-    """meters"""
-    root: str
-    """the road that this one was perturbed from; itself, if none"""
-    network: str | None = None
-    """the network this is an edge of, else null"""
-    edge: int | None = None
-    """its number in the network"""
-    derived: bool = False
-    """true for the last road of a chain: what is driven, drawn in full and built"""
-    trim: tuple[float, float] = (0.0, 0.0)
-    """of a road of a network: how far from its start and from its end the junctions there reach,
-    meters of its stations; between lies the road"""
-    lane_list: tuple[SceneLane, ...] = field(default=(), repr=False)
-    """its lanes from left to right; empty in a scene of an earlier version: `lanes` equal ones"""
-    center_marking: Literal["solid", "broken", "double", "none", "curb"] = "broken"
-    """the line between lanes 1 and -1"""
-    center_offset: tuple[float, ...] = field(default=(), repr=False)
-    """how far left of the curve that line lies, meters: one number, or one for each station; empty:
-    the drivable lanes lie in the middle"""
-    speed_limit: float | None = None
-    """m/s, of lanes that have none of their own; null where nothing is said"""
-
-    def cross_section(self) -> CrossSection:
-        """The lanes as geometry has them, by arc length along this road.
-
-        Raises GeometryError for lanes that cannot be.
-        """
-        from .scene_section import equal_lanes, listed_lanes
-
-        period = self.length if self.closed else None
-        if not self.lane_list:
-            return equal_lanes(self.lanes, self.stations, self.width, period)
-        marking, offset = self.center_marking, self.center_offset
-        return listed_lanes(self.lane_list, marking, offset, self.stations, period)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +47,8 @@ class SceneNetwork:
     """x and y of the corner of the mask, meters"""
     junctions: tuple[SceneJunction, ...] = ()
     """where its roads meet"""
+    origin: tuple[float, float] | None = None
+    """latitude and longitude of (0, 0), degrees, where the map says so"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..geometry import WidthProfile
+from ..geometry import Edge, WidthProfile
 from ..ir.batch import RoadBatch
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
@@ -43,8 +43,17 @@ def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
             limit = _speed_limit(network, candidates)
             road = scene_road(name, origin, batch, lanes, limit, derived)
             trim = _trim(road, edge.length, root.junctions.plans[network.name].trims[edge.id])
-            roads.append(replace(road, network=network.name, edge=edge.id, trim=trim))
+            road = replace(road, network=network.name, edge=edge.id, trim=trim, street=edge.name)
+            roads.append(replace(road, elevation=_elevation(edge, batch)))
     return tuple(roads)
+
+
+def _elevation(edge: Edge, batch: RoadBatch) -> tuple[float, ...]:
+    """Meters at the stations of an edge; empty where its map says nothing of heights."""
+    if edge.elevations is None:
+        return ()
+    places = np.linspace(0.0, edge.length, len(edge.elevations))
+    return _floats(np.interp(batch.stations, places, edge.elevations))
 
 
 def scene_networks(candidates: CandidateBatch) -> tuple[SceneNetwork, ...]:
@@ -150,6 +159,7 @@ def _network(network: ScenarioNetwork, candidates: CandidateBatch) -> SceneNetwo
         float(root.confidence),
         _mask(root),
         root.scale if root.mask is not None else None,
+        origin=root.network.origin,
         junctions=scene_junctions(
             network.name,
             root.junctions.plans[network.name],

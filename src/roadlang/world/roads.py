@@ -16,6 +16,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import CrossSection, Curve, CurveFrame, Path, Road, WidthProfile
 from ..geometry.arrays import Floats
+from ..geometry.path_sections import section_of_path
 from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, Input, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall, Value
@@ -212,7 +213,8 @@ def _root(road: ScenarioRoad, candidates: CandidateBatch) -> RoadRoot:
         if steps[0].stop >= edge.length:
             id = f"{root.name}/{edge.id}"
             frame, width = root.frame(edge.id), edge.width
-            return RoadRoot(id, frame, width, None, path, network, root.inputs, root.confidence)
+            section = edge.cross_section
+            return RoadRoot(id, frame, width, section, path, network, root.inputs, root.confidence)
     return _path_root(root, path, network, candidates)
 
 
@@ -229,7 +231,8 @@ def _path_root(
     id = f"{root.name}/{steps}"
     shared = keeper.once(("way", id), frame)
     width = path.width
-    return RoadRoot(id, shared, width, None, path, network, root.inputs, root.confidence)
+    section = section_of_path(path)
+    return RoadRoot(id, shared, width, section, path, network, root.inputs, root.confidence)
 
 
 def _frame(
