@@ -87,3 +87,29 @@ def test_a_scene_without_junctions_has_no_trims(sample: Sample) -> None:
     scene = sample(text).scenes[0]
     assert scene == replace(scene, networks=())
     assert scene.roads[0].trim == (0.0, 0.0)
+
+
+def test_the_curvature_of_a_network_includes_its_turns(sample: Sample) -> None:
+    """A right turn round a curb of 4 m has a radius of 4 m and half a lane."""
+    text = TOWN + "expect gentle: always (abs(curvature(town)) < 1/20m)\nroad street from town\n"
+    text += "expect straight: always (abs(curvature(street)) < 1/20m)\n"
+    scene = sample(text).scenes[0]
+    gentle, straight = scene.expectations
+    assert gentle.robustness is not None
+    assert gentle.tightest is not None
+    turns = [
+        max(abs(curvature) for _, curvature in connection.pieces)
+        for junction in scene.networks[0].junctions
+        for connection in junction.connections
+    ]
+    assert gentle.robustness == pytest.approx(1 / 20 - max(turns), abs=1e-3)
+    assert gentle.tightest.road.startswith("town/junction ")
+    assert straight.robustness is not None
+    assert straight.robustness > gentle.robustness
+    assert len(gentle.profiles) == len(turns) + len(scene.networks[0].roads)
+
+
+def test_other_signals_of_a_network_are_measured_on_its_roads_alone(sample: Sample) -> None:
+    text = TOWN + BENT + "\nexpect near: always (deviation(bent, town) < 3m)\n"
+    scene = sample(text).scenes[0]
+    assert len(scene.expectations[0].profiles) == len(scene.networks[0].roads)

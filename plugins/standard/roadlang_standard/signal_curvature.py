@@ -13,11 +13,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Curvature(Signal):
-    """Curvature of the center line, left positive."""
+    """Curvature of the center line, left positive; of a network also that of turns at junctions."""
 
     name: ClassVar[str] = "curvature"
     unit: ClassVar[str] = "1/m"
     cost: ClassVar[float] = 10.0
+    on_connections: ClassVar[bool] = True
     road: RoadOrNetwork = option(help="road whose center line is measured")
 
     def values(self) -> Floats:

@@ -50,15 +50,21 @@ def tightest(condition: Condition, profiles: tuple[Profile, ...]) -> RoadPlace |
 
 def _signal(signal: NamedSignal, candidates: CandidateBatch) -> SceneSignal:
     condition = signal.condition
-    profiles = _profiles(condition, condition.formula, candidates)
+    profiles = _profiles(condition, condition.formula, candidates, with_connections=False)
     return SceneSignal(signal.name, condition.text, signal.dimension.unit, profiles)
 
 
 def _profiles(
-    condition: Condition, formula: Formula, candidates: CandidateBatch
+    condition: Condition,
+    formula: Formula,
+    candidates: CandidateBatch,
+    *,
+    with_connections: bool = True,
 ) -> tuple[Profile, ...]:
     found = []
     for trace in traces_of_copy(condition, 1, candidates):
+        if trace.on_connection and not with_connections:
+            continue
         if trace.absent is not None and trace.absent[0]:  # a group without any copy
             continue
         along = formula.robustness(trace.positions, trace.values, wrap=trace.wrap)

@@ -24,7 +24,7 @@ class ConditionTrace:
 
     `road`: its name, `network/edge` of a network; `positions` (S,) meters; `values` of the
     variables; `wrap`: the length of a closed road; `absent` (V,): the candidates that do not have
-    this copy, where some may not.
+    this copy, where some may not; `on_connection`: whether it is through a junction.
     """
 
     road: str
@@ -32,6 +32,7 @@ class ConditionTrace:
     values: dict[str, Any]
     wrap: float | None
     absent: Booleans | None
+    on_connection: bool = False
 
 
 def condition_rho(condition: Condition, candidates: CandidateBatch) -> Floats:
@@ -73,17 +74,18 @@ def traces_of_copy(
         axes_of(condition, candidates) if condition.domain == "road" else (EvaluatedRoad(),)
     ):
         positions, values, wrap = _values(condition, axis, copy, candidates)
-        yield ConditionTrace(_road_name(condition, axis), positions, values, wrap, absent)
+        name, on_connection = _road_name(condition, axis), axis.connection is not None
+        yield ConditionTrace(name, positions, values, wrap, absent, on_connection)
 
 
 def _road_name(condition: Condition, axis: EvaluatedRoad) -> str:
-    """The first road that a signal of the formula names, or the edge of a network."""
+    """The first road that a signal of the formula names, or the part of a network."""
     for binding in condition.signals:
         for _, value in binding.call.options:
             if isinstance(value, Entity) and value.role == "road":
                 return value.name
             if isinstance(value, Entity) and value.role == "network":
-                return f"{value.name}/{axis.edge}"
+                return axis.name(value.name)
     return ""
 
 

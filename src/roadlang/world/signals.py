@@ -14,9 +14,10 @@ from ..evaluate.evaluation import build
 from ..geometry.arrays import Floats
 from ..ir.batch import RoadBatch
 from ..ir.scenario import ScenarioNetwork
-from ..ir.values import Entity, PassCall, Value
+from ..ir.values import Condition, Entity, PassCall, Value
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
+from .connection_roads import connection_batch
 from .copies import is_group
 from .networks import NetworkRoot, edge_batch, network_root
 from .placement import start_of
@@ -25,18 +26,28 @@ from .roads import road_batch
 
 @dataclass(frozen=True)
 class EvaluatedRoad:
-    """What a road formula runs along: a road, or one edge of each network it names."""
+    """What a road formula runs along: a road, or one edge of each network it names, or one
+    `connection` (ids of the junction and of the connection) at the junctions of a network."""
 
     edge: int | None = None
+    connection: tuple[int, int] | None = None
 
     def resolve(self, entity: Entity, candidates: CandidateBatch) -> RoadBatch | NetworkRoot:
         """The road that a name stands for on this axis; the whole network off all axes."""
         if entity.role == "road":
             return road_batch(entity.name, candidates)
         network = candidates.scenario.networks[entity.name]
+        if self.connection is not None:
+            return connection_road(network, *self.connection, candidates)
         if self.edge is None:
             return network_root(network, candidates)
         return edge_with_others(network, self.edge, candidates)
+
+    def name(self, network: str) -> str:
+        """`town/3` of edge 3; `town/junction 2/5` of connection 5 at junction 2."""
+        if self.connection is None:
+            return f"{network}/{self.edge}"
+        return f"{network}/junction {self.connection[0]}/{self.connection[1]}"
 
 
 def edge_with_others(network: ScenarioNetwork, edge: int, candidates: CandidateBatch) -> RoadBatch:
@@ -49,7 +60,8 @@ def edge_with_others(network: ScenarioNetwork, edge: int, candidates: CandidateB
 
 
 def axes_of(call: Value, candidates: CandidateBatch) -> tuple[EvaluatedRoad, ...]:
-    """The axes of a formula or call: one for each road of the networks that it names."""
+    """The axes of a formula or call: one for each road of the networks that it names, and for each
+    connection where all its signals are measured there."""
     scenario = candidates.scenario
     names = [e.name for e in scenario.dependencies.entities(call) if e.role == "network"]
     if not names:
@@ -58,7 +70,37 @@ def axes_of(call: Value, candidates: CandidateBatch) -> tuple[EvaluatedRoad, ...
         {edge.id for edge in network_root(scenario.networks[name], candidates).edges}
         for name in names
     ]
-    return tuple(EvaluatedRoad(edge) for edge in sorted(set.intersection(*ids)))
+    roads = [EvaluatedRoad(edge) for edge in sorted(set.intersection(*ids))]
+    if isinstance(call, Condition) and len(set(names)) == 1 and _on_connections(call, candidates):
+        root = network_root(scenario.networks[names[0]], candidates)
+        roads += [
+            EvaluatedRoad(connection=(junction.id, connection.id))
+            for junction in root.junctions.plans[names[0]].junctions
+            for connection in junction.connections
+        ]
+    return tuple(roads)
+
+
+def _on_connections(condition: Condition, candidates: CandidateBatch) -> bool:
+    """Whether all signals of a formula are measured on the connections of junctions."""
+    scenario = candidates.scenario
+    kinds: list[Any] = [scenario.kind(binding.call)[1] for binding in condition.signals]
+    return all(getattr(kind, "on_connections", False) for kind in kinds)
+
+
+def connection_road(
+    network: ScenarioNetwork, junction: int, connection: int, candidates: CandidateBatch
+) -> RoadBatch:
+    """A connection as a road, the same in all candidates that share the root of the network."""
+    root = network_root(network, candidates)
+    plan = root.junctions.plans[network.name]
+    name = EvaluatedRoad(connection=(junction, connection)).name(network.name)
+
+    def make() -> RoadBatch:
+        place = next(item for item in plan.junctions if item.id == junction)
+        return connection_batch(name, place.connections[connection])
+
+    return candidates.once(("connection", name), make)
 
 
 def signal(call: PassCall, axis: EvaluatedRoad, candidates: CandidateBatch) -> Floats:
@@ -79,7 +121,7 @@ def signal(call: PassCall, axis: EvaluatedRoad, candidates: CandidateBatch) -> F
             raise wrong_result(built.entry, call.span, "gave values that are not finite numbers")
         return values
 
-    return candidates.once(("signal", call_key(call), axis.edge), make)
+    return candidates.once(("signal", call_key(call), axis), make)
 
 
 def _stations_of(kind: Any) -> set[int]:

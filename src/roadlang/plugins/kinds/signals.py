@@ -25,6 +25,8 @@ class Signal(Kind):
     """of the values, in SI units: `1/m`, `m/s^2`; empty for pure numbers. Where it depends on the
     options, override `dimension_of` instead"""
     cost: ClassVar[float] = 20.0
+    on_connections: ClassVar[bool] = False
+    """of a network it is measured on the connections of its junctions as well"""
 
     def values(self) -> Floats:
         """The values in SI units.
