@@ -43,6 +43,7 @@ USE = {
     "lane": "a call in `left: [...]` or `right: [...]` of a `road` or `network`; each also takes "
     "`width`, `speed_limit` and `marking`",
     "select": "a call in `select:` of a `road`",
+    "position": "a call after `at` of an agent or object",
     "perturb": "`perturb with KIND { ... }` in a `network` or `road`; each also takes "
     "`over: [a, b]`, `taper`, and in a network `roads: [ids]`",
     "control": "`control with KIND { ... }` in a `network`; each also takes `junctions: [ids]`",

@@ -87,6 +87,7 @@ from .plugins.kinds import (
     ObjectKind,
     Perturber,
     Piece,
+    Position,
     Reader,
     RightOfWay,
     RoadNumber,
@@ -96,6 +97,7 @@ from .plugins.kinds import (
     Selector,
     Signal,
     Simulator,
+    Standing,
 )
 from .plugins.options import option
 from .version import API_VERSION
@@ -107,6 +109,7 @@ if TYPE_CHECKING:
     from .ir.control import Control, ControlBatch, Observation, ObservationBatch
     from .ir.encoding import scene_from_json, to_json
     from .ir.picture import Extraction, FoundObject, Picture
+    from .ir.placed_batch import PlacedBatch
     from .ir.road_bounds import RoadBounds
     from .ir.scenario_contents import ScenarioContents
     from .ir.scene import (
@@ -141,6 +144,7 @@ if TYPE_CHECKING:
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
+    ".ir.placed_batch": "PlacedBatch",
     ".ir.control": "Control ControlBatch Observation ObservationBatch",
     ".ir.encoding": "scene_from_json to_json",
     ".ir.picture": "Extraction FoundObject Picture",
@@ -165,22 +169,22 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURVATURE", "FORCE", "FREQUENCY", "JERK",
     "LENGTH", "MASS", "PIXELS", "PURE", "SCALE", "SPEED", "TIME", "Acceleration", "Adjuster",
-    "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis",
-    "Backend", "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames",
-    "Control", "ControlBatch", "Controller", "Curvature", "Diagnostic", "DiagnosticError",
-    "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration",
-    "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
-    "ImageName", "Jerk", "JunctionControl", "Kind", "Label", "LaneDirection", "LaneKind",
-    "LaneMarking", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Number",
-    "ObjectKind", "Observation", "ObservationBatch", "Perturber", "Picture", "Piece",
-    "PixelPoint", "Pixels", "Point", "Profile", "Provenance", "Reader", "RightOfWay", "RoadBatch",
-    "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "Sampler", "Scale",
-    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
-    "SceneControl", "SceneJunction", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal",
-    "SceneRoad", "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalPhase",
-    "Simulator", "Speed", "String", "Trace", "Verdict", "ViolatedSegment", "Whole", "Word",
-    "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl", "kind_of", "list_of", "map_of",
-    "one_of", "option", "quantity", "read_image", "read_input", "record_of", "scene_from_json",
+    "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
+    "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames", "Control",
+    "ControlBatch", "Controller", "Curvature", "Diagnostic", "DiagnosticError", "Dimension",
+    "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration", "EngineSettings",
+    "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "ImageName", "Jerk",
+    "JunctionControl", "Kind", "Label", "LaneDirection", "LaneKind", "LaneMarking", "Length",
+    "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Number", "ObjectKind", "Observation",
+    "ObservationBatch", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch",
+    "Point", "Position", "Profile", "Provenance", "Reader", "RightOfWay", "RoadBatch", "RoadBounds",
+    "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "Sampler", "Scale", "ScenarioContents",
+    "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl",
+    "SceneJunction", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad",
+    "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalPhase", "Simulator", "Speed",
+    "Standing", "String", "Trace", "Verdict", "ViolatedSegment", "Whole", "Word", "call_of",
+    "diagnose", "did_you_mean", "geometry", "hookimpl", "kind_of", "list_of", "map_of", "one_of",
+    "option", "quantity", "read_image", "read_input", "record_of", "scene_from_json",
     "simulate_scenes", "to_json",
 ]  # fmt: skip
 

@@ -10,7 +10,7 @@ import pytest
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
 from roadlang.world.copies import counts
-from roadlang.world.placement import start_of
+from roadlang.world.placement import placed_copy
 from tests.straight_road import STRAIGHT
 
 TREES = (
@@ -29,7 +29,7 @@ def test_copies_that_a_candidate_does_not_have_are_left_out(
     batch = CandidateBatch(requirements.scenario, 0, np.zeros(99, np.int64), np.arange(99))
     actor = requirements.scenario.actors["trees"]
     number = counts(actor, batch)
-    starts = np.hstack([start_of(actor, batch, copy) for copy in (1, 2, 3)])
+    starts = np.hstack([placed_copy(actor, batch, copy).start for copy in (1, 2, 3)])
     most = float(limit.split()[1].removesuffix("m"))
     holds = starts < most if limit.startswith("< ") else starts <= most
     expected = (holds | (np.arange(3) >= number[:, None])).all(axis=1)

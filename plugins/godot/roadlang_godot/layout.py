@@ -186,7 +186,7 @@ def _agent(
         "length": actor.length,
         "width": actor.width,
         "height": actor.height,
-        "speed": float(options.get("initial_speed", 0.0)),
+        "speed": float(actor.start_speed or options.get("initial_speed", 0.0)),
         "body": "walker" if plain_name(actor.kind) in _WALKERS else "vehicle",
         "drives": _drives(actor, scene, frame),
     }

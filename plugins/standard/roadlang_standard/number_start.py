@@ -22,5 +22,5 @@ class Start(RoadNumber):
     actor: AgentOrObject = option(help="agent or object on a road")
 
     def values(self) -> Floats:
-        start: Floats = self.actor
+        start: Floats = self.actor.start
         return start

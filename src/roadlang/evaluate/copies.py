@@ -77,6 +77,10 @@ class CopyBatch(CandidateBatch):
         """Some of the copies."""
         return CopyBatch(self.candidates, self.rows[index], self.copies[index], self.tries[index])
 
+    def numbered(self, copies: Integers) -> CopyBatch:
+        """Other copies (R,) of the same candidates and tries."""
+        return CopyBatch(self.candidates, self.rows, copies, self.tries)
+
     def at_tries(self, tries: Integers) -> CopyBatch:
         """The same copies, placed at other tries (R,)."""
         return CopyBatch(self.candidates, self.rows, self.copies, tries)

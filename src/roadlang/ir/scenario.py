@@ -136,8 +136,8 @@ class ScenarioActor:
     """An agent or object. `kind` is the call of an agent or object kind, or a draw among such.
 
     `at` is a length along the road, a fraction of its length (`Operation`s of such too) or a
-    point (`Items` of two lengths); `at_fraction` tells the first two apart.
-    `options`: `offset`, `lane`, `side`, `facing`, `heading`, `count`.
+    point (`Items` of two lengths), or the call of a kind of position; `at_fraction` tells the first
+    two apart. `options`: those of `AgentOptions`.
     """
 
     name: str

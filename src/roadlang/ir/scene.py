@@ -101,6 +101,8 @@ class SceneActor(Frozen):
     """every option of the kind"""
     drive: tuple[Call, ...] = ()
     """the controllers of an agent, in order"""
+    start_speed: float | None = None
+    """of an agent at the start, m/s, in the direction of its heading; null: 0"""
 
 
 @dataclass(frozen=True, slots=True)

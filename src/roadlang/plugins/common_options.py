@@ -15,6 +15,7 @@ from .annotations import (
     Length,
     LengthInterval,
     Number,
+    Speed,
     Whole,
     Word,
 )
@@ -73,6 +74,13 @@ class PlacementOptions:
         help="number of copies; each draws its own random values",
         example="integer(0, 3)",
     )
+    spacing: Length = option(
+        None,
+        above=0,
+        maximum=10_000,
+        help="puts the copies of a `count` in a row, from middle to middle; `at` is the first",
+        example="5m..9m",
+    )
     apart: Length = option(
         None,
         minimum=0,
@@ -82,6 +90,20 @@ class PlacementOptions:
         example="2m",
     )
     overlap: Flag = option(False, help="whether it may stand in other agents and objects")
+
+
+@dataclass(frozen=True)
+class AgentOptions(PlacementOptions):
+    """Options of `agent`."""
+
+    start_speed: Speed = option(
+        None,
+        minimum=0,
+        maximum=150,
+        help="speed at the start; by default what its first controller wants if the agent is in a "
+        "lane, else 0",
+        example="40km/h",
+    )
 
 
 @dataclass(frozen=True)
@@ -178,7 +200,7 @@ _OF_VERB = {
     "perturb": NetworkPerturbOptions,
     "control": ControlOptions,
     "drive": DriveOptions,
-    "agent": PlacementOptions,
+    "agent": AgentOptions,
     "object": PlacementOptions,
     "falsify": FalsifyOptions,
 }

@@ -43,7 +43,7 @@ def start_of(
 
 def start_speed(actor: SceneActor) -> float:
     """Speed at the start, m/s; 0 where the scene does not say."""
-    speed = actor.options.get("initial_speed", 0.0)
+    speed = actor.start_speed or actor.options.get("initial_speed", 0.0)
     return float(speed) if isinstance(speed, int | float) else 0.0
 
 

@@ -17,11 +17,13 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry import Footprints
 from ..geometry.arrays import Floats, Integers
+from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import CopyKinds, counts, element_of, kinds_of_copies, most_copies
 from .neighbors import COPY, Neighbors, legend_neighbors, missing_room, room_among
 from .placement_order import can_be_placed_again, placement_order
 from .poses import Poses, poses_of
+from .positions import Others
 from .road_strips import depth_in_lanes
 from .roads import road_batch
 
@@ -51,6 +53,11 @@ class Arrangement:
             self._done += 1
         return self._place(actor)
 
+    def batch(self, actor: ScenarioActor) -> PlacedBatch:
+        """Where every copy of an agent or object is."""
+        found = self.placed(actor)
+        return PlacedBatch(**{field.name: found[field.name] for field in fields(PlacedBatch)})
+
     def _place(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
         key = ("placed", actor.name)
         return self.candidates.once(key, lambda: self._found(actor))
@@ -62,7 +69,7 @@ class Arrangement:
             return dict.fromkeys(names, np.empty((count, 0)))
         self._note(self.numbers[actor.name])
         present = np.arange(1, most + 1) <= counts(actor, self.candidates)[:, None]
-        turn = _Turn.of(actor, self.candidates, present.reshape(-1))
+        turn = _Turn.of(actor, self.candidates, present.reshape(-1), self.batch)
         turn.settle(self._neighbors)
         if self.candidates.record is not None:
             turn.record()
@@ -91,19 +98,24 @@ class _Turn:
     poses: Poses
     missing: Floats
     blocker: Integers
+    others: Others
 
     @classmethod
     def of(
-        cls, actor: ScenarioActor, candidates: CandidateBatch, present: NDArray[np.bool_]
+        cls,
+        actor: ScenarioActor,
+        candidates: CandidateBatch,
+        present: NDArray[np.bool_],
+        others: Others,
     ) -> _Turn:
         copies = CopyBatch.every(candidates, len(present) // candidates.count)
         kinds = kinds_of(actor, candidates)
-        found = poses_of(actor, copies, kinds.lengths, kinds.widths)
+        found = poses_of(actor, copies, kinds.lengths, kinds.widths, others)
         poses = Poses(*(np.array(getattr(found, name)) for name in POSE))
         tries = np.zeros(copies.count, np.int64)
         nothing, nobody = np.zeros(copies.count), np.full(copies.count, -1)
         apart = _apart(actor, copies)
-        return cls(actor, candidates, kinds, present, apart, tries, poses, nothing, nobody)
+        return cls(actor, candidates, kinds, present, apart, tries, poses, nothing, nobody, others)
 
     def settle(self, neighbors: Neighbors) -> None:
         """Place copies again until each fits or has been tried as often as `TRIES` says."""
@@ -131,11 +143,11 @@ class _Turn:
         if tries.any():
             copies = CopyBatch.every(self.candidates, self._most).chosen(several)
             lengths, widths = self.kinds.lengths[several], self.kinds.widths[several]
-            poses = poses_of(self.actor, copies.at_tries(tries), lengths, widths)
+            poses = poses_of(self.actor, copies.at_tries(tries), lengths, widths, self.others)
         else:
             poses = Poses(*(getattr(self.poses, name)[several] for name in POSE))
         missing, blocker = self._missing(several, poses, placed, again)
-        fits = (missing <= 0.0).reshape(-1, number)
+        fits = self._of_rows(index, (missing <= 0.0).reshape(-1, number))
         chosen = np.where(fits.any(axis=1), fits.argmax(axis=1), number - 1)
         chosen += np.arange(len(index)) * number
         for name in POSE:
@@ -144,7 +156,15 @@ class _Turn:
         self._note(index, missing[chosen], blocker[chosen])
         free = index[missing[chosen] <= 0.0]
         self._note(free, *room_among(self._boxes(free), free // self._most, self.apart[free]))
-        return np.asarray(self.missing[index] <= 0.0)
+        return self._of_rows(index, self.missing[index] <= 0.0)
+
+    def _of_rows(self, index: Integers, fits: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Copies that stand in a row (`spacing`) fit together or not at all."""
+        if not _has(self.actor, "spacing"):
+            return fits
+        together = np.ones((self.candidates.count, *fits.shape[1:]), dtype=bool)
+        np.logical_and.at(together, index // self._most, fits)
+        return np.asarray(together[index // self._most])
 
     def _note(self, index: Integers, missing: Floats, blocker: Integers) -> None:
         self.missing[index], self.blocker[index] = missing, blocker
@@ -205,7 +225,7 @@ class _Turn:
         """Record the draws of where each copy stands at last."""
         assert self.candidates.record is not None
         copies = CopyBatch.every(self.candidates, self._most, self.tries)
-        poses_of(self.actor, copies, self.kinds.lengths, self.kinds.widths)
+        poses_of(self.actor, copies, self.kinds.lengths, self.kinds.widths, self.others)
         copies.record_in(self.candidates.record)
 
     def columns(self) -> dict[str, NDArray[Any]]:

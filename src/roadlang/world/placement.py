@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
-
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..geometry.arrays import Floats
@@ -15,18 +12,16 @@ from ..ir.scenario import ScenarioActor
 from .arrangement import Arrangement
 from .copies import counts, is_group, most_copies
 from .placement_order import can_be_placed_again
-from .poses import starts_of
+from .positions import starts_of
 from .roads import road_batch
 
 FAR = 1e9
 """Meters to the end of a road that nothing can be beyond"""
-_FIELDS = tuple(field.name for field in fields(PlacedBatch))
 
 
 def placed(actor: ScenarioActor, candidates: CandidateBatch) -> PlacedBatch:
     """Where every copy of an agent or object is."""
-    found = _arrangement(candidates).placed(actor)
-    return PlacedBatch(**{name: found[name] for name in _FIELDS})
+    return _arrangement(candidates).batch(actor)
 
 
 def _arrangement(candidates: CandidateBatch) -> Arrangement:
@@ -34,19 +29,20 @@ def _arrangement(candidates: CandidateBatch) -> Arrangement:
     return make("arrangement", lambda: Arrangement(candidates), inherited=False)
 
 
-def start_of(actor: ScenarioActor, candidates: CandidateBatch, copy: int = 1) -> Floats:
-    """(V, 1) arc length at which a copy (counted from 1) of an agent or object begins."""
-    if actor.on is None:
-        raise DiagnosticError(
-            diagnose(Code.START_WITHOUT_ROAD, actor.span, name=actor.name, member="start")
-        )
+def placed_copy(actor: ScenarioActor, candidates: CandidateBatch, copy: int = 1) -> PlacedBatch:
+    """(V, 1) where a copy (counted from 1) of an agent or object is. Of a copy that no candidate
+    has only `start` is known: where it would be."""
     number = copy if is_group(actor) else 1
-    if number > most_copies(actor, candidates):  # nobody is there: where it would be drawn
-        numbers = np.full(candidates.count, number)
-        return starts_of(actor, CopyBatch(candidates, np.arange(candidates.count), numbers))[
-            :, None
-        ]
-    return placed(actor, candidates).copy(number).start
+    if number <= most_copies(actor, candidates):
+        return placed(actor, candidates).copy(number)
+    numbers = np.full(candidates.count, number)
+    copies = CopyBatch(candidates, np.arange(candidates.count), numbers)
+    others = _arrangement(candidates).batch
+    start = starts_of(actor, copies, others) if actor.on else np.full(candidates.count, np.nan)
+    nothing, no = np.full((candidates.count, 1), np.nan), np.zeros((candidates.count, 1), bool)
+    lane = no.astype(np.int64)
+    x = y = heading = length = width = offset = nothing
+    return PlacedBatch(no, x, y, heading, length, width, start[:, None], offset, lane, no)
 
 
 def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
@@ -59,7 +55,9 @@ def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
     most = most_copies(actor, candidates)
     if road.closed or most == 0 or can_be_placed_again(actor, candidates):
         return np.full(candidates.count, FAR)
-    start = starts_of(actor, CopyBatch.every(candidates, most)).reshape(candidates.count, most)
+    copies = CopyBatch.every(candidates, most)
+    start = starts_of(actor, copies, _arrangement(candidates).batch)
+    start = start.reshape(candidates.count, most)
     inside = np.minimum(start, road.length - start)
     # The last station is the end: rounding must not put 100% beyond it.
     inside = np.where(inside > -1e-9 * road.length, np.maximum(inside, 0.0), inside)

@@ -12,12 +12,14 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
 from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.contained_values import values_in
 from ..ir.scenario import ScenarioActor
-from ..ir.values import PassCall
+from ..ir.values import Measure, PassCall, Value
+from ..plugins.kinds import Standing
 from .copies import element_of
 from .lane_places import LanePlaces, lane_places, lanes_by_word
+from .positions import Others, column, standing_of, starts_of
 from .road_places import places_along
-from .roads import road_batch
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,19 +35,26 @@ class Poses:
     backward: Booleans
 
 
-def poses_of(actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: Floats) -> Poses:
+def poses_of(
+    actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: Floats, others: Others
+) -> Poses:
     """Where each copy stands; `lengths` and `widths` (R,) of the copies, in meters. Raises
     RL613."""
     if actor.on is None:
         return _in_the_world(actor, copies)
-    start = starts_of(actor, copies)
+    start = starts_of(actor, copies, others)
+    by = standing_of(actor, copies, others) if isinstance(actor.at, PassCall) else None
     place = places_along(actor.on, copies.candidates, copies.rows, start)
-    lane = _lanes(actor, copies)
+    lane = _lanes(actor, copies, by)
     lanes = lane_places(actor, copies, place, lane)
     turned = _number(actor, "heading", copies)
     across = _across(turned, lengths, widths)
     offset = _offsets(actor, copies, lanes, lane, across)
-    backward = _backward(actor, copies, lanes.backward)
+    backward = lanes.backward
+    if by is not None:
+        offset = offset + np.where(lane == 0, by.offset.reshape(-1), 0.0)
+        backward = np.where(lane == 0, by.backward.reshape(-1), backward)
+    backward = _backward(actor, copies, backward)
     heading = place.heading + np.where(backward, math.pi, 0.0) + turned
     directions = place.heading.tolist()
     sine = np.array([math.sin(direction) for direction in directions])
@@ -61,40 +70,53 @@ def poses_of(actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: F
     )
 
 
-def starts_of(actor: ScenarioActor, copies: CopyBatch) -> Floats:
-    """(R,) arc lengths at which copies begin on their road."""
-    assert actor.on is not None
-    road = road_batch(actor.on, copies.candidates)
-    length = _of_rows(road.length, copies)
-    at = _column(evaluate(actor.at, copies, element_of(actor)), copies)
-    start = at * length if actor.at_fraction else at
-    return np.mod(start, length) if road.closed else start
-
-
 def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> Poses:
-    x, y = (_column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
+    x, y = (column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
     nothing = np.full(copies.count, np.nan)
     none = np.zeros(copies.count, np.int64)
     heading = _number(actor, "heading", copies)
     return Poses(x, y, heading, nothing, nothing, none, none.astype(bool))
 
 
-def _lanes(actor: ScenarioActor, copies: CopyBatch) -> Integers:
+def _lanes(actor: ScenarioActor, copies: CopyBatch, by: Standing | None) -> Integers:
     """(R,) lane ids; 0 of what is in no lane. An agent on a road is in a lane unless it is said to
     be in none or beside the road."""
     value = _option(actor, "lane", copies)
     options = {name for name, _ in actor.options}
+    if value is None and by is not None and "side" not in options:
+        return np.asarray(by.lane, np.int64).reshape(-1)
     if value is None:
         agents = copies.scenario.source.agents
         value = "none" if "side" in options or actor not in agents else "first"
     words = [_word(item) for item in _items(value)]
     if not isinstance(words[0], str):
-        return np.rint(_column(value, copies)).astype(np.int64)
+        lane = np.rint(column(value, copies)).astype(np.int64)
+        return _over_the_middle(actor, copies, lane)
     against = _is_word(_option(actor, "facing", copies), "back", copies)
     found = np.zeros(copies.count, np.int64)
     for word in sorted(set(words) - {"none"}):
         chosen = np.broadcast_to(np.array([item == word for item in words]), (copies.count,))
         found[chosen] = lanes_by_word(actor, copies, word, against)[chosen]
+    return found
+
+
+def _over_the_middle(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> Integers:
+    """Lanes counted from that of another (`ego.start_lane + 1`) go on over the middle, which has no
+    number."""
+    inside = values_inside(dict(actor.options).get("lane"))
+    measured = [value for value in inside if isinstance(value, Measure)]
+    if len(inside) < 2 or len(measured) != 1:
+        return lane
+    base = column(evaluate(measured[0], copies, element_of(actor)), copies)
+    lane = np.where((base < 0) & (lane >= 0), lane + 1, lane)
+    return np.where((base > 0) & (lane <= 0), lane - 1, lane)
+
+
+def values_inside(value: Value | None) -> list[Value]:
+    """A value and all parts of it."""
+    found: list[Value] = [] if value is None else [value]
+    for part in found:
+        found += values_in(part)
     return found
 
 
@@ -148,17 +170,7 @@ def _option(actor: ScenarioActor, name: str, copies: CopyBatch) -> Any:
 
 def _number(actor: ScenarioActor, name: str, copies: CopyBatch) -> Floats:
     value = _option(actor, name, copies)
-    return np.zeros(copies.count) if value is None else _column(value, copies)
-
-
-def _column(value: Any, copies: CopyBatch) -> Floats:
-    return np.broadcast_to(np.asarray(value, dtype=np.float64).reshape(-1), (copies.count,))
-
-
-def _of_rows(columns: Floats, copies: CopyBatch) -> Floats:
-    """(V or 1, 1) to (R,)."""
-    column = columns.reshape(-1)
-    return column[np.minimum(copies.rows, len(column) - 1)]
+    return np.zeros(copies.count) if value is None else column(value, copies)
 
 
 def _is_word(value: Any, word: str, copies: CopyBatch) -> Booleans:

@@ -20,7 +20,7 @@ from ..plugins.results import real_numbers
 from .connection_roads import connection_batch
 from .copies import is_group
 from .networks import NetworkRoot, edge_batch, network_root
-from .placement import start_of
+from .placement import placed_copy
 from .roads import road_batch
 
 
@@ -140,7 +140,7 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
 
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
-            return start_of(candidates.scenario.actors[entity.name], candidates, element)
+            return placed_copy(candidates.scenario.actors[entity.name], candidates, element)
         return EvaluatedRoad().resolve(entity, candidates)
 
     def make() -> Floats:

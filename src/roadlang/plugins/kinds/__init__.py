@@ -13,6 +13,7 @@ from .junctions import JunctionControl, RightOfWay
 from .lanes import LaneDirection, LaneKind, LaneMarking
 from .outputs import AgentKind, Backend, ObjectKind
 from .pictures import Adjuster, Extractor, Reader
+from .placing import Position, Standing
 from .roads import Drawer, Perturber, Piece, Selector
 from .sampling import Distribution, DrawnValue, Sampler
 from .searching import Axis, Search, Searcher
@@ -21,7 +22,7 @@ from .signals import DriveSignal, Monitor, RoadNumber, Signal
 BASES: tuple[type[Kind], ...] = (
     Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
     JunctionControl,
-    LaneKind, Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
+    LaneKind, Position, Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
     Simulator, Searcher, Backend, AgentKind, ObjectKind,
 )  # fmt: skip
 VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)
@@ -61,6 +62,7 @@ __all__ = [
     "ObjectKind",
     "Perturber",
     "Piece",
+    "Position",
     "Reader",
     "RightOfWay",
     "RoadNumber",
@@ -70,6 +72,7 @@ __all__ = [
     "Selector",
     "Signal",
     "Simulator",
+    "Standing",
     "base_of",
     "implements",
 ]

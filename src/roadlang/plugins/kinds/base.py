@@ -27,6 +27,8 @@ class Kind:
     """work for a station, where that of a displacement is 1: cheap requirements are tried first"""
     member: ClassVar[bool] = False
     """a number or signal of an agent or object, written `ego.speed` instead of `speed(ego)`"""
+    is_whole: ClassVar[bool] = False
+    """a number whose values are integers"""
     domain: ClassVar[str] = "road"
     """whether it is about roads ("road") or about drives ("drive")"""
     geometry_is_user_input: ClassVar[bool] = False

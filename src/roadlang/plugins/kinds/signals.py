@@ -59,7 +59,8 @@ class RoadNumber(Signal):
     """A number of a road, written as a call: `length(bent)`.
 
     `values` returns (variants, 1) or (1, 1). `member`: a number of an agent or object on a road,
-    written `ego.start`. A field that names a network holds the whole of it.
+    written `ego.start`. A field that names a network holds the whole of it, one that names an agent
+    or object a `PlacedBatch` of arrays (variants, 1).
     """
 
     verb: ClassVar[str] = "number"

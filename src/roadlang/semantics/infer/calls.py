@@ -25,7 +25,8 @@ from .kinds import find_kind, verbs_with
 from .option_binding import BoundOptions
 from .signals import measured
 
-_VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select", "lane")
+_VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select", "lane",
+          "position")  # fmt: skip
 _COUNTS = {"abs": (1, 1), "min": (2, None), "max": (2, None), "fresh": (1, 1)}
 
 

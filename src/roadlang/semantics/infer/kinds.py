@@ -19,6 +19,7 @@ _NOUNS = {
     "piece": "piece of a road",
     "select": "way to choose a road",
     "lane": "kind of lane",
+    "position": "position",
     "monitor": "monitor",
 }
 
@@ -101,7 +102,17 @@ def display_name(verb: str, name: str) -> str:
     """A kind as the language writes it: `perturb with sine`, `emit svg`, `car`."""
     if verb in ("emit",):
         return f"emit {name}"
-    if verb in ("agent", "object", "piece", "select", "lane", "signal", "drive_signal", "number"):
+    if verb in (
+        "agent",
+        "object",
+        "piece",
+        "select",
+        "lane",
+        "position",
+        "signal",
+        "drive_signal",
+        "number",
+    ):
         return name
     if verb in ("distribution", "monitor"):
         return name
@@ -148,7 +159,7 @@ def _written(verb: str, name: str) -> str:
         return f"`{name}` is a kind of {verb}: write `{verb} NAME is {name}`"
     if verb == "drive_signal":
         return f"`{name}` is a signal of agents: write it in a formula, as in `ego.{name}`"
-    if verb in ("signal", "number", "distribution", "piece", "select", "lane"):
+    if verb in ("signal", "number", "distribution", "piece", "select", "lane", "position"):
         return f"`{name}` is a function: write `{name}(...)`"
     return f"`{name}` is a kind of `{verb}`: write `{display_name(verb, name)}`"
 

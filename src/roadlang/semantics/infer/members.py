@@ -11,6 +11,7 @@ from ..types.assignable import check_assignable
 from ..types.expression_types import DeclaredType, TypedExpression, unknown
 from .calls import dotted, is_member, of_kind, signature, takes_role
 from .habits import member_help
+from .inherited_roads import road_of
 from .kinds import find_kind, loaded, verbs_with
 from .option_binding import BoundOptions
 from .signals import measured
@@ -125,4 +126,4 @@ def _lacks_road(checker: Checker, name: str) -> bool:
 
 def _is_on_road(checker: Checker, name: str) -> bool:
     statement = checker.program.declarations[name].statement
-    return isinstance(statement, ast.Actor) and statement.on is not None
+    return isinstance(statement, ast.Actor) and road_of(checker, statement) is not None

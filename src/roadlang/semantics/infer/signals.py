@@ -34,7 +34,8 @@ def measured(
     text = name if member or not bound.values else call_text(name, bound.values)
     call = PassCall(verb, found.entry.qualified, bound.values, text, span)
     if verb == "number":
-        return TypedExpression(span, Quantity(dimension), Measure(call), random=True)
+        kind = Quantity(dimension, whole=found.kind.is_whole)
+        return TypedExpression(span, kind, Measure(call), random=True)
     domain = _DOMAINS[verb]
     return TypedExpression(
         span,

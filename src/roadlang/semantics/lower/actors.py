@@ -6,14 +6,16 @@ from dataclasses import replace
 
 from ...diagnostics import Code
 from ...ir import scenario as ir
-from ...ir.dimension import LENGTH
-from ...ir.values import Entity, Reference, Value
+from ...ir.dimension import LENGTH, PURE
+from ...ir.values import ConstantValue, Entity, PassCall, RandomValue, Reference, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..infer.actor_kinds import calls_in, shared_options, with_options
 from ..infer.blocks import lower_options, lower_passes
+from ..infer.inherited_roads import road_of
+from ..infer.kinds import find_default
 from ..infer.statement_spec import StatementSpec
 from ..names.program import Declaration
 from ..types.dimensions import unit_missing
@@ -46,7 +48,7 @@ def lower_actor(
         return None
     if placement is None or drive is None:
         return None
-    if statement.on is None and not _fits_without_road(checker, statement):
+    if on is None and not _fits_without_road(checker, statement):
         return None
     value = with_options(checker, kind.value, kind_options)
     fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
@@ -78,10 +80,12 @@ def _kind(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpr
 
 
 def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | bool | None:
-    """The road's name, None without one, False where it was reported."""
-    if statement.on is None:
+    """The road's name, None without one, False where it was reported. By another (`ahead_of`) it is
+    that of the other."""
+    named = road_of(checker, statement)
+    if named is None:
         return None
-    typed = checker.infer(statement.on, context)
+    typed = checker.infer(named, context)
     if typed.is_unknown:
         return False
     if isinstance(typed.type, DeclaredType) and typed.type.role == "road":
@@ -111,9 +115,14 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
 
 def _place(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
     """`at`: along the road, a share of it, or a point in the world."""
-    typed = checker.infer(statement.at, replace(context, place=f"{context.place}/at"))
+    inner = replace(context, place=f"{context.place}/at")
+    if isinstance(statement.at, ast.Name) and statement.at.text == "random":
+        return _anywhere(checker, statement, inner)
+    typed = checker.infer(statement.at, inner)
     if typed.is_unknown:
         return None
+    if isinstance(typed.type, KindCallType) and typed.type.verb == "position":
+        return _by_another(checker, statement, typed)
     if isinstance(typed.type, CoordinatesType):
         return _point(checker, statement, typed)
     if not isinstance(typed.type, Quantity):
@@ -137,6 +146,50 @@ def _place(checker: Checker, statement: ast.Actor, context: Context) -> TypedExp
         Code.WRONG_DIMENSION, typed.span, what="`at`", expected=expected, found=typed.type.dimension
     )
     return None
+
+
+def _anywhere(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
+    """`at random`: what `at 0%..100%` says."""
+    span = statement.at.span
+    if statement.on is None:
+        checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, span, name=statement.name.text)
+        return None
+    found = find_default(checker, "distribution", span)
+    if found is None:
+        return None
+    place = checker.draw_place(context)
+    ends = (("low", ConstantValue(0.0)), ("high", ConstantValue(1.0)))
+    call = PassCall("distribution", found.entry.qualified, ends, place, span)
+    value = RandomValue(place, call, context.per, PURE)
+    return TypedExpression(span, Quantity(PURE), value, random=True, bounds=(0.0, 1.0))
+
+
+def _by_another(
+    checker: Checker, statement: ast.Actor, typed: TypedExpression
+) -> TypedExpression | None:
+    """A position by another agent or object, which is on the same road."""
+    assert isinstance(typed.value, PassCall)
+    for _, value in typed.value.options:
+        if isinstance(value, Entity) and value.role in ("agent", "object"):
+            other = checker.program.declarations[value.name].statement
+            assert isinstance(other, ast.Actor)
+            road, own = road_of(checker, other), road_of(checker, statement)
+            if road is None or own is None:
+                name, member = value.name, "place on a road"
+                checker.report(Code.START_WITHOUT_ROAD, typed.span, name=name, member=member)
+                return None
+            if road.span.text != own.span.text:
+                help_ = f"place it on `{road.span.text}`, or leave out `on`"
+                checker.report(
+                    Code.OTHER_ROAD,
+                    typed.span,
+                    name=statement.name.text,
+                    other=value.name,
+                    road=road.span.text,
+                    help=help_,
+                )
+                return None
+    return typed
 
 
 def _point(
@@ -173,6 +226,10 @@ def _options(
     bound = lower_options(
         checker, statement.word, block, [*spec.schema, *extra], context, statement.name.span
     )
+    if "spacing" in bound.given and "count" not in bound.given:
+        span = bound.given["spacing"].span
+        checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text)
+        return None, ()
     if "lane" in bound.given and "side" in bound.given:
         checker.report(Code.LANE_AND_SIDE, bound.given["side"].span)
         return None, ()
@@ -187,9 +244,8 @@ def replace_required(option: OptionSchema) -> OptionSchema:
 
 
 def _fits_without_road(checker: Checker, statement: ast.Actor) -> bool:
-    assert statement.on is None
     for option in statement.block.options if statement.block else ():
-        if option.key.text in ("lane", "side", "offset", "facing"):
+        if option.key.text in ("lane", "side", "offset", "facing", "spacing"):
             name, key = statement.name.text, option.key
             checker.report(Code.OPTION_NEEDS_ROAD, key.span, name=name, option=key.text)
             return False

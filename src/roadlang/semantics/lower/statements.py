@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...plugins.common_options import (
+    AgentOptions,
     ControlOptions,
     DriveOptions,
     FalsifyOptions,
@@ -34,7 +35,7 @@ _SPECS = (
     ),
     StatementSpec("require", "requirements", lower_constraint, as_written=True),
     StatementSpec("expect", "expectations", lower_constraint, as_written=True),
-    StatementSpec("agent", "agents", lower_actor, PlacementOptions, {"drive": DriveOptions}),
+    StatementSpec("agent", "agents", lower_actor, AgentOptions, {"drive": DriveOptions}),
     StatementSpec("object", "objects", lower_actor, PlacementOptions),
     StatementSpec("world", "world", lower_settings, WorldOptions, once=True),
     StatementSpec("sample", "sample", lower_run_step, once=True),

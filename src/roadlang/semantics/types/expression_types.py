@@ -121,6 +121,7 @@ class KindCallType:
             "piece": "a piece of a road",
             "select": "a way to choose a road",
             "lane": "a lane",
+            "position": "a position",
         }
         return nouns.get(self.verb, f"a kind of {self.verb}")
 

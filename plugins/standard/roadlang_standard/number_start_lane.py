@@ -1,0 +1,30 @@
+"""`ego.start_lane`: the lane in which an agent or object begins."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import AgentOrObject, RoadNumber, option
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class StartLane(RoadNumber):
+    """Id of the lane in which an agent or object on a road begins; 0 for none."""
+
+    name: ClassVar[str] = "start_lane"
+    cost: ClassVar[float] = 1.0
+    member: ClassVar[bool] = True
+    is_whole: ClassVar[bool] = True
+    actor: AgentOrObject = option(help="agent or object on a road")
+
+    def values(self) -> Floats:
+        """The ids, as in OpenDRIVE."""
+        lane: Floats = self.actor.lane.astype(float)
+        return lane

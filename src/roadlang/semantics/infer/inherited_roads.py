@@ -1,0 +1,34 @@
+"""The road of an agent or object: its own, or that of the one that its position names."""
+
+from __future__ import annotations
+
+from ...syntax.tree import nodes as ast
+from ..checker import Checker
+from .calls import dotted
+
+
+def road_of(checker: Checker, statement: ast.Actor) -> ast.Expression | None:
+    """What stands behind `on`; of `at ahead_of(ego, 20m)` without it, what stands there for `ego`.
+    None of what is on no road."""
+    seen: set[str] = set()
+    found: ast.Actor | None = statement
+    while found is not None and found.on is None and found.name.text not in seen:
+        seen.add(found.name.text)
+        found = _named_in_position(checker, found)
+    return None if found is None else found.on
+
+
+def _named_in_position(checker: Checker, statement: ast.Actor) -> ast.Actor | None:
+    """The agent or object that the position of another names."""
+    call = statement.at
+    if not isinstance(call, ast.CallExpression):
+        return None
+    name = dotted(call.function)
+    if name is None or not checker.registry.has("position", name):
+        return None
+    for argument in call.arguments:
+        if isinstance(argument.value, ast.Name):
+            declared = checker.program.declarations.get(argument.value.text)
+            if declared is not None and isinstance(declared.statement, ast.Actor):
+                return declared.statement
+    return None

@@ -1,0 +1,107 @@
+"""Where along their road copies begin: as a length, as a share, by another, or in a row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from ..evaluate.copies import CopyBatch
+from ..evaluate.evaluation import build, evaluate
+from ..geometry.arrays import Floats
+from ..ir.placed_batch import PlacedBatch
+from ..ir.scenario import ScenarioActor
+from ..ir.values import Entity, PassCall
+from ..plugins.guard import wrong_result
+from ..plugins.kinds import Standing
+from .copies import element_of, is_group, kinds_of_copies
+from .roads import road_batch
+
+Others = Callable[[ScenarioActor], PlacedBatch]
+"""Where agents and objects are that were placed before"""
+_NOWHERE = -1e6
+"""Arc length of what is placed by a copy that is not there: on no road"""
+
+
+def starts_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Floats:
+    """(R,) arc lengths at which copies begin on their road."""
+    assert actor.on is not None
+    road = road_batch(actor.on, copies.candidates)
+    length = _of_rows(road.length, copies)
+    spacing = dict(actor.options).get("spacing")
+    first = copies if spacing is None else copies.numbered(np.ones(copies.count, np.int64))
+    if isinstance(actor.at, PassCall):
+        standing = standing_of(actor, first, others)
+        start = np.asarray(standing.start, float).reshape(-1)
+    else:
+        at = column(evaluate(actor.at, first, element_of(actor)), copies)
+        start = at * length if actor.at_fraction else at
+    if spacing is not None:
+        start = start + _behind_the_first(actor, copies)
+    return np.mod(start, length) if road.closed else start
+
+
+def standing_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Standing:
+    """Where copies stand by another: the result of a kind of position. Raises RL474."""
+    assert isinstance(actor.at, PassCall)
+
+    def resolve(entity: Entity) -> Any:
+        other = copies.scenario.actors.get(entity.name)
+        return entity.name if other is None else _of_copies(other, copies, others(other))
+
+    kinds = kinds_of_copies(actor, copies)
+    built = build(actor.at, copies, element_of(actor), resolve=resolve)
+    with built.guarded:
+        found = built.kind.place(kinds.lengths[:, None], kinds.widths[:, None])
+    if not isinstance(found, Standing):
+        fault = f"gave a {type(found).__name__}, not a Standing"
+        raise wrong_result(built.entry, actor.at.span, fault)
+    for field in fields(Standing):
+        size = np.size(getattr(found, field.name))
+        if size != copies.count:
+            fault = f"gave `{field.name}` of {size} numbers for {copies.count} copies"
+            raise wrong_result(built.entry, actor.at.span, fault)
+    return found
+
+
+def column(value: Any, copies: CopyBatch) -> Floats:
+    """A value of the copies as numbers (R,)."""
+    return np.broadcast_to(np.asarray(value, dtype=np.float64).reshape(-1), (copies.count,))
+
+
+def _of_copies(other: ScenarioActor, copies: CopyBatch, placed: PlacedBatch) -> PlacedBatch:
+    """Another agent or object in the scene of each copy: arrays (R, 1)."""
+    most = placed.x.shape[1]
+    if most == 0:
+        zero, no = np.zeros((copies.count, 1)), np.zeros((copies.count, 1), bool)
+        start, lane = zero + _NOWHERE, no.astype(np.int64)
+        return PlacedBatch(no, zero, zero, zero, zero, zero, start, zero, lane, no)
+    numbers = np.minimum(copies.copies, most) if is_group(other) else np.ones(copies.count, int)
+    parts = (getattr(placed, field.name) for field in fields(PlacedBatch))
+    return PlacedBatch(*(part[copies.rows, numbers - 1][:, None] for part in parts))
+
+
+def _behind_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
+    """(R,) meters from the first copy of a row to each: the spacings between, added up."""
+    value = dict(actor.options)["spacing"]
+    if not copies.scenario.dependencies.draws(value):
+        return (copies.copies - 1) * column(evaluate(value, copies, element_of(actor)), copies)
+    most = int(copies.copies.max(initial=1))
+    rows, which = np.unique(np.stack([copies.rows, copies.tries]), axis=1, return_inverse=True)
+    every = CopyBatch(
+        copies.candidates,
+        np.repeat(rows[0], most),
+        np.tile(np.arange(1, most + 1), rows.shape[1]),
+        np.repeat(rows[1], most),
+    )
+    steps = column(evaluate(value, every, element_of(actor)), every).reshape(-1, most)
+    ends = np.cumsum(steps, axis=1) - steps[:, :1]
+    return np.asarray(ends[which.reshape(-1), copies.copies - 1])
+
+
+def _of_rows(columns: Floats, copies: CopyBatch) -> Floats:
+    """(V or 1, 1) to (R,)."""
+    numbers = columns.reshape(-1)
+    return numbers[np.minimum(copies.rows, len(numbers) - 1)]
