@@ -1,0 +1,160 @@
+"""Positions by another agent or object, rows, anywhere on a road, speeds at the start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Any
+
+import pytest
+
+from roadlang import loads
+from roadlang.ir.scene import SceneActor
+from roadlang.scenes.sampling import SamplingResult
+
+Sample = Callable[..., SamplingResult]
+ROAD = (
+    "road main { draw with segments { pieces: [straight(300m)] }, width: 14m, lanes: 4 }\n"
+    "agent ego is car on main at 100m { lane: -1, drive with lane_follow { speed: 20m/s } }\n"
+)
+
+
+def placed(sample: Sample, text: str, **more: Any) -> dict[str, SceneActor]:
+    (scene,) = sample(ROAD + text, **more).scenes
+    return {thing.name: thing for thing in (*scene.agents, *scene.objects)}
+
+
+@pytest.mark.parametrize(
+    ("position", "start", "lane", "facing"),
+    [
+        ("ahead_of(ego, 20m)", 100 + 20 + 4.5, -1, "forward"),
+        ("behind(ego, 15m)", 100 - 15 - 4.5, -1, "forward"),
+        ("beside(ego, left)", 100, 1, "back"),
+        ("beside(ego, right)", 100, -2, "forward"),
+        ("ahead_of(oncoming, 20m)", 200 - 20 - 4.5, 2, "back"),
+        ("behind(oncoming, 20m)", 200 + 20 + 4.5, 2, "back"),
+        ("beside(oncoming, left)", 200, 1, "back"),
+        ("ahead_of(truck, 1m)", 250 + 1 + 4.5 + 2.25, -2, "forward"),
+    ],
+)
+def test_a_car_is_placed_by_another(
+    sample: Sample, position: str, start: float, lane: int, facing: str
+) -> None:
+    text = (
+        "agent oncoming is car on main at 200m { lane: 2 }\n"
+        "agent truck is truck on main at 250m { lane: -2 }\n"
+        f"agent other is car at {position}\n"
+    )
+    other = placed(sample, text)["other"]
+    assert (other.road, other.lane, other.facing) == ("main", lane, facing)
+    assert other.start == pytest.approx(start)
+
+
+def test_positions_follow_one_another(sample: Sample) -> None:
+    text = "agent a is car at ahead_of(ego, 5m)\nagent b is car at ahead_of(a, 5m)\n"
+    things = placed(sample, text + "agent c is car at beside(b, right)\n")
+    assert things["b"].start == pytest.approx(100 + 2 * 9.5)
+    assert things["c"].start == things["b"].start
+    assert things["c"].lane == -2
+
+
+def test_beside_what_stands_next_to_the_road_is_next_to_it(sample: Sample) -> None:
+    text = (
+        "object van is parked_van on main at 50m { side: right, offset: 1m }\n"
+        "object bin is bin at beside(van, right)\n"
+    )
+    things = placed(sample, text)
+    assert things["van"].offset == pytest.approx(-7 - 1 - 1)
+    assert things["bin"].offset == pytest.approx(-9 - 1 - 1 - 0.25)
+
+
+def test_each_copy_is_placed_by_that_of_its_number(sample: Sample) -> None:
+    text = (
+        "agent cars is car on main at 150m { count: 3, spacing: 20m, lane: -2 }\n"
+        "agent followers is car at behind(cars, 2m) { count: 3 }\n"
+    )
+    things = placed(sample, text)
+    for number in range(3):
+        ahead, behind = things[f"cars[{number}]"], things[f"followers[{number}]"]
+        assert ahead.start == pytest.approx(150 + 20 * number)
+        assert behind.start == pytest.approx(150 + 20 * number - 2 - 4.5)
+
+
+def test_a_row_is_placed_as_a_whole(sample: Sample) -> None:
+    text = "agent row is car on main at random { count: 5, spacing: 6m..9m, lane: -1 }\n"
+    for seed in range(20):
+        things = placed(sample, text, seed=seed)
+        starts = [things[f"row[{number}]"].start for number in range(5)]
+        gaps = [b - a for a, b in pairwise(starts)]  # type: ignore[operator]
+        assert all(6 <= gap <= 9 for gap in gaps)
+        assert len(set(gaps)) == 4
+        assert all(abs(start - 100) > 4.99 for start in starts)  # type: ignore[operator]
+
+
+@pytest.mark.parametrize(
+    ("lane", "expected"),
+    [
+        ("ego.start_lane", -1),
+        ("ego.start_lane + 1", 1),
+        ("ego.start_lane + 2", 2),
+        ("ego.start_lane - 1", -2),
+        ("oncoming.start_lane - 2", -1),
+        ("oncoming.start_lane - 1", 1),
+    ],
+)
+def test_lanes_are_counted_from_that_of_another(sample: Sample, lane: str, expected: int) -> None:
+    text = (
+        "agent oncoming is car on main at 200m { lane: 2 }\n"
+        f"agent other is car on main at 20m {{ lane: {lane} }}\n"
+    )
+    assert placed(sample, text)["other"].lane == expected
+
+
+def test_anywhere_is_all_of_the_road(sample: Sample) -> None:
+    text = "object trees is tree on main at random { count: 40, side: left, offset: 2m..20m }\n"
+    starts = [tree.start for tree in placed(sample, text).values() if tree.kind == "tree"]
+    assert min(starts) < 30  # type: ignore[type-var, operator]
+    assert max(starts) > 270  # type: ignore[type-var, operator]
+
+
+@pytest.mark.parametrize(
+    ("options", "speed"),
+    [
+        ("drive with lane_follow { speed: 9m/s }", 9),
+        ("start_speed: 36km/h, drive with lane_follow { speed: 9m/s }", 10),
+        ("start_speed: 0m/s, drive with lane_follow { speed: 9m/s }", 0),
+        ("drive with lane_follow { speed: 9m/s, when: ego.speed > 2m/s }", 0),
+        ("side: right, offset: 1m, drive with lane_follow { speed: 9m/s }", 0),
+        ("", 0),
+    ],
+)
+def test_agents_begin_at_speed(sample: Sample, options: str, speed: float) -> None:
+    text = f"agent other is car on main at 20m {{ {options} }}\n"
+    assert placed(sample, text)["other"].start_speed == pytest.approx(speed)
+
+
+def test_a_drive_begins_at_speed() -> None:
+    (drive,) = loads(ROAD + "simulate with builtin { duration: 1s }\n").sample(1).run()
+    assert drive.trace.agents["ego"].speed[0] == pytest.approx(20)
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "help"),
+    [
+        ("agent a is car at ahed_of(ego, 5m)", "RL", "ahead_of"),
+        ("agent a is car at ahead_of(ego)", "RL", "distance"),
+        ("agent a is car at ahead_of(kiosk, 5m)", "RL240", ""),
+        ("agent a is car on side at ahead_of(ego, 5m)", "RL248", "main"),
+        ("agent a is car on main at 5m { spacing: 9m }", "RL249", ""),
+        ("agent a is car at random", "RL", ""),
+        ("object a is tree on main at 5m { start_speed: 9m/s }", "RL220", ""),
+    ],
+)
+def test_what_cannot_be_is_refused(text: str, code: str, help: str) -> None:
+    more = (
+        "road side { draw with segments { pieces: [straight(90m)] } }\n"
+        "object kiosk is building at (0m, 90m)\n"
+    )
+    (found,) = loads(ROAD + more + text + "\n").check()
+    assert found.code.startswith(code)
+    assert help in " ".join(found.help)
