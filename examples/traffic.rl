@@ -5,7 +5,10 @@ scenario traffic "Traffic on one street"
 
 agent ego is car on street at 30m..60m {
   drive with car_follow { speed: speed_limit }
-  drive with brake { deceleration: 5m/s^2, when: distance(ego, walker) < 22m and walker.speed > 0m/s }
+  drive with brake {
+    deceleration: 5m/s^2
+    when: distance(ego, walker) < 22m and walker.speed > 0m/s
+  }
 }
 agent queue is choice(car, van, weights: [3, 1]) on street at ego.start + (25m..40m) {
   count: integer(1, 3)

@@ -12,7 +12,7 @@ WORDS = {
         " speed start station steering width x y"
     ),
     "words of the language, its units and its near misses": (
-        "auto drive pixels random road scale signals time"
+        "auto behind drive pixels random road scale signals time"
     ),
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
     "rules of junctions, and turns at them": "all_way_stop right_first stop straight yield",

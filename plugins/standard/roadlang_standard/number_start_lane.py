@@ -8,10 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import AgentOrObject, RoadNumber, option
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from roadlang.api import AgentOrObject, Length, Position, Standing, Word, option
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from roadlang.geometry import Floats
 
 
 def _along(other: Any, length: Floats, gap: Floats | float, ahead: bool) -> Standing:

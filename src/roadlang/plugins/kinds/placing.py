@@ -8,10 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from .base import Kind
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from ...geometry.arrays import Booleans, Floats, Integers
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,11 +17,11 @@ class Standing:
 
     start: Floats
     """arc length, meters"""
-    lane: NDArray[np.int64]
+    lane: Integers
     """as in OpenDRIVE; 0 for none"""
     offset: Floats
     """left of the center line, meters, of those in no lane"""
-    backward: NDArray[np.bool_]
+    backward: Booleans
     """whether it faces against the road"""
 
 
