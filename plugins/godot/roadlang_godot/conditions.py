@@ -113,6 +113,6 @@ def _outline(wanted: str, name: str, scene: Scene, frame: SceneOrigin) -> list[f
     found = [actor for actor in scene.objects if wanted in (actor.name, actor.group)]
     if len(found) != 1:
         raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=name)
-    one = found[0]
-    heading = math.remainder(one.heading, 2 * math.pi)
-    return [one.x - frame.x, one.y - frame.y, heading, one.length, one.width]
+    signal = found[0]
+    heading = math.remainder(signal.heading, 2 * math.pi)
+    return [signal.x - frame.x, signal.y - frame.y, heading, signal.length, signal.width]

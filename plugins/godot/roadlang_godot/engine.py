@@ -58,12 +58,14 @@ def find() -> Path:
 
     Raises `EngineError` RL500 where there is none.
     """
-    given = os.environ.get(_VARIABLE)
-    if given:
-        found = shutil.which(given)
+    configured = os.environ.get(_VARIABLE)
+    if configured:
+        found = shutil.which(configured)
         if found is None:
             raise fault(
-                Code.GODOT_NOT_FOUND, _HELP, reason=f"{_VARIABLE} is `{given}`, which cannot be run"
+                Code.GODOT_NOT_FOUND,
+                _HELP,
+                reason=f"{_VARIABLE} is `{configured}`, which cannot be run",
             )
         return Path(found).absolute()
     for candidate in _candidates():
@@ -82,9 +84,9 @@ def find_drawing() -> list[str]:
     drawing = ["--audio-driver", "Dummy", "--rendering-method", "gl_compatibility"]
     if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or os.name == "nt":
         return [str(engine), *drawing]
-    beside = engine.with_name(engine.name + "-render")
-    if beside.exists():
-        return [str(beside)]
+    renderer = engine.with_name(engine.name + "-render")
+    if renderer.exists():
+        return [str(renderer)]
     virtual = shutil.which("xvfb-run")
     if virtual is None:
         raise fault(
@@ -97,12 +99,12 @@ def find_drawing() -> list[str]:
 def version_of(engine: Path) -> str:
     """What `--version` prints. Raises `EngineError` RL501, or RL511 where it is too old."""
     try:
-        asked = subprocess.run(
+        finished = subprocess.run(
             [str(engine), "--version"], capture_output=True, text=True, timeout=START_SECONDS
         )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason=str(error)) from error
-    text = asked.stdout.strip().splitlines()[-1] if asked.stdout.strip() else ""
+    text = finished.stdout.strip().splitlines()[-1] if finished.stdout.strip() else ""
     numbers = re.match(r"(\d+)\.(\d+)", text)
     if numbers is None:
         raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason="it does not print its version")

@@ -68,10 +68,10 @@ class LiveScene:
             self._kept.append(records(part))
         while self._kept and self._span() > MEMORY * RATE:
             self._kept.popleft()
-        moves = []
+        changes = []
         while (edit := self._session.take(Message.EDIT)) is not None:
-            moves += self._move(edit)
-        return moves
+            changes += self._move(edit)
+        return changes
 
     def trace(self) -> Trace | None:
         """What was driven lately; None where nothing was."""

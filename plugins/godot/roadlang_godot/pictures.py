@@ -123,6 +123,6 @@ def _view(layout: Layout, shot: Shot) -> dict[str, Any]:
 
 def _above(layout: Layout) -> tuple[float, ...]:
     """A place from which the whole scene is seen, from the south-west."""
-    reach = layout.extent
-    x, y = layout.frame.x - 0.9 * reach - 20.0, layout.frame.y - 0.9 * reach - 20.0
-    return (x, y, 0.55 * reach + 15.0, 45.0, -24.0)
+    extent = layout.extent
+    x, y = layout.frame.x - 0.9 * extent - 20.0, layout.frame.y - 0.9 * extent - 20.0
+    return (x, y, 0.55 * extent + 15.0, 45.0, -24.0)

@@ -44,8 +44,8 @@ def object_things(
 ) -> list[ScenePart]:
     """Objects of one sort together, as many as fit; each named one by itself, to be moved."""
     groups: dict[tuple[str, str, bool, str], list[Placed]] = {}
-    for one in objects:
-        groups.setdefault((one.sort, one.color, one.solid, one.name), []).append(one)
+    for placed in objects:
+        groups.setdefault((placed.sort, placed.color, placed.solid, placed.name), []).append(placed)
     things: list[Any] = []
     for (sort, color, solid, _), members in groups.items():
         most = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8 - len(sort) - len(color)) // _RECORD_BYTES
@@ -88,11 +88,11 @@ def world_thing(settings: Mapping[str, Any]) -> ScenePart:
 def _objects(
     id: int, sort: str, color: str, solid: bool, batch: list[Placed], frame: SceneOrigin
 ) -> ScenePart:
-    places = frame.ground(np.array([[one.x, one.y] for one in batch]))
+    places = frame.ground(np.array([[placed.x, placed.y] for placed in batch]))
     records = np.empty((len(batch), 7), dtype="<f4")
     records[:, :3] = places
-    records[:, 3] = [one.heading for one in batch]
-    records[:, 4:] = [(one.length, one.height, one.width) for one in batch]
+    records[:, 3] = [placed.heading for placed in batch]
+    records[:, 4:] = [(placed.length, placed.height, placed.width) for placed in batch]
     name = sort.encode("ascii", "replace")[:64]
     paint = color.encode("ascii", "replace")[:32]
     head = struct.pack("<BHB", int(solid), len(batch), len(name)) + name

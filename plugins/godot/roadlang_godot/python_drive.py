@@ -26,7 +26,7 @@ class PythonDriver:
         self._layout = layout
         self._step = step
         self._actors = {actor.name: actor for actor in scene.agents}
-        self._lines = {one.name: line_of(one) for one in scene.roads}
+        self._lines = {road.name: line_of(road) for road in scene.roads}
 
     def controls(
         self, state: Records, time: float, controllers: Mapping[str, Controller]

@@ -95,13 +95,13 @@ class Session:
     def update(self, things: Iterable[ScenePart], world: int = 0) -> int:
         """Send what differs from what this world holds. Returns how many messages that took."""
         built = self._built.setdefault(world, {})
-        wanted = {one.key: one for one in things}
+        wanted = {part.key: part for part in things}
         self._revision += 1
         count = 0
-        for key, one in wanted.items():
-            if key not in built or built[key][1].body != one.body:
-                built[key] = (self._revision, one)
-                self.send(one.kind, one.message(world, self._revision), one.label)
+        for key, part in wanted.items():
+            if key not in built or built[key][1].body != part.body:
+                built[key] = (self._revision, part)
+                self.send(part.kind, part.message(world, self._revision), part.label)
                 count += 1
         for key in [key for key in built if key not in wanted]:
             label = built.pop(key)[1].label
@@ -122,7 +122,7 @@ class Session:
             if answered == request:
                 break
         built = self._built.get(world, {})
-        wanted = {key: one.record(revision) for key, (revision, one) in built.items()}
+        wanted = {key: part.record(revision) for key, (revision, part) in built.items()}
         if digest != thing.digest(wanted.values()):
             self._name_missing(world, wanted)
         return Proof(count, builds, digest)
@@ -131,9 +131,9 @@ class Session:
         """The proof of each thing that the engine holds."""
         request = self._next_request()
         self.send(Message.LIST, _COMMIT.pack(world, 0, request), "the list of things")
-        whole = self._parts(Message.REPORT, request)
+        payload = self._parts(Message.REPORT, request)
         step = thing.RECORD_BYTES
-        found = [whole[at : at + step] for at in range(0, len(whole), step)]
+        found = [payload[at : at + step] for at in range(0, len(payload), step)]
         return {thing.record_key(record): record for record in found}
 
     def probe(self, x: float, y: float, world: int = 0) -> float | None:
@@ -271,7 +271,7 @@ class Session:
 
     def _name_missing(self, world: int, wanted: Mapping[Key, bytes]) -> None:
         found = self.records(world)
-        labels = {key: one.label for key, (_, one) in self._built[world].items()}
+        labels = {key: part.label for key, (_, part) in self._built[world].items()}
         wrong = [key for key in wanted if found.get(key) != wanted[key]]
         extra = [f"something never sent ({key[0]:#x}, {key[1]})" for key in found.keys() - wanted]
         names = [labels[key] for key in wrong] + sorted(extra)

@@ -64,8 +64,8 @@ def drive_scenes(
         engine.start(fixed_fps=fixed, window=not settings.headless) as running,
         running.connect(scenes[0].name) as session,
     ):
-        for scene, own in zip(scenes, controllers, strict=True):
-            yield drive_in(session, scene, settings, own)
+        for scene, of_scene in zip(scenes, controllers, strict=True):
+            yield drive_in(session, scene, settings, of_scene)
 
 
 def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Controllers) -> Trace:

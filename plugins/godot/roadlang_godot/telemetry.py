@@ -41,8 +41,8 @@ STATE_HEADER = 8
 
 def records(payload: bytes) -> Records:
     """The records of a TRACE message."""
-    whole = len(payload) // RECORD.itemsize * RECORD.itemsize
-    return np.frombuffer(payload[:whole], dtype=RECORD)
+    length = len(payload) // RECORD.itemsize * RECORD.itemsize
+    return np.frombuffer(payload[:length], dtype=RECORD)
 
 
 def of_agent(trace: Records, agent: int, world: int = 0) -> Records:

@@ -48,5 +48,5 @@ class CarFollow(Controller):
         free = 1.0 - share * share * share * share
         acceleration = self.acceleration * (free - pull * pull)
         acceleration = np.minimum(np.maximum(acceleration, -HARDEST), self.acceleration)
-        reach = np.minimum(np.maximum(0.5 * speed, 5.0), 20.0)
-        return ControlBatch(pursuit(seen, reach), acceleration)
+        lookahead = np.minimum(np.maximum(0.5 * speed, 5.0), 20.0)
+        return ControlBatch(pursuit(seen, lookahead), acceleration)

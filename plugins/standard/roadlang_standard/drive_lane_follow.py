@@ -38,10 +38,10 @@ class LaneFollow(Controller):
         seen = observations
         _, _, _, curvature = seen.line_ahead(PREVIEW_TIME * seen.speed)
         # A car on a circle points along the circle at its rear axle.
-        _, _, behind, _ = seen.line_ahead(-0.5 * seen.wheelbase)
+        _, _, rear_heading, _ = seen.line_ahead(-0.5 * seen.wheelbase)
         correction = np.arctan(2.0 * seen.cross_track_error / np.maximum(seen.speed, SLOWEST))
         bend = np.arctan(seen.wheelbase * curvature)
-        steering = bend + difference(seen.heading, behind) - correction
+        steering = bend + difference(seen.heading, rear_heading) - correction
         target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
         acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
         return ControlBatch(steering, acceleration)

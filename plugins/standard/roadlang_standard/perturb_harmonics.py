@@ -34,8 +34,8 @@ class Harmonics(Perturber):
         drawn = 2.0 * random.uniform(2 * most) - 1.0
         weights = np.where(order <= modes, 1.0 / order, 0.0)
         sines, cosines = drawn[:, :most] * weights, drawn[:, most:] * weights
-        whole = roads.period if roads.period is not None else 2.0 * float(roads.stations[-1])
-        angle = (2.0 * np.pi / whole) * np.outer(order, roads.stations)
+        period = roads.period if roads.period is not None else 2.0 * float(roads.stations[-1])
+        angle = (2.0 * np.pi / period) * np.outer(order, roads.stations)
         # einsum keeps rows independent of each other to the last bit, which a matrix product
         # (whose blocks depend on the number of rows) does not.
         total = np.einsum("vk,ks->vs", sines, np.sin(angle))

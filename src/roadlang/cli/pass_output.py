@@ -27,11 +27,11 @@ class PassPrinter:
             hints = did_you_mean(name, known) or (f"the passes are {', '.join(known)} and all",)
             raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="pass", name=name, help=hints))
 
-    def __call__(self, scene: int, call: PassCall, made: Any) -> None:
+    def __call__(self, scene: int, call: PassCall, result: Any) -> None:
         """Print one pass of one scene."""
         if self._name == ALL or self._name in _names(call):
             kind = f"{call.verb} with {_names(call)[0]}"
-            line = f"scene {scene}, after {call.place} ({kind}): {_described(made)}"
+            line = f"scene {scene}, after {call.place} ({kind}): {_described(result)}"
             click.echo(line, err=True)
 
 
@@ -48,25 +48,25 @@ def _names(call: PassCall) -> tuple[str, str]:
     return call.kind.rpartition(".")[2], call.place
 
 
-def _described(made: Any) -> str:
+def _described(result: Any) -> str:
     from ..geometry import Curve
     from ..ir.batch import RoadBatch
     from ..ir.picture import Extraction, Picture
 
-    if isinstance(made, RoadBatch):
-        return _of_road(made)
-    if isinstance(made, Picture):
-        mean = "" if made.pixels is None else f", mean gray {float(made.pixels.mean()):.1f}"
-        return f"{made.width} x {made.height} px{mean}"
-    if isinstance(made, Extraction):
-        edges = made.network.edges
+    if isinstance(result, RoadBatch):
+        return _of_road(result)
+    if isinstance(result, Picture):
+        mean = "" if result.pixels is None else f", mean gray {float(result.pixels.mean()):.1f}"
+        return f"{result.width} x {result.height} px{mean}"
+    if isinstance(result, Extraction):
+        edges = result.network.edges
         length = sum(edge.curve.length for edge in edges)
-        objects = f", {len(made.objects)} objects" if made.objects else ""
-        sure = f"confidence {made.confidence:.2f}"
+        objects = f", {len(result.objects)} objects" if result.objects else ""
+        sure = f"confidence {result.confidence:.2f}"
         return f"{len(edges)} roads, {length:.1f} m in all, {sure}{objects}"
-    if isinstance(made, Curve):
-        return f"{made.length:.2f} m{', closed' if made.closed else ''}"
-    return type(made).__name__
+    if isinstance(result, Curve):
+        return f"{result.length:.2f} m{', closed' if result.closed else ''}"
+    return type(result).__name__
 
 
 def _of_road(road: Any) -> str:

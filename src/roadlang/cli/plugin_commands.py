@@ -50,8 +50,8 @@ class PluginCommands:
         return next(fitting, None)
 
 
-def plugin_commands(own: frozenset[str]) -> PluginCommands:
-    """What installed plugins add to our `own` commands. None takes the place of another: what
+def plugin_commands(reserved: frozenset[str]) -> PluginCommands:
+    """What installed plugins add to our `reserved` commands. None takes the place of another: what
     ships with roadlang goes before, and of two strangers with one name neither is meant."""
     candidates = command_candidates()
     counts = Counter(each.name for each in candidates)
@@ -63,7 +63,7 @@ def plugin_commands(own: frozenset[str]) -> PluginCommands:
         others = [c.origin for c in candidates if c.name == candidate.name and c is not candidate]
         if not _NAME.match(candidate.name):
             reason = "its name is not one: use letters, digits, `-` and `_`"
-        elif candidate.name in own:
+        elif candidate.name in reserved:
             reason = "roadlang has a command of this name itself"
         elif counts[candidate.name] > 1 and not candidate.origin.is_shipped:
             other = shipped.get(candidate.name, others[0])

@@ -35,10 +35,10 @@ def check_plugin_name(name: str, verbs: Sequence[str], registry: Registry) -> No
     elif name in shipped:
         reason = f"{shipped[name]} has a plugin of this name"
     else:
-        taken = [verb for verb in verbs if _is_shipped(registry, verb, name)]
-        if not taken:
+        clashes = [verb for verb in verbs if _is_shipped(registry, verb, name)]
+        if not clashes:
             return
-        reason = f"its kind would be called `{taken[0]} {name}`, which roadlang has"
+        reason = f"its kind would be called `{clashes[0]} {name}`, which roadlang has"
     raise DiagnosticError(diagnose(Code.BAD_PLUGIN_NAME, name=name, reason=reason, help=help))
 
 

@@ -102,9 +102,9 @@ def _fewest_edits(word: str, candidates: list[str]) -> str | None:
 def _most_alike(word: str, candidates: list[str]) -> str | None:
     """A name of which the word is a rough copy or the only beginning."""
     candidates = sorted(candidates)
-    alike = get_close_matches(word, candidates, n=1, cutoff=0.7)
-    if alike:
-        return alike[0]
+    similar = get_close_matches(word, candidates, n=1, cutoff=0.7)
+    if similar:
+        return similar[0]
     starts = [name for name in candidates if name.startswith(word) or word.startswith(name)]
     if len(word) >= 3 and len(starts) == 1 and len(starts[0]) >= 3:
         return starts[0]

@@ -38,8 +38,8 @@ def simulator_of(
     call = scene.simulate
     name = engine or (call.kind if call is not None else _first_engine(registry))
     entry = entry_of(registry, "simulate", name)
-    own = call is not None and entry_of(registry, "simulate", call.kind) == entry
-    written = dict(call.options) if call is not None and own else {}
+    is_of_scene = call is not None and entry_of(registry, "simulate", call.kind) == entry
+    written = dict(call.options) if call is not None and is_of_scene else {}
     entry, simulator = configured(registry, "simulate", name, {**written, **options})
     return entry, simulator
 

@@ -79,8 +79,8 @@ def evaluate(value: Value, candidates: CandidateBatch, element: int = 0) -> Any:
 def named(name: str, candidates: CandidateBatch) -> Any:
     """The value of a `param` or `let`. Raises RL478 where it is not a number, as after 0 / 0."""
 
-    def make(whole: CandidateBatch) -> Any:
-        found = evaluate(declared.value, whole)
+    def make(batch: CandidateBatch) -> Any:
+        found = evaluate(declared.value, batch)
         numbers = np.asarray(found) if isinstance(found, float | np.ndarray) else np.zeros(1)
         if numbers.dtype.kind == "f" and np.isnan(numbers).any():
             raise DiagnosticError(diagnose(Code.NON_FINITE_VALUE, declared.span, name=name))

@@ -132,17 +132,17 @@ def _gathered(
 
 def _kept(target: Path, room: Path, number: int) -> str | None:
     """A second name for what is there now, or a copy where the file system has no such names."""
-    kept = room / f"old-{number}"
+    copy = room / f"old-{number}"
     if not os.path.lexists(target):
         return None
     try:
         if target.is_symlink():
-            os.symlink(os.readlink(target), kept)
+            os.symlink(os.readlink(target), copy)
         else:
-            os.link(target, kept)
+            os.link(target, copy)
     except OSError:
-        shutil.copy2(target, kept, follow_symlinks=False)
-    return kept.name
+        shutil.copy2(target, copy, follow_symlinks=False)
+    return copy.name
 
 
 def _put_in_place(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) -> None:

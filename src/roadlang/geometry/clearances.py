@@ -42,8 +42,8 @@ def clearance(batch: CurveBatch, others: Sequence[CurveBatch] = ()) -> Floats:
 def _to_itself(batch: CurveBatch, variant: int) -> Floats:
     points, steps = batch.points[variant], batch.steps[variant]
     arc = np.concatenate([[0.0], np.cumsum(steps)])
-    way = AlongOneLine(arc[: len(points)], float(arc[-1]) if batch.closed else None)
-    return _nearest(points, points, way, RETURNING, batch.closed)
+    along = AlongOneLine(arc[: len(points)], float(arc[-1]) if batch.closed else None)
+    return _nearest(points, points, along, RETURNING, batch.closed)
 
 
 def _to_other(batch: CurveBatch, other: CurveBatch, variant: int) -> Floats:
@@ -69,12 +69,12 @@ def _travels(
     ]
 
 
-def _nearest(points: Floats, line: Floats, way: WayAlong, ratio: float, closed: bool) -> Floats:
+def _nearest(points: Floats, line: Floats, along: WayAlong, ratio: float, closed: bool) -> Floats:
     """(S,) distance from points to the polyline (T, 2), where the way along is more than `ratio`
     times it."""
     middle = line.mean(axis=0)
     p, q = points - middle, line - middle
-    index, counted = nearest_points(p, q, way, ratio)
+    index, counted = nearest_points(p, q, along, ratio)
     count = len(line)
     distance = np.full(len(p), np.inf)
     for neighbor in (index - 1, index + 1):

@@ -49,8 +49,8 @@ class AlongOneLine:
 
     def between(self, rows: Integers, columns: Integers) -> Floats:
         """(rows, columns) meters, the shorter way round a closed line."""
-        way = np.abs(self.places[rows, None] - self.places[columns])
-        return way if self.around is None else np.minimum(way, self.around - way, out=way)
+        along = np.abs(self.places[rows, None] - self.places[columns])
+        return along if self.around is None else np.minimum(along, self.around - along, out=along)
 
     def bounds(self, rows: Span, columns: Span) -> tuple[Floats, Floats]:
         """(B,) each, see `WayAlong`."""
@@ -90,7 +90,7 @@ class AlongTwoLines:
 
 
 def nearest_points(
-    points: Floats, line: Floats, way: WayAlong, ratio: float
+    points: Floats, line: Floats, along: WayAlong, ratio: float
 ) -> tuple[Integers, Booleans]:
     """(S,) each: the index of the point of `line` (T, 2) nearest to each of `points` (S, 2) of
     those that count, the first of several, and whether any does."""
@@ -98,7 +98,7 @@ def nearest_points(
     counted = np.zeros(len(points), dtype=bool)
     ours, theirs = _Boxes.of(points), _Boxes.of(line)
     for block in range(len(ours.span.first)):
-        chosen = _chosen(ours.one(block), theirs, way, ratio)
+        chosen = _chosen(ours.one(block), theirs, along, ratio)
         if not len(chosen):
             continue
         spans = zip(theirs.span.first[chosen], theirs.span.last[chosen], strict=True)
@@ -107,7 +107,7 @@ def nearest_points(
         for start in range(ours.span.first[block], ours.span.last[block] + 1, step):
             rows = np.arange(start, min(start + step, int(ours.span.last[block]) + 1))
             near = _distances(points[rows], line[columns])
-            near[way.between(rows, columns) <= ratio * near] = np.inf
+            near[along.between(rows, columns) <= ratio * near] = np.inf
             place = near.argmin(axis=1)
             index[rows] = columns[place]
             counted[rows] = np.isfinite(near[np.arange(len(rows)), place])
@@ -136,12 +136,12 @@ class _Boxes:
         return _Boxes(span, self.low[part], self.high[part])
 
 
-def _chosen(ours: _Boxes, theirs: _Boxes, way: WayAlong, ratio: float) -> Integers:
+def _chosen(ours: _Boxes, theirs: _Boxes, along: WayAlong, ratio: float) -> Integers:
     """The blocks that may hold the nearest point, of those that count, to a point of one block."""
     apart = np.maximum(theirs.low - ours.high, ours.low - theirs.high)
     least = np.hypot(*np.maximum(apart, 0.0).T)
     greatest = np.hypot(*np.maximum(theirs.high - ours.low, ours.high - theirs.low).T)
-    shortest, longest = way.bounds(ours.span, theirs.span)
+    shortest, longest = along.bounds(ours.span, theirs.span)
     may_count = longest > ratio * least * (1.0 - _ROUNDING) - _ROUNDING
     surely_counts = shortest > ratio * greatest * (1.0 + _ROUNDING) + _ROUNDING
     within = greatest[surely_counts].min(initial=np.inf) * (1.0 + _ROUNDING) + _ROUNDING

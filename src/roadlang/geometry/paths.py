@@ -109,8 +109,8 @@ class Path:
 
 
 def _cut(curve: Curve, step: Step) -> Curve:
-    whole = step.start <= 0.0 and step.stop >= curve.length and not curve.closed
-    return curve if whole else curve.between(step.start, step.stop)
+    is_full = step.start <= 0.0 and step.stop >= curve.length and not curve.closed
+    return curve if is_full else curve.between(step.start, step.stop)
 
 
 def longest_path(network: RoadNetwork) -> Path:

@@ -59,9 +59,9 @@ def _world_file(path: Path) -> FoundScale | None:
     ending = path.suffix
     names = [f"{ending[:2]}{ending[-1]}w", f"{ending}w", ".wld"] if len(ending) > 2 else [".wld"]
     for name in names:
-        beside = path.with_suffix(name)
+        candidate = path.with_suffix(name)
         try:
-            data = read_start(beside, _WORLD_FILE)
+            data = read_start(candidate, _WORLD_FILE)
             numbers = [float(word) for word in data.decode("ascii").split()[:6]]
         except (UnreadableFile, ValueError):
             continue
@@ -69,7 +69,7 @@ def _world_file(path: Path) -> FoundScale | None:
             area = abs(numbers[0] * numbers[3] - numbers[1] * numbers[2])
             scale = _usable(math.sqrt(area))
             digest = hashlib.sha256(data).hexdigest()
-            return None if scale is None else FoundScale(scale, beside.name, digest)
+            return None if scale is None else FoundScale(scale, candidate.name, digest)
     return None
 
 

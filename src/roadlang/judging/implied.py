@@ -27,14 +27,14 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
     drawn = any(
         isinstance(value, RandomValue) for value in scenario.dependencies.contents(actor.at)
     )
-    behind = influences_on_start(actor, scenario)
+    causes = influences_on_start(actor, scenario)
     return Requirement(
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",
         rho=partial(room_on_road, actor),
         cost=8.0 if drawn else 6.0,
-        names=behind.names,
-        is_random=behind.is_random,
+        names=causes.names,
+        is_random=causes.is_random,
         implied=True,
         span=actor.span,
     )
@@ -43,15 +43,15 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
 def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:
     """An agent or object overlaps nothing that was placed before it, and is on the road where it
     was placed again."""
-    behind = influences_on_place(actor, scenario)
+    causes = influences_on_place(actor, scenario)
     return Requirement(
         name=actor.name,
         text=f"there is room for `{actor.name}`",
-        rho=partial(_room, actor, not behind.is_random),
+        rho=partial(_room, actor, not causes.is_random),
         cost=0.0,
         last=True,
-        names=behind.names,
-        is_random=behind.is_random,
+        names=causes.names,
+        is_random=causes.is_random,
         implied=True,
         span=actor.span,
     )

@@ -47,15 +47,15 @@ def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requi
         text, rho, truth = test.text, partial(condition_rho, test), partial(condition_truth, test)
     else:
         text, rho, truth = f"with {test.kind}", partial(monitor_rho, test), None
-    behind = influences(test, scenario)
+    causes = influences(test, scenario)
     return Requirement(
         name=constraint.name,
         text=text,
         rho=rho,
         truth=truth,
         cost=cost_of(test, scenario),
-        names=behind.names,
-        is_random=behind.is_random,
+        names=causes.names,
+        is_random=causes.is_random,
         test=test,
         span=constraint.span,
     )

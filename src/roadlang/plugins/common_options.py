@@ -214,4 +214,7 @@ def common_options(verb: str) -> tuple[OptionSchema, ...]:
 def schema_of_common(options: type) -> tuple[OptionSchema, ...]:
     """The options of one of the classes here. A field whose name is a word of Python has `_` at its
     end (`while_`)."""
-    return tuple(replace(one, name=one.name.removesuffix("_")) for one in schema_of(options))
+    return tuple(
+        replace(option_schema, name=option_schema.name.removesuffix("_"))
+        for option_schema in schema_of(options)
+    )

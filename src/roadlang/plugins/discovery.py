@@ -28,10 +28,10 @@ def registry_of(plugins: Mapping[str, Any], *, installed: bool = False) -> Regis
     """The shipped kinds and those of plugin modules or objects by name, for tests and programs
     that embed us. `installed`: also those of all installed plugins."""
     found = [point for point in plugin_candidates() if installed or point.origin.is_shipped]
-    given = (
+    extra = (
         Candidate(name, Origin(name, name, "0"), None, plugin) for name, plugin in plugins.items()
     )
-    return collect([*found, *given])
+    return collect([*found, *extra])
 
 
 def collect(found: Iterable[Candidate]) -> Registry:

@@ -69,8 +69,8 @@ def _check(cls: Any) -> None:
 
 
 def _check_dataclass(cls: type[Kind]) -> None:
-    own = vars(cls).get("__annotations__", {})
-    adds = any("ClassVar" not in str(annotation) for annotation in own.values())
+    annotations = vars(cls).get("__annotations__", {})
+    adds = any("ClassVar" not in str(annotation) for annotation in annotations.values())
     params = getattr(cls, "__dataclass_params__", None)
     if params is None or (adds and "__dataclass_params__" not in vars(cls)) or not params.frozen:
         raise KindFault(f"{cls.__name__} is not decorated with `@dataclass(frozen=True)`", cls)
@@ -103,10 +103,10 @@ def _check_attributes(cls: type[Kind]) -> None:
     """Class attributes have the type that the base gives them, and values that mean something."""
     base = base_of(cls.verb)
     for name in _public(base):
-        usual, own = getattr(base, name), getattr(cls, name)
-        if not callable(usual) and not _is_like(own, usual):
+        usual, value = getattr(base, name), getattr(cls, name)
+        if not callable(usual) and not _is_like(value, usual):
             noun = "a tuple of words" if isinstance(usual, tuple) else f"a {type(usual).__name__}"
-            raise KindFault(f"`{name}` of {cls.__name__} is {own!r}, not {noun}", cls, name)
+            raise KindFault(f"`{name}` of {cls.__name__} is {value!r}, not {noun}", cls, name)
     if cls.domain not in ("road", "drive"):
         raise KindFault(f'`domain` is {cls.domain!r}, not "road" or "drive"', cls, "domain")
     if cls.rest and cls.rest not in {option.name for option in schema_of(cls)}:
@@ -134,10 +134,10 @@ def _check_methods(cls: type[Kind]) -> None:
     base, required = base_of(cls.verb), cls.required_methods
     if required and not any(implements(cls, name) for name in required):
         reason = f"{cls.__name__} does not implement " + " or ".join(f"`{n}`" for n in required)
-        for own in _strangers(cls):
-            meant = nearest(own, required)
+        for stranger in _strangers(cls):
+            meant = nearest(stranger, required)
             if meant is not None:
-                raise KindFault(f"{reason}; `{own}`: did you mean `{meant}`?", cls, own)
+                raise KindFault(f"{reason}; `{stranger}`: did you mean `{meant}`?", cls, stranger)
         raise KindFault(reason, cls)
     for name in _public(base):
         if callable(getattr(base, name)) and implements(cls, name):
@@ -145,18 +145,18 @@ def _check_methods(cls: type[Kind]) -> None:
 
 
 def _check_method(cls: type[Kind], base: type[Kind], name: str) -> None:
-    own, usual = inspect.getattr_static(cls, name), getattr(base, name)
+    method, usual = inspect.getattr_static(cls, name), getattr(base, name)
     if not callable(getattr(cls, name)):
         raise KindFault(f"`{name}` of {cls.__name__} is not a method", cls, name)
-    if not inspect.isfunction(own) or not inspect.isfunction(usual):
+    if not inspect.isfunction(method) or not inspect.isfunction(usual):
         return  # a class or static method: called through the class
     expected = list(inspect.signature(usual).parameters)
-    parameters = inspect.signature(own)
+    parameters = inspect.signature(method)
     try:
         parameters.bind(*expected)
     except TypeError:
-        taken, passed = ", ".join(parameters.parameters), ", ".join(expected)
-        reason = f"`{name}` of {cls.__name__} takes ({taken}), but is called with ({passed})"
+        accepted, passed = ", ".join(parameters.parameters), ", ".join(expected)
+        reason = f"`{name}` of {cls.__name__} takes ({accepted}), but is called with ({passed})"
         raise KindFault(reason, cls, name) from None
 
 
@@ -164,11 +164,13 @@ def _check_spelling(cls: type[Kind]) -> None:
     """What is almost the name of something that the base has would be ignored silently."""
     base = base_of(cls.verb)
     unused = [name for name in _public(base) if getattr(cls, name) is getattr(base, name)]
-    for own in _strangers(cls):
-        meant = next((name for name in unused if len(name) > 3 and edits(own, name, 1) == 1), None)
+    for stranger in _strangers(cls):
+        meant = next(
+            (name for name in unused if len(name) > 3 and edits(stranger, name, 1) == 1), None
+        )
         if meant is not None:
-            reason = f"{cls.__name__} has no use for `{own}`: did you mean `{meant}`?"
-            raise KindFault(f"{reason} If not, begin its name with `_`", cls, own)
+            reason = f"{cls.__name__} has no use for `{stranger}`: did you mean `{meant}`?"
+            raise KindFault(f"{reason} If not, begin its name with `_`", cls, stranger)
 
 
 def _public(cls: type) -> list[str]:

@@ -147,10 +147,10 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
 
 def _is_undecorated(kind: Any) -> bool:
     """Whether a class adds fields that no `@dataclass` has seen: its base is a dataclass."""
-    own = vars(kind)
-    annotations = own.get("__annotations__", {}).values()
+    attributes = vars(kind)
+    annotations = attributes.get("__annotations__", {}).values()
     adds = any("ClassVar" not in str(annotation) for annotation in annotations)
-    return adds and "__dataclass_params__" not in own
+    return adds and "__dataclass_params__" not in attributes
 
 
 __all__ = ["REQUIRED", "Constraints", "OptionSchema", "option", "schema_of"]

@@ -69,9 +69,9 @@ def corners(kind: type[Kind], options: Mapping[str, Any]) -> list[dict[str, Any]
     combinations = _ends(tuple(options.values()))
     if combinations is None:
         return None
-    whole = {option.name for option in schema_of(kind) if _is_whole(option.type)}
+    integers = {option.name for option in schema_of(kind) if _is_whole(option.type)}
     rows = (dict(zip(options, combination, strict=True)) for combination in combinations)
-    return [{key: round(v) if key in whole else v for key, v in row.items()} for row in rows]
+    return [{key: round(v) if key in integers else v for key, v in row.items()} for row in rows]
 
 
 def _ends(value: Any) -> list[Any] | None:

@@ -56,9 +56,9 @@ def _picture(entity: Entity, scenario: IndexedScenario) -> Picture:
     """The picture of an image that an `emit` names. Raises RL229 for one that is drawn."""
     image = scenario.images[entity.name]
     if scenario.is_varying(image.name):
-        what, due = f"`{image.name}`", "the same in every scene"
+        what, expected = f"`{image.name}`", "the same in every scene"
         raise DiagnosticError(
-            diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, expected=due)
+            diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, expected=expected)
         )
     return load_picture(entity.name, fixed_candidate(scenario)).picture
 

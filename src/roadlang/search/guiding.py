@@ -177,8 +177,8 @@ def run_pilot(acceptance: Acceptance, sampler: KindInstance, seed: int) -> Pilot
             hopeless = not holds.any() and pilot.best_chance(sampler, random) < HOPELESS
             return replace(pilot, known=pilot.known[:0]) if hopeless else pilot
         proposed = pilot.round(sampler, random)
-        given = dict(zip(names, proposed.T, strict=True))
-        candidates = _candidates(acceptance, seed, _PILOT, len(points), ROUND, given)
+        coordinates = dict(zip(names, proposed.T, strict=True))
+        candidates = _candidates(acceptance, seed, _PILOT, len(points), ROUND, coordinates)
         measured = acceptance.measure(candidates)
         _count(stats, measured)
         points = np.concatenate([points, proposed])
@@ -207,8 +207,8 @@ def first_accepted(
     for attempt in range(min(attempts, attempts_of(sampler, acceptance))):
         random = _candidates(acceptance, seed, scene, attempt, 1).random(_PLACE)
         proposed = pilot.choose(sampler, random)
-        given = dict(zip(pilot.names, proposed.T, strict=True))
-        candidates = _candidates(acceptance, seed, scene, attempt, 1, given)
+        coordinates = dict(zip(pilot.names, proposed.T, strict=True))
+        candidates = _candidates(acceptance, seed, scene, attempt, 1, coordinates)
         judged = acceptance.judge(candidates)
         stats.count(judged, np.ones(1, dtype=bool))
         if judged.accepted[0]:

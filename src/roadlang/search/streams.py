@@ -84,8 +84,10 @@ def _stream(
             result = sampler.kind.points(indices, draws, seed)
         points = real_numbers(result, "points", sampler.entry, sampler.call.span)
         _check_points(points, sampler, len(indices), len(draws))
-        given = {draw.place: points[:, column] for column, draw in enumerate(draws)}
-        yield CandidateBatch(acceptance.scenario, seed, np.zeros_like(indices), indices, given)
+        coordinates = {draw.place: points[:, column] for column, draw in enumerate(draws)}
+        yield CandidateBatch(
+            acceptance.scenario, seed, np.zeros_like(indices), indices, coordinates
+        )
 
 
 def _check_points(

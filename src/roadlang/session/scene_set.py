@@ -173,8 +173,8 @@ def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
     """Why there are fewer scenes than requested."""
     hint = "the table shows what rejects most"
     if result.scenes and result.missing:
-        made = f"{result.accepted} of {result.wanted}"
-        return [diagnose(Code.TOO_FEW_SCENES, path=file, made=made, help=hint)]
+        found = f"{result.accepted} of {result.wanted}"
+        return [diagnose(Code.TOO_FEW_SCENES, path=file, made=found, help=hint)]
     if result.scenes:
         return []
     if result.impossible:

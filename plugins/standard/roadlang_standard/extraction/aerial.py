@@ -126,9 +126,9 @@ def roads_of_photo(
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
 
 
-def _other_scale(image: Image, scale: float, seen: Seen, told: float | None) -> float | None:
+def _other_scale(image: Image, scale: float, seen: Seen, stated: float | None) -> float | None:
     """A scale that may show more: where roads are wide, and where hardly any were seen."""
-    if told is None:
+    if stated is None:
         usual = _usual(seen)
         return scale * _HANDY / usual if usual > _WIDE else None
     sharp = start_scale(image)
@@ -177,9 +177,9 @@ def roads_of_evidence(
         ways = ways_through(score, _at_least_two(request.through, score > cutoffs.strong))
         if request.only_through:
             _forget_others([surface, score], score, ways, cutoffs.weak)
-        for way in ways:
-            paint(surface, score, way, request.width or max(5.0, _usual(seen)))
-        cutoffs = cutoffs.choosy(min(float(stations(way)[-1]) for way in ways))
+        for path in ways:
+            paint(surface, score, path, request.width or max(5.0, _usual(seen)))
+        cutoffs = cutoffs.choosy(min(float(stations(path)[-1]) for path in ways))
     graph, mask = _traced(score, cutoffs)
     few = request.threshold is None and len(graph.lines) <= _FEW
     for share in _FAINTER if few else ():
@@ -225,11 +225,11 @@ def _length(graph: Graph) -> float:
 
 def _at_least_two(points: tuple[tuple[float, float], ...], road: NDArray[np.bool_]) -> Floats:
     """The points; of one alone, also the nearest that is surely road."""
-    given = np.array(points, float)
-    if len(given) > 1 or not road.any():
-        return given
+    polyline = np.array(points, float)
+    if len(polyline) > 1 or not road.any():
+        return polyline
     seen = np.argwhere(road)[:, ::-1]
-    return np.vstack([given, seen[np.argmin(np.hypot(*(seen - given[0]).T))]])
+    return np.vstack([polyline, seen[np.argmin(np.hypot(*(seen - polyline[0]).T))]])
 
 
 def _forget_others(layers: list[Layer], score: Layer, ways: list[Floats], weak: float) -> None:
@@ -238,8 +238,8 @@ def _forget_others(layers: list[Layer], score: Layer, ways: list[Floats], weak: 
     x, y = np.clip(np.round(np.vstack(ways)).astype(int), 0, np.array(score.shape[::-1]) - 1).T
     width = max(5.0, 2.0 * float(np.median(inner[y, x])))
     near = np.zeros_like(score)
-    for way in ways:
-        paint(near, near, way, width)
+    for path in ways:
+        paint(near, near, path, width)
     for layer in layers:
         layer[near <= 0] = 0
 
@@ -250,10 +250,10 @@ def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> No
     prune(graph, 1.2 * usual, shape)
     join(graph)
     drop_unworthy(graph, score, cutoffs.crumb / 3, cutoffs.floor)
-    reach = max(cutoffs.reach, _GAP * usual)
+    link_distance = max(cutoffs.reach, _GAP * usual)
     faint = (_CARRIED * cutoffs.strong, _CARRIED * cutoffs.weak)
-    carry_on(graph, score, faint, usual, reach)
-    link(graph, score, reach, cutoffs.dear)
+    carry_on(graph, score, faint, usual, link_distance)
+    link(graph, score, link_distance, cutoffs.dear)
     drop_loops(graph, 6 * usual)
     prune_by_worth(graph, score, cutoffs.spur, cutoffs.floor)
     drop_unworthy(graph, score, cutoffs.crumb, cutoffs.floor)

@@ -50,20 +50,20 @@ def remembered(image: Image, request: Request, net: Net | None = None) -> FoundN
 
 
 def _folder() -> Path | None:
-    told = os.environ.get("ROADLANG_CACHE", "")
-    if told == "off":
+    configured = os.environ.get("ROADLANG_CACHE", "")
+    if configured == "off":
         return None
-    if told:
-        return Path(told)
+    if configured:
+        return Path(configured)
     home = os.environ.get("XDG_CACHE_HOME") or (Path.home() / ".cache")
     return Path(home) / "roadlang" / "photos"
 
 
 def _digest(image: Image, request: Request, net: Net, checked: bool) -> str:
     makers = f"{net.digest} {checked} {_code()} {cv2.__version__}"
-    whole = hashlib.sha256(f"{image.shape} {request} {makers}".encode())
-    whole.update(np.ascontiguousarray(image).data)
-    return whole.hexdigest()
+    digest = hashlib.sha256(f"{image.shape} {request} {makers}".encode())
+    digest.update(np.ascontiguousarray(image).data)
+    return digest.hexdigest()
 
 
 @cache

@@ -50,10 +50,10 @@ def ribbon_evidence(image: Image) -> Layer:
 def _along(even: Layer, angle: float) -> Layer:
     """The response of ribbons that run at `angle` degrees."""
     height, width = even.shape
-    reach = int(np.ceil(np.hypot(height, width)))
+    diagonal = int(np.ceil(np.hypot(height, width)))
     turn = cv2.getRotationMatrix2D((width / 2, height / 2), angle, 1.0)
-    turn[:, 2] += (reach - width) / 2, (reach - height) / 2
-    turned = cv2.warpAffine(even, turn, (reach, reach), borderMode=cv2.BORDER_REFLECT)
+    turn[:, 2] += (diagonal - width) / 2, (diagonal - height) / 2
+    turned = cv2.warpAffine(even, turn, (diagonal, diagonal), borderMode=cv2.BORDER_REFLECT)
     response = np.zeros_like(turned)
     for bar in _WIDTHS:
         inner = cv2.blur(turned, (_LENGTH, bar))

@@ -12,8 +12,8 @@ from .graph import Graph, Line
 _ROUNDS = 12
 
 
-def contract(graph: Graph, reach: float) -> None:
-    """Make one node of junctions joined by a line shorter than `reach` pixels, in place.
+def contract(graph: Graph, distance: float) -> None:
+    """Make one node of junctions joined by a line shorter than `distance` pixels, in place.
 
     Shortest lines first, each node once a round, so that the cost stays that of a few passes.
     """
@@ -24,7 +24,7 @@ def contract(graph: Graph, reach: float) -> None:
             for index, line in enumerate(graph.lines)
             if not line.closed and degree[line.start] > 2 and degree[line.end] > 2
         ]
-        bridges = _apart(graph, [item for item in short if item[0] < reach])
+        bridges = _apart(graph, [item for item in short if item[0] < distance])
         if not bridges:
             return
         _merge(graph, bridges)
@@ -48,11 +48,11 @@ def _merge(graph: Graph, bridges: list[Line]) -> None:
     into: dict[int, int] = {}
     spans: dict[int, float] = {}
     for bridge in bridges:
-        kept, lost = bridge.start, bridge.end
-        graph.nodes[kept] = (graph.nodes[kept] + graph.nodes[lost]) / 2
+        remaining, lost = bridge.start, bridge.end
+        graph.nodes[remaining] = (graph.nodes[remaining] + graph.nodes[lost]) / 2
         del graph.nodes[lost]
-        into[lost] = kept
-        spans[kept] = bridge.length
+        into[lost] = remaining
+        spans[remaining] = bridge.length
     left = []
     for line in graph.lines:
         if id(line) in gone:
@@ -118,12 +118,12 @@ def join(graph: Graph) -> None:
         if count != 2 or len(at[node]) != 2:
             continue
         first, second = at[node].values()
-        whole = _joined(first, second, node)
+        joined = _joined(first, second, node)
         for old in (first, second):
             for end in (old.start, old.end):
                 at[end].pop(id(old), None)
             del left[id(old)]
-        left[id(whole)] = at[whole.start][id(whole)] = at[whole.end][id(whole)] = whole
+        left[id(joined)] = at[joined.start][id(joined)] = at[joined.end][id(joined)] = joined
     graph.lines = list(left.values())
     graph.drop_lonely()
 
@@ -138,40 +138,40 @@ def _joined(first: Line, second: Line, node: int) -> Line:
     return Line(start, end, np.vstack([a, b[1:]]), share)
 
 
-def extend_to_border(graph: Graph, shape: tuple[int, int], reach: float) -> None:
-    """Carry dead ends within `reach` pixels of the picture's edge straight on to it, in place.
+def extend_to_border(graph: Graph, shape: tuple[int, int], distance: float) -> None:
+    """Carry dead ends within `distance` pixels of the picture's edge straight on to it, in place.
 
     Near the edge a skeleton turns toward the corner of its mask: that bit is cut off first.
     """
     degree = graph.degree()
     for line in graph.lines:
         for side, node in ((0, line.start), (1, line.end)):
-            if degree[node] != 1 or not at_border(graph.nodes[node], shape, reach):
+            if degree[node] != 1 or not at_border(graph.nodes[node], shape, distance):
                 continue
             points = line.points if side == 0 else line.points[::-1]
-            points = _without_hook(points, reach)
+            points = _without_hook(points, distance)
             straight = Line(line.start, line.end, points)
-            goal = _border_ahead(points[0], -direction(straight, 0, 2 * reach + 4), shape)
-            if np.hypot(*(goal - points[0])) <= 3.5 * reach:
+            goal = _border_ahead(points[0], -direction(straight, 0, 2 * distance + 4), shape)
+            if np.hypot(*(goal - points[0])) <= 3.5 * distance:
                 points = np.vstack([goal, points])
             line.points = points if side == 0 else points[::-1]
             graph.nodes[node] = points[0]
 
 
-def _without_hook(points: Floats, reach: float) -> Floats:
-    """The line from where it is `reach` away from its start, if that leaves most of it."""
+def _without_hook(points: Floats, distance: float) -> Floats:
+    """The line from where it is `distance` away from its start, if that leaves most of it."""
     away = np.hypot(*(points - points[0]).T)
-    beyond = int(np.argmax(away >= reach))
+    beyond = int(np.argmax(away >= distance))
     return points[beyond:] if 0 < beyond < len(points) / 2 else points
 
 
-def _border_ahead(here: Floats, ahead: Floats, shape: tuple[int, int]) -> Floats:
+def _border_ahead(position: Floats, ahead: Floats, shape: tuple[int, int]) -> Floats:
     """Where a ray leaves the picture."""
     corner = np.array([shape[1], shape[0]]) - 0.5
     with np.errstate(divide="ignore", invalid="ignore"):
-        steps = np.where(ahead > 0, (corner - here) / ahead, (-0.5 - here) / ahead)
+        steps = np.where(ahead > 0, (corner - position) / ahead, (-0.5 - position) / ahead)
     step = float(np.nanmin(np.where(np.abs(ahead) < 1e-6, np.inf, steps)))
-    return np.asarray(here + max(step, 0.0) * ahead)
+    return np.asarray(position + max(step, 0.0) * ahead)
 
 
 def components(graph: Graph) -> list[list[Line]]:
@@ -194,11 +194,11 @@ def components(graph: Graph) -> list[list[Line]]:
 
 def drop_crumbs(graph: Graph, least: float) -> None:
     """Forget connected parts shorter than `least` pixels in all, in place."""
-    kept = {
+    remaining = {
         id(line)
         for part in components(graph)
         if sum(x.length for x in part) >= least
         for line in part
     }
-    graph.lines = [line for line in graph.lines if id(line) in kept]
+    graph.lines = [line for line in graph.lines if id(line) in remaining]
     graph.drop_lonely()

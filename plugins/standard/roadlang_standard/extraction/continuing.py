@@ -49,17 +49,17 @@ class Onward:
 
 
 def carry_on(
-    graph: Graph, score: Layer, levels: tuple[float, float], width: float, reach: float
+    graph: Graph, score: Layer, levels: tuple[float, float], width: float, distance: float
 ) -> None:
     """Add to the graph, in place, the fainter lines that go straight on from its dead ends.
 
     `levels` are the strong and the weak one for them, `width` the usual width of a road; gaps may
-    be up to `reach` pixels. What joins a road from the side is left out: drives look like that.
+    be up to `distance` pixels. What joins a road from the side is left out: drives look like that.
     """
     ends = dead_ends(graph, score.shape)
     if not ends:
         return
-    faint = _Faint(_fainter(graph, score, levels, width), width, reach)
+    faint = _Faint(_fainter(graph, score, levels, width), width, distance)
     waiting = [onward for end in ends for onward in faint.onwards(end)]
     heapify(waiting)
     ended: set[int] = set()
@@ -93,8 +93,8 @@ def _fainter(graph: Graph, score: Layer, levels: tuple[float, float], width: flo
 class _Faint:
     """The fainter lines, found by where their ends lie."""
 
-    def __init__(self, graph: Graph, width: float, reach: float) -> None:
-        self.width, self.reach = width, reach
+    def __init__(self, graph: Graph, width: float, distance: float) -> None:
+        self.width, self.reach = width, distance
         self.tips = [(line, side) for line in graph.lines for side in (0, 1)]
         self.tree = cKDTree(np.array([_tip(*tip) for tip in self.tips]).reshape(-1, 2))
 
@@ -113,7 +113,7 @@ def _added(graph: Graph, onward: Onward) -> DeadEnd:
     """Where the road ends now that the gap and the fainter line are one line of the graph."""
     points = onward.line.points if onward.side == 0 else onward.line.points[::-1]
     points = np.vstack([onward.end.place, points])
-    whole = Line(onward.end.node, graph.add_node(points[-1]), points)
-    whole.linked = onward.gap / max(1e-9, whole.length)
-    graph.lines.append(whole)
+    line = Line(onward.end.node, graph.add_node(points[-1]), points)
+    line.linked = onward.gap / max(1e-9, line.length)
+    graph.lines.append(line)
     return dead_end(graph, len(graph.lines) - 1, 1)

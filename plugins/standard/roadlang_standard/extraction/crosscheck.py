@@ -37,10 +37,10 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     if not clear:
         return found
     remark = "the net saw little: a ribbon unlike both its sides was taken for the road"
-    kept = {road.start for road in believed} | {road.end for road in believed}
-    order = {node: index for index, node in enumerate(sorted(kept))}
+    node_ids = {road.start for road in believed} | {road.end for road in believed}
+    order = {node: index for index, node in enumerate(sorted(node_ids))}
     roads = tuple(replace(r, start=order[r.start], end=order[r.end]) for r in believed)
-    nodes = ribbons.nodes[sorted(kept)]
+    nodes = ribbons.nodes[sorted(node_ids)]
     return replace(ribbons, roads=roads, nodes=nodes, remarks=(*ribbons.remarks, remark))
 
 

@@ -120,9 +120,9 @@ def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
     if manner.recenter:
         curve = resample(np.vstack([curve, curve[:1]]))[:-1]
         seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3, manner.level)
-        whole = np.vstack([curve, curve[:1]])
-        whole = recentered(whole, seen, 0.8 * manner.waves, False, held=(False, False))
-        curve = smooth(resample(whole)[:-1], 0.6 * manner.waves, tolerance, tightest, closed=True)
+        ring = np.vstack([curve, curve[:1]])
+        ring = recentered(ring, seen, 0.8 * manner.waves, False, held=(False, False))
+        curve = smooth(resample(ring)[:-1], 0.6 * manner.waves, tolerance, tightest, closed=True)
     return np.vstack([curve, curve[:1]])
 
 
@@ -156,9 +156,9 @@ def _split(
 def _attached(piece: Floats, start: Floats, end: Floats, blend: float = 12.0) -> Floats:
     """The piece bent a little so that it begins and ends exactly at its nodes."""
     station = stations(piece)
-    reach = min(blend, station[-1] / 2) or 1.0
-    fade_in = np.clip(1 - station / reach, 0, 1)[:, None]
-    fade_out = np.clip(1 - (station[-1] - station) / reach, 0, 1)[:, None]
+    blend_length = min(blend, station[-1] / 2) or 1.0
+    fade_in = np.clip(1 - station / blend_length, 0, 1)[:, None]
+    fade_out = np.clip(1 - (station[-1] - station) / blend_length, 0, 1)[:, None]
     moved = piece + fade_in * (start - piece[0]) + fade_out * (end - piece[-1])
     moved[0], moved[-1] = start, end
     return np.asarray(moved)

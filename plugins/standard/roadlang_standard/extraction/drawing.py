@@ -160,8 +160,8 @@ def _surface(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> Layer:
     """The ribbons grown to the middle of the lines around them; thin lines across them vanish."""
     union = _union(ribbons, ink.shape)
     if len(ribbons) > 1:
-        reach = 2 * int(np.ceil(pen + 1)) + 1
-        closed = cv2.morphologyEx(union, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
+        size = 2 * int(np.ceil(pen + 1)) + 1
+        closed = cv2.morphologyEx(union, cv2.MORPH_CLOSE, np.ones((size, size), np.uint8))
         union |= closed & ink.astype(np.uint8)
     outside = cv2.distanceTransform(1 - union, cv2.DIST_L2, 5)
     inside = cv2.distanceTransform(union, cv2.DIST_L2, 5)

@@ -32,10 +32,12 @@ class Sides:
         return Sides(np.where(good, self.left, np.nan), np.where(good, self.right, np.nan))
 
 
-def sides(points: Floats, surface: NDArray[np.float32], reach: float, level: float = 0.5) -> Sides:
+def sides(
+    points: Floats, surface: NDArray[np.float32], search_radius: float, level: float = 0.5
+) -> Sides:
     """Look along the normals for where the surface (h, w), 0..1, falls through `level`."""
     normal = normals(points)
-    away = np.arange(0, reach + _STEP, _STEP)
+    away = np.arange(0, search_radius + _STEP, _STEP)
     found = []
     for sign in (1, -1):
         at = (points[:, None] + sign * away[None, :, None] * normal[:, None]).astype(np.float32)

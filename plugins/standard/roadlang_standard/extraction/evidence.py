@@ -107,12 +107,12 @@ def _tiled(image: Image, net: Net) -> NDArray[np.float32]:
             fade = np.outer(_fade(top, bottom, height), _fade(left, right, width)).astype(
                 np.float32
             )
-            here = (
+            tile = (
                 slice(top // 2, top // 2 + maps.shape[1]),
                 slice(left // 2, left // 2 + maps.shape[2]),
             )
-            total[(slice(None), *here)] += maps * fade
-            weight[here] += fade
+            total[(slice(None), *tile)] += maps * fade
+            weight[tile] += fade
     return np.asarray(total / weight)
 
 

@@ -66,9 +66,9 @@ def _cells(field: Layer) -> Layer:
     """Means over cells; those at the far edges are made whole by reflection."""
     height, width = field.shape
     border = cv2.BORDER_REFLECT if min(height, width) > _CELL else cv2.BORDER_REPLICATE
-    whole = cv2.copyMakeBorder(field, 0, -height % _CELL, 0, -width % _CELL, border)
-    size = (whole.shape[1] // _CELL, whole.shape[0] // _CELL)
-    return np.asarray(cv2.resize(whole, size, interpolation=cv2.INTER_AREA), np.float32)
+    padded = cv2.copyMakeBorder(field, 0, -height % _CELL, 0, -width % _CELL, border)
+    size = (padded.shape[1] // _CELL, padded.shape[0] // _CELL)
+    return np.asarray(cv2.resize(padded, size, interpolation=cv2.INTER_AREA), np.float32)
 
 
 def _windows(cells: Layer) -> Layer:

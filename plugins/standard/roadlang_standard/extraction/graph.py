@@ -147,10 +147,10 @@ def _add(graph: Graph, start: int, end: int | None, path: list[int], stride: int
     points = np.array([_xy(pixel, stride) for pixel in path])
     if end is None:
         end = graph.add_node(points[-1])
-    whole = np.vstack([graph.nodes[start], points, graph.nodes[end]])
-    keep = np.r_[True, np.hypot(*np.diff(whole, axis=0).T) > 1e-9]
+    polyline = np.vstack([graph.nodes[start], points, graph.nodes[end]])
+    keep = np.r_[True, np.hypot(*np.diff(polyline, axis=0).T) > 1e-9]
     if keep.sum() > 1:
-        graph.lines.append(Line(start, end, whole[keep]))
+        graph.lines.append(Line(start, end, polyline[keep]))
 
 
 def _xy(flat: int, stride: int) -> Floats:

@@ -43,8 +43,8 @@ def ways_through(score: Layer, points: Floats) -> list[Floats]:
     graph = _grid(-np.log(np.clip(coarse, 0.02, 1)) + 0.08)
     ways = []
     for (start, goal), ends in zip(pairwise(cells), pairwise(points), strict=True):
-        way = (np.array(_shortest(graph, start, goal, size[0]), float) + 0.5) * scale - 0.5
-        line = resample(np.vstack([ends[0], way[1:-1], ends[1]]))
+        path = (np.array(_shortest(graph, start, goal, size[0]), float) + 0.5) * scale - 0.5
+        line = resample(np.vstack([ends[0], path[1:-1], ends[1]]))
         ways.append(smooth(line, 8 * step, 2 * step) if len(line) > 8 else line)
     return ways
 
@@ -70,16 +70,16 @@ def _shortest(
 ) -> list[tuple[int, int]]:
     source, target = int(start[1] * columns + start[0]), int(goal[1] * columns + goal[0])
     _, before = dijkstra(graph, directed=False, indices=source, return_predecessors=True)
-    way = [target]
-    while way[-1] != source:
-        way.append(int(before[way[-1]]))
-    return [(cell % columns, cell // columns) for cell in reversed(way)]
+    path = [target]
+    while path[-1] != source:
+        path.append(int(before[path[-1]]))
+    return [(cell % columns, cell // columns) for cell in reversed(path)]
 
 
-def paint(surface: Layer, score: Layer, way: Floats, width: float) -> None:
+def paint(surface: Layer, score: Layer, path: Floats, width: float) -> None:
     """Make a way certain in both maps, as wide as a road, in place."""
     stroke = np.zeros(surface.shape, np.uint8)
-    fixed = [np.round(way * 16).astype(np.int32)]
+    fixed = [np.round(path * 16).astype(np.int32)]
     cv2.polylines(stroke, fixed, False, 255, max(2, round(width)), cv2.LINE_AA, 4)
     cover = stroke.astype(np.float32) / 255 * _SURE
     np.maximum(surface, cover, out=surface)

@@ -54,12 +54,12 @@ class Bridge:
     cost: float
 
 
-def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
-    """Join dead ends to roads within `reach` pixels where a way costs at most `worst` a pixel.
+def link(graph: Graph, score: Layer, distance: float, worst: float) -> None:
+    """Join dead ends to roads within `distance` pixels where a way costs at most `worst` a pixel.
 
     The cost of a pixel is -ln(score) + 0.05. Cheapest first; what a bridge hits is split. In place.
     """
-    step = max(1.0, reach / _RADIUS)
+    step = max(1.0, distance / _RADIUS)
     size = (max(1, round(score.shape[1] / step)), max(1, round(score.shape[0] / step)))
     coarse = cv2.resize(score, size, interpolation=cv2.INTER_AREA)
     price = np.pad(-np.log(np.clip(coarse, 1e-3, 1)) + _FLOOR, _RADIUS, constant_values=9.0)
@@ -67,7 +67,8 @@ def link(graph: Graph, score: Layer, reach: float, worst: float) -> None:
         owner = _owners(graph, coarse.shape, step)
         ends = dead_ends(graph, score.shape)
         found = (
-            _bridge(graph, end, _faced(end, ends, reach), price, owner, step, worst) for end in ends
+            _bridge(graph, end, _faced(end, ends, distance), price, owner, step, worst)
+            for end in ends
         )
         bridges = [bridge for bridge in found if bridge is not None]
         if not bridges:
@@ -95,13 +96,13 @@ def dead_end(graph: Graph, index: int, side: int) -> DeadEnd:
     return DeadEnd(node, graph.nodes[node], -direction(line, side, 16.0), index, side)
 
 
-def _faced(end: DeadEnd, ends: list[DeadEnd], reach: float) -> list[tuple[Floats, float]]:
+def _faced(end: DeadEnd, ends: list[DeadEnd], distance: float) -> list[tuple[Floats, float]]:
     """Dead ends that this one runs toward and that run toward it, and the share they count."""
     faced = []
     for other in ends:
         step = other.place - end.place
         away = float(np.hypot(*step))
-        if other.node == end.node or not 0 < away <= reach:
+        if other.node == end.node or not 0 < away <= distance:
             continue
         aligned = min(end.ahead @ step, other.ahead @ -step) / away
         if aligned > _FACING:
@@ -170,10 +171,10 @@ def _cell(place: Floats, step: float) -> tuple[int, int]:
 
 def _way(before: NDArray[np.int32], goal: int) -> NDArray[np.intp]:
     """Cells (x, y) of the window from its middle to the goal."""
-    way = [goal]
-    while way[-1] != _CENTER:
-        way.append(int(before[way[-1]]))
-    return np.array([(cell % _SIDE, cell // _SIDE) for cell in reversed(way)])
+    path = [goal]
+    while path[-1] != _CENTER:
+        path.append(int(before[path[-1]]))
+    return np.array([(cell % _SIDE, cell // _SIDE) for cell in reversed(path)])
 
 
 def _shares(
@@ -196,13 +197,13 @@ def _ahead(ahead: Floats) -> NDArray[np.bool_]:
 
 def _near_own(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
     """The line's own pixels near its end: it may meet itself only after a long way round."""
-    own = there == index + 1
-    return np.asarray(own if line.length < 6 * _RADIUS * step else own & _close(own))
+    owned = there == index + 1
+    return np.asarray(owned if line.length < 6 * _RADIUS * step else owned & _close(owned))
 
 
-def _close(own: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _close(owned: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """The connected part of a window's own pixels that holds its middle."""
-    grid = own.reshape(_SIDE, _SIDE).astype(np.uint8)
+    grid = owned.reshape(_SIDE, _SIDE).astype(np.uint8)
     grid[_RADIUS - 1 : _RADIUS + 2, _RADIUS - 1 : _RADIUS + 2] = 1
     _, labels = cv2.connectedComponents(grid, connectivity=8)
     return np.asarray((labels == labels[_RADIUS, _RADIUS]).ravel())

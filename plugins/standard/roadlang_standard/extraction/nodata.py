@@ -33,8 +33,8 @@ def _touching(mask: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """The large parts of a mask that touch the rim, without what is thin."""
     thick = cv2.morphologyEx(mask, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8))
     count, labels, stats, _ = cv2.connectedComponentsWithStats(thick)
-    kept = np.zeros(count, np.uint8)
-    kept[np.unique(_rim(labels))] = 1
-    kept[stats[:, cv2.CC_STAT_AREA] < _LEAST * mask.size] = 0
-    kept[0] = 0
-    return np.asarray(kept[labels], np.uint8)
+    selected = np.zeros(count, np.uint8)
+    selected[np.unique(_rim(labels))] = 1
+    selected[stats[:, cv2.CC_STAT_AREA] < _LEAST * mask.size] = 0
+    selected[0] = 0
+    return np.asarray(selected[labels], np.uint8)

@@ -70,11 +70,11 @@ def drop_unworthy(graph: Graph, score: Layer, least: float, floor: float) -> Non
     of it lies outside.
     """
     shape = (score.shape[0], score.shape[1])
-    kept = set()
+    worthy = set()
     for part in components(graph):
         ends = {node for line in part for node in (line.start, line.end)}
         crossing = sum(at_border(graph.nodes[node], shape, 6.0) for node in ends) > 1
         if sum(worth(x, score, floor) for x in part) >= (0.5 if crossing else 1.0) * least:
-            kept |= {id(line) for line in part}
-    graph.lines = [line for line in graph.lines if id(line) in kept]
+            worthy |= {id(line) for line in part}
+    graph.lines = [line for line in graph.lines if id(line) in worthy]
     graph.drop_lonely()

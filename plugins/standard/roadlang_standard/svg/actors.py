@@ -98,8 +98,8 @@ def _plain(kind: str) -> str:
 
 
 def _color(thing: SceneActor) -> str:
-    given = thing.options.get("color")
-    return given if isinstance(given, str) and _COLOR.match(given) else palette.OBJECT
+    color = thing.options.get("color")
+    return color if isinstance(color, str) and _COLOR.match(color) else palette.OBJECT
 
 
 def _hint(thing: SceneActor) -> str:

@@ -119,8 +119,8 @@ def _stations(
 
 def _heading(scene: Scene, style: Style, x: float, base: float) -> str:
     caption = scene.title or scene.name
-    made = scene.provenance
-    note = f"{scene.name} · scene {scene.index} · seed {made.seed}"
+    provenance = scene.provenance
+    note = f"{scene.name} · scene {scene.index} · seed {provenance.seed}"
     room = int((style.size - 3 * x) / (0.62 * style.font)) - len(note)
     shown = caption if len(caption) <= room else caption[: max(room - 1, 1)].rstrip() + "…"
     size = style.font

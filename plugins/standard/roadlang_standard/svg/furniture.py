@@ -62,19 +62,15 @@ def scale_bar(viewport: Viewport, size: float, right: float, y: float) -> str:
 
 def north_arrow(x: float, y: float, size: float) -> str:
     """A needle with its tip up and an N; (x, y) is its center."""
-    tall, wide = 1.5 * size, 0.62 * size
-    lit = (
-        f"{x:.2f},{y - tall:.2f} {x:.2f},{y + 0.45 * tall:.2f} {x - wide:.2f},{y + 0.8 * tall:.2f}"
-    )
-    dark = (
-        f"{x:.2f},{y - tall:.2f} {x:.2f},{y + 0.45 * tall:.2f} {x + wide:.2f},{y + 0.8 * tall:.2f}"
-    )
+    h, w = 1.5 * size, 0.62 * size
+    lit = f"{x:.2f},{y - h:.2f} {x:.2f},{y + 0.45 * h:.2f} {x - w:.2f},{y + 0.8 * h:.2f}"
+    dark = f"{x:.2f},{y - h:.2f} {x:.2f},{y + 0.45 * h:.2f} {x + w:.2f},{y + 0.8 * h:.2f}"
     line = {"stroke": palette.INK, "stroke_width": 0.9, "stroke_linejoin": "round"}
     return group(
         [
             element("polygon", points=lit, fill="#ffffff", **line),
             element("polygon", points=dark, fill=palette.INK, **line),
-            text("N", x, y - tall - 0.35 * size, text_anchor="middle", font_size=size,
+            text("N", x, y - h - 0.35 * size, text_anchor="middle", font_size=size,
                  font_weight="700", fill=palette.INK),
         ],
         class_="north",
@@ -122,8 +118,8 @@ def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
     furthest = last - 0.6 * spacing if ribbon.closed else last
     for step in range(int(furthest / spacing + 1e-9) + 1):
         s = step * spacing
-        here = ribbon.part(s, min(s + 1e-3, last), by_reference=True)
-        edge, out = here.line(-1.0)[0], -here.left[0]
+        mark = ribbon.part(s, min(s + 1e-3, last), by_reference=True)
+        edge, out = mark.line(-1.0)[0], -mark.left[0]
         near, far = edge + 1.5 * out, edge + 6.0 * out
         spot = edge + (6.0 + 0.9 * size) * out
         yield element("line", x1=float(near[0]), y1=float(near[1]), x2=float(far[0]),

@@ -79,14 +79,14 @@ def _row(
 ) -> Iterator[str]:
     import numpy as np
 
-    tall = _PLOT * size
+    height = _PLOT * size
     values, stations = np.asarray(row.profile.values), np.asarray(row.profile.stations)
     low, high = min(float(values.min()), 0.0), max(float(values.max()), 0.0)
     span = (high - low) or 1.0
     across = left + (right - left) * stations / length
-    down = top + tall * (high - values) / span
-    zero = top + tall * high / span
-    base = top + 0.62 * tall
+    down = top + height * (high - values) / span
+    zero = top + height * high / span
+    base = top + 0.62 * height
     yield text(row.name, x, base - 0.5 * size, font_weight="600")
     yield text(row.note, x, base + 0.6 * size, font_size=0.8 * size, fill=palette.QUIET_INK)
     yield element("line", x1=left, y1=zero, x2=right, y2=zero, stroke=palette.GROUND_EDGE,

@@ -147,9 +147,9 @@ def unfolded(line: Floats, center: Floats) -> list[Floats]:
     forward = (np.diff(line, axis=0) * np.diff(center, axis=0)).sum(axis=1)
     if (forward >= 0).all():
         return [line]
-    own = np.hypot(*(line - center).T)
+    distance = np.hypot(*(line - center).T)
     nearest = np.hypot(*(line[:, None] - center[None]).transpose(2, 0, 1)).min(axis=1)
-    fine = np.concatenate([[False], nearest >= own - 0.35, [False]])
+    fine = np.concatenate([[False], nearest >= distance - 0.35, [False]])
     starts = np.flatnonzero(fine[1:] & ~fine[:-1])
     ends = np.flatnonzero(~fine[1:] & fine[:-1])
     return [line[a:b] for a, b in zip(starts, ends, strict=True) if b - a > 1]

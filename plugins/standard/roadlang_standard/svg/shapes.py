@@ -64,8 +64,8 @@ def tree(size: float, variant: int) -> list[str]:
     crown = []
     for layer, (color, share) in enumerate(layers):
         angle = 2.4 * variant + 2.1 * layer
-        reach = 0.12 * radius * layer
-        center = (reach * math.cos(angle), reach * math.sin(angle))
+        depth = 0.12 * radius * layer
+        center = (depth * math.cos(angle), depth * math.sin(angle))
         outline = {"stroke": palette.TRUNK, "stroke_width": 0.6} if layer == 0 else {}
         d = _scallops(center, radius * share, 9 - 2 * layer, angle)
         crown.append(element("path", d=d, fill=color, **outline))

@@ -33,10 +33,10 @@ def contact_sheet(scenes: Iterable[Scene], size: float) -> str | None:
     rest = sum(1 for _ in stream)
     if len(shown) < 2:
         return None
-    whole = _around(shown)
-    columns = _columns(len(shown), whole)
+    box = _around(shown)
+    columns = _columns(len(shown), box)
     cell = (size - _GAP * (columns + 1)) / columns
-    tall = cell * min(max(whole.height / max(whole.width, 1e-9), 0.35), 1.3)
+    tall = cell * min(max(box.height / max(box.width, 1e-9), 0.35), 1.3)
     font = max(size / 90, 8.0)
     notes = _notes(shown, letters(cell, _SMALL * font))
     head, caption = 3.2 * font, (1.6 + _LINE * max(map(len, notes))) * font
@@ -45,8 +45,8 @@ def contact_sheet(scenes: Iterable[Scene], size: float) -> str | None:
         row, column = divmod(index, columns)
         x = _GAP + column * (cell + _GAP)
         y = head + row * (tall + caption + _GAP)
-        frame = Viewport(whole, x, y, cell, tall)
-        parts.append(_cell(scene, within(whole, frame), f"cell-{index}", font, note))
+        frame = Viewport(box, x, y, cell, tall)
+        parts.append(_cell(scene, within(box, frame), f"cell-{index}", font, note))
     rows = math.ceil(len(shown) / columns)
     height = head + rows * (tall + caption + _GAP)
     return document(parts, size, height, f"{shown[0].title or shown[0].name}: contact sheet")
@@ -95,15 +95,15 @@ def _value(value: object, unit: str) -> str:
 
 
 def _around(scenes: Sequence[Scene]) -> BoundingBox:
-    whole = bounds(scenes[0])
+    box = bounds(scenes[0])
     for scene in scenes[1:]:
-        whole = whole.around(bounds(scene))
-    return whole
+        box = box.around(bounds(scene))
+    return box
 
 
-def _columns(count: int, whole: BoundingBox) -> int:
-    """As many as make the sheet about as wide as tall, for cells of the shape of `whole`."""
-    shape = min(max(whole.height / max(whole.width, 1e-9), 0.35), 1.3)
+def _columns(count: int, box: BoundingBox) -> int:
+    """As many as make the sheet about as wide as tall, for cells of the shape of `box`."""
+    shape = min(max(box.height / max(box.width, 1e-9), 0.35), 1.3)
     return max(1, min(count, round(math.sqrt(count * (shape + 0.15) * 1.3))))
 
 

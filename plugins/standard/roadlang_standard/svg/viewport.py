@@ -77,24 +77,24 @@ def fitted(box: BoundingBox, x: float, y: float, width: float) -> Viewport:
     """A viewport `width` pixels wide on `box` with a margin, widened to a pleasant shape."""
     margin = _MARGIN * max(box.width, box.height, _SMALLEST_SPAN)
     wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
-    tall = max(box.height, _SMALLEST_SPAN / 2) + 2 * margin
-    wide, tall = max(wide, tall / _TALLEST), max(tall, wide / _WIDEST)
-    return _centered(box, wide, tall, Viewport(box, x, y, width, width * tall / wide))
+    height = max(box.height, _SMALLEST_SPAN / 2) + 2 * margin
+    wide, height = max(wide, height / _TALLEST), max(height, wide / _WIDEST)
+    return _centered(box, wide, height, Viewport(box, x, y, width, width * height / wide))
 
 
 def within(box: BoundingBox, frame: Viewport) -> Viewport:
     """A viewport of the size and place of `frame` (its box is ignored) that shows all of `box`."""
     margin = _MARGIN * max(box.width, box.height, _SMALLEST_SPAN)
     wide = max(box.width, _SMALLEST_SPAN) + 2 * margin
-    tall = max(box.height, _SMALLEST_SPAN) + 2 * margin
+    height = max(box.height, _SMALLEST_SPAN) + 2 * margin
     shape = frame.height / frame.width
-    wide, tall = max(wide, tall / shape), max(tall, wide * shape)
-    return _centered(box, wide, tall, frame)
+    wide, height = max(wide, height / shape), max(height, wide * shape)
+    return _centered(box, wide, height, frame)
 
 
-def _centered(box: BoundingBox, wide: float, tall: float, frame: Viewport) -> Viewport:
+def _centered(box: BoundingBox, wide: float, height: float, frame: Viewport) -> Viewport:
     east, north = (box.left + box.right) / 2, (box.bottom + box.top) / 2
-    shown = BoundingBox(east - wide / 2, north - tall / 2, east + wide / 2, north + tall / 2)
+    shown = BoundingBox(east - wide / 2, north - height / 2, east + wide / 2, north + height / 2)
     return Viewport(shown, frame.x, frame.y, frame.width, frame.height)
 
 
@@ -103,10 +103,10 @@ def bounds(scene: Scene) -> BoundingBox:
     boxes = list(_road_boxes(scene)) + list(_actor_boxes(scene))
     if not boxes:
         return BoundingBox(-50.0, -50.0, 50.0, 50.0)
-    whole = boxes[0]
+    union = boxes[0]
     for box in boxes[1:]:
-        whole = whole.around(box)
-    return whole
+        union = union.around(box)
+    return union
 
 
 def _road_boxes(scene: Scene) -> Iterable[BoundingBox]:
@@ -119,5 +119,5 @@ def _road_boxes(scene: Scene) -> Iterable[BoundingBox]:
 
 def _actor_boxes(scene: Scene) -> Iterable[BoundingBox]:
     for actor in (*scene.agents, *scene.objects):
-        reach = math.hypot(actor.length, actor.width) / 2
-        yield BoundingBox(actor.x - reach, actor.y - reach, actor.x + reach, actor.y + reach)
+        radius = math.hypot(actor.length, actor.width) / 2
+        yield BoundingBox(actor.x - radius, actor.y - radius, actor.x + radius, actor.y + radius)

@@ -35,10 +35,10 @@ def violations(scene: Scene, ribbons: Mapping[str, Ribbon]) -> str:
 def _bands(scene: Scene, ribbons: Mapping[str, Ribbon]) -> Iterator[str]:
     for index, verdict in enumerate(broken(scene)):
         color = palette.violation_color(index)
-        for stretch in verdict.violated:
-            for ribbon in _named(stretch.road, ribbons):
-                part = ribbon.part(stretch.start, stretch.end, by_reference=True)
-                hint = f"{verdict.name} violated: {stretch.start:.1f} m to {stretch.end:.1f} m"
+        for segment in verdict.violated:
+            for ribbon in _named(segment.road, ribbons):
+                part = ribbon.part(segment.start, segment.end, by_reference=True)
+                hint = f"{verdict.name} violated: {segment.start:.1f} m to {segment.end:.1f} m"
                 yield element(
                     "path",
                     title(hint),

@@ -36,8 +36,10 @@ def base_of(verb: str) -> type[Kind]:
 
 def implements(kind: type[Kind], method: str) -> bool:
     """Whether a kind implements a method of its base, rather than inheriting it."""
-    own, inherited = getattr(kind, method), getattr(base_of(kind.verb), method)
-    return getattr(own, "__func__", own) is not getattr(inherited, "__func__", inherited)
+    method_of_kind, inherited = getattr(kind, method), getattr(base_of(kind.verb), method)
+    return getattr(method_of_kind, "__func__", method_of_kind) is not getattr(
+        inherited, "__func__", inherited
+    )
 
 
 __all__ = [

@@ -46,8 +46,8 @@ def with_options(checker: Checker, value: Value, options: tuple[tuple[str, Value
         return value
     if isinstance(value, PassCall) and value.verb in ("agent", "object"):
         names = {name for name, _ in options}
-        kept = tuple(given for given in value.options if given[0] not in names)
-        return replace(value, options=(*kept, *options))
+        others = tuple(pair for pair in value.options if pair[0] not in names)
+        return replace(value, options=(*others, *options))
     if isinstance(value, RandomValue):
         inner = tuple(
             (name, with_options(checker, option, options)) for name, option in value.call.options

@@ -172,9 +172,9 @@ def of_kind(
     if verb in ("signal", "drive_signal", "number"):
         return measured(checker, call.span, found, bound, name)
     random = any(typed.random for typed in bound.given.values())
-    own = {option.name for option in found.schema}
-    options = tuple(item for item in bound.values if item[0] in own)
-    common = tuple(item for item in bound.values if item[0] not in own)
+    names = {option.name for option in found.schema}
+    options = tuple(item for item in bound.values if item[0] in names)
+    common = tuple(item for item in bound.values if item[0] not in names)
     value = PassCall(verb, found.entry.qualified, options, name, call.span, common)
     return TypedExpression(call.span, KindCallType(verb), value, random)
 
@@ -205,9 +205,9 @@ def _overloaded(
     for argument in call.arguments:
         checker.infer(argument.value, context)
     takes = " or ".join(f"`{name}({signature(found.schema)})`" for _, found in candidates)
-    given = ", ".join(role or "a value" for role in roles)
+    described = ", ".join(role or "a value" for role in roles)
     return checker.report(
-        Code.UNDEFINED_SIGNAL, call.span, name=name, given=given, help=f"there is {takes}"
+        Code.UNDEFINED_SIGNAL, call.span, name=name, given=described, help=f"there is {takes}"
     )
 
 

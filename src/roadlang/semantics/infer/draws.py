@@ -72,8 +72,8 @@ def _type_of(checker: Checker, found: ResolvedKind, bound: BoundOptions) -> ty.T
     if chosen:
         return _common_type(checker, chosen)
     numbers = [option.type for option in found.schema if isinstance(option.type, QuantityType)]
-    whole = bool(numbers) and all(number.whole for number in numbers)
-    return ty.Quantity(PURE, whole=whole)
+    is_integer = bool(numbers) and all(number.whole for number in numbers)
+    return ty.Quantity(PURE, whole=is_integer)
 
 
 def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Type | None:
@@ -90,9 +90,9 @@ def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Typ
             return None
     if isinstance(first.type, ty.Quantity):
         dimension = common_dimension(checker, parts, "chosen from")
-        whole = all(isinstance(part.type, ty.Quantity) and part.type.whole for part in parts)
+        is_integer = all(isinstance(part.type, ty.Quantity) and part.type.whole for part in parts)
         bare = all(isinstance(part.type, ty.Quantity) and part.type.bare for part in parts)
-        return None if dimension is None else ty.Quantity(dimension, whole=whole, bare=bare)
+        return None if dimension is None else ty.Quantity(dimension, whole=is_integer, bare=bare)
     if isinstance(first.type, ty.StringType):
         texts = [part.type.values for part in parts if isinstance(part.type, ty.StringType)]
         known = [values for values in texts if values is not None]

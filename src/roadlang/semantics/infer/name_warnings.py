@@ -25,16 +25,16 @@ def warn(checker: Checker) -> None:
 
 def _warn_of_replaced_roads(checker: Checker) -> None:
     """Agents and objects on roads that are not built, since another is made from them."""
-    heirs: dict[str, str] = {}
+    derived: dict[str, str] = {}
     for declaration in checker.program.in_role("road"):
         statement = declaration.statement
         if isinstance(statement, ast.Geometry) and isinstance(statement.source, ast.Name):
-            heirs.setdefault(statement.source.text, declaration.name.text)
+            derived.setdefault(statement.source.text, declaration.name.text)
     for declaration in checker.program.in_role("agent", "object"):
         statement = declaration.statement
         on = statement.on if isinstance(statement, ast.Actor) else None
-        if isinstance(on, ast.Name) and on.text in heirs:
-            name, heir = declaration.name.text, heirs[on.text]
+        if isinstance(on, ast.Name) and on.text in derived:
+            name, heir = declaration.name.text, derived[on.text]
             fixes = [Fix(on.span, heir)]
             checker.report(
                 Code.ACTOR_ON_REPLACED_ROAD, on.span, name=name, road=on.text, heir=heir,

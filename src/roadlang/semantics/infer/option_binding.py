@@ -116,16 +116,16 @@ def bound_of(
 ) -> BoundOptions:
     """Options in the order of the schema, with their values, types and draws."""
     ordered = {option.name: given[option.name] for option in schema if option.name in given}
-    alike: list[TypedExpression] = []
+    numbers: list[TypedExpression] = []
     for option in schema:
         if option.name in ordered:
-            alike.extend(_alike(ordered[option.name], option.type))
-    if len(alike) < 1:
+            numbers.extend(_alike(ordered[option.name], option.type))
+    if len(numbers) < 1:
         return BoundOptions(ordered, complete)
-    dimension = common_dimension(checker, alike, "used together")
+    dimension = common_dimension(checker, numbers, "used together")
     if dimension is None:
         return BoundOptions(ordered, False)
-    leader = next((part for part in alike if dimension_of(part) == dimension), alike[0])
+    leader = next((part for part in numbers if dimension_of(part) == dimension), numbers[0])
     return BoundOptions(ordered, complete, leader)
 
 

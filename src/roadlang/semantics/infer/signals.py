@@ -51,14 +51,14 @@ def _dimension(
 ) -> Dimension | None:
     # What the dimension depends on (the p of d_p) has to be the same in every scene.
     constants = {name: constant_of(value) for name, value in bound.values}
-    given = {name: value for name, value in constants.items() if value is not None}
+    known = {name: value for name, value in constants.items() if value is not None}
     for option in found.schema:
         if option.name not in bound.given and not option.required:
-            given.setdefault(option.name, option.default)
+            known.setdefault(option.name, option.default)
     try:
         with attributed():
             assert issubclass(found.kind, Signal)
-            dimension = found.kind.dimension_of(given)
+            dimension = found.kind.dimension_of(known)
             if not isinstance(dimension, Dimension):
                 raise TypeError(f"`dimension_of` gave {dimension!r}, not a Dimension")
     except PluginFault as fault:

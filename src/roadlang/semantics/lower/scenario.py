@@ -58,7 +58,7 @@ def _unnamed(checker: Checker) -> dict[str, Any]:
     """What the statements without a name lower to, by the field of the scenario."""
     fields: dict[str, Any] = {}
     for spec in STATEMENTS.values():
-        found = [one for one in checker.program.unnamed if one.role == spec.word]
+        found = [statement for statement in checker.program.unnamed if statement.role == spec.word]
         if not found:
             continue
         if spec.once:
@@ -66,7 +66,9 @@ def _unnamed(checker: Checker) -> dict[str, Any]:
             fields[spec.scenario_field] = _lower_one(checker, found[0])
         else:
             lowered = [_lower_one(checker, declaration) for declaration in found]
-            fields[spec.scenario_field] = tuple(one for one in lowered if one is not None)
+            fields[spec.scenario_field] = tuple(
+                statement for statement in lowered if statement is not None
+            )
     return fields
 
 

@@ -193,8 +193,8 @@ class _Loader:
             return set()
         params = self.read(Source(str(target), text), target, chain, inner)
         for key in settings:
-            whole = inner.prefix + key.text
-            unsure = self._program.incomplete or whole in self._program.spoiled
+            full_name = inner.prefix + key.text
+            unsure = self._program.incomplete or full_name in self._program.spoiled
             if key.text not in params and not unsure:
                 self._report(
                     Code.UNKNOWN_PARAM,
@@ -203,7 +203,7 @@ class _Loader:
                     name=key.text,
                     where=f"`{statement.path.value}`",
                 )
-                self._program.settings.pop(whole, None)
+                self._program.settings.pop(full_name, None)
         if statement.alias is None:
             return params
         return {f"{statement.alias.text}.{name}" for name in params}
@@ -257,10 +257,10 @@ class _Loader:
                 continue
             keys.append(option.key)
             # The including file is read first: what it sets wins over what its includes set.
-            whole = inner.prefix + option.key.text
-            setting = Setting(whole, option.value, option.value.span)
-            self._program.settings.setdefault(whole, setting)
-            self._spaces.setdefault(whole, space)
+            full_name = inner.prefix + option.key.text
+            setting = Setting(full_name, option.value, option.value.span)
+            self._program.settings.setdefault(full_name, setting)
+            self._spaces.setdefault(full_name, space)
         return keys
 
     def _report(self, code: str, span: Span, **values: object) -> None:

@@ -190,7 +190,7 @@ def _count(
     return None
 
 
-def _in_order(checker: Checker, ends: list[TypedExpression], whole: TypedExpression) -> bool:
+def _in_order(checker: Checker, ends: list[TypedExpression], interval: TypedExpression) -> bool:
     if not all(isinstance(end.type, ty.Quantity) for end in ends):
         return True
     if common_dimension(checker, ends, "the two ends of an interval") is None:
@@ -198,7 +198,7 @@ def _in_order(checker: Checker, ends: list[TypedExpression], whole: TypedExpress
     low, high = ends[0].constant, ends[1].constant
     if low is not None and high is not None and low > high:
         text = f"[{ends[1].span.text}, {ends[0].span.text}]"
-        checker.report(Code.REVERSED_RANGE, whole.span, what="interval", help=f"write `{text}`")
+        checker.report(Code.REVERSED_RANGE, interval.span, what="interval", help=f"write `{text}`")
         return False
     return True
 

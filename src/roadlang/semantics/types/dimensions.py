@@ -33,8 +33,8 @@ def infer_number(checker: Checker, number: ast.NumberLiteral, context: Context) 
     if not number.unit:
         if value in (float("inf"), float("-inf")):
             return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}`")
-        whole = value.is_integer()
-        kind = Quantity(fits_any=value == 0, bare=True, whole=whole)
+        is_integer = value.is_integer()
+        kind = Quantity(fits_any=value == 0, bare=True, whole=is_integer)
         return TypedExpression(number.span, kind, ConstantValue(value), bounds=(value, value))
     unit = _unit(checker, number)
     if unit is None:

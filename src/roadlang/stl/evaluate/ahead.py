@@ -59,5 +59,5 @@ def _shifts(formula: f.Formula) -> set[float]:
     if interval is None:
         return below
     bounds = [bound for bound in (interval.lo, interval.hi) if math.isfinite(bound)]
-    moves = [move for bound in bounds for move in (bound, -bound)]
-    return {round(shift + move, 9) for shift in below for move in (0.0, *moves)}
+    shifts = [move for bound in bounds for move in (bound, -bound)]
+    return {round(shift + move, 9) for shift in below for move in (0.0, *shifts)}

@@ -144,13 +144,15 @@ def _derived(step: ScheduledStep, inputs: list[FloatArray]) -> FloatArray:
             rows = max(values.shape[1] for values in filled)
             return np.concatenate([np.broadcast_to(v, (len(v), rows)) for v in filled])
         case AtUnseen(_, function):
-            value, own = inputs
+            value, window = inputs
             if step.needs[1] is None:
                 return value
             low, high = step.needs[1]
             seen = np.broadcast_to(value, (step.span[1] - step.span[0] + 1, value.shape[1]))
             split = low - step.span[0]
-            joined = function(seen[split:], np.broadcast_to(own, (high - low + 1, own.shape[1])))
+            joined = function(
+                seen[split:], np.broadcast_to(window, (high - low + 1, window.shape[1]))
+            )
             head = np.broadcast_to(seen[:split], (split, joined.shape[1]))
             return np.concatenate([head, joined])
     raise TypeError(f"not an operation: {step.node.operation!r}")

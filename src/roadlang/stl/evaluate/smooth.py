@@ -122,8 +122,12 @@ class _Tape:
                 inputs.append(np.empty(0))
                 continue
             start = need[0] - known.span[0]
-            whole = values[source]
-            inputs.append(whole if whole.size == 1 else whole[start : start + _length(need)])
+            source_values = values[source]
+            inputs.append(
+                source_values
+                if source_values.size == 1
+                else source_values[start : start + _length(need)]
+            )
         match step.node.operation:
             case o.PointwiseOperation(function):
                 return self._pointwise(function, inputs)

@@ -44,8 +44,8 @@ class Affine:
         slopes = dict(self.slopes)
         for name, slope in other.slopes:
             slopes[name] = slopes.get(name, 0.0) + slope
-        kept = tuple(sorted((name, slope) for name, slope in slopes.items() if slope))
-        return Affine(kept, self.offset + other.offset)
+        nonzero = tuple(sorted((name, slope) for name, slope in slopes.items() if slope))
+        return Affine(nonzero, self.offset + other.offset)
 
     def times(self, scale: float) -> Affine:
         """The function multiplied by a number."""

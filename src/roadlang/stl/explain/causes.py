@@ -38,11 +38,13 @@ def violated_stretches(formula: f.Formula, trace: SampledSignals) -> tuple[Viola
     start[0] = True
     finder.spread(plain, start, False)
     found = [
-        stretch
+        interval
         for comparison, mask in finder.guarded.items()
-        for stretch in _stretches(comparison, mask, trace)
+        for interval in _stretches(comparison, mask, trace)
     ]
-    return tuple(sorted(found, key=lambda stretch: (stretch.start, stretch.end, stretch.predicate)))
+    return tuple(
+        sorted(found, key=lambda interval: (interval.start, interval.end, interval.predicate))
+    )
 
 
 class _Blame:
@@ -53,28 +55,28 @@ class _Blame:
         self.axis = SamplePositions(trace.positions, trace.wrap)
         self.guarded: dict[f.Comparison, Mask] = {}
 
-    def spread(self, formula: f.Formula, asked: Mask, holding: bool) -> None:
-        """Blame the parts of `formula` for being false (true, if `holding`) at samples `asked`."""
+    def spread(self, formula: f.Formula, samples: Mask, holding: bool) -> None:
+        """Blame the parts of `formula` for being false (true, if `holding`) at `samples`."""
         truth = everywhere(formula, self.trace, BOOLEAN)[0] > 0
-        asked = asked & (truth == holding)
-        if not asked.any():
+        samples = samples & (truth == holding)
+        if not samples.any():
             return
         match formula:
             case f.Comparison():
                 blamed = normal_form(formula, negated=True) if holding else formula
                 assert isinstance(blamed, f.Comparison)
-                self.guarded[blamed] = self.guarded.get(blamed, False) | asked
+                self.guarded[blamed] = self.guarded.get(blamed, False) | samples
             case f.Not(operand):
-                self.spread(operand, asked, not holding)
+                self.spread(operand, samples, not holding)
             case f.BinaryTemporal(interval, left, right):
-                self.spread(left, self._reached(formula, interval, asked, path=True), holding)
-                self.spread(right, self._reached(formula, interval, asked, path=False), holding)
+                self.spread(left, self._reached(formula, interval, samples, path=True), holding)
+                self.spread(right, self._reached(formula, interval, samples, path=False), holding)
             case f.UnaryTemporal():
-                reached = self._reached(formula, formula.interval, asked, path=False)
+                reached = self._reached(formula, formula.interval, samples, path=False)
                 self.spread(formula.operand, reached, holding)
             case _:
                 for part in formula.parts:
-                    self.spread(part, asked, holding)
+                    self.spread(part, samples, holding)
 
     def _reached(
         self,
@@ -106,12 +108,12 @@ def _stretches(
     margins: FloatArray = everywhere(comparison, trace)[0]
     edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(np.int8)))
     found = []
-    for first, behind in zip(edges[::2], edges[1::2], strict=True):
-        worst = int(first + np.argmin(margins[first:behind]))
+    for first, last in zip(edges[::2], edges[1::2], strict=True):
+        worst = int(first + np.argmin(margins[first:last]))
         found.append(
             ViolationInterval(
                 start=float(trace.positions[first]),
-                end=float(trace.positions[behind - 1]),
+                end=float(trace.positions[last - 1]),
                 predicate=str(comparison),
                 signals=tuple(sorted(comparison.left.variables | comparison.right.variables)),
                 worst=float(margins[worst]),

@@ -55,23 +55,23 @@ class Explanation:
     def lines(self) -> list[str]:
         """The explanation in words, one finding a line."""
         lo, hi = self.range
-        told = [f"{self.verdict}: robustness {self.rho:.6g}, range [{lo:.6g}, {hi:.6g}]"]
+        lines = [f"{self.verdict}: robustness {self.rho:.6g}, range [{lo:.6g}, {hi:.6g}]"]
         if self.window_empty:
-            told.append(
+            lines.append(
                 f"decided at {self.position:g}: no sample in the window of {self.predicate}"
             )
         else:
             values = ", ".join(f"{name} = {value:.6g}" for name, value in self.values.items())
-            told.append(
+            lines.append(
                 f"decided at {self.position:g}: {self.predicate}"
                 + f", where {values}" * bool(values)
             )
-        for stretch in self.stretches:
-            told.append(
-                f"from {stretch.start:g} to {stretch.end:g} not {stretch.predicate}, "
-                f"worst {stretch.worst:.6g} at {stretch.worst_position:g}"
+        for interval in self.stretches:
+            lines.append(
+                f"from {interval.start:g} to {interval.end:g} not {interval.predicate}, "
+                f"worst {interval.worst:.6g} at {interval.worst_position:g}"
             )
-        return told
+        return lines
 
 
 def explain(
@@ -198,14 +198,14 @@ class _Finder:
             return None
         held = windows.samples(0)
         left, right = self.values(formula.left), self.values(formula.right)
-        way = windows.before(0, held.size)
-        lead = way.size - held.size
-        reached = np.minimum.accumulate(np.append(np.inf, left[way]))[lead : lead + held.size]
+        path = windows.before(0, held.size)
+        lead = path.size - held.size
+        reached = np.minimum.accumulate(np.append(np.inf, left[path]))[lead : lead + held.size]
         best = int(np.argmax(np.minimum(right[held], reached)))
         if right[held[best]] <= reached[best]:
             return formula.right, int(held[best])
-        way = way[: lead + best]
-        return formula.left, int(way[np.argmin(left[way])])
+        path = path[: lead + best]
+        return formula.left, int(path[np.argmin(left[path])])
 
 
 def _finite(value: Any) -> Any:

@@ -115,7 +115,7 @@ def _robustness_panel(formula: f.Formula, trace: SampledSignals, why: Explanatio
     title = f"robustness of {_shortened(str(shown))}" if ahead else "robustness"
     panel = _Panel(title, _INK, trace.positions, everywhere(shown, trace)[0])
     panel.levels = {0.0: ""}
-    panel.shaded = [(stretch.start, stretch.end) for stretch in why.stretches]
+    panel.shaded = [(interval.start, interval.end) for interval in why.stretches]
     return panel
 
 
@@ -126,7 +126,7 @@ def _signal_panel(
     panel = _Panel(name, _COLORS[index % len(_COLORS)], trace.positions, values)
     panel.levels = dict(_thresholds(formula, name))
     panel.shaded = [
-        (stretch.start, stretch.end) for stretch in why.stretches if name in stretch.signals
+        (interval.start, interval.end) for interval in why.stretches if name in interval.signals
     ]
     if name in why.values:
         panel.dot = (why.position, why.values[name])
@@ -196,11 +196,11 @@ def _runs(x: FloatArray, y: FloatArray) -> Iterator[Sequence[tuple[float, float]
     """The finite pieces of a curve; of long ones, the lowest and highest sample of each group."""
     finite = np.isfinite(y)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], finite, [False]]).astype(np.int8)))
-    for first, behind in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        group = -(-(behind - first) // (_MOST_POINTS // 2))
-        chosen: set[int] = {first, behind - 1}
-        for start in range(first, behind, group):
-            part = y[start : min(start + group, behind)]
+    for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        group = -(-(last - first) // (_MOST_POINTS // 2))
+        chosen: set[int] = {first, last - 1}
+        for start in range(first, last, group):
+            part = y[start : min(start + group, last)]
             chosen |= {start + int(part.argmin()), start + int(part.argmax())}
         yield [(float(x[k]), float(y[k])) for k in sorted(chosen)]
 

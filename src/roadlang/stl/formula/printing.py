@@ -52,8 +52,8 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
         case f.Connective(left, right):
             operator = formula.notation
             before = _side(left, operator.operand_level)
-            behind = _formula(right, operator.operand_level)
-            return f"{before} {operator.word} {behind}", operator.level
+            right_text = _formula(right, operator.operand_level)
+            return f"{before} {operator.word} {right_text}", operator.level
     raise TypeError(f"not a formula: {formula!r}")
 
 

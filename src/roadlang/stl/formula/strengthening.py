@@ -46,13 +46,13 @@ def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.Junction]) -> 
             added = _covering(shared, part.past, interval)
             return type(part)(part.interval, _joined(kind, part.operand, added))
         case f.BinaryTemporal() if kind.least:
-            reach = Interval(0.0, (part.interval or UNBOUNDED).hi)
-            added = _covering(shared, part.past, reach)
+            until_end = Interval(0.0, (part.interval or UNBOUNDED).hi)
+            added = _covering(shared, part.past, until_end)
             left, right = (_joined(kind, side, added) for side in (part.left, part.right))
             return type(part)(part.interval, left, right)
         case _ if not part.temporal:
-            here = Interval(0.0, 0.0)
-            added = [*_covering(shared, False, here), *_covering(shared, True, here)]
+            now = Interval(0.0, 0.0)
+            added = [*_covering(shared, False, now), *_covering(shared, True, now)]
             return _joined(kind, part, added)
     return part
 

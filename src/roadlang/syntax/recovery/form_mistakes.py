@@ -62,11 +62,11 @@ def _opener(place: ErrorPosition, closer: int, opens: str, closes: str) -> int |
 
 def list_operand(place: ErrorPosition) -> Mistake | None:
     """A list next to an operator, or where an operand is expected."""
-    behind = place.kind(-1) == "RSQB" and place.kind() in (
+    after_list = place.kind(-1) == "RSQB" and place.kind() in (
         "PLUS", "MINUS", "TIMES", "DIVIDE", "COMPARISON", "RANGE", "POWER", "AND", "OR",
     )  # fmt: skip
     before = place.kind() == "LSQB" and place.wants_value
-    if not behind and not before:
+    if not after_list and not before:
         return None
     return Mistake(diagnose(Code.LIST_AS_OPERAND, place.span()))
 
@@ -107,10 +107,11 @@ def missing_position(place: ErrorPosition) -> Mistake | None:
         name=name[1],
         help=f"write {example} before the block",
     )
-    here = place.token()[2]
-    zero = ("NUMBER", "0", here, here)
+    start = place.token()[2]
+    zero = ("NUMBER", "0", start, start)
     point = (
-        ("LPAR", "(", here, here), zero, ("COMMA", ",", here, here), zero, ("RPAR", ")", here, here)
+        ("LPAR", "(", start, start), zero, ("COMMA", ",", start, start), zero,
+        ("RPAR", ")", start, start),
     )  # fmt: skip
-    tokens = (("AT", "at", here, here), *((zero,) if on_road else point))
+    tokens = (("AT", "at", start, start), *((zero,) if on_road else point))
     return Mistake(found, Edit(place.index, place.index, tokens))
