@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction.colors import bgr
 from roadlang_standard.extraction.legend import read_colors, read_text
 
 TOWN = ("..###..", "..#.T#.", ".##..#.", "..####.")
@@ -40,3 +41,22 @@ def test_a_drawn_town_has_roads_and_things_of_its_colors() -> None:
         ("building", 24.5, 7.5, 10, 6),
         ("building", 62.5, 47.5, 6, 6),
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "color"),
+    [
+        ("#2e7d32", (0x32, 0x7D, 0x2E)),
+        ("#f80", (0x00, 0x88, 0xFF)),
+        ("White", (255, 255, 255)),
+        (" navy ", (128, 0, 0)),
+    ],
+)
+def test_a_color_is_blue_green_and_red(name: str, color: tuple[int, int, int]) -> None:
+    assert bgr(name) == color
+
+
+@pytest.mark.parametrize("name", ["mauve", "2e7d32", "#12345", "#"])
+def test_what_is_no_color_is_refused(name: str) -> None:
+    with pytest.raises(ValueError, match="is no color"):
+        bgr(name)

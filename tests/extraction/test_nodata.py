@@ -28,7 +28,9 @@ def test_the_corners_of_a_turned_photo_are_margins(margin: int) -> None:
     image, matrix = turned(scene, margin)
     inside = cv2.warpAffine(np.ones((256, 256), np.uint8), matrix, (256, 256)) > 0
     assert nodata(scene) is None
-    assert (nodata(image) != inside).mean() > 0.98
+    found = nodata(image)
+    assert found is not None
+    assert (found != inside).mean() > 0.98
     assert picture_kind(image).name == PHOTO
 
 
@@ -62,3 +64,11 @@ def test_a_dim_or_soft_photo_stays_a_photo(gain: float) -> None:
     soft = cv2.resize(scene, None, fx=3, fy=3, interpolation=cv2.INTER_CUBIC)
     dim = np.clip((soft.astype(float) - 128) * gain + 128, 0, 255).astype(np.uint8)
     assert picture_kind(dim).name == PHOTO
+
+
+@pytest.mark.parametrize(("side", "is_margin"), [(10, False), (40, True)])
+def test_a_dark_corner_is_a_margin_only_where_it_is_large(side: int, is_margin: bool) -> None:
+    """A thousandth of the picture may be a shadow; a fortieth is a cut-off corner."""
+    image = np.full((256, 256, 3), 120, np.uint8)
+    image[:side, :side] = 0
+    assert (nodata(image) is not None) == is_margin
