@@ -36,3 +36,13 @@ def test_every_line_can_be_shown(text: str) -> None:
     source = Source("x", text)
     for number in range(1, source.line_count + 1):
         assert "\n" not in source.line(number)
+
+
+def test_a_part_of_a_source_has_the_places_of_the_whole() -> None:
+    source = Source("a.yaml", "reach: 12m\nturns: \t3 # three\n")
+    start = source.text.index("3")
+    part = source.part(start, start + 1)
+    assert part.text.strip() == "3"
+    span = part.span(start, start + 1)
+    assert (span.line, span.column, span.text) == (2, 9, "3")
+    assert part.line(2) == "turns: \t3 # three"

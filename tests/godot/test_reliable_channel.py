@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 import random
+import struct
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang_godot.channel import FIRST_RESEND, Channel
+from roadlang_godot.channel import FIRST_RESEND, LAST_RESEND, Channel
 
 STEP = 0.005
 
@@ -83,3 +86,24 @@ def test_a_false_acknowledgement_harms_nothing(payload: bytes) -> None:
     sender.due(0.0)
     sender.acknowledged(payload)
     assert sender.overdue(9.0, 5.0) or sender.idle
+
+
+def test_what_is_not_acknowledged_is_sent_again_after_longer_and_longer_waits() -> None:
+    sender = Channel()
+    sender.offer(17, b"hello")
+    times = [round(now * STEP, 3) for now in range(200) if sender.due(now * STEP)]
+    waits = [round(later - now, 3) for now, later in itertools.pairwise(times)]
+    expected = [FIRST_RESEND, 2 * FIRST_RESEND, LAST_RESEND, LAST_RESEND]
+    assert waits[:4] == pytest.approx(expected, abs=1.5 * STEP)
+
+
+def test_a_message_that_later_ones_have_overtaken_is_sent_again_at_once() -> None:
+    sender = Channel()
+    for number in range(6):
+        sender.offer(17, bytes([number]))
+    assert len(sender.due(0.0)) == 6
+    for upto in range(2, 6):
+        sender.acknowledged(struct.pack("<IQ", 0, 1 << upto - 1))  # all but the first
+    assert [seq for _, seq, _ in sender.due(0.001)] == [1]
+    sender.acknowledged(struct.pack("<IQ", 6, 0))
+    assert sender.idle

@@ -10,9 +10,12 @@ import pytest
 
 from roadlang import testing
 from roadlang.cli.main import run
+from roadlang_godot.drives import plain_name
+from roadlang_godot.frame import frame_around
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import MARGIN, Shot, meters_a_pixel
+from roadlang_godot.sky import world_settings
 from roadlang_godot.traces import contact_events
 from tests.godot.godot_scenes import pieces, road, scene, straight
 
@@ -68,3 +71,24 @@ def test_a_line_goes_through_its_samples_and_bends_between_them() -> None:
     left, right = line.edges(s)
     np.testing.assert_allclose(np.hypot(left[:, 0], left[:, 1] - 30.0), 26.5, atol=0.02)
     np.testing.assert_allclose(np.hypot(right[:, 0], right[:, 1] - 30.0), 33.5, atol=0.02)
+
+
+def test_the_origin_is_in_the_middle_and_the_extent_reaches_the_farthest_point() -> None:
+    frame, extent = frame_around(np.array([[0.0, 0.0], [100.0, 10.0], [30.0, -50.0]]))
+    assert (frame.x, frame.y) == (50.0, -20.0)
+    assert extent == 50.0
+    np.testing.assert_allclose(frame.ground(np.array([[60.0, -10.0]]), 2.0), [[10.0, 2.0, -10.0]])
+
+
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    [("pure_pursuit", "pure_pursuit"), ("roadlang.brake", "brake"), ("standard.brake", "brake"),
+     ("acme.brake", "acme.brake")],
+)  # fmt: skip
+def test_a_kind_of_a_stranger_keeps_its_plugin(kind: str, name: str) -> None:
+    assert plain_name(kind) == name
+
+
+def test_rain_brings_clouds_and_takes_none_away() -> None:
+    assert world_settings({"weather": "overcast", "rain": 0.1e-3 / 3600})["cloud"] == 1.0
+    assert world_settings({"weather": "clear", "rain": 10e-3 / 3600})["cloud"] == pytest.approx(0.9)

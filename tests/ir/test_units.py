@@ -86,3 +86,8 @@ def test_every_unit_is_itself() -> None:
 )
 def test_a_dimension_has_a_unit_and_a_name(dimension: Dimension, unit: str, name: str) -> None:
     assert (dimension.unit, str(dimension)) == (unit, name)
+
+
+@pytest.mark.parametrize(("text", "factor"), [("cm^2", 1e-4), ("km^2", 1e6), ("m/min^2", 1 / 3600)])
+def test_a_power_of_a_unit_is_that_of_its_factor(text: str, factor: float) -> None:
+    assert parse_unit(text).factor == pytest.approx(factor, rel=1e-12)

@@ -198,3 +198,10 @@ def test_draws_of_copies_are_no_dimension_of_a_grid(sample: Sample) -> None:
     scenes = sample(text + drawn + grid, None).scenes
     assert len(scenes) == 4
     assert len({scene.objects[0].start for scene in scenes}) == 4
+
+
+def test_the_table_has_what_rejects_most_first(sample: Sample) -> None:
+    text = BENT + "require near: always (deviation(bent, main) < 2m)\n"
+    rejected = [row.rejected for row in sample(text, 12).table]
+    assert rejected == sorted(rejected, reverse=True)
+    assert rejected[0] > rejected[-1]

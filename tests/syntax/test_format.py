@@ -174,3 +174,8 @@ def test_a_part_of_a_broken_line_has_a_hundred_columns_as_well(columns: int, lin
     written = formatted(f"require a: {'p' * 60} < 3 and f({name}, y)\n")
     assert len(written.splitlines()) == 1 + lines, written
     assert max(map(len, written.splitlines())) <= 101
+
+
+def test_a_number_and_its_power_are_kept_apart() -> None:
+    """`2m^2` is one number, two square meters; `a^2` is no unit."""
+    assert formatted("let a = 2m ^ 2\nlet b = a ^ 2\n") == "let a = 2m ^ 2\nlet b = a^2\n"
