@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from roadlang.geometry import Floats
+from roadlang.geometry import Floats, triangulated
 
 from .frame import SceneOrigin
 from .line import RoadSamples
@@ -19,6 +22,7 @@ MARGIN = 1.5
 LONGEST_SHARE = 0.45
 """Of a road's length, at each of its ends."""
 _CORNER_STEPS = 6
+_MOST_POINTS = 400
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +77,18 @@ def cuts(arms: list[Arm]) -> list[float]:
     return [min(cut, most, 40.0) for cut, most in zip(out, longest, strict=True)]
 
 
+def area_patch(
+    ring: Sequence[tuple[float, float]], id: int, frame: SceneOrigin, label: str
+) -> ScenePart:
+    """The paved area of a junction of the scene, a ring counter-clockwise."""
+    points = np.array(ring)
+    if len(points) > _MOST_POINTS:
+        points = points[:: -(-len(points) // _MOST_POINTS)]
+    corners = frame.ground(points)
+    # Clockwise seen from above, which is the front in the engine.
+    return _patch(corners, triangulated(points)[:, ::-1], id, label)
+
+
 def patch(arms: list[Arm], cut: list[float], id: int, frame: SceneOrigin, label: str) -> ScenePart:
     """The paved area between the cut ends of arms in order, with rounded corners."""
     outline: list[Floats] = []
@@ -89,6 +105,10 @@ def patch(arms: list[Arm], cut: list[float], id: int, frame: SceneOrigin, label:
     spokes = np.arange(count)
     # Clockwise seen from above, which is the front in the engine.
     triangles = np.stack([np.zeros(count, int), (spokes + 1) % count + 1, spokes + 1], axis=-1)
+    return _patch(corners, triangles, id, label)
+
+
+def _patch(corners: Any, triangles: NDArray[np.int64], id: int, label: str) -> ScenePart:
     head = struct.pack("<HH", len(corners), len(triangles))
     body = head + corners.tobytes() + triangles.astype("<u2").tobytes()
     content = corners.tobytes() + triangles.astype("<i4").tobytes()

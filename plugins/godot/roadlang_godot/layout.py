@@ -14,7 +14,7 @@ from .conditions import engine_condition
 from .drives import IN_ENGINE, option_values, plain_name
 from .faults import fault
 from .frame import SceneOrigin, frame_around
-from .junctions import Arm, cuts, order, patch
+from .junctions import Arm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
 from .placed import Placed, agent_thing, object_things, path_things, world_thing
@@ -118,10 +118,17 @@ def _meshes(
     scene: Scene, lines: Mapping[str, RoadSamples], built: Iterable[str], frame: SceneOrigin
 ) -> list[ScenePart]:
     built = list(built)
-    trims = {name: [float(lines[name].s[0]), float(lines[name].s[-1])] for name in built}
+    reach = {road.name: road.trim for road in scene.roads}
+    trims = {
+        name: [float(lines[name].s[0]) + reach[name][0], float(lines[name].s[-1]) - reach[name][1]]
+        for name in built
+    }
     things: list[ScenePart] = []
     for network in scene.networks:
-        for node in network.nodes:
+        if network.junctions:
+            things += _areas(network, trims, len(things) + 1, frame)
+            continue
+        for node in network.nodes:  # of a scene of an earlier version
             arms = order(_arms(np.array([node.x, node.y]), node.roads, trims, lines))
             if len(arms) < 2:
                 continue
@@ -138,6 +145,21 @@ def _meshes(
             things += pieces
             first += len(pieces)
     return things
+
+
+def _areas(
+    network: SceneNetwork, built: Mapping[str, Any], first: int, frame: SceneOrigin
+) -> list[ScenePart]:
+    """The junctions all of whose roads are built."""
+    places = [
+        junction
+        for junction in network.junctions
+        if all(arm.road in built for arm in junction.arms)
+    ]
+    return [
+        area_patch(place.area, id, frame, f"junction {place.id} of {network.name}")
+        for id, place in enumerate(places, start=first)
+    ]
 
 
 def _arms(

@@ -13,7 +13,7 @@ Nothing is imported until a name is used.
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
 - junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`,
-  `minor_roads`
+  `minor_roads`; triangles of their areas: `triangulated`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from .segments import Clothoid as Clothoid
     from .segments import Straight as Straight
     from .segments import chain as chain
+    from .triangulation import triangulated as triangulated
     from .waypoint_curve import through_waypoints as through_waypoints
     from .width import WidthProfile as WidthProfile
     from .window import ease as ease
@@ -111,6 +112,7 @@ _HOMES = {
     "over": "window",
     "fade": "window",
     "ease": "window",
+    "triangulated": "triangulation",
     "WidthProfile": "width",
     "OffsetProfile": "profile",
     "Lane": "lane",
