@@ -17,7 +17,8 @@ from roadlang.evaluate.candidates import fixed_candidate
 from roadlang.evaluate.draw_record import DrawRecord
 from roadlang.evaluate.evaluation import build
 from roadlang.evaluate.kind_instance import KindInstance
-from roadlang.ir.values import ConstantValue, PassCall
+from roadlang.ir.read_only import FrozenDict
+from roadlang.ir.values import ConstantValue, Options, PassCall
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
 from roadlang.search.accepted import Accepted
@@ -115,7 +116,7 @@ def guided(acceptance: Acceptance, number: int) -> tuple[float, float, int]:
 
 
 def _sampler(acceptance: Acceptance, kind: str) -> KindInstance:
-    attempts = (("attempts", ConstantValue(1e6)),)
+    attempts: Options = FrozenDict({"attempts": ConstantValue(1e6)})
     call = PassCall("sample", f"standard.{kind}", attempts, "sample")
     return build(call, fixed_candidate(acceptance.scenario), single=True)
 

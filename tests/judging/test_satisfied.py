@@ -17,9 +17,10 @@ import pytest
 from roadlang import stl, testing
 from roadlang.api import DriveSignal, Monitor, RoadOrNetwork, Signal, Trace
 from roadlang.ir.dimension import PURE
+from roadlang.ir.read_only import FrozenDict
 from roadlang.ir.scenario import Scenario, ScenarioConstraint
 from roadlang.ir.scene import Scene
-from roadlang.ir.values import Condition, Entity, PassCall, SignalBinding
+from roadlang.ir.values import NO_OPTIONS, Condition, Entity, PassCall, SignalBinding
 from roadlang.judging.drives import judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.scenes.sampling import sample_scenes
@@ -126,7 +127,9 @@ def of_road(formula: stl.Formula) -> Condition:
     """The formula over arc length."""
 
     def call(name: str) -> PassCall:
-        return PassCall("signal", f"acme.{name}", (("road", Entity("main", "road")),), name)
+        return PassCall(
+            "signal", f"acme.{name}", FrozenDict({"road": Entity("main", "road")}), name
+        )
 
     signals = [SignalBinding(name, call(name), PURE) for name in NAMES]
     return Condition(str(formula), formula, "road", tuple(signals))
@@ -136,7 +139,7 @@ def of_drive(formula: stl.Formula) -> Condition:
     """The formula over time."""
 
     def call(name: str) -> PassCall:
-        return PassCall("drive_signal", f"acme.{name}t", (), name)
+        return PassCall("drive_signal", f"acme.{name}t", NO_OPTIONS, name)
 
     signals = [SignalBinding(name, call(name), PURE) for name in NAMES]
     return Condition(str(formula), formula, "drive", tuple(signals))
@@ -205,7 +208,7 @@ def test_the_formulas_are_drawn_at_the_edges() -> None:
 )
 def test_a_robustness_of_zero_satisfies_a_monitor(rho: float, holds: bool) -> None:
     VALUES["x"] = [rho]
-    over_road = PassCall("monitor", "acme.settled", (), "m")
-    scene = scene_with(over_road, PassCall("monitor", "acme.driven", (), "m"))
+    over_road = PassCall("monitor", "acme.settled", NO_OPTIONS, "m")
+    scene = scene_with(over_road, PassCall("monitor", "acme.driven", NO_OPTIONS, "m"))
     assert is_accepted(over_road) is holds
     assert [v.satisfied for v in judge(scene, drive_of(), REGISTRY).verdicts] == [holds, holds]

@@ -38,7 +38,7 @@ def test_a_draw_is_keyed_by_its_place() -> None:
     assert amplitude.place == "bent/perturb 1/amplitude"
     assert amplitude.per == "scene"
     assert amplitude.call.kind == "standard.uniform"
-    assert [value.value for _, value in amplitude.call.options] == [0.0, 8.0]  # type: ignore[union-attr]
+    assert [value.value for value in amplitude.call.options.values()] == [0.0, 8.0]  # type: ignore[union-attr]
 
 
 def test_two_draws_in_one_option_have_places_of_their_own() -> None:

@@ -21,12 +21,12 @@ def call_of(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Cal
     options = {
         option.name: concrete(option.default) for option in schema_of(kind) if not option.required
     }
-    for name, value in (*call.options, *call.common):
+    for name, value in (*call.options.items(), *call.common.items()):
         if not isinstance(value, Condition):
             options[name] = concrete(evaluate(value, candidates, element), candidates, element)
     conditions = {
         name: condition_json(value, candidates, element)
-        for name, value in (*call.options, *call.common)
+        for name, value in (*call.options.items(), *call.common.items())
         if isinstance(value, Condition)
     }
     return Call(entry.recorded, options, conditions.get("when"), conditions.get("while"))
@@ -44,7 +44,7 @@ def condition_json(
                 "kind": candidates.scenario.kind(binding.call)[0].recorded,
                 "options": {
                     name: concrete(evaluate(value, candidates, element), candidates, element)
-                    for name, value in binding.call.options
+                    for name, value in binding.call.options.items()
                 },
             }
             for binding in condition.signals
@@ -74,7 +74,7 @@ def concrete(value: Any, candidates: CandidateBatch | None = None, element: int 
     if isinstance(value, PassCall):
         assert candidates is not None
         call = call_of(value, candidates, element)
-        return {"kind": call.kind, "options": dict(call.options)}
+        return {"kind": call.kind, "options": call.options}
     value = scalar(value)
     if isinstance(value, float) and math.isinf(value):
         return "inf" if value > 0 else "-inf"

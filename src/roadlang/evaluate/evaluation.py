@@ -71,7 +71,7 @@ def evaluate(value: Value, candidates: CandidateBatch, element: int = 0) -> Any:
     if isinstance(value, Items):
         return tuple(evaluate(item, candidates, element) for item in value.items)
     if isinstance(value, Entries):
-        return {key: evaluate(item, candidates, element) for key, item in value.entries}
+        return {key: evaluate(item, candidates, element) for key, item in value.entries.items()}
     assert isinstance(value, Entity | PassCall | Condition)
     return value
 
@@ -157,7 +157,7 @@ def build(
     that is out of bounds.
     """
     entry, kind = candidates.scenario.kind(call)
-    written = dict(call.options)
+    written = call.options
     fields: dict[str, Any] = {}
     for option in schema_of(kind):
         if option.name in written:

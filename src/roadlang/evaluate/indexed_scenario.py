@@ -158,8 +158,8 @@ class IndexedScenario:
         if any(self.kind(call)[1].is_random for call in shaping):
             return True
         across = ("width", *LANE_OPTIONS)
-        options = [value for name, value in thing.options if name not in across]
-        if dict(thing.options).get("select") == TextValue("any"):
+        options = [value for name, value in thing.options.items() if name not in across]
+        if thing.options.get("select") == TextValue("any"):
             return True
         if isinstance(thing, ScenarioNetwork):
             options += self._lane_options(thing)
@@ -168,8 +168,8 @@ class IndexedScenario:
     def _lane_options(self, network: ScenarioNetwork) -> list[Value]:
         """What says which lanes a network has, or one made from it: its junctions depend on it."""
         shaping = [name for name in LANE_OPTIONS if name != "speed_limit"]
-        found = [value for name, value in self.source.world if name == "traffic"]
+        found = [value for name, value in self.source.world.items() if name == "traffic"]
         for other in self.networks.values():
             if network in self.chain(other):
-                found += [value for name, value in other.options if name in shaping]
+                found += [value for name, value in other.options.items() if name in shaping]
         return found

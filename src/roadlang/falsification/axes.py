@@ -44,7 +44,9 @@ def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
 
 def _axis(name: str, draw: RandomValue | None, scenario: IndexedScenario) -> Axis:
     """An axis of a random number: one that a pass draws for itself is continuous."""
-    if draw is None or scenario.dependencies.draws(*(value for _, value in draw.call.options)):
+    if draw is None or scenario.dependencies.draws(
+        *(value for value in draw.call.options.values())
+    ):
         return Axis(name)
     built = build(draw.call, fixed_candidate(scenario), single=True)
     with built.guarded:

@@ -52,7 +52,7 @@ def _settings(scenario: IndexedScenario) -> dict[str, Any]:
     """The options of the statement, defaults included."""
     found = {option.name: option.default for option in schema_of(FalsifyOptions)}
     call: PassCall | None = scenario.source.falsify
-    for name, value in call.common if call is not None else ():
+    for name, value in call.common.items() if call is not None else ():
         found[name] = scalar(evaluate(value, fixed_candidate(scenario)))
     for name in ("evaluations", "batch", "islands", "failures"):
         found[name] = None if found[name] is None else round(found[name])

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, get_args
 
 from . import scenario, values
+from .read_only import FrozenDict
 from .values import Value
 
 _VALUES = get_args(Value)
@@ -39,8 +40,8 @@ def _field_names(kind: Any) -> tuple[str, ...]:
 def _values(member: Any) -> Iterator[Value]:
     if isinstance(member, _VALUES):
         yield member
-    elif isinstance(member, tuple):
-        for item in member:
+    elif isinstance(member, tuple | FrozenDict):
+        for item in member if isinstance(member, tuple) else member.values():
             yield from _values(item)
     elif type(member) is nodes().get(type(member).__name__):
         yield from values_in(member)

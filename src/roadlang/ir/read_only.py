@@ -15,9 +15,13 @@ def _refuse(self: object, *arguments: object, **named: object) -> NoReturn:
 
 
 class FrozenDict(dict[K, V]):
-    """A `dict` that cannot be changed; `dict(it)` is a copy that can. It pickles and encodes."""
+    """A `dict` that cannot be changed; `dict(it)` is a copy that can. It pickles and encodes, and
+    may be a key where its values may."""
 
     __slots__ = ()
+
+    def __hash__(self) -> int:  # type: ignore[override]  # a dict has none, as it may change
+        return hash(frozenset(self.items()))
 
     __setitem__ = __delitem__ = _refuse
     __ior__ = _refuse

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..diagnostics import Span
 from .dimension import Dimension
-from .values import Condition, PassCall, Value
+from .values import NO_OPTIONS, Condition, Options, PassCall, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
 
@@ -82,7 +82,7 @@ class ScenarioImage:
 
     name: str
     source: Source
-    options: tuple[tuple[str, Value], ...] = ()
+    options: Options = NO_OPTIONS
     passes: tuple[PassCall, ...] = ()
     span: Span | None = None
 
@@ -94,7 +94,7 @@ class ScenarioNetwork:
 
     name: str
     source: Source
-    options: tuple[tuple[str, Value], ...] = ()
+    options: Options = NO_OPTIONS
     passes: tuple[PassCall, ...] = ()
     span: Span | None = None
 
@@ -106,7 +106,7 @@ class ScenarioRoad:
 
     name: str
     source: Source | None
-    options: tuple[tuple[str, Value], ...] = ()
+    options: Options = NO_OPTIONS
     passes: tuple[PassCall, ...] = ()
     span: Span | None = None
 
@@ -145,7 +145,7 @@ class ScenarioActor:
     on: str | None
     at: Value
     at_fraction: bool = False
-    options: tuple[tuple[str, Value], ...] = ()
+    options: Options = NO_OPTIONS
     drive: tuple[PassCall, ...] = ()
     span: Span | None = None
 
@@ -165,7 +165,7 @@ class Scenario:
     expectations: tuple[ScenarioConstraint, ...] = ()
     agents: tuple[ScenarioActor, ...] = ()
     objects: tuple[ScenarioActor, ...] = ()
-    world: tuple[tuple[str, Value], ...] = ()
+    world: Options = NO_OPTIONS
     sample: PassCall | None = None
     simulate: PassCall | None = None
     falsify: PassCall | None = None

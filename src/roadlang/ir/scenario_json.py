@@ -9,7 +9,8 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Mapping
-from typing import Any
+from functools import cache
+from typing import Any, get_type_hints
 
 from ..diagnostics import Source, Span
 from ..stl.formats.json_schema import FORMULA, formula_definitions
@@ -17,6 +18,7 @@ from ..stl.formula.formulas import Formula
 from . import values as value_nodes
 from .contained_values import nodes
 from .dimension import Dimension
+from .read_only import FrozenDict
 from .scenario import SCENARIO_SCHEMA, Scenario
 from .schema import DataclassWriter, any_of, array, document, reference
 
@@ -94,6 +96,8 @@ def _plain(value: Any) -> Any:
             field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)
         }
         return {"is": type(value).__name__, **members}
+    if isinstance(value, FrozenDict):  # pairs: a JSON object promises no order
+        return [[name, _plain(item)] for name, item in value.items()]
     if isinstance(value, tuple | list):
         return [_plain(item) for item in value]
     if isinstance(value, float) and not math.isfinite(value):
@@ -120,9 +124,18 @@ def _revived(value: Any) -> Any:
         members["formula"] = from_json(members["formula"])
     if kind is value_nodes.ConstantValue:
         members["value"] = float(members["value"])
-    return kind(
-        **{
-            name: member if isinstance(member, Formula) else _revived(member)
-            for name, member in members.items()
-        }
-    )
+    revived: dict[str, Any] = {
+        name: member if isinstance(member, Formula) else _revived(member)
+        for name, member in members.items()
+    }
+    return kind(**{
+        name: FrozenDict(revived[name]) if name in _options_of(kind) else revived[name]
+        for name in revived
+    })  # fmt: skip
+
+
+@cache
+def _options_of(kind: type) -> frozenset[str]:
+    """The fields that hold options."""
+    hints = get_type_hints(kind)
+    return frozenset(name for name, hint in hints.items() if hint == value_nodes.Options)

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from .field_docs import class_doc, field_docs
+from .read_only import FrozenDict
 
 Schema = dict[str, Any]
 
@@ -109,6 +110,9 @@ class DataclassWriter:
         if origin is tuple:
             items = [self.of(argument) for argument in arguments]
             return {"type": "array", "prefixItems": items, "minItems": len(items), "items": False}
+        if origin is FrozenDict:  # in order, as pairs
+            items = [self.of(argument) for argument in arguments]
+            return array({"type": "array", "prefixItems": items, "minItems": 2, "items": False})
         if origin is not None and issubclass(origin, Mapping):
             return {"type": "object", "additionalProperties": self.of(arguments[1])}
         if hint is Any:

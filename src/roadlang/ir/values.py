@@ -12,6 +12,9 @@ from typing import TypeAlias
 from ..diagnostics import Span
 from ..stl import Formula
 from .dimension import PURE, Dimension
+from .read_only import FrozenDict
+
+NO_OPTIONS: Options = FrozenDict()
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +93,7 @@ class Items:
 class Entries:
     """A map."""
 
-    entries: tuple[tuple[str, Value], ...]
+    entries: Options
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,14 +139,14 @@ class PassCall:
 
     verb: str
     kind: str
-    options: tuple[tuple[str, Value], ...]
+    options: Options
     place: str
     span: Span | None = None
-    common: tuple[tuple[str, Value], ...] = ()
+    common: Options = NO_OPTIONS
 
     def option(self, name: str) -> Value | None:
         """The value given for an option, or None."""
-        return dict(self.options).get(name) or dict(self.common).get(name)
+        return self.options.get(name) or self.common.get(name)
 
 
 Value: TypeAlias = (
@@ -160,3 +163,6 @@ Value: TypeAlias = (
     | Condition
     | PassCall
 )
+
+Options: TypeAlias = FrozenDict[str, Value]
+"""What is written, by name, in the order of the fields of the kind or statement."""

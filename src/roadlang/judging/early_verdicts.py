@@ -35,4 +35,4 @@ def is_impossible(requirement: Requirement, scenario: IndexedScenario) -> bool:
 def _names_group(condition: Condition, scenario: IndexedScenario) -> bool:
     """Whether a formula is about the copies of a group: it holds where there are none."""
     named = (scenario.actors.get(e.name) for e in scenario.dependencies.entities(condition))
-    return any(actor is not None and "count" in dict(actor.options) for actor in named)
+    return any(actor is not None and "count" in actor.options for actor in named)

@@ -32,7 +32,7 @@ def influences(test: Condition | PassCall, scenario: IndexedScenario) -> Influen
 
 def influences_on_start(actor: ScenarioActor, scenario: IndexedScenario) -> Influences:
     """On where an agent or object begins, and on how many of it do."""
-    counts = [value for name, value in actor.options if name == "count"]
+    counts = [value for name, value in actor.options.items() if name == "count"]
     named = _names_in(actor, scenario) - {actor.name}
     is_random = bool(scenario.dependencies.draws(actor.at, *counts))
     return _joined(named, is_random, _of_actors(scenario), scenario)
@@ -76,7 +76,7 @@ def _in_order_of_placement(scenario: IndexedScenario) -> Mapping[str, Influences
         new = _names_in(actor, scenario) - scenario.actors.keys() - things
         if new:
             things |= new
-        values = (actor.at, actor.kind, *(value for _, value in actor.options))
+        values = (actor.at, actor.kind, *(value for value in actor.options.values()))
         is_random = is_random or bool(scenario.dependencies.draws(*values))
         is_random = is_random or any(is_thing_random(name, scenario) for name in new)
         found[actor.name] = Influences(things, is_random)
@@ -85,14 +85,14 @@ def _in_order_of_placement(scenario: IndexedScenario) -> Mapping[str, Influences
 
 def _names_in(actor: ScenarioActor, scenario: IndexedScenario) -> set[str]:
     """The road of an agent or object, and the things and actors that its options name."""
-    values = [actor.at, *(value for _, value in actor.options)]
+    values = [actor.at, *(value for value in actor.options.values())]
     named = {entity.name for entity in scenario.dependencies.entities(*values)}
     return named | ({actor.on} if actor.on is not None else set())
 
 
 def _is_thing_random(name: str, scenario: IndexedScenario) -> bool:
     for link in scenario.chain(scenario.thing(name)):
-        values = (*(value for _, value in link.options), *link.passes)
+        values = (*(value for value in link.options.values()), *link.passes)
         if scenario.dependencies.draws(*values) or scenario.is_varying(name):
             return True
         # A pass that draws by itself (`harmonics`) differs between candidates without any draw.

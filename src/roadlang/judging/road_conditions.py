@@ -81,7 +81,7 @@ def traces_of_copy(
 def _road_name(condition: Condition, axis: EvaluatedRoad) -> str:
     """The first road that a signal of the formula names, or the part of a network."""
     for binding in condition.signals:
-        for _, value in binding.call.options:
+        for value in binding.call.options.values():
             if isinstance(value, Entity) and value.role == "road":
                 return value.name
             if isinstance(value, Entity) and value.role == "network":

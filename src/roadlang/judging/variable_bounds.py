@@ -64,7 +64,7 @@ class VariableBounds:
     def options(self, call: PassCall, kind: type[Kind]) -> dict[str, Any] | None:
         """All options of a signal by name, defaults included; None where geometry decides one."""
         options = {o.name: o.default for o in schema_of(kind) if not o.required}
-        for name, value in call.options:
+        for name, value in call.options.items():
             if is_geometric(value, self.scenario):
                 return None
             options[name] = self.road(value) if isinstance(value, Entity) else self.option(value)

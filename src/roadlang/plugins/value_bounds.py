@@ -87,7 +87,7 @@ class ValueBounds:
 
     def options(self, call: PassCall) -> dict[str, Any]:
         """What is known of each option of a call that is written."""
-        return {name: self.option(value) for name, value in call.options}
+        return {name: self.option(value) for name, value in call.options.items()}
 
     def _of_draw(self, draw: RandomValue) -> Bounds:
         entry, kind = self.kind(draw.call)

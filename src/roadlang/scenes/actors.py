@@ -121,7 +121,7 @@ def _start_speeds(
 ) -> list[float]:
     """m/s: as said; else what the controller in charge at the start wants, of those in a lane."""
     count = where.x.shape[1]
-    said = dict(actor.options).get("start_speed")
+    said = actor.options.get("start_speed")
     if said is not None:
         copies = CopyBatch.every(candidates, count)
         value = np.asarray(evaluate(said, copies, element_of(actor)), float).reshape(-1)

@@ -70,7 +70,10 @@ def driven_scene(candidates: CandidateBatch, index: int, overrides: Mapping[str,
     """
     source = candidates.scenario.source
     values = {item.name: _plain(named(item.name, candidates), candidates) for item in source.values}
-    world = {name: _plain(evaluate(value, candidates), candidates) for name, value in source.world}
+    world = {
+        name: _plain(evaluate(value, candidates), candidates)
+        for name, value in source.world.items()
+    }
     legend = legend_objects(candidates)
     scene = Scene(
         name=source.header.name,

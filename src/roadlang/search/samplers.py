@@ -9,7 +9,7 @@ from ..evaluate.candidates import fixed_candidate
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
-from ..ir.values import PassCall, RandomValue
+from ..ir.values import NO_OPTIONS, PassCall, RandomValue
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
 
@@ -24,7 +24,7 @@ def sampler_of(scenario: IndexedScenario) -> KindInstance:
 
 
 def _default_call(scenario: IndexedScenario) -> PassCall:
-    return PassCall("sample", scenario.registry.default("sample").qualified, (), "sample")
+    return PassCall("sample", scenario.registry.default("sample").qualified, NO_OPTIONS, "sample")
 
 
 def is_steering(sampler: KindInstance) -> bool:
@@ -47,7 +47,7 @@ class DrawnPlace:
     def levels(self, steps: int) -> Sequence[float]:
         """Numbers in [0, 1] that a grid visits."""
         options = self.draw.call.options
-        if self.scenario.dependencies.draws(*(value for _, value in options)):
+        if self.scenario.dependencies.draws(*(value for value in options.values())):
             return [(step + 0.5) / steps for step in range(steps)]
         built = build(self.draw.call, fixed_candidate(self.scenario), single=True)
         with built.guarded:

@@ -14,10 +14,10 @@ def constant_kind(call: PassCall, scenario: IndexedScenario) -> Any:
     """A kind with its options, where all of them are constant; None elsewhere."""
     entry, kind = scenario.kind(call)
     bounds = scenario.value_bounds
-    calls = {name: _constant_calls(value, scenario) for name, value in call.options}
+    calls = {name: _constant_calls(value, scenario) for name, value in call.options.items()}
     options = {
         name: calls[name] if calls[name] is not None else bounds.option(value)
-        for name, value in call.options
+        for name, value in call.options.items()
     }
     combinations = corners(kind, options)
     if combinations is None or len(combinations) != 1:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from ..files.writing import write_set
 from ..ir.manifest import MANIFEST_FILE
-from ..ir.values import PassCall
+from ..ir.values import NO_OPTIONS, PassCall
 from ..plugins.finding import entry_of
 from ..scenes.emitting import backends_of, outputs_of, send
 from .manifest import files_named_in, manifest_of
@@ -28,7 +28,9 @@ DEFAULT_EMITS = ("json", "svg")
 
 def _default_emits(registry: Registry) -> list[PassCall]:
     entries = [entry_of(registry, "emit", name) for name in DEFAULT_EMITS]
-    return [PassCall("emit", entry.qualified, (), f"emit {entry.name}") for entry in entries]
+    return [
+        PassCall("emit", entry.qualified, NO_OPTIONS, f"emit {entry.name}") for entry in entries
+    ]
 
 
 def emit(

@@ -71,7 +71,7 @@ def _intervals_without_length(scenario: IndexedScenario) -> Iterator[Diagnostic]
     things: list[ScenarioRoad | ScenarioNetwork] = list(scenario.roads.values())
     for thing in [*things, *scenario.networks.values()]:
         for call in thing.passes:
-            over = dict(call.common).get("over")
+            over = call.common.get("over")
             interval = scenario.value_bounds.option(over) if call.verb == "perturb" else None
             if isinstance(interval, OptionRange) or not isinstance(interval, tuple):
                 continue
@@ -82,7 +82,7 @@ def _intervals_without_length(scenario: IndexedScenario) -> Iterator[Diagnostic]
 
 def _has_scale(image: ScenarioImage, scenario: IndexedScenario) -> bool:
     chain = [link for link in scenario.chain(image) if isinstance(link, ScenarioImage)]
-    if any("scale" in dict(link.options) for link in chain):
+    if any("scale" in link.options for link in chain):
         return True
     root = chain[-1]
     has_reader = any(call.verb == "read" for call in root.passes)
@@ -102,7 +102,7 @@ def _file_has_scale(source: FileSource) -> bool:
 
 
 def _lane_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
-    lane = dict(actor.options).get("lane")
+    lane = actor.options.get("lane")
     lanes = _lane_ids(actor, scenario)
     if lane is None or lanes is None or isinstance(lane, TextValue | PassCall):
         return None
@@ -164,7 +164,7 @@ def _drawer(actor: ScenarioActor, scenario: IndexedScenario) -> PassCall | None:
 
 
 def _may_be_closed(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
-    values = [dict(road.options).get("closed") for road in _roads(actor, scenario)]
+    values = [road.options.get("closed") for road in _roads(actor, scenario)]
     return any(value not in (None, Flag(False)) for value in values)
 
 

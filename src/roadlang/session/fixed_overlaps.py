@@ -58,7 +58,7 @@ def _fault(one: _Standing, other: _Standing, group: list[_Standing], room: float
 
 def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _Standing | None:
     """Where it stands, if that is the same in every scene."""
-    options = dict(actor.options)
+    options = actor.options
     free = {"count", "offset", "side", "heading", "spacing"} & options.keys()
     if actor.on is None or actor.at_fraction or free or not isinstance(actor.kind, PassCall):
         return None
@@ -78,7 +78,7 @@ def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _Standing | No
 
 def _lane(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[object, ...]:
     """A key that is equal for those that stand in the same lane, one after the other."""
-    options = dict(actor.options)
+    options = actor.options
     if "lane" in options:
         lane = _constant(options["lane"], scenario)
         return (actor.on, lane if lane is not None else actor.name)

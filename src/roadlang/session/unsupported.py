@@ -56,7 +56,7 @@ def _contents(scenario: IndexedScenario) -> ScenarioContents:
             for agent in source.agents
             if agent.drive
         },
-        world=tuple(name for name, _ in source.world),
+        world=tuple(name for name in source.world),
         expectations=tuple(constraint.name for constraint in source.expectations),
     )
 

@@ -254,7 +254,7 @@ def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
 def _apart(actor: ScenarioActor, copies: CopyBatch) -> Floats:
     """(R,) meters that copies keep from everything: NaN where nothing is said, -inf where they may
     overlap."""
-    options = dict(actor.options)
+    options = actor.options
     apart = np.full(copies.count, np.nan)
     if "apart" in options:
         value = np.asarray(evaluate(options["apart"], copies, element_of(actor)), float)
@@ -266,4 +266,4 @@ def _apart(actor: ScenarioActor, copies: CopyBatch) -> Floats:
 
 
 def _has(actor: ScenarioActor, option: str) -> bool:
-    return any(name == option for name, _ in actor.options)
+    return option in actor.options

@@ -28,7 +28,7 @@ _UNUSUAL_SIZE = 1.0
 
 def counts(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[np.int64]:
     """(V,) how many copies there are. Raises RL612."""
-    given = dict(actor.options).get("count")
+    given = actor.options.get("count")
     if given is None:
         return np.ones(candidates.count, dtype=np.int64)
     value = np.asarray(evaluate(given, candidates), dtype=np.float64).reshape(-1)
@@ -49,7 +49,7 @@ def most_copies(actor: ScenarioActor, candidates: CandidateBatch) -> int:
 
 def is_group(actor: ScenarioActor) -> bool:
     """Whether it has a `count`, so that its copies are numbered."""
-    return any(name == "count" for name, _ in actor.options)
+    return "count" in actor.options
 
 
 def element_of(actor: ScenarioActor) -> int:
@@ -109,7 +109,7 @@ def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInst
     if not any(isinstance(value, RandomValue | Measure) for value in contents):
         return [build(call, copies, element, single=True)] * copies.count
     entry, kind = copies.scenario.kind(call)
-    written = dict(call.options)
+    written = call.options
     fields: dict[str, Any] = {o.name: o.default for o in schema_of(kind) if not o.required}
     columns: dict[str, list[Any]] = {}
     for option in schema_of(kind):

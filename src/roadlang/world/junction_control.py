@@ -50,7 +50,7 @@ def _controls(network: ScenarioNetwork, candidates: CandidateBatch) -> list[Pass
 
 def _chosen(call: PassCall, plan: JunctionPlan, candidates: CandidateBatch) -> list[Junction]:
     """The junctions that a pass is about."""
-    option = dict(call.common).get("junctions")
+    option = call.common.get("junctions")
     if option is None:
         return [junction for junction in plan.junctions if junction.kind == "junction"]
     wanted = _numbers(evaluate(option, candidates))
@@ -83,7 +83,7 @@ def _check_roads(
     candidates: CandidateBatch,
 ) -> None:
     """Whether the roads that a pass names are there, and end at one of its junctions."""
-    option = dict(call.options).get("roads")
+    option = call.options.get("roads")
     if option is None:
         return
     at_junctions = sorted({arm.edge for junction in junctions for arm in junction.arms})

@@ -113,7 +113,7 @@ def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
         kinds = [_kind(call, candidates.scenario) for call in calls]
         for place, (call, kind) in enumerate(zip(calls, kinds, strict=True)):
             id, outer = sign * (place + 1), kinds[place + 1] if place + 1 < len(kinds) else None
-            written = dict(call.common)
+            written = call.common
             lanes[id] = _lane(id, kind, direction, _marking(kind, outer, written, candidates))
             width = _number("width", call, candidates, kind.usual_width)
             widths[id] = np.atleast_2d(np.asarray(width, float))
@@ -123,7 +123,7 @@ def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
                 limits[id] = _number("speed_limit", call, candidates, 0.0)
     ordered = tuple(lanes[id] for id in sorted(lanes, reverse=True))
     found = LaneBatch(CrossSection(ordered, _center(lanes)), widths, limits)
-    width = dict(plan.owner.options).get("width") if plan.owner is not None else None
+    width = plan.owner.options.get("width") if plan.owner is not None else None
     if width is None or not sharing:
         return found
     return _shared(found, sharing, np.atleast_2d(np.asarray(evaluate(width, candidates), float)))
@@ -194,7 +194,7 @@ def _kind(call: PassCall, scenario: IndexedScenario) -> type[LaneKind]:
 
 def _number(name: str, call: PassCall, candidates: CandidateBatch, default: float) -> Any:
     """A width or limit of a lane: a number, or a column of those that are drawn. Raises RL473."""
-    value = dict(call.common).get(name)
+    value = call.common.get(name)
     if value is None:
         return default
     if isinstance(value, ConstantValue):

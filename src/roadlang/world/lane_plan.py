@@ -43,7 +43,7 @@ def lane_plan(thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) 
     ]
     owner = next((link for link in chain if _names_lanes(link)), None)
     nearest = {name: _nearest(chain, name) for name in LANE_OPTIONS}
-    if owner is not None and dict(owner.options).keys() & {"left", "right"}:
+    if owner is not None and owner.options.keys() & {"left", "right"}:
         # Lists say everything: what is said further down was about other lanes.
         above = chain[: chain.index(owner) + 1]
         shape = ("left", "right", "oneway", "center_marking")
@@ -54,11 +54,11 @@ def lane_plan(thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) 
 
 
 def _names_lanes(link: ScenarioRoad | ScenarioNetwork) -> bool:
-    return bool(dict(link.options).keys() & {"lanes", "left", "right"})
+    return bool(link.options.keys() & {"lanes", "left", "right"})
 
 
 def _nearest(chain: list[ScenarioRoad | ScenarioNetwork], name: str) -> Value | None:
-    return next((dict(link.options)[name] for link in chain if name in dict(link.options)), None)
+    return next((link.options[name] for link in chain if name in link.options), None)
 
 
 def lane_calls(value: Value | None, scenario: IndexedScenario) -> tuple[PassCall, ...] | None:

@@ -99,7 +99,7 @@ def _has_legend(network: ScenarioNetwork, candidates: CandidateBatch) -> bool:
     images = (
         link for link in candidates.scenario.chain(network) if isinstance(link, ScenarioImage)
     )
-    return any("legend" in dict(image.options) for image in images)
+    return any("legend" in image.options for image in images)
 
 
 def missing_room(

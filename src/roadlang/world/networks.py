@@ -133,7 +133,7 @@ def _perturbed_edge(
 def _chosen_edges(
     call: PassCall, network: RoadNetwork, candidates: CandidateBatch
 ) -> frozenset[int]:
-    option = dict(call.common).get("roads")
+    option = call.common.get("roads")
     every = frozenset(edge.id for edge in network.edges)
     if option is None:
         return every

@@ -137,7 +137,7 @@ def _in_shape(built: KindInstance, result: Any, stations: int, count: int) -> Fl
 
 
 def _interval(call: PassCall, candidates: CandidateBatch, element: int) -> tuple[Any, Any] | None:
-    over_option = dict(call.common).get("over")
+    over_option = call.common.get("over")
     if over_option is None:
         return None
     low, high = evaluate(over_option, candidates, element)
@@ -152,7 +152,7 @@ def _over(
     element: int,
 ) -> Floats:
     """(S,) or (V, S): one on the interval, fading out over `taper` meters inside its ends."""
-    option = dict(call.common).get("taper")
+    option = call.common.get("taper")
     taper = 0.0 if option is None else evaluate(option, candidates, element)
     columns = np.broadcast_arrays(*(np.asarray(item, float) for item in (*interval, taper)))
     rows = [

@@ -65,7 +65,7 @@ def _draft(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture
 def _adjusted(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
     """The picture with its scale and legend, after all its passes."""
     draft = _base(image, candidates)
-    options = {key: scalar(evaluate(value, candidates)) for key, value in image.options}
+    options = {key: scalar(evaluate(value, candidates)) for key, value in image.options.items()}
     if options.get("scale") is not None:
         draft = replace(draft, scale=float(options["scale"]))
     if options.get("legend"):

@@ -28,7 +28,7 @@ def own_draws(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[RandomVa
     """The draws of its own statement that decide where an agent or object stands."""
 
     def find() -> tuple[RandomValue, ...]:
-        values = [actor.at, *(v for name, v in actor.options if name in PLACING)]
+        values = [actor.at, *(v for name, v in actor.options.items() if name in PLACING)]
         found = []
         while values:
             value = values.pop()
@@ -66,7 +66,7 @@ def deciding_actors(scenario: IndexedScenario, *values: Value, things: set[str])
         for name in (things | named) - scenario.actors.keys() - seen:
             for link in scenario.chain(scenario.thing(name)):
                 seen.add(link.name)
-                read += [*(value for _, value in link.options), *link.passes]
+                read += [*(value for value in link.options.values()), *link.passes]
         things = set()
     return actors
 
@@ -78,7 +78,7 @@ def _ordered(scenario: IndexedScenario) -> tuple[ScenarioActor, ...]:
     waiting: dict[str, int] = {}
     for actor in actors:
         on = {actor.on} if actor.on is not None else set()
-        values = [actor.at, actor.kind, *(value for _, value in actor.options)]
+        values = [actor.at, actor.kind, *(value for value in actor.options.values())]
         before = deciding_actors(scenario, *values, things=on) - {actor.name}
         waiting[actor.name] = len(before)
         for name in before:

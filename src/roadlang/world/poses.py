@@ -82,12 +82,11 @@ def _lanes(actor: ScenarioActor, copies: CopyBatch, by: Standing | None) -> Inte
     """(R,) lane ids; 0 of what is in no lane. An agent on a road is in a lane unless it is said to
     be in none or beside the road."""
     value = _option(actor, "lane", copies)
-    options = {name for name, _ in actor.options}
-    if value is None and by is not None and "side" not in options:
+    if value is None and by is not None and "side" not in actor.options:
         return np.asarray(by.lane, np.int64).reshape(-1)
     if value is None:
         agents = copies.scenario.source.agents
-        value = "none" if "side" in options or actor not in agents else "first"
+        value = "none" if "side" in actor.options or actor not in agents else "first"
     words = [_word(item) for item in _items(value)]
     if not isinstance(words[0], str):
         lane = np.rint(column(value, copies)).astype(np.int64)
@@ -103,7 +102,7 @@ def _lanes(actor: ScenarioActor, copies: CopyBatch, by: Standing | None) -> Inte
 def _over_the_middle(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> Integers:
     """Lanes counted from that of another (`ego.start_lane + 1`) go on over the middle, which has no
     number."""
-    inside = values_inside(dict(actor.options).get("lane"))
+    inside = values_inside(actor.options.get("lane"))
     measured = [value for value in inside if isinstance(value, Measure)]
     if len(inside) < 2 or len(measured) != 1:
         return lane
@@ -164,7 +163,7 @@ def _backward(actor: ScenarioActor, copies: CopyBatch, by_lane: Booleans) -> Boo
 
 
 def _option(actor: ScenarioActor, name: str, copies: CopyBatch) -> Any:
-    value = dict(actor.options).get(name)
+    value = actor.options.get(name)
     return None if value is None else evaluate(value, copies, element_of(actor))
 
 

@@ -30,7 +30,7 @@ def starts_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Floats
     assert actor.on is not None
     road = road_batch(actor.on, copies.candidates)
     length = _of_rows(road.length, copies)
-    spacing = dict(actor.options).get("spacing")
+    spacing = actor.options.get("spacing")
     first = copies if spacing is None else copies.numbered(np.ones(copies.count, np.int64))
     if isinstance(actor.at, PassCall):
         standing = standing_of(actor, first, others)
@@ -85,7 +85,7 @@ def _of_copies(other: ScenarioActor, copies: CopyBatch, placed: PlacedBatch) -> 
 
 def _behind_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
     """(R,) meters from the first copy of a row to each: the spacings between, added up."""
-    value = dict(actor.options)["spacing"]
+    value = actor.options["spacing"]
     if not copies.scenario.dependencies.draws(value):
         return (copies.copies - 1) * column(evaluate(value, copies, element_of(actor)), copies)
     most = int(copies.copies.max(initial=1))

@@ -89,7 +89,7 @@ def _roads(road: ScenarioRoad, scenario: IndexedScenario) -> Iterator[ScenarioRo
 
 def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) -> Floats:
     """As written; of listed lanes on a road that was not measured, what they add up to."""
-    options = dict(road.options)
+    options = road.options
     if "width" in options:
         width = _written_width(road, options["width"], candidates)
         if options.keys() & {"left", "right"}:
@@ -132,7 +132,7 @@ def _require_sum(road: ScenarioRoad, width: Floats, candidates: CandidateBatch) 
 def _is_measured(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
     """Whether the width of a road comes from a picture or file, with nothing written over it."""
     links = list(_roads(road, candidates.scenario))
-    if any(dict(link.options).keys() & {"width", "left", "right"} for link in links[1:]):
+    if any(link.options.keys() & {"width", "left", "right"} for link in links[1:]):
         return False
     return road_root(road.name, candidates).width is not None
 
@@ -262,7 +262,7 @@ def _from_file(road: ScenarioRoad, source: FileSource, candidates: CandidateBatc
     width = found.width if isinstance(found, Road) else None
     section = found.section if isinstance(found, Road) else None
     lanes = found.lanes if isinstance(found, Road) else None
-    closed = dict(road.options).get("closed")
+    closed = road.options.get("closed")
     if closed is not None and bool(scalar(evaluate(closed, candidates))) != curve.closed:
         curve = Curve.through(curve.points, not curve.closed)
         width = None if width is None else WidthProfile.even(width.widths, curve.length)
@@ -273,7 +273,7 @@ def _from_file(road: ScenarioRoad, source: FileSource, candidates: CandidateBatc
 
 
 def _is_closed(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
-    option = dict(road.options).get("closed")
+    option = road.options.get("closed")
     return option is not None and bool(scalar(evaluate(option, candidates)))
 
 

@@ -16,7 +16,7 @@ from .networks import NetworkRoot
 
 def selected(road: ScenarioRoad, root: NetworkRoot, candidates: CandidateBatch) -> Path:
     """The path through the network. Raises RL472 if there is none."""
-    option = dict(road.options).get("select")
+    option = road.options.get("select")
     choice: Any = "longest" if option is None else evaluate(option, candidates)
     if isinstance(choice, PassCall):
         return _called(choice, root, candidates)

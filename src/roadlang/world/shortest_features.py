@@ -45,7 +45,7 @@ def features_of_candidates(
     with built.guarded:
         stated = built.kind.shortest_feature(length, closed)
     parts = [_checked(stated, built.entry, call)]
-    options = dict(call.common)
+    options = call.common
     if "over" in options:
         low, high = (_column(end) for end in evaluate(options["over"], candidates, element))
         taper = np.zeros(1)
@@ -76,7 +76,7 @@ def _of_kind(
 def _of_interval(
     call: PassCall, scenario: IndexedScenario, length: float, closed: bool
 ) -> float | None:
-    options = dict(call.common)
+    options = call.common
     if "over" not in options:
         return math.inf
     ends = scenario.value_bounds.option(options["over"])

@@ -123,7 +123,7 @@ def station_spacing(thing: Root, scenario: IndexedScenario) -> StationSpacing:
         written = [
             (float(scalar(evaluate(value, fixed_candidate(scenario)))), other)
             for other in derived
-            if (value := dict(other.options).get("station_spacing")) is not None
+            if (value := other.options.get("station_spacing")) is not None
         ]
         passes = [call for other in derived for call in other.passes if call.verb == "perturb"]
         finest = min(written, key=lambda item: item[0]) if written else None

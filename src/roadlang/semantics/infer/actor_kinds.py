@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...ir.values import Items, PassCall, RandomValue, Value
+from ...ir.read_only import FrozenDict
+from ...ir.values import Items, Options, PassCall, RandomValue, Value
 from ...plugins.options import OptionSchema, schema_of
 from ...plugins.registry import KindEntry
 from ..checker import Checker
@@ -15,7 +16,7 @@ def calls_in(value: Value) -> list[PassCall]:
     if isinstance(value, PassCall) and value.verb in ("agent", "object"):
         return [value]
     if isinstance(value, RandomValue):
-        return [call for _, option in value.call.options for call in calls_in(option)]
+        return [call for option in value.call.options.values() for call in calls_in(option)]
     if isinstance(value, Items):
         return [call for item in value.items for call in calls_in(item)]
     return []
@@ -40,19 +41,19 @@ def _entry(checker: Checker, call: PassCall) -> KindEntry:
     return checker.registry.find(call.verb, call.kind)
 
 
-def with_options(checker: Checker, value: Value, options: tuple[tuple[str, Value], ...]) -> Value:
+def with_options(checker: Checker, value: Value, options: Options) -> Value:
     """The kind, or each kind of the draw, with the options of the statement's block."""
     if not options:
         return value
     if isinstance(value, PassCall) and value.verb in ("agent", "object"):
-        names = {name for name, _ in options}
-        others = tuple(pair for pair in value.options if pair[0] not in names)
-        return replace(value, options=(*others, *options))
+        others = {name: given for name, given in value.options.items() if name not in options}
+        return replace(value, options=FrozenDict({**others, **options}))
     if isinstance(value, RandomValue):
-        inner = tuple(
-            (name, with_options(checker, option, options)) for name, option in value.call.options
-        )
-        return replace(value, call=replace(value.call, options=inner))
+        inner = {
+            name: with_options(checker, option, options)
+            for name, option in value.call.options.items()
+        }
+        return replace(value, call=replace(value.call, options=FrozenDict(inner)))
     if isinstance(value, Items):
         return Items(tuple(with_options(checker, item, options) for item in value.items))
     return value

@@ -12,7 +12,7 @@ from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
 from ..context import Context
 from .kinds import display_name, find_kind
-from .option_binding import BoundOptions, bind_options
+from .option_binding import BoundOptions, bind_options, divided
 from .statement_spec import StatementSpec
 
 _ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "control", "drive")
@@ -107,8 +107,7 @@ def lower_call(
         checker.report(Code.MISPLACED_PASS, inner.verb.span, what=owner, verb=inner.verb.text)
     if not bound.complete or (block is not None and (block.passes or not block.complete)):
         return None
-    options = tuple((name, value) for name, value in bound.values if name in names)
-    rest = tuple((name, value) for name, value in bound.values if name not in names)
+    options, rest = divided(bound.values, names)
     verb, kind = found.entry.verb, found.entry.qualified
     return PassCall(verb, kind, options, context.place, span, rest)
 

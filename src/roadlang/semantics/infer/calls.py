@@ -22,7 +22,7 @@ from .argument_binding import bind_arguments
 from .draws import draw_of
 from .habits import function_help
 from .kinds import find_kind, verbs_with
-from .option_binding import BoundOptions
+from .option_binding import BoundOptions, divided
 from .signals import measured
 
 _VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select", "lane",
@@ -173,8 +173,7 @@ def of_kind(
         return measured(checker, call.span, found, bound, name)
     random = any(typed.random for typed in bound.given.values())
     names = {option.name for option in found.schema}
-    options = tuple(item for item in bound.values if item[0] in names)
-    common = tuple(item for item in bound.values if item[0] not in names)
+    options, common = divided(bound.values, names)
     value = PassCall(verb, found.entry.qualified, options, name, call.span, common)
     return TypedExpression(call.span, KindCallType(verb), value, random)
 

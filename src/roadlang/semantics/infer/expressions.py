@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 from ...diagnostics import Code, Span
+from ...ir.read_only import FrozenDict
 from ...ir.values import (
     ConstantValue,
     Entity,
@@ -132,7 +133,7 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
     if found is None or low.value is None or high.value is None:
         return unknown(draw.span)
     place = checker.draw_place(context)
-    options = (("low", low.value), ("high", high.value))
+    options = FrozenDict({"low": low.value, "high": high.value})
     call = PassCall("distribution", found.entry.qualified, options, place, draw.span)
     kinds = [end.type for end in ends if isinstance(end.type, Quantity)]
     kind = Quantity(
@@ -174,8 +175,10 @@ def infer_map(checker: Checker, node: ast.MapValue, context: Context) -> TypedEx
     values = [item.value for item in items]
     if any(value is None for value in values):
         return found
-    named = tuple((key, value) for (key, _), value in zip(keys, values, strict=True) if value)
-    return replace(found, value=Entries(named), random=any(item.random for item in items))
+    named = {key: value for (key, _), value in zip(keys, values, strict=True) if value}
+    return replace(
+        found, value=Entries(FrozenDict(named)), random=any(item.random for item in items)
+    )
 
 
 def _collected(typed: TypedExpression) -> TypedExpression:

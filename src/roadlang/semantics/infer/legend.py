@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, nearest
+from ...ir.read_only import FrozenDict
 from ...ir.values import Entries, TextValue, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
@@ -51,7 +52,7 @@ def check_legend(
             entries[key] = TextValue(text)
     if not complete:
         return None
-    return TypedExpression(value.span, MappingType(), Entries(tuple(entries.items())))
+    return TypedExpression(value.span, MappingType(), Entries(FrozenDict(entries)))
 
 
 def _is_kind(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from ...diagnostics import Code, Label, Span
-from ...ir.values import Entries, Value
+from ...ir.read_only import FrozenDict
+from ...ir.values import Entries, Options
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
@@ -33,11 +34,17 @@ class BoundOptions:
     """One of the `Like` options, with the dimension that all of them have."""
 
     @property
-    def values(self) -> tuple[tuple[str, Value], ...]:
+    def values(self) -> Options:
         """What the IR keeps, in the order of the kind's fields."""
-        return tuple(
-            (name, typed.value) for name, typed in self.given.items() if typed.value is not None
-        )
+        return FrozenDict({
+            name: typed.value for name, typed in self.given.items() if typed.value is not None
+        })  # fmt: skip
+
+
+def divided(options: Options, names: Container[str]) -> tuple[Options, Options]:
+    """The options of these names, and the others."""
+    own = {name: value for name, value in options.items() if name in names}
+    return FrozenDict(own), FrozenDict({n: v for n, v in options.items() if n not in own})
 
 
 def bind_options(

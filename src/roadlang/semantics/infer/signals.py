@@ -50,7 +50,7 @@ def _dimension(
     checker: Checker, span: Span, found: ResolvedKind, bound: BoundOptions
 ) -> Dimension | None:
     # What the dimension depends on (the p of d_p) has to be the same in every scene.
-    constants = {name: constant_of(value) for name, value in bound.values}
+    constants = {name: constant_of(value) for name, value in bound.values.items()}
     known = {name: value for name, value in constants.items() if value is not None}
     for option in found.schema:
         if option.name not in bound.given and not option.required:

@@ -7,7 +7,16 @@ from dataclasses import replace
 from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...ir.dimension import LENGTH, PURE
-from ...ir.values import ConstantValue, Entity, PassCall, RandomValue, Reference, Value
+from ...ir.read_only import FrozenDict
+from ...ir.values import (
+    NO_OPTIONS,
+    ConstantValue,
+    Entity,
+    Options,
+    PassCall,
+    RandomValue,
+    Reference,
+)
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -16,6 +25,7 @@ from ..infer.actor_kinds import calls_in, shared_options, with_options
 from ..infer.blocks import lower_options, lower_passes
 from ..infer.inherited_roads import road_of
 from ..infer.kinds import find_default
+from ..infer.option_binding import divided
 from ..infer.statement_spec import StatementSpec
 from ..names.program import Declaration
 from ..types.dimensions import unit_missing
@@ -158,7 +168,7 @@ def _anywhere(checker: Checker, statement: ast.Actor, context: Context) -> Typed
     if found is None:
         return None
     place = checker.draw_place(context)
-    ends = (("low", ConstantValue(0.0)), ("high", ConstantValue(1.0)))
+    ends: Options = FrozenDict({"low": ConstantValue(0.0), "high": ConstantValue(1.0)})
     call = PassCall("distribution", found.entry.qualified, ends, place, span)
     value = RandomValue(place, call, context.per, PURE)
     return TypedExpression(span, Quantity(PURE), value, random=True, bounds=(0.0, 1.0))
@@ -169,7 +179,7 @@ def _by_another(
 ) -> TypedExpression | None:
     """A position by another agent or object, which is on the same road."""
     assert isinstance(typed.value, PassCall)
-    for _, value in typed.value.options:
+    for value in typed.value.options.values():
         if isinstance(value, Entity) and value.role in ("agent", "object"):
             other = checker.program.declarations[value.name].statement
             assert isinstance(other, ast.Actor)
@@ -212,7 +222,7 @@ def _options(
     spec: StatementSpec,
     kind: TypedExpression | None,
     context: Context,
-) -> tuple[tuple[tuple[str, Value], ...] | None, tuple[tuple[str, Value], ...]]:
+) -> tuple[Options | None, Options]:
     """The options of the placement (None, reported, where wrong), and those of the kind."""
     calls = calls_in(kind.value) if kind is not None and kind.value is not None else []
     shared = shared_options(checker, calls)
@@ -229,12 +239,11 @@ def _options(
     if "spacing" in bound.given and "count" not in bound.given:
         span = bound.given["spacing"].span
         checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text)
-        return None, ()
+        return None, NO_OPTIONS
     if "lane" in bound.given and "side" in bound.given:
         checker.report(Code.LANE_AND_SIDE, bound.given["side"].span)
-        return None, ()
-    placement = tuple((name, value) for name, value in bound.values if name in names)
-    rest = tuple((name, value) for name, value in bound.values if name not in names)
+        return None, NO_OPTIONS
+    placement, rest = divided(bound.values, names)
     return (placement if bound.complete else None), rest
 
 

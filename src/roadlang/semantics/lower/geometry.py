@@ -9,7 +9,7 @@ from typing import Any
 
 from ...diagnostics import Code
 from ...ir import scenario as ir
-from ...ir.values import Entity, PassCall, Value
+from ...ir.values import NO_OPTIONS, Entity, Options, PassCall
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -73,9 +73,7 @@ def lower_geometry(
     return lowered
 
 
-def _spacing_is_fixed(
-    checker: Checker, statement: ast.Geometry, options: tuple[tuple[str, Value], ...]
-) -> bool:
+def _spacing_is_fixed(checker: Checker, statement: ast.Geometry, options: Options) -> bool:
     """Stations are shared by all candidates, so that these can be evaluated together."""
     value = dict(options).get("station_spacing")
     if value is None or statement.block is None or not is_random(checker, value):
@@ -216,11 +214,14 @@ def _with_default(
         found = find_default(checker, "extract", statement.source.span)
         if found is None:
             return None
-        return (PassCall("extract", found.entry.qualified, (), f"{name}/extract 1"), *passes)
+        return (
+            PassCall("extract", found.entry.qualified, NO_OPTIONS, f"{name}/extract 1"),
+            *passes,
+        )
     if isinstance(source, ir.FileSource) and statement.word != "image":
         assert statement.source is not None
         kind = reader_of(checker, source.path, statement.word, statement.source.span)
         if kind is None:
             return None
-        return (PassCall("read", kind, (), f"{name}/read 1"), *passes)
+        return (PassCall("read", kind, NO_OPTIONS, f"{name}/read 1"), *passes)
     return passes

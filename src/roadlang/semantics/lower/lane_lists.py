@@ -116,7 +116,7 @@ def _widths_fit(checker: Checker, name: str, lanes: list[PassCall], width: Typed
     least, most = 0.0, 0.0
     shares = False
     for call in lanes[drivable[0] : drivable[-1] + 1]:
-        kind, written = _kind(checker, call), dict(call.common).get("width")
+        kind, written = _kind(checker, call), call.common.get("width")
         if written is None and kind.drivable:
             shares = True
             continue

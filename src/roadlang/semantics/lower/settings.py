@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code
-from ...ir.values import Value
+from ...ir.values import Options
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -13,9 +13,7 @@ from ..names.program import PlacedStatement
 from .randomness import is_random
 
 
-def lower_settings(
-    checker: Checker, spec: StatementSpec, placed: PlacedStatement
-) -> tuple[tuple[str, Value], ...]:
+def lower_settings(checker: Checker, spec: StatementSpec, placed: PlacedStatement) -> Options:
     """The options as values."""
     block: ast.Block | None = getattr(placed.statement, "block", None)
     context = Context(user=spec.word, place=spec.word)

@@ -14,6 +14,7 @@ from ...ir.values import (
     Measure,
     NumberBinding,
     Operation,
+    Options,
     PassCall,
     RandomValue,
     Reference,
@@ -67,7 +68,7 @@ def text_of(value: Value | None) -> str:
         case Items(items):
             return "(" + ", ".join(text_of(item) for item in items) + ")"
         case Entries(entries):
-            return "{" + ", ".join(f"{key}: {text_of(item)}" for key, item in entries) + "}"
+            return "{" + ", ".join(f"{key}: {text_of(item)}" for key, item in entries.items()) + "}"
         case Operation("negate", (operand,)):
             return f"-({text_of(operand)})"
         case Operation(operator, operands) if operator in ("abs", "min", "max"):
@@ -79,9 +80,9 @@ def text_of(value: Value | None) -> str:
     return ""
 
 
-def call_text(name: str, options: tuple[tuple[str, Value], ...]) -> str:
+def call_text(name: str, options: Options) -> str:
     """`curvature(bent)`: what a signal or number is called in reports."""
-    return f"{name}({', '.join(text_of(value) for _, value in options)})"
+    return f"{name}({', '.join(text_of(value) for value in options.values())})"
 
 
 def _glued(unit: str) -> str:
