@@ -19,11 +19,11 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
 
     Control characters of the source, of names and of messages are shown as `U+001B`.
     """
-    return "\n".join(_Text(diagnostic, color).lines())
+    return "\n".join(_TextReport(diagnostic, color).lines())
 
 
 @dataclass(frozen=True)
-class _Text:
+class _TextReport:
     """Renders one diagnostic."""
 
     diagnostic: Diagnostic

@@ -20,7 +20,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
-class Span:
+class BlockRange:
     """The points `first` to `last` (B,) of B blocks, `last` included."""
 
     first: Integers
@@ -34,7 +34,7 @@ class WayAlong(Protocol):
         """(rows, columns) meters."""
         ...
 
-    def bounds(self, rows: Span, columns: Span) -> tuple[Floats, Floats]:
+    def bounds(self, rows: BlockRange, columns: BlockRange) -> tuple[Floats, Floats]:
         """(B,) each: no more, and no less, than the ways between the points of a block and those of
         B others."""
         ...
@@ -52,7 +52,7 @@ class AlongOneLine:
         along = np.abs(self.places[rows, None] - self.places[columns])
         return along if self.around is None else np.minimum(along, self.around - along, out=along)
 
-    def bounds(self, rows: Span, columns: Span) -> tuple[Floats, Floats]:
+    def bounds(self, rows: BlockRange, columns: BlockRange) -> tuple[Floats, Floats]:
         """(B,) each, see `WayAlong`."""
         begin, end = self.places[rows.first], self.places[rows.last]
         first, last = self.places[columns.first], self.places[columns.last]
@@ -77,7 +77,7 @@ class AlongTwoLines:
             np.minimum(shortest, travel[rows, None] + beyond[columns], out=shortest)
         return shortest
 
-    def bounds(self, rows: Span, columns: Span) -> tuple[Floats, Floats]:
+    def bounds(self, rows: BlockRange, columns: BlockRange) -> tuple[Floats, Floats]:
         """(B,) each, see `WayAlong`. Meters to an end grow or shrink all along a line."""
         low = np.full(len(columns.first), np.inf)
         high = low.copy()
@@ -118,7 +118,7 @@ def nearest_points(
 class _Boxes:
     """Blocks of consecutive points, and the corners (B, 2) of the boxes around them."""
 
-    span: Span
+    span: BlockRange
     low: Floats
     high: Floats
 
@@ -127,12 +127,12 @@ class _Boxes:
         first = np.arange(0, len(points), _BLOCK)
         last = np.minimum(first + _BLOCK, len(points)) - 1
         low = np.minimum.reduceat(points, first, axis=0)
-        return cls(Span(first, last), low, np.maximum.reduceat(points, first, axis=0))
+        return cls(BlockRange(first, last), low, np.maximum.reduceat(points, first, axis=0))
 
     def one(self, block: int) -> _Boxes:
         """One of the blocks."""
         part = slice(block, block + 1)
-        span = Span(self.span.first[part], self.span.last[part])
+        span = BlockRange(self.span.first[part], self.span.last[part])
         return _Boxes(span, self.low[part], self.high[part])
 
 

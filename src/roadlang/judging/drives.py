@@ -90,7 +90,7 @@ class DriveCondition:
         the formula."""
         numbers = self.condition.get("numbers", {})
         signals: Mapping[str, Any] = self.condition.get("signals", {})
-        calls = {name: _SignalCall(name, call, self) for name, call in signals.items()}
+        calls = {name: _TraceSignal(name, call, self) for name, call in signals.items()}
         members = sorted({name for call in calls.values() for name in call.members})
         for choice in product(*(group(name, self.trace) for name in members)):
             chosen = dict(zip(members, choice, strict=True))
@@ -99,7 +99,7 @@ class DriveCondition:
 
 
 @dataclass(frozen=True)
-class _SignalCall:
+class _TraceSignal:
     """A signal that the formula calls `variable`."""
 
     variable: str

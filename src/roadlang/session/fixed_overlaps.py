@@ -22,7 +22,7 @@ _ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
-class _Standing:
+class _OccupiedRange:
     """Arc length of the middle, half the length, and the distance that is kept, None if unsaid."""
 
     actor: ScenarioActor
@@ -33,7 +33,7 @@ class _Standing:
 
 def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
     """RL616 for each agent or object that stands in the one before it in its lane."""
-    lanes: dict[tuple[object, ...], list[_Standing]] = {}
+    lanes: dict[tuple[object, ...], list[_OccupiedRange]] = {}
     for actor in scenario.actors.values():
         standing = _standing(actor, scenario)
         if standing is not None:
@@ -47,7 +47,9 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
                 yield _fault(one, other, group, room)
 
 
-def _fault(one: _Standing, other: _Standing, group: list[_Standing], room: float) -> Diagnostic:
+def _fault(
+    one: _OccupiedRange, other: _OccupiedRange, group: list[_OccupiedRange], room: float
+) -> Diagnostic:
     first, second = (one, other) if group.index(one) < group.index(other) else (other, one)
     gap = f"there are {room:.3g}m between them" if room > 0 else f"they overlap by {-room:.3g}m"
     help_ = f"{gap}: leave more room, or write `overlap: true` if that is meant"
@@ -56,7 +58,7 @@ def _fault(one: _Standing, other: _Standing, group: list[_Standing], room: float
     )
 
 
-def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _Standing | None:
+def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _OccupiedRange | None:
     """Where it stands, if that is the same in every scene."""
     options = actor.options
     free = {"count", "offset", "side", "heading", "spacing"} & options.keys()
@@ -73,7 +75,7 @@ def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _Standing | No
     length = getattr(kind, "length", None)
     if at is None or not isinstance(length, float | int):
         return None
-    return _Standing(actor, at, length / 2, apart)
+    return _OccupiedRange(actor, at, length / 2, apart)
 
 
 def _lane(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[object, ...]:

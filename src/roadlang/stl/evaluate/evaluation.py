@@ -13,7 +13,7 @@ from ..formula import formulas as f
 from .axis import SamplePositions
 from .graph import FormulaGraph
 from .operations import BOOLEAN, ROBUST, Function
-from .schedule import Plan
+from .schedule import EvaluationPlan
 from .trace import FloatArray, InfiniteSignal, Positions, SampledSignals, Signals
 
 Result = TypeVar("Result")
@@ -84,18 +84,20 @@ def finite_first(value: Callable[[bool], Result]) -> Result:
 @lru_cache(maxsize=64)
 def _plan_at_start(
     formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
-) -> Plan:
+) -> EvaluationPlan:
     """Kept, as batch after batch of candidates is evaluated on the same stations."""
     axis = SamplePositions(np.frombuffer(positions), wrap)
-    return Plan.of(FormulaGraph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0))
+    return EvaluationPlan.of(
+        FormulaGraph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0)
+    )
 
 
 def run_at_start(graph: FormulaGraph, trace: SampledSignals, axis: SamplePositions) -> FloatArray:
     """The last node of `graph` at the first sample of each variant, (V,)."""
-    return _run(Plan.of(graph, axis, (0, 0)), trace)
+    return _run(EvaluationPlan.of(graph, axis, (0, 0)), trace)
 
 
-def _run(plan: Plan, trace: SampledSignals) -> FloatArray:
+def _run(plan: EvaluationPlan, trace: SampledSignals) -> FloatArray:
     result = np.empty(trace.variants)
     for first, last in _chunks(trace, plan):
         result[first:last] = plan.run(trace, first, last)[0]
@@ -109,7 +111,9 @@ def everywhere(
     axis = SamplePositions(trace.positions, trace.wrap)
 
     def value(infinite: bool) -> FloatArray:
-        plan = Plan.of(FormulaGraph.of(formula, leaves, infinite), axis, (0, trace.samples - 1))
+        plan = EvaluationPlan.of(
+            FormulaGraph.of(formula, leaves, infinite), axis, (0, trace.samples - 1)
+        )
         result = np.empty((trace.variants, trace.samples))
         for first, last in _chunks(trace, plan):
             result[first:last] = plan.run(trace, first, last).T
@@ -118,7 +122,7 @@ def everywhere(
     return finite_first(value)
 
 
-def _chunks(trace: SampledSignals, plan: Plan) -> Iterator[tuple[int, int]]:
+def _chunks(trace: SampledSignals, plan: EvaluationPlan) -> Iterator[tuple[int, int]]:
     """Ranges of variants that are evaluated together."""
     _keep_freed_memory()
     size = CHUNK_SAMPLES if plan.time_major else 2 * CHUNK_SAMPLES

@@ -35,7 +35,7 @@ class ScheduledStep:
 
 
 @dataclass(frozen=True)
-class Plan:
+class EvaluationPlan:
     """Steps in order; None where a node is not needed. The last one is the result.
 
     `spent[k]` are the nodes that nothing reads after step k. `time_major`: chunks are copied so
@@ -49,7 +49,7 @@ class Plan:
     infinite: bool = False
 
     @classmethod
-    def of(cls, graph: FormulaGraph, axis: SamplePositions, targets: Span) -> Plan:
+    def of(cls, graph: FormulaGraph, axis: SamplePositions, targets: Span) -> EvaluationPlan:
         """Schedule the last node of `graph` over the samples `targets` (first, last)."""
         needed: dict[int, Span] = {len(graph.nodes) - 1: targets}
         steps: list[ScheduledStep | None] = [None] * len(graph.nodes)

@@ -22,7 +22,7 @@ from .axis import IntArray, SamplePositions, Windows
 from .evaluation import finite_first
 from .graph import FormulaGraph
 from .kernels import LEAST
-from .schedule import Plan, ScheduledStep
+from .schedule import EvaluationPlan, ScheduledStep
 from .trace import FloatArray, Positions, SampledSignals, Signals
 
 Backward = Callable[[FloatArray], tuple[FloatArray, ...]]
@@ -62,7 +62,7 @@ def smooth_rho(
     def value(infinite: bool) -> Smooth:
         graph = FormulaGraph.of(formula, infinite_signals=infinite)
         return _Tape(trace, sharpness).run(
-            Plan.of(graph, SamplePositions(trace.positions, wrap), (0, 0))
+            EvaluationPlan.of(graph, SamplePositions(trace.positions, wrap), (0, 0))
         )
 
     return finite_first(value)
@@ -75,7 +75,7 @@ class _Tape:
     trace: SampledSignals
     sharpness: float
 
-    def run(self, plan: Plan) -> Smooth:
+    def run(self, plan: EvaluationPlan) -> Smooth:
         values: list[FloatArray] = []
         ways: list[Backward | None] = []
         for step in plan.steps:
@@ -106,7 +106,7 @@ class _Tape:
         return placed
 
     def _forward(
-        self, plan: Plan, step: ScheduledStep, values: list[FloatArray]
+        self, plan: EvaluationPlan, step: ScheduledStep, values: list[FloatArray]
     ) -> tuple[FloatArray, Backward | None]:
         match step.node.operation:
             case o.NumberOperation(value):

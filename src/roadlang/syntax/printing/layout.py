@@ -26,13 +26,13 @@ class Nest:
 
 
 @dataclass(frozen=True, slots=True)
-class Group:
+class LayoutGroup:
     """Stays on one line if it fits there; else all its own breaks are taken."""
 
     inner: Doc
 
 
-Doc: TypeAlias = str | LineBreak | Nest | Group | tuple["Doc", ...]
+Doc: TypeAlias = str | LineBreak | Nest | LayoutGroup | tuple["Doc", ...]
 
 LINE = LineBreak()
 SOFT = LineBreak("")
@@ -54,7 +54,7 @@ def enclosed(opener: str, items: Sequence[Doc], closer: str) -> Doc:
     if not items:
         return opener + closer
     inner = joined((",", LINE), items)
-    return Group((opener, Nest(2, (SOFT, inner)), SOFT, closer))
+    return LayoutGroup((opener, Nest(2, (SOFT, inner)), SOFT, closer))
 
 
 def render(doc: Doc, *, column: int = 0, indent: int = 0, width: int = WIDTH) -> str:
@@ -78,7 +78,7 @@ def render(doc: Doc, *, column: int = 0, indent: int = 0, width: int = WIDTH) ->
                 column = owed = indent
         elif isinstance(top, Nest):
             stack.append((indent + top.indent, flat, top.inner))
-        elif isinstance(top, Group):
+        elif isinstance(top, LayoutGroup):
             stack.append((indent, flat or _fits(top.inner, width - column, stack), top.inner))
         else:
             stack.extend((indent, flat, part) for part in reversed(top))

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from ..tree import nodes as ast
 from ..tree.strings import quoted
-from .layout import HARD, LINE, SOFT, Doc, Group, Nest, enclosed, joined, render
+from .layout import HARD, LINE, SOFT, Doc, LayoutGroup, Nest, enclosed, joined, render
 
 _PIECE = re.compile(r"\{\w+\}|[^\s{}]+")
 
@@ -50,7 +50,7 @@ def expression(node: ast.SyntaxNode) -> Doc:
         case ast.Argument(key=ast.Word(text=key)):
             return (key, ": ", expression(node.value))
         case ast.GroupExpression():
-            return Group(("(", Nest(2, (SOFT, expression(node.inner))), SOFT, ")"))
+            return LayoutGroup(("(", Nest(2, (SOFT, expression(node.inner))), SOFT, ")"))
         case ast.Point():
             return enclosed("(", _all(node.items), ")")
         case ast.ListValue():
@@ -86,7 +86,7 @@ def _operation(node: ast.SyntaxNode) -> Doc:
         case ast.Binding():
             left, right = expression(node.left), expression(node.right)
             word: Doc = (node.word, *_interval(node.interval))
-            return Group((left, Nest(2, (LINE, word, " ", right))))
+            return LayoutGroup((left, Nest(2, (LINE, word, " ", right))))
     raise TypeError(f"no expression: {type(node).__name__}")
 
 
@@ -103,7 +103,7 @@ def _chain(operands: list[Doc], signs: list[str]) -> Doc:
     rest = tuple(
         (LINE, f"{sign} ", operand) for sign, operand in zip(signs, operands[1:], strict=True)
     )
-    return Group((operands[0], Nest(2, rest)))
+    return LayoutGroup((operands[0], Nest(2, rest)))
 
 
 def _text(value: str) -> Doc:
@@ -126,7 +126,7 @@ def braces(items: list[tuple[Doc, bool]]) -> Doc:
         inner.append(item)
         if index + 1 < len(items):
             inner.append(LINE if closed else (",", LINE))
-    return Group(("{", Nest(2, (LINE, *inner)), LINE, "}"))
+    return LayoutGroup(("{", Nest(2, (LINE, *inner)), LINE, "}"))
 
 
 def part(node: ast.SyntaxNode) -> Part:
