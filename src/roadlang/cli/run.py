@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,11 +11,17 @@ import click
 
 from ..session.params import parse_overrides
 from . import exit_codes
-from .console import echo, holding, report, shown, style
+from .console import echo, report, shown
 
 if TYPE_CHECKING:
-    from ..session.drives import Drive, DriveSet
+    from ..drive.batches import DriveTask
+    from ..search.worker_pool import Executor
     from ..session.loading import LoadedScenario
+    from ..session.scene import Scene
+    from ..session.scene_set import SceneSet
+
+_CONCRETE = ".json"
+"""The ending of a file that holds one scene instead of a scenario."""
 
 
 @click.command("run")
@@ -39,6 +46,19 @@ if TYPE_CHECKING:
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
 )
 @click.option(
+    "--jobs",
+    type=click.IntRange(min=1, max=256),
+    default=1,
+    show_default=True,
+    help="Number of worker processes; does not change the result.",
+)
+@click.option(
+    "--cluster",
+    metavar="ADDRESS",
+    help="Scheduler of a running Dask cluster to work on, such as tcp://10.0.0.5:8786.",
+)
+@click.option("--resume", is_flag=True, help="Keep what an earlier run has finished in DIR.")
+@click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
 @click.option(
@@ -61,26 +81,32 @@ def command(  # noqa: PLR0913 - one parameter per option
     params: str | None,
     duration: float | None,
     window: bool,
+    jobs: int,
+    cluster: str | None,
+    resume: bool,
     as_json: bool,
 ) -> None:
     """Sample scenes of FILE, drive them, evaluate the expectations, and write traces to DIR.
 
-    DIR/results.csv has one row per scene: its params and draws, and the robustness of each
-    expectation. If --params has a list of maps, each is a run with a folder of its own,
-    DIR/run-000, ... The exit code is 4 if an expectation is violated, and 5 if the simulator fails.
+    FILE is a scene file, or one scene that `emit json` or `roadlang falsify` wrote (scene.json),
+    which is driven as it is. DIR/results.csv has one row per scene: its params and draws, the
+    robustness of each expectation, and when and where the worst is decided; DIR has the trace and a
+    figure of each drive. What is finished is kept: `--resume` goes on after an interruption. If
+    --params has a list of maps, each is a run with a folder of its own, DIR/run-000, ... The exit
+    code is 4 if an expectation is violated, and 5 if the simulator fails.
     """
-    from ..session.loading import load
-    from ..session.runs import variants
+    from ..session.cluster import cluster as workers_of
 
     target = Path(folder).absolute()  # before a plugin can change the current folder
-    each, is_list = variants(load(file), params)
     options: dict[str, Any] = {} if duration is None else {"duration": duration}
     if window:
         options["headless"] = False
-    batch = Batch(target, is_list, as_json)
-    overrides = parse_overrides(settings)
-    for loaded in [variant.with_params(overrides) for variant in each]:
-        batch.add(loaded, count, seed, engine, options)
+    with workers_of(cluster, jobs) as (workers, executor):
+        batch = RunBatch(target, engine, options, workers, executor, resume, as_json)
+        if file.endswith(_CONCRETE):
+            batch.add_scene(file)
+        else:
+            batch.add_variants(file, params, parse_overrides(settings), count, seed)
     batch.write_table()
     if as_json:
         click.echo(json.dumps(batch.records, indent=2))
@@ -89,52 +115,116 @@ def command(  # noqa: PLR0913 - one parameter per option
     click.get_current_context().exit(exit_codes.severest(batch.codes))
 
 
-class Batch:
-    """The drives of one or several runs."""
+class RunBatch:
+    """The drives of one or several runs. `records` holds their verdicts, `codes` their exit
+    codes."""
 
-    def __init__(self, target: Path, is_list: bool, as_json: bool) -> None:
-        self._as_json = as_json
+    def __init__(
+        self,
+        target: Path,
+        engine: str | None,
+        options: dict[str, Any],
+        workers: int,
+        executor: Executor | None,
+        resume: bool,
+        as_json: bool,
+    ) -> None:
         self._target = target
-        self._is_list = is_list
+        self._engine = engine
+        self._options = options
+        self._workers = workers, executor
+        self._resume = resume
+        self._as_json = as_json
         self._rows: list[dict[str, Any]] = []
-        self._satisfied: list[bool] = []
-        self._expects = False
         self.records: list[dict[str, Any]] = []
         self.codes: list[int] = []
 
-    def add(
+    def add_scene(self, file: str) -> None:
+        """Drive the scene in a file as it is."""
+        from ..session.scene import Scene
+        from ..session.scene_files import read_scene_file
+
+        text = read_scene_file(file)
+        scene = Scene.from_json(text)
+        self._drive([scene], self._task(scene.registry), text, {}, {})
+
+    def add_variants(
         self,
-        loaded: LoadedScenario,
+        file: str,
+        params: str | None,
+        overrides: dict[str, str],
         count: int | None,
         seed: int,
-        engine: str | None,
-        options: dict[str, Any],
     ) -> None:
-        """Sample, drive, judge and write one run; that there is no scene ends only this run."""
-        from ..session.scene_set import NoSceneError
+        """Sample and drive scenes, for each map of params in a folder of its own."""
+        from ..session.loading import load
+        from ..session.runs import variants
 
-        number = len(self.codes)
-        run = {"run": f"run-{number:03d}"} if self._is_list else {}
+        each, is_list = variants(load(file), params)
+        for number, loaded in enumerate(variant.with_params(overrides) for variant in each):
+            self._add(loaded, {"run": f"run-{number:03d}"} if is_list else {}, count, seed)
+
+    def _add(
+        self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int
+    ) -> None:
+        """One run; that there is no scene ends only this one."""
+        from ..session.scene_set import NoSceneError
+        from .progress import ProgressBar
+
+        jobs = 1 if self._workers[1] is not None else self._workers[0]
         try:
-            scenes = loaded.sample(count, seed=seed)
+            with ProgressBar("scenes") as progress:
+                scenes = loaded.sample(count, seed=seed, jobs=jobs, progress=progress)
         except NoSceneError as error:
-            if not self._is_list:
+            if not run:
                 raise
             report(error.diagnostics)
             self.codes.append(exit_codes.exit_code_of(error.diagnostics))
             return
         report(scenes.diagnostics)
-        drives = scenes.run(engine, **options)
-        _write(self._target / run["run"] if run else self._target, drives)
-        self._rows += [{**run, **row} for row in drives.rows()]
-        self._satisfied += [drive.satisfied for drive in drives]
-        self._expects |= any(drive.verdicts for drive in drives)
-        self.records += [{**run, **_record(drive)} for drive in drives]
-        for drive in () if self._as_json else drives:
-            _print(drive, run.get("run", ""))
-        report(drives.diagnostics)
-        code = exit_codes.DONE if drives.satisfied else exit_codes.EXPECTATION_VIOLATED
-        self.codes.append(exit_codes.severest([exit_codes.exit_code_of(drives.diagnostics), code]))
+        places = {item.name: item.span for item in loaded.scenario.expectations}
+        self._drive(scenes, self._task(loaded.registry), _key(scenes), places, run)
+
+    def _task(self, registry: Any) -> DriveTask:
+        from ..drive.batches import DriveTask
+
+        return DriveTask(registry, self._engine, self._options)
+
+    def _drive(
+        self,
+        scenes: Sequence[Scene],
+        task: DriveTask,
+        key: str,
+        places: dict[str, Any],
+        run: dict[str, str],
+    ) -> None:
+        """Drive what is not finished, write and print it as it comes, and count all."""
+        from ..session.drives import drive_in_parts
+        from ..session.run_files import RunFolder
+        from .drive_lines import print_drive
+        from .progress import ProgressBar
+
+        folder = RunFolder(self._folder(run), _digest(key, task), self._resume)
+        open_ = [scene for scene in scenes if scene.index not in folder.finished]
+        found: list[Any] = []
+        with ProgressBar("drives") as progress:
+            for drives in drive_in_parts(open_, task, places, *self._workers):
+                folder.add(drives)
+                found += drives.diagnostics
+                for drive in () if self._as_json else drives:
+                    print_drive(drive, run.get("run", ""), in_full=len(scenes) == 1)
+                progress(len(folder.finished), len(scenes))
+        report(found)
+        numbers = [scene.index for scene in scenes]
+        records = folder.records(numbers)
+        self._rows += [{**run, **row} for row in folder.rows(numbers)]
+        self.records += [{**run, **record} for record in records]
+        satisfied = all(map(_holds, records))
+        code = exit_codes.DONE if satisfied else exit_codes.EXPECTATION_VIOLATED
+        self.codes.append(exit_codes.severest([exit_codes.exit_code_of(found), code]))
+
+    def _folder(self, run: dict[str, str]) -> Path:
+        return self._target / run["run"] if run else self._target
 
     def write_table(self) -> None:
         """A line for each scene, in results.csv."""
@@ -144,39 +234,28 @@ class Batch:
         write_file(self._target / "results.csv", to_csv(columns_of(self._rows)))
 
     def summary(self) -> str:
-        """In how many scenes all expectations hold; nothing where nothing is expected."""
-        return f"{holding(sum(self._satisfied), len(self._satisfied))}; " if self._expects else ""
+        """In how many scenes all expectations hold, and the worst; nothing where nothing is
+        expected."""
+        from .drive_lines import summary
+
+        if not any(record["expectations"] for record in self.records):
+            return ""
+        return summary(self._rows, [_holds(record) for record in self.records])
 
 
-def _write(folder: Path, drives: DriveSet) -> None:
-    from ..files.writing import write_all
-
-    files: dict[str, str] = {}
-    for drive in drives:
-        stem = f"scene-{drive.scene.index:04d}"
-        files[f"{stem}.trace.csv"] = drive.to_csv()
-        files[f"{stem}.trace.json"] = drive.to_json()
-        files[f"{stem}.verdicts.json"] = json.dumps(_record(drive), indent=2) + "\n"
-    write_all(folder, files)
+def _holds(record: dict[str, Any]) -> bool:
+    return all(found["satisfied"] for found in record["expectations"])
 
 
-def _record(drive: Drive) -> dict[str, Any]:
-    return {
-        "scene": drive.scene.index,
-        "name": drive.scene.name,
-        "expectations": [
-            {"name": v.name, "text": v.text, "robustness": v.robustness, "satisfied": v.satisfied}
-            for v in drive.verdicts.values()
-        ],
-    }
+def _key(scenes: SceneSet) -> str:
+    from ..falsification.search_key import digest
+
+    settings = {"seed": scenes.seed, "params": dict(scenes.loaded.params)}
+    return digest(scenes.loaded.scenario, settings)
 
 
-def _print(drive: Drive, run: str) -> None:
-    took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
-    echo(f"{run}{': ' if run else ''}scene {drive.scene.index}: {took} driven in {drive.engine}")
-    for verdict in drive.verdicts.values():
-        word = style("holds   ", fg="green") if verdict.satisfied else style("violated", fg="red")
-        if verdict.satisfied is None:
-            word = "not judged"
-        rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
-        echo(f"  {word}  {verdict.name}: {verdict.text}{rho}")
+def _digest(key: str, task: DriveTask) -> str:
+    import hashlib
+
+    settings = json.dumps([key, task.engine, dict(task.options)], sort_keys=True, default=str)
+    return hashlib.sha256(settings.encode()).hexdigest()

@@ -65,7 +65,8 @@ class Evaluator:
 
     def evaluate(self, proposals: Sequence[Proposal]) -> list[Outcome]:
         """The outcome of each, in order. Raises DiagnosticError where no scene can be driven."""
-        measured = self.acceptance.measure(self._candidates(proposals))
+        candidates = self._candidates(proposals)
+        measured = self.acceptance.measure(candidates)
         violations = self._violations(measured)
         outcomes: dict[int, Outcome] = {}
         scenes: dict[int, Scene] = {}
@@ -73,7 +74,7 @@ class Evaluator:
             violation = None if measured.satisfied[:, row].all() else float(violations[row])
             if violation is None:
                 try:
-                    scenes[row] = self.scene(proposal)
+                    scenes[row] = self._scene(candidates, row, proposal.index)
                     continue
                 except DiagnosticError as error:
                     if not _is_of_draws(error):
@@ -87,9 +88,13 @@ class Evaluator:
                 outcomes[row] = self.outcome(proposals[row], found, measured.rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
 
-    def scene(self, proposal: Proposal) -> Scene:
-        """The scene of a valid point, as it is driven."""
-        return driven_scene(self._single(proposal), proposal.index, self.task.overrides)
+    def _scene(self, candidates: CandidateBatch, row: int, index: int) -> Scene:
+        """The scene of a candidate as it is driven; what was computed for all of them is kept."""
+        chosen = candidates.take(np.array([row]))
+        assert candidates.record is not None
+        drawn = candidates.record.values.items()
+        chosen.record = DrawRecord(values={name: _row(value, row) for name, value in drawn})
+        return driven_scene(chosen, index, self.task.overrides)
 
     def full_scene(self, proposal: Proposal) -> Scene:
         """The same with all that people and figures want."""
@@ -140,7 +145,8 @@ class Evaluator:
         given = {name: points[:, column] for column, name in enumerate(self.task.axes)}
         attempts = np.array([proposal.index for proposal in proposals])
         scenes = np.zeros_like(attempts)
-        return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, given)
+        record = DrawRecord()
+        return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, given, record)
 
     def _single(self, proposal: Proposal) -> CandidateBatch:
         point = {
@@ -170,6 +176,11 @@ class Evaluator:
         lack = np.where(np.isfinite(rho) & (rho < 0.0), -rho, 0.0)
         mean = lack.sum(axis=1) / np.maximum((lack > 0.0).sum(axis=1), 1)
         return np.where(mean > 0.0, mean, 1.0)[:, None]
+
+
+def _row(values: Any, row: int) -> Any:
+    """The value of one candidate of those that were drawn for all."""
+    return values[row : row + 1] if isinstance(values, np.ndarray) and len(values) > 1 else values
 
 
 def _is_of_draws(error: DiagnosticError) -> bool:

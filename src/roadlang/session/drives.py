@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
+from ..drive.batches import DriveTask, parts_of
+from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.trace_files import COLUMNS, to_csv, to_json
+from ..judging.deciding_moment import DecidingMoment, deciding_moment
+from ..judging.robustness_series import robustness_series
+from ..search.worker_pool import Executor, WorkerPool
 from .expectations import Expectation, expectations_of
 from .scene import Scene
 from .tables import columns_of
@@ -37,6 +43,23 @@ def drive(
     return DriveSet(
         Drive(scene, found, places or {}) for scene, found in zip(scenes, driven, strict=True)
     )
+
+
+def drive_in_parts(
+    scenes: Sequence[Scene],
+    task: DriveTask,
+    places: Mapping[str, Span | None],
+    jobs: int = 1,
+    executor: Executor | None = None,
+) -> Iterator[DriveSet]:
+    """The drives of parts of the scenes, in order, each part as soon as it and those before it are
+    done; `jobs` processes or an `executor` of as many workers drive them."""
+    parts = parts_of(len(scenes), jobs)
+    records = [[scenes[number].record for number in part] for part in parts]
+    with WorkerPool(task, jobs, executor) as pool:
+        for part, driven in zip(parts, pool.map(DriveTask.drive, records), strict=True):
+            pairs = zip(part, driven, strict=True)
+            yield DriveSet(Drive(scenes[number], found, places) for number, found in pairs)
 
 
 class Drive:
@@ -102,6 +125,31 @@ class Drive:
 
         return pandas.DataFrame(self.to_dict()).set_index("time")
 
+    @property
+    def worst(self) -> Verdict | None:
+        """The violated expectation of least robustness; where all hold that of the least."""
+        judged = [v for v in self._verdicts if v.satisfied is not None]
+        return min(judged, key=_badness, default=None)
+
+    @cached_property
+    def worst_moment(self) -> DecidingMoment | None:
+        """When the worst expectation is decided, and for whom."""
+        worst = self.worst
+        return None if worst is None else deciding_moment(worst, self.trace, self.scene.registry)
+
+    def svg(self) -> str:
+        """The roads and paths, colored by the robustness of the worst expectation."""
+        worst, moment = self.worst, self.worst_moment
+        series, title = None, f"scene {self.scene.index}"
+        if worst is not None:
+            series = robustness_series(worst, self.trace, self.scene.registry)
+            rho = "" if worst.robustness is None else f", robustness {worst.robustness:.3g}"
+            title = f"{title}: {worst.name}{rho}"
+        first = next(iter(self.trace.agents), "")
+        name = moment.actors[0].name if moment is not None and moment.actors else first
+        at = None if moment is None else moment.sample
+        return drive_figure(self.scene.record, self.trace, name, series, title, at)
+
     def to_csv(self) -> str:
         """The trace as `roadlang run` writes it: one row for each agent at each time."""
         return to_csv(self.trace)
@@ -149,16 +197,34 @@ class DriveSet(Sequence[Drive]):
 
     def rows(self) -> list[dict[str, Any]]:
         """Of each drive: `scene`, params and draws, then for each expectation its robustness and,
-        as `NAME satisfied`, how it came out."""
+        as `NAME satisfied`, how it came out; which is the worst, and when and where (`worst`,
+        `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`)."""
         rows = []
         for drive in self:
             row: dict[str, Any] = {"scene": drive.scene.index}
             row |= {**drive.scene.values, **drive.scene.draws}
             for name, verdict in drive.verdicts.items():
                 row |= {name: verdict.robustness, f"{name} satisfied": verdict.satisfied}
-            rows.append(row)
+            rows.append(row | _worst_columns(drive))
         return rows
 
     def to_dict(self) -> dict[str, list[Any]]:
         """`rows` as columns for `pandas.DataFrame`."""
         return columns_of(self.rows())
+
+
+def _badness(verdict: Verdict) -> tuple[bool, float]:
+    robustness = math.inf if verdict.robustness is None else verdict.robustness
+    return verdict.satisfied is not False, robustness
+
+
+def _worst_columns(drive: Drive) -> dict[str, Any]:
+    worst, moment = drive.worst, drive.worst_moment
+    columns: dict[str, Any] = {"worst": None if worst is None else worst.name}
+    if moment is not None and moment.actors:
+        agent, at = moment.actors[0], moment.sample
+        columns |= {"worst time": float(drive.trace.time[at]), "worst agent": agent.name}
+        for name in ("x", "y", "station"):
+            value = float(getattr(agent, name)[at])
+            columns[f"worst {name}"] = value if math.isfinite(value) else None
+    return columns

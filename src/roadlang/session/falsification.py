@@ -34,7 +34,7 @@ from .scene import Scene
 from .tables import columns_of
 
 if TYPE_CHECKING:
-    from .drives import Drive
+    from .drives import Drive, DriveSet
     from .loading import LoadedScenario
 
 Progress = Callable[[int, int], None]
@@ -81,11 +81,10 @@ class Failure:
         proposal = Proposal(self.outcome.index, self.outcome.point)
         return Scene(self._search.evaluator.full_scene(proposal), self._search.loaded.registry)
 
-    @cached_property
+    @property
     def drive(self) -> Drive:
-        """The scene, driven once more."""
-        drives = self._search.drives
-        return self.scene.run(drives.engine, **drives.options)
+        """The scene, driven once more; all failures are driven together."""
+        return self._search.failure_drives[self.rank - 1]
 
 
 class Falsification:
@@ -114,6 +113,15 @@ class Falsification:
     def drives(self) -> Drives:
         """Where the scenes were driven."""
         return Drives(self.evaluator.task.engine, self.evaluator.task.options)
+
+    @cached_property
+    def failure_drives(self) -> DriveSet:
+        """The failures, driven once more."""
+        from .drives import drive
+
+        drives, scenes = self.drives, [failure.scene for failure in self.failures]
+        places = {item.name: item.span for item in self.loaded.scenario.expectations}
+        return drive(scenes, self.loaded.registry, drives.engine, drives.options, places)
 
     @property
     def driven(self) -> tuple[Outcome, ...]:

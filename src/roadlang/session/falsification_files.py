@@ -73,6 +73,7 @@ def _write_failure(failure: Failure, contents: dict[str, str | bytes]) -> dict[s
     contents[f"{stem}.json"] = failure.scene.to_json()
     contents[f"{stem}.trace.csv"] = drive.to_csv()
     contents[f"{stem}.trace.json"] = drive.to_json()
+    contents[f"{stem}.svg"] = drive.svg()
     outcome = failure.outcome
     again = {name: drive.verdicts[name].robustness for name in outcome.expectations}
     return {

@@ -1,0 +1,64 @@
+"""What `roadlang run` prints of drives: a line for each, or all expectations of the only one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from .console import echo, holding, style
+
+if TYPE_CHECKING:
+    from ..session.drives import Drive
+
+
+def print_drive(drive: Drive, run: str, in_full: bool) -> None:
+    """One line; `in_full`: how long it took and a line for each expectation."""
+    label = f"{run}{': ' if run else ''}scene {drive.scene.index}"
+    took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
+    if not in_full:
+        echo(f"{label}: {_outcome(drive)}, {took}")
+        return
+    echo(f"{label}: {took} driven in {drive.engine}")
+    for verdict in drive.verdicts.values():
+        rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
+        echo(f"  {_word(verdict.satisfied)}  {verdict.name}: {verdict.text}{rho}")
+
+
+def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
+    """In how many scenes all expectations hold; of several scenes also the worst."""
+    text = holding(sum(satisfied), len(satisfied))
+    judged = [row for row in rows if row.get("worst") and row.get(row["worst"]) is not None]
+    if len(rows) < 2 or not judged:
+        return f"{text}; "
+    worst = min(judged, key=lambda row: (row[f"{row['worst']} satisfied"], row[row["worst"]]))
+    run = f"{worst['run']}, " if "run" in worst else ""
+    name = worst["worst"]
+    place = _place(worst.get("worst time"), worst.get("worst station"))
+    return f"{text}; worst: {run}scene {worst['scene']}, {name} {worst[name]:.3g}{place}; "
+
+
+def _outcome(drive: Drive) -> str:
+    worst = drive.worst
+    if worst is None:
+        return "nothing to judge" if not drive.verdicts else "not judged"
+    rho = "" if worst.robustness is None else f" {worst.robustness:.3g}"
+    moment = drive.worst_moment
+    place = ""
+    if moment is not None and moment.actors:
+        station = float(moment.actors[0].station[moment.sample])
+        place = _place(float(drive.trace.time[moment.sample]), station)
+    return f"{_word(worst.satisfied).rstrip()} {worst.name}{rho}{place}"
+
+
+def _place(time: float | None, station: float | None) -> str:
+    if time is None:
+        return ""
+    along = "" if station is None or math.isnan(station) else f", s = {station:.0f} m"
+    return f" at {time:.1f} s{along}"
+
+
+def _word(satisfied: bool | None) -> str:
+    if satisfied is None:
+        return "not judged"
+    return style("holds   ", fg="green") if satisfied else style("violated", fg="red")

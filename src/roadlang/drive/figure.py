@@ -1,0 +1,100 @@
+"""A figure of a drive: the roads, the paths of agents, and where robustness was lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from xml.sax.saxutils import escape
+
+import numpy as np
+
+from ..geometry.arrays import Floats
+from ..ir.scene import Scene
+from ..ir.trace import AgentTrace, Trace
+
+_SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
+_SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
+_ROAD, _GROUND, _INK, _OTHER = "#757b83", "#f4f2ec", "#23272b", "#1c7ed6"
+
+
+def drive_figure(
+    scene: Scene, trace: Trace, name: str, robustness: Floats | None, title: str, at: int | None
+) -> str:
+    """An SVG document.
+
+    The path of agent `name` is green where `robustness` (T,) is large, yellow at 0 and red below;
+    the sample `at` is marked. Meters are scaled to the width of the figure; y is up.
+    """
+    agents = [agent for agent in trace.agents.values() if np.isfinite(agent.x).any()]
+    roads = [road for road in scene.roads if road.derived] or list(scene.roads)
+    x = np.concatenate([[0.0], *(np.array(r.x) for r in roads), *(a.x for a in agents)])
+    y = np.concatenate([[0.0], *(np.array(r.y) for r in roads), *(a.y for a in agents)])
+    if roads or agents:
+        x, y = x[1:], y[1:]
+    left, top = float(np.nanmin(x)), float(np.nanmax(y))
+    wide, high = float(np.nanmax(x)) - left, top - float(np.nanmin(y))
+    scale = (_SIZE - 2 * _MARGIN) / max(wide, high, 1.0)
+
+    def place(px: Floats, py: Floats) -> Floats:
+        columns = (_MARGIN + (px - left) * scale, _HEAD + _MARGIN + (top - py) * scale)
+        return np.stack(columns, axis=-1)
+
+    height = _HEAD + 2 * _MARGIN + high * scale
+    parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
+    for road in roads:
+        line = place(np.array(road.x), np.array(road.y))
+        width = max(float(np.mean(road.width)) * scale, 1.0)
+        parts.append(_polyline(line, _ROAD, width))
+    for agent in agents:
+        line = place(agent.x, agent.y)
+        if agent.name == name and robustness is not None:
+            parts += _colored(line, robustness, max(0.35 * agent.width * scale, 2.0))
+        else:
+            parts.append(_polyline(line, _OTHER, 1.5))
+    marked = trace.agents.get(name)
+    if marked is not None and at is not None:
+        parts.append(_mark(place(marked.x, marked.y)[at], marked, at))
+    parts.append(
+        f'<text x="{_MARGIN:.0f}" y="{_HEAD - 8:.0f}" fill="{_INK}" font-size="15"'
+        f' font-family="Helvetica, Arial, sans-serif">{escape(title)}</text>'
+    )
+    body = "\n".join(parts)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
+        f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
+    )
+
+
+def _polyline(line: Floats, color: str, width: float) -> str:
+    line = line[np.isfinite(line).all(axis=1)]
+    points = " ".join(f"{x:.1f},{y:.1f}" for x, y in line.tolist())
+    return (
+        f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="{width:.1f}"'
+        ' stroke-linejoin="round"/>'
+    )
+
+
+def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
+    """Runs of samples of one color."""
+    largest = float(np.max(np.abs(robustness[np.isfinite(robustness)]), initial=1e-9))
+    shares = np.round(np.clip(np.nan_to_num(robustness, nan=0.0) / largest, -1.0, 1.0) * 8) / 8
+    edges = np.flatnonzero(np.diff(shares)) + 1
+    for run in np.split(np.arange(len(shares)), edges):
+        last = min(int(run[-1]) + 2, len(line))
+        yield _polyline(line[run[0] : last], _color(float(shares[run[0]])), width)
+
+
+def _color(share: float) -> str:
+    """Green at 1, yellow at 0, red from -1/8 on."""
+    end = _SAFE if share >= 0 else _FAILED
+    weight = abs(share) ** 0.5 if share >= 0 else 1.0
+    mixed = (round(e + (s - e) * weight) for e, s in zip(_EDGE, end, strict=True))
+    return "#" + "".join(f"{value:02x}" for value in mixed)
+
+
+def _mark(point: Floats, agent: AgentTrace, at: int) -> str:
+    x, y = point.tolist()
+    label = escape(f"{agent.name} at {float(agent.time[at]):.1f} s")
+    return (
+        f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9" fill="none" stroke="{_INK}" stroke-width="2">'
+        f"<title>{label}</title></circle>"
+    )

@@ -1,0 +1,83 @@
+"""The files of driven scenes, and the journal by which a run that was interrupted goes on."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..files.journal import JournalFile
+from ..files.writing import write_all
+from .drives import Drive
+
+if TYPE_CHECKING:
+    from .drives import DriveSet
+
+JOURNAL = "journal.jsonl"
+_ENDINGS = (".trace.csv", ".trace.json", ".verdicts.json", ".svg")
+
+
+class RunFolder:
+    """A folder of drives. `key` stands for all that they depend on; `resume`: what is there of an
+    earlier run with the same key is kept.
+
+    `finished` holds the rows of scenes by their number. Raises `DiagnosticError` RL702 where the
+    journal is that of another run, RL460 where nothing can be written.
+    """
+
+    def __init__(self, folder: Path, key: str, resume: bool) -> None:
+        self._folder = folder
+        self._journal = JournalFile(folder / JOURNAL, key, resume)
+        entries = [json.loads(line) for line in self._journal.lines]
+        self.finished: dict[int, Mapping[str, Any]] = {
+            entry["row"]["scene"]: entry for entry in entries if self._has_files(entry)
+        }
+
+    def add(self, drives: DriveSet) -> None:
+        """Write the files of drives, all of them or none, and then their lines in the journal."""
+        files: dict[str, str] = {}
+        for drive in drives:
+            contents = (drive.to_csv(), drive.to_json(), verdicts_json(drive), drive.svg())
+            stem = _stem(drive.scene.index)
+            files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
+        write_all(self._folder, files)
+        entries = [
+            {"row": row, "record": record_of(drive)}
+            for row, drive in zip(drives.rows(), drives, strict=True)
+        ]
+        self._journal.append([json.dumps(entry).encode() for entry in entries])
+        self.finished |= {entry["row"]["scene"]: entry for entry in entries}
+
+    def rows(self, scenes: Iterable[int]) -> list[dict[str, Any]]:
+        """The rows of scenes, in their order."""
+        return [dict(self.finished[number]["row"]) for number in scenes]
+
+    def records(self, scenes: Iterable[int]) -> list[dict[str, Any]]:
+        """The verdicts of scenes, in their order."""
+        return [dict(self.finished[number]["record"]) for number in scenes]
+
+    def _has_files(self, entry: Mapping[str, Any]) -> bool:
+        stem = _stem(entry["row"]["scene"])
+        return all((self._folder / (stem + end)).is_file() for end in _ENDINGS)
+
+
+def record_of(drive: Drive) -> dict[str, Any]:
+    """How the expectations came out."""
+    return {
+        "scene": drive.scene.index,
+        "name": drive.scene.name,
+        "expectations": [
+            {"name": v.name, "text": v.text, "robustness": v.robustness, "satisfied": v.satisfied}
+            for v in drive.verdicts.values()
+        ],
+    }
+
+
+def verdicts_json(drive: Drive) -> str:
+    """`record_of` as a file."""
+    return json.dumps(record_of(drive), indent=2) + "\n"
+
+
+def _stem(scene: int) -> str:
+    return f"scene-{scene:04d}"

@@ -1,0 +1,160 @@
+"""`roadlang run` and `roadlang falsify` in the embedded engine: files, lines, resuming."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from roadlang.cli.main import run
+from roadlang.stl import parse, read_trace
+
+TEXT = """
+road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (90m, 25m), (90m, 80m)] }, width: 7m }
+agent ego is car on main at 5m { drive with pure_pursuit { speed: 6m/s..16m/s } }
+expect slow: always (ego.speed < 11m/s)
+simulate with builtin { duration: 6s }
+falsify with random { evaluations: 12, random: 0% }
+"""  # noqa: E501
+
+
+@pytest.fixture(autouse=True)
+def scene_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "bend.rl"
+    path.write_text(TEXT)
+    return path
+
+
+def results(folder: str = "out") -> list[dict[str, str]]:
+    with (Path(folder) / "results.csv").open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_a_line_for_each_scene_and_the_worst(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["run", "bend.rl", "-n", "5"]) == 4
+    lines = capsys.readouterr().out.splitlines()
+    rows = results()
+    assert len(lines) == 6
+    violated = [row for row in rows if row["slow satisfied"] == "false"]
+    assert 0 < len(violated) < 5
+    worst = min(rows, key=lambda row: float(row["slow"]))
+    assert f"all expectations hold in {5 - len(violated)} of 5 scenes" in lines[-1]
+    assert f"worst: scene {worst['scene']}, slow {float(worst['slow']):.3g} at" in lines[-1]
+    for line, row in zip(lines, rows, strict=False):
+        word = "holds" if row["slow satisfied"] == "true" else "violated"
+        assert line.startswith(f"scene {row['scene']}: {word} slow {float(row['slow']):.3g} at ")
+
+
+def test_results_have_draws_robustness_and_the_worst_moment() -> None:
+    run(["run", "bend.rl", "-n", "3"])
+    for row in results():
+        assert 6 <= float(row["ego/drive 1/speed"]) <= 16
+        assert row["worst"] == "slow"
+        assert row["worst agent"] == "ego"
+        assert 0 <= float(row["worst time"]) <= 6
+        assert 5 <= float(row["worst station"]) <= 110
+
+
+def test_what_run_writes_is_read_by_the_other_commands() -> None:
+    run(["run", "bend.rl"])
+    row = results()[0]
+    for name in ("scene-0000.trace.csv", "scene-0000.trace.json"):
+        _, positions, signals = read_trace(Path("out") / name)
+        rho = parse("always (ego.speed < 11)").rho(positions, signals)
+        assert float(rho) == pytest.approx(float(row["slow"]), abs=1e-6)
+        code = run(["monitor", "always (ego.speed < 11)", f"out/{name}"])
+        assert code == (0 if row["slow satisfied"] == "true" else 4)
+    figure = ElementTree.parse("out/scene-0000.svg")
+    assert len(list(figure.iter("{http://www.w3.org/2000/svg}polyline"))) >= 2
+
+
+def test_processes_change_nothing() -> None:
+    run(["run", "bend.rl", "-n", "4", "-o", "one"])
+    run(["run", "bend.rl", "-n", "4", "-o", "two", "--jobs", "2"])
+    names = {path.name for path in Path("one").iterdir()}
+    assert names == {path.name for path in Path("two").iterdir()}
+    for name in names:
+        assert (Path("one") / name).read_bytes() == (Path("two") / name).read_bytes(), name
+
+
+def test_an_interrupted_run_goes_on(capsys: pytest.CaptureFixture[str]) -> None:
+    run(["run", "bend.rl", "-n", "3", "-o", "whole"])
+    run(["run", "bend.rl", "-n", "2", "-o", "part"])
+    (Path("part") / "scene-0001.svg").unlink()
+    capsys.readouterr()
+    run(["run", "bend.rl", "-n", "3", "-o", "part", "--resume"])
+    printed = capsys.readouterr().out.splitlines()
+    assert [line.split(":")[0] for line in printed[:-1]] == ["scene 1", "scene 2"]
+    assert results("part") == results("whole")
+    for path in Path("whole").glob("scene-*"):
+        assert (Path("part") / path.name).read_bytes() == path.read_bytes()
+
+
+def test_the_run_of_another_seed_is_not_gone_on_with(capsys: pytest.CaptureFixture[str]) -> None:
+    run(["run", "bend.rl", "-o", "out"])
+    assert run(["run", "bend.rl", "-o", "out", "--seed", "7", "--resume"]) == 2
+    assert "RL702" in capsys.readouterr().err
+
+
+def test_a_scene_that_compile_wrote_is_driven_as_it_is() -> None:
+    run(["compile", "bend.rl", "-n", "2", "-o", "scenes", "--emit", "json"])
+    run(["run", "bend.rl", "-n", "2", "-o", "sampled"])
+    run(["run", "scenes/scene-0001.json", "-o", "alone"])
+    for ending in ("trace.csv", "trace.json", "verdicts.json"):
+        alone = (Path("alone") / f"scene-0001.{ending}").read_bytes()
+        assert alone == (Path("sampled") / f"scene-0001.{ending}").read_bytes()
+
+
+def test_a_file_that_is_no_scene_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("other.json").write_text("{}")
+    assert run(["run", "other.json"]) == 1
+    assert "RL461" in capsys.readouterr().err
+
+
+def test_failures_replay_from_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["falsify", "bend.rl", "-o", "search"]) == 4
+    printed = capsys.readouterr().out
+    assert "violated  failures/0001.json  slow" in printed
+    index = json.loads(Path("search/failures/index.json").read_text())
+    summary = json.loads(Path("search/summary.json").read_text())
+    assert summary["distinct"] == len(index["failures"]) > 0
+    for failure in index["failures"]:
+        assert failure["replays"]
+        path = Path("search/failures") / failure["scene"]
+        assert run(["run", str(path), "-o", "again"]) == 4
+        number = failure["evaluation"]
+        trace = (Path("again") / f"scene-{number:04d}.trace.json").read_bytes()
+        assert trace == path.with_suffix(".trace.json").read_bytes()
+
+
+def test_tables_of_failing_and_safe_scenes() -> None:
+    run(["falsify", "bend.rl", "-o", "search"])
+    tables = {}
+    for name in ("failing", "safe"):
+        with (Path("search") / f"{name}.csv").open(newline="") as file:
+            tables[name] = list(csv.DictReader(file))
+    assert len(tables["failing"]) + len(tables["safe"]) == 12
+    assert all(float(row["slow"]) <= 0 for row in tables["failing"])
+    assert all(float(row["slow"]) >= 0 for row in tables["safe"])
+    assert all(row["worst station"] for row in tables["failing"])
+
+
+def test_fewer_failures_of_another_search_replace_the_earlier_ones() -> None:
+    run(["falsify", "bend.rl", "-o", "search"])
+    Path("search/failures/notes.txt").write_text("mine")
+    run(["falsify", "bend.rl", "-o", "search", "--failures", "1"])
+    left = {path.name for path in Path("search/failures").iterdir()}
+    assert left == {"0001.json", "0001.svg", "0001.trace.csv", "0001.trace.json"} | {
+        "index.json",
+        "notes.txt",
+    }
+
+
+def test_nothing_found_is_done(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("bend.rl").write_text(TEXT.replace("16m/s", "9m/s"))
+    assert run(["falsify", "bend.rl", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["failing"] == 0
