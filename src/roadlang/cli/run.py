@@ -89,11 +89,10 @@ def command(  # noqa: PLR0913 - one parameter per option
     """Sample scenes of FILE, drive them, evaluate the expectations, and write traces to DIR.
 
     FILE is a scene file, or one scene that `emit json` or `roadlang falsify` wrote (scene.json),
-    which is driven as it is. DIR/results.csv has one row per scene: its params and draws, the
-    robustness of each expectation, and when and where the worst is decided; DIR has the trace and a
-    figure of each drive. What is finished is kept: `--resume` goes on after an interruption. If
-    --params has a list of maps, each is a run with a folder of its own, DIR/run-000, ... The exit
-    code is 4 if an expectation is violated, and 5 if the simulator fails.
+    which is driven as it is. DIR has a trace and a figure of each drive, and results.csv with a row
+    per scene. What is finished is kept: `--resume` goes on after an interruption. If --params has a
+    list of maps, each is a run with a folder of its own, DIR/run-000, ... The exit code is 4 if an
+    expectation is violated, and 5 if the simulator fails.
     """
     from ..session.cluster import cluster as workers_of
 

@@ -53,14 +53,18 @@ def drive_figure(
     marked = trace.agents.get(name)
     if marked is not None and at is not None:
         parts.append(_mark(place(marked.x, marked.y)[at], marked, at))
-    parts.append(
-        f'<text x="{_MARGIN:.0f}" y="{_HEAD - 8:.0f}" fill="{_INK}" font-size="15"'
-        f' font-family="Helvetica, Arial, sans-serif">{escape(title)}</text>'
-    )
+    parts.append(_text(title))
     body = "\n".join(parts)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
         f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
+    )
+
+
+def _text(content: str) -> str:
+    return (
+        f'<text x="{_MARGIN:.0f}" y="{_HEAD - 8:.0f}" fill="{_INK}" font-size="15"'
+        f' font-family="Helvetica, Arial, sans-serif">{escape(content)}</text>'
     )
 
 
