@@ -24,8 +24,8 @@ _DATA = (
     "Observation", "Control", "Trace", "AgentTrace", "ScenarioContents",
 )  # fmt: skip
 _SCENE = (
-    "Scene", "SceneRoad", "SceneActor", "SceneNetwork", "SceneNode", "SceneSignal", "Profile",
-    "Verdict", "ViolatedSegment", "RoadPlace", "Call", "Provenance",
+    "Scene", "SceneRoad", "SceneLane", "SceneActor", "SceneNetwork", "SceneNode", "SceneSignal",
+    "Profile", "Verdict", "ViolatedSegment", "RoadPlace", "Call", "Provenance",
 )  # fmt: skip
 _DIAGNOSTICS = (
     "Diagnostic", "DiagnosticError", "Label", "Fix", "Code", "diagnose", "did_you_mean",

@@ -80,9 +80,7 @@ from .plugins.kinds import (
     Extractor,
     JunctionControl,
     Kind,
-    LaneDirection,
     LaneKind,
-    LaneMarking,
     Monitor,
     ObjectKind,
     Perturber,
@@ -136,6 +134,7 @@ if TYPE_CHECKING:
         SceneRefusal,
         SignalPhase,
     )
+    from .ir.scene_lane import SceneLane
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
     from .simulation.bodies import Body
@@ -154,6 +153,7 @@ _LATER = {
         "Call Profile Provenance RoadPlace Scene SceneActor SceneNetwork SceneNode SceneRoad"
         " SceneSignal Verdict ViolatedSegment"
     ),
+    ".ir.scene_lane": "SceneLane",
     ".ir.scene_junctions": (
         "SceneArm SceneConflict SceneConnection SceneControl SceneJunction SceneLaneEnd"
         " SceneRefusal SignalPhase"
@@ -174,15 +174,15 @@ __all__ = [
     "ControlBatch", "Controller", "Curvature", "Diagnostic", "DiagnosticError", "Dimension",
     "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration", "EngineSettings",
     "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "ImageName", "Jerk",
-    "JunctionControl", "Kind", "Label", "LaneDirection", "LaneKind", "LaneMarking", "Length",
+    "JunctionControl", "Kind", "Label", "LaneKind", "Length",
     "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Number", "ObjectKind", "Observation",
     "ObservationBatch", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch",
     "Point", "Position", "Profile", "Provenance", "Reader", "RightOfWay", "RoadBatch", "RoadBounds",
     "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "Sampler", "Scale", "ScenarioContents",
     "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl",
-    "SceneJunction", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad",
-    "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalPhase", "Simulator", "Speed",
-    "Standing", "String", "Trace", "Verdict", "ViolatedSegment", "Whole", "Word", "call_of",
+    "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal",
+    "SceneRoad", "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalPhase", "Simulator",
+    "Speed", "Standing", "String", "Trace", "Verdict", "ViolatedSegment", "Whole", "Word", "call_of",
     "diagnose", "did_you_mean", "geometry", "hookimpl", "kind_of", "list_of", "map_of", "one_of",
     "option", "quantity", "read_image", "read_input", "record_of", "scene_from_json",
     "simulate_scenes", "to_json",

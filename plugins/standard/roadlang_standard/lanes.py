@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, Literal
 
-from roadlang.api import LaneDirection, LaneKind, LaneMarking
+from roadlang.api import LaneKind
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class ParkingLane(LaneKind):
 
     name: ClassVar[str] = "parking"
     usual_width: ClassVar[float] = 2.3
-    direction: ClassVar[LaneDirection] = "none"
+    direction: ClassVar[Literal["none"]] = "none"
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class ShoulderLane(LaneKind):
 
     name: ClassVar[str] = "shoulder"
     usual_width: ClassVar[float] = 1.5
-    direction: ClassVar[LaneDirection] = "none"
-    usual_marking: ClassVar[LaneMarking] = "none"
+    direction: ClassVar[Literal["none"]] = "none"
+    usual_marking: ClassVar[Literal["none"]] = "none"
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class SidewalkLane(LaneKind):
     name: ClassVar[str] = "sidewalk"
     is_default: ClassVar[bool] = True
     usual_width: ClassVar[float] = 2.0
-    direction: ClassVar[LaneDirection] = "both"
+    direction: ClassVar[Literal["both"]] = "both"
     users: ClassVar[tuple[str, ...]] = ("pedestrian",)
     raised: ClassVar[bool] = True
 
@@ -75,7 +75,7 @@ class MedianLane(LaneKind):
 
     name: ClassVar[str] = "median"
     usual_width: ClassVar[float] = 2.0
-    direction: ClassVar[LaneDirection] = "none"
+    direction: ClassVar[Literal["none"]] = "none"
     raised: ClassVar[bool] = True
 
 
@@ -85,5 +85,5 @@ class GrassLane(LaneKind):
 
     name: ClassVar[str] = "grass"
     usual_width: ClassVar[float] = 2.0
-    direction: ClassVar[LaneDirection] = "none"
-    usual_marking: ClassVar[LaneMarking] = "none"
+    direction: ClassVar[Literal["none"]] = "none"
+    usual_marking: ClassVar[Literal["none"]] = "none"
