@@ -152,3 +152,11 @@ def test_digests_are_those_of_the_files(tmp_path: Path) -> None:
     roadlang.load(tmp_path / "scene.rl").sample().emit(tmp_path / "out")
     manifest = json.loads((tmp_path / "out/manifest.json").read_text())
     assert len(manifest["inputs"]) == 2
+
+
+def test_a_file_beyond_the_limit_is_told_with_its_whole_size(tmp_path: Path) -> None:
+    (tmp_path / "large.rl").write_bytes(b"x" * 5_600_000)
+    with pytest.raises(UnreadableFile) as error:
+        read_file(tmp_path / "large.rl", 4_000_000)
+    assert error.value.size == 5_600_000
+    assert str(error.value) == "it has 5.6 MB, and 4 MB can be read"

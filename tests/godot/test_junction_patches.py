@@ -6,13 +6,14 @@ import math
 
 import cv2
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.junctions import Arm, cuts, order, patch
+from roadlang_godot.junctions import MARGIN, Arm, cuts, order, patch
 from roadlang_godot.layout import layout_of
-from roadlang_godot.line import line_of
+from roadlang_godot.line import line_of, polyline
 from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import road_things
 from tests.godot.godot_scenes import pieces, road, scene, straight, town
@@ -94,3 +95,24 @@ def test_a_town_gets_a_patch_for_each_node_where_roads_meet() -> None:
     things = layout_of(scene(*roads, networks=[network])).things
     labels = [thing.label for thing in things if thing.kind == Message.PATCH]
     assert labels == ["junction 1 of town", "junction 2 of town"]
+
+
+@pytest.mark.parametrize("degrees", [40.0, 60.0, 90.0, 120.0, 150.0])
+@pytest.mark.parametrize("widths", [(4.0, 10.0), (10.0, 4.0), (7.0, 7.0)])
+def test_roads_of_two_widths_are_cut_where_their_edges_meet(
+    degrees: float, widths: tuple[float, float]
+) -> None:
+    """The left edge of the one and the right edge of the other, seen from the node."""
+    turn = math.radians(degrees)
+    ends = np.array([[100.0, 0.0], [100.0 * math.cos(turn), 100.0 * math.sin(turn)]])
+    one, other = (
+        Arm(polyline(name, np.linspace([0.0, 0.0], end, 101), width), 1)
+        for name, end, width in zip("ab", ends, widths, strict=True)
+    )
+    first, second = cuts([one, other])
+    _, left = one.corners(first - MARGIN)
+    right, _ = other.corners(second - MARGIN)
+    if min(first, second) > MARGIN and max(first, second) < 40.0:
+        np.testing.assert_allclose(left, right, atol=1e-6)
+    else:
+        assert degrees > 90
