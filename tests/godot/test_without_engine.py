@@ -77,6 +77,7 @@ def test_the_origin_is_in_the_middle_and_the_extent_reaches_the_farthest_point()
     frame, extent = frame_around(np.array([[0.0, 0.0], [100.0, 10.0], [30.0, -50.0]]))
     assert (frame.x, frame.y) == (50.0, -20.0)
     assert extent == 50.0
+    assert frame_around(np.array([[-1.0, 0.0], [0.0, 0.0]]))[1] == 1.0
     np.testing.assert_allclose(frame.ground(np.array([[60.0, -10.0]]), 2.0), [[10.0, 2.0, -10.0]])
 
 

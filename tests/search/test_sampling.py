@@ -201,7 +201,8 @@ def test_draws_of_copies_are_no_dimension_of_a_grid(sample: Sample) -> None:
 
 
 def test_the_table_has_what_rejects_most_first(sample: Sample) -> None:
-    text = BENT + "require near: always (deviation(bent, main) < 2m)\n"
-    rejected = [row.rejected for row in sample(text, 12).table]
-    assert rejected == sorted(rejected, reverse=True)
-    assert rejected[0] > rejected[-1]
+    """`near` is tried first, since it costs less, and rejects less."""
+    text = BENT + "require near: always (deviation(bent, main) < 7m)\n"
+    table = [row for row in sample(text, 12).table if not row.implied]
+    assert [row.name for row in table] == ["drivable", "near"]
+    assert table[0].rejected > table[1].rejected > 0
