@@ -41,6 +41,13 @@ def test_with_lanes_enough_each_turn_has_its_own() -> None:
     assert pairs == [(0, 1, "right"), (1, 2, "straight"), (2, 2, "straight"), (3, 3, "left")]
 
 
+def test_all_lanes_of_a_roundabout_lead_on_round_it() -> None:
+    ring, exit_road = arm(270, 2, 0), arm(0, 0, 1)
+    circling = ArmLanes(ring.inbound, ring.outbound, ring.heading, circles=True)
+    pairs = lane_pairs([circling, exit_road, arm(100, 0, 2)])
+    assert [(p.source_lane, p.target) for p in pairs] == [(0, 1), (0, 2), (1, 2)]
+
+
 def test_a_lane_more_ahead_is_fed_by_the_last_lane() -> None:
     arms = [arm(270, 2, 0), arm(90, 0, 3)]
     assert [(p.source_lane, p.target_lane) for p in lane_pairs(arms)] == [(0, 0), (1, 1), (1, 2)]

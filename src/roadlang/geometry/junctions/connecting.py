@@ -90,7 +90,7 @@ def _fitted(place: Place, trims: Mapping[ArmKey, float]) -> Connected:
     arms = place.arms.arms
     faces = tuple(arm.face(trims[arm.key]) for arm in arms)
     lanes = tuple(
-        ArmLanes.of(arm.lanes(trims[arm.key]), face.heading)
+        ArmLanes.of(arm.lanes(trims[arm.key]), face.heading, arm.edge.id in place.ring)
         for arm, face in zip(arms, faces, strict=True)
     )
     pairs = lane_pairs(lanes)

@@ -20,13 +20,15 @@ class ArmLanes:
     inbound: tuple[ArmLane, ...]
     outbound: tuple[ArmLane, ...]
     heading: float
+    circles: bool = False
+    """whether it is a road of a roundabout, all lanes of which lead on round it"""
 
     @classmethod
-    def of(cls, lanes: Sequence[ArmLane], heading: float) -> ArmLanes:
+    def of(cls, lanes: Sequence[ArmLane], heading: float, circles: bool = False) -> ArmLanes:
         """`lanes` from left to right, seen from the place."""
         inbound = tuple(lane for lane in lanes if lane.inbound)
         outbound = tuple(lane for lane in reversed(lanes) if lane.outbound)
-        return cls(inbound, outbound, heading)
+        return cls(inbound, outbound, heading, circles)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +58,7 @@ def lane_pairs(arms: Sequence[ArmLanes]) -> tuple[LanePair, ...]:
 
     From right to left each turn gets lanes that cross none of the others: right turns those at the
     curb, left turns those in the middle, the straightest all that are left, or all where there are
-    more turns than lanes.
+    more turns than lanes, and on a roundabout.
     """
     found: list[LanePair] = []
     for source, arm in enumerate(arms):
@@ -67,7 +69,8 @@ def lane_pairs(arms: Sequence[ArmLanes]) -> tuple[LanePair, ...]:
             for place, other in enumerate(arms)
             if place != source and other.outbound
         )
-        shares = _shared([angle for angle, _ in targets], len(arm.inbound))
+        angles = [angle for angle, _ in targets]
+        shares = _shared(angles, len(arm.inbound), own_lanes=not arm.circles)
         for (angle, target), lanes in zip(targets, shares, strict=True):
             for lane, into in _into(angle, lanes, len(arms[target].outbound)):
                 found.append(LanePair(source, lane, target, into, angle, turn_of(angle)))
@@ -79,13 +82,14 @@ def _turned(arm: ArmLanes, other: ArmLanes) -> float:
     return round((other.heading - arm.heading) % (2.0 * math.pi) - math.pi, 12)
 
 
-def _shared(angles: Sequence[float], lanes: int) -> list[range]:
-    """The lanes, counted from the curb, of each turn from right to left."""
+def _shared(angles: Sequence[float], lanes: int, *, own_lanes: bool) -> list[range]:
+    """The lanes, counted from the curb, of each turn from right to left. `own_lanes`: where there
+    are lanes enough, turns have lanes of their own."""
     if lanes == 1 or len(angles) < 2:
         return [range(lanes)] * len(angles)
     straightest = min(range(len(angles)), key=lambda place: (abs(angles[place]), place))
     rights, lefts = straightest, len(angles) - 1 - straightest
-    enough = lanes >= len(angles)
+    enough = own_lanes and lanes >= len(angles)
     shares = []
     for place in range(len(angles)):
         if place == straightest:

@@ -25,6 +25,8 @@ class Place:
     nodes: tuple[int, ...]
     arms: Trimmed
     inside: tuple[int, ...]
+    ring: frozenset[int] = frozenset()
+    """the roads of roundabouts"""
 
     @property
     def id(self) -> int:
@@ -90,7 +92,8 @@ class PlaceFinder:
                     lines += [self.arms[edge.id, "start"], self.arms[edge.id, "end"]]
             else:
                 arms += [self.arms[edge.id, end] for end in ends]  # type: ignore[index]
-        return Place(nodes, trimmed(arms, lines, self._small), tuple(inside))
+        found = trimmed(arms, lines, self._small)
+        return Place(nodes, found, tuple(inside), frozenset(self._ring))
 
     def _swallow(self, found: Mapping[int, Place]) -> set[int]:
         """Merges what the trims leave no road between; the ids of the places that changed."""
