@@ -37,7 +37,7 @@ def test_a_name_of_several_verbs_gives_the_schemas_of_all(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     titles = [found["title"] for found in schema(capsys, "distance")]
-    assert sorted(titles) == ["drive_signal distance", "signal distance"]
+    assert sorted(titles) == ["drive_signal distance", "number distance", "signal distance"]
     assert schema(capsys, "signal", "distance")["title"] == "signal distance"
     assert schema(capsys, "standard.sine")["title"] == "perturb sine"
 

@@ -72,7 +72,7 @@ HABITS = [
     (EGO + "expect e: always (ego.lane == 1)", "RL227", "option `lane`", None),
     (EGO + "expect e: always (ego.wobble < 5m)", "RL227", "its members are `speed`", None),
     (EGO + "expect e: always (speed(ego) < 5m/s)", "RL225", "`ego.speed`", None),
-    (EGO + LEAD + "require r: distance(ego, lead) > 5m", "RL353", "`expect r: ...`", None),
+    (EGO + LEAD + "require r: ego.speed > 5m/s", "RL353", "`expect r: ...`", None),
     (EGO + "expect e: always (gap(ego, ego) > 5m)", "RL355", "", None),
     (
         EGO + "expect e: always (curvature(main) < 1/m and ego.speed < 9m/s)",

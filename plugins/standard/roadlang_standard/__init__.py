@@ -46,6 +46,8 @@ _KINDS = {
     "signal clearance": "signal_clearance:Clearance",
     "signal margin": "signal_margin:Margin",
     "number start": "number_start:Start",
+    "number distance": "placement_numbers:PlacedDistance",
+    "number gap": "placement_numbers:PlacedGap",
     "number start_lane": "number_start_lane:StartLane",
     "position ahead_of": "positions:AheadOf",
     "position behind": "positions:Behind",

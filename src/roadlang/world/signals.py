@@ -20,7 +20,7 @@ from ..plugins.results import real_numbers
 from .connection_roads import connection_batch
 from .copies import is_group
 from .networks import NetworkRoot, edge_batch, network_root
-from .placement import placed_copy
+from .placement import placed, placed_copy
 from .roads import road_batch
 
 
@@ -140,7 +140,12 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
 
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
-            return placed_copy(candidates.scenario.actors[entity.name], candidates, element)
+            actor = candidates.scenario.actors[entity.name]
+            if getattr(candidates.scenario.kind(call)[1], "of_groups", False):
+                return candidates.once(
+                    ("all of", entity.name), lambda: placed(actor, candidates), inherited=False
+                )
+            return placed_copy(actor, candidates, element)
         return EvaluatedRoad().resolve(entity, candidates)
 
     def make() -> Floats:

@@ -64,6 +64,9 @@ class RoadNumber(Signal):
     """
 
     verb: ClassVar[str] = "number"
+    of_groups: ClassVar[bool] = False
+    """a field that names a group holds all of its copies, (variants, copies), instead of the one
+    that a formula is judged for"""
 
 
 class DriveSignal(Signal):

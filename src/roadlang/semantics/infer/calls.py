@@ -167,7 +167,7 @@ def of_kind(
         return unknown(call.span)
     if verb == "distribution":
         return draw_of(checker, call, found, bound, context)
-    if verb == "drive_signal" and (operand := _named_twice(bound)):
+    if verb in ("drive_signal", "number") and (operand := _named_twice(checker, verb, bound)):
         return checker.report(Code.COMPARED_WITH_ITSELF, call.span, name=name, operand=operand)
     if verb in ("signal", "drive_signal", "number"):
         return measured(checker, call.span, found, bound, name)
@@ -178,10 +178,19 @@ def of_kind(
     return TypedExpression(call.span, KindCallType(verb), value, random)
 
 
-def _named_twice(bound: BoundOptions) -> str | None:
-    """The agent or object that two options name."""
-    names = [typed.value.name for typed in bound.given.values() if isinstance(typed.value, Entity)]
-    return next((name for name in names if names.count(name) > 1), None)
+def _named_twice(checker: Checker, verb: str, bound: BoundOptions) -> str | None:
+    """The agent or object that two options name; where things are placed, a group has members that
+    are apart."""
+    named = [typed.value for typed in bound.given.values() if isinstance(typed.value, Entity)]
+    names = [entity.name for entity in named if entity.role in ("agent", "object")]
+    twice = (name for name in names if names.count(name) > 1)
+    return next((n for n in twice if verb != "number" or not _is_group(checker, n)), None)
+
+
+def _is_group(checker: Checker, name: str) -> bool:
+    statement = checker.program.declarations[name].statement
+    block = statement.block if isinstance(statement, ast.Actor) else None
+    return block is not None and any(option.key.text == "count" for option in block.options)
 
 
 def _overloaded(
@@ -194,6 +203,9 @@ def _overloaded(
             checker.infer(argument.value, context)
         return unknown(call.span)
     candidates: list[tuple[str, ResolvedKind]] = []
+    user = checker.program.declarations.get(context.user)
+    if user is not None and user.role == "require":  # where things are placed, not how they move
+        verbs = sorted(verbs, key=lambda verb: verb == "drive_signal")
     for verb in verbs:
         found = find_kind(checker, verb, name, call.function.span)
         if found is not None:
