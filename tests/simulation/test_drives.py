@@ -212,3 +212,18 @@ def test_when_and_while_together_must_both_hold() -> None:
     assert ego.speed[ego.time < 10].max() > 14
     late = ego.speed[ego.time > 13]
     assert 7 < late.min() < late.max() < 11
+
+
+def test_the_line_to_follow_is_the_middle_of_the_lane() -> None:
+    text = """
+    road main {
+      draw with waypoints { points: [(0m, 0m), (300m, 0m)] }
+      right: [drive(4m), parking(2m)], left: [drive(3m)]
+    }
+    agent ego is car on main at 5m { lane: -1, drive with lane_follow { speed: 9m/s } }
+    """
+    scene = testing.sample(text)[0]
+    section = scene.record.roads[0].cross_section()
+    ego = scene.run("builtin", duration=20).trace.agents["ego"]
+    assert ego.y[-1] == pytest.approx(float(section.offset(-1, 100.0)), abs=0.02)
+    assert abs(ego.cross_track_error[-1]) < 0.02

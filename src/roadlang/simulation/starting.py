@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -43,27 +44,39 @@ def start_of(
 
 def start_speed(actor: SceneActor) -> float:
     """Speed at the start, m/s; 0 where the scene does not say."""
-    speed = actor.start_speed or actor.options.get("initial_speed", 0.0)
-    return float(speed) if isinstance(speed, int | float) else 0.0
+    return float(actor.start_speed or 0.0)
 
 
-def line_offset(actor: SceneActor, road: SceneRoad | None, width: float) -> float:
+class LineOffsets:
     """How far left of the center line of its road the line lies that an agent should follow.
 
-    The middle of its lane where it has one, else where it stands; from beside the road, the middle.
-    `width`: of the road, where it starts.
+    The middle of its lane where it starts, if it has one, else where it stands; from beside the
+    road, the middle of the road. Cross-sections that many roads share are built once.
     """
-    if road is None:
-        return 0.0
-    if actor.lane is not None:
-        return lane_center(actor.lane, road.lanes, width)
-    offset = actor.offset or 0.0
-    return offset if abs(offset) < width / 2 else 0.0
 
+    def __init__(self) -> None:
+        self._known: dict[Any, float] = {}
 
-def lane_center(lane: int, lanes: int, width: float) -> float:
-    """Offset of the middle of a lane (OpenDRIVE numbers: -1 first to the right, 1 to the left)."""
-    if lanes == 1:
-        return 0.0
-    side = 1.0 if lane > 0 else -1.0
-    return side * (abs(lane) - 0.5) * width / max(lanes, 1)
+    def of(self, actor: SceneActor, road: SceneRoad | None, width: float) -> float:
+        """Of one agent; `width`: of the road where it starts."""
+        if road is None:
+            return 0.0
+        if actor.lane is not None:
+            center = self._lane_center(actor.lane, road, actor.start or 0.0)
+            if center is not None:
+                return center
+        offset = actor.offset or 0.0
+        return offset if abs(offset) < width / 2 else 0.0
+
+    def _lane_center(self, lane: int, road: SceneRoad, station: float) -> float | None:
+        widths = [len(one.width) for one in road.lane_list]
+        if not widths or max(widths) > 1 or len(road.center_offset) > 1:
+            section = road.cross_section()
+            return float(section.offset(lane, station)) if lane in section.ids else None
+        key = (lane, road.lane_list, road.center_offset, road.center_marking)
+        if key not in self._known:
+            section = road.cross_section()
+            if lane not in section.ids:
+                return None
+            self._known[key] = float(section.offset(lane, station))
+        return self._known[key]

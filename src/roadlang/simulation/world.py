@@ -16,7 +16,7 @@ from .bodies import Bodies, Body
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Advance, Motion, Track, advance
 from .poses import Poses, poses_of
-from .starting import line_offset, start_of
+from .starting import LineOffsets, start_of
 
 USUAL_FRICTION = 0.9
 ARRIVED = 0.5
@@ -264,8 +264,9 @@ def _started(
     start = start_of(actors, track, backward, has_road)
     bodies = Bodies.of(actors, [slot.friction for slot in found], kinds, dt)
     widths = track.lines.width[track.cell(start.along)[0]].tolist()
+    known = LineOffsets()
     offsets = [
-        line_offset(actor, scenes[i // slots].roads[road] if road >= 0 else None, widths[i])
+        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, widths[i])
         for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
     ]
     count = len(found)

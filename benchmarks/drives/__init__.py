@@ -1,0 +1,1 @@
+"""Speed of the embedded engine: `python -m benchmarks.drives`."""
