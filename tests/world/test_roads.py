@@ -156,3 +156,15 @@ road bent from main { perturb with bump { at: 37m, height: HEIGHT, length: 60m }
     again = text.replace("perturb", "perturb with bump { at: 5m, height: 1m, length: 8m } perturb")
     assert sample(again.replace("HEIGHT", "3m")).accepted == 1
     assert sample(again.replace("HEIGHT", "4.99m")).accepted == 0
+
+
+def test_the_length_of_a_road_is_its_last_station_and_of_a_loop_a_step_more(sample: Sample) -> None:
+    bump = "perturb with bump { at: 100m, height: 3m, length: 80m }"
+    open_road = last_road(sample, bent(bump))
+    assert open_road.length == pytest.approx(open_road.stations[-1], rel=1e-12)
+    pieces = "straight(40m), arc(30m, 180deg), straight(40m), arc(30m, 180deg)"
+    loop = last_road(
+        sample, f"road ring {{ draw with segments {{ pieces: [{pieces}] }}, closed: true }}"
+    )
+    step = np.hypot(loop.x[0] - loop.x[-1], loop.y[0] - loop.y[-1])
+    assert loop.length == pytest.approx(loop.stations[-1] + step, rel=1e-4)

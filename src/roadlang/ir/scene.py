@@ -46,7 +46,7 @@ class SceneNetwork:
     mask_scale: float | None = None
     """meters for each pixel of the mask"""
     mask_origin: tuple[float, float] = (0.0, 0.0)
-    """x and y of the corner of the mask, meters"""
+    """x and y of the lower left corner of the mask, meters"""
     junctions: tuple[SceneJunction, ...] = ()
     """where its roads meet"""
     origin: tuple[float, float] | None = None

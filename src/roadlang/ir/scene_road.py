@@ -36,7 +36,7 @@ class SceneRoad:
     closed: bool
     """whether the end joins the start"""
     length: float
-    """meters"""
+    """meters; the last of the stations, and on a closed road from there on to the first"""
     root: str
     """the road that this one was perturbed from; itself, if none"""
     network: str | None = None
