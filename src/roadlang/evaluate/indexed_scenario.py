@@ -60,6 +60,7 @@ class IndexedScenario:
         self.actors: dict[str, ScenarioActor] = {
             item.name: item for item in (*source.agents, *source.objects)
         }
+        self.agents = frozenset(agent.name for agent in source.agents)
         self.dependencies = Dependencies(self.values)
         self._computed: dict[Hashable, Any] = {}
         self._classes: dict[tuple[str, str], tuple[KindEntry, type[Kind]]] = {}

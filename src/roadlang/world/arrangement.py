@@ -200,7 +200,7 @@ class _Turn:
         length = road.length.reshape(-1)
         length = length[np.minimum(index // self._most, len(length) - 1)]
         half = np.zeros(len(index))
-        if self.actor in self.candidates.scenario.source.agents and not _has(self.actor, "side"):
+        if self.actor.name in self.candidates.scenario.agents and not _has(self.actor, "side"):
             half = np.minimum(self.kinds.lengths[index], length) / 2
         beyond = np.maximum(half - start, start + half - length)
         return np.where(beyond > 1e-9 * length, beyond, 0.0)

@@ -85,8 +85,8 @@ def _lanes(actor: ScenarioActor, copies: CopyBatch, by: Standing | None) -> Inte
     if value is None and by is not None and "side" not in actor.options:
         return np.asarray(by.lane, np.int64).reshape(-1)
     if value is None:
-        agents = copies.scenario.source.agents
-        value = "none" if "side" in actor.options or actor not in agents else "first"
+        is_agent = actor.name in copies.scenario.agents
+        value = "none" if "side" in actor.options or not is_agent else "first"
     words = [_word(item) for item in _items(value)]
     if not isinstance(words[0], str):
         lane = np.rint(column(value, copies)).astype(np.int64)
