@@ -21,6 +21,7 @@ from ..falsification.plan import Plan
 from ..falsification.search_key import search_key
 from ..falsification.search_loop import SearchResult, search_failures
 from ..falsification.settings import plan_of
+from ..falsification.shrinking import influences, shrunk
 from ..falsification.statistics import (
     Coverage,
     FailureRate,
@@ -81,10 +82,24 @@ class Failure:
         proposal = Proposal(self.outcome.index, self.outcome.point)
         return Scene(self._search.evaluator.full_scene(proposal), self._search.loaded.registry)
 
+    def shrink(self) -> Failure:
+        """The same failure with as many draws as possible at their medians."""
+        return Failure(self.rank, shrunk(self.outcome, self._search.evaluator), self._search)
+
+    def explain(self) -> Mapping[tuple[str, ...], float | None]:
+        """Which draws matter: the robustness of the violated expectation with each of them reset to
+        its median, and with pairs of those that matter most, the greatest first; None where a
+        requirement is then violated."""
+        evaluator = self._search.evaluator
+        return influences(self.outcome, evaluator, evaluator.task.axes)
+
     @property
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
-        return self._search.failure_drives[self.rank - 1]
+        found = self._search.failures[self.rank - 1]
+        if found.outcome == self.outcome:
+            return self._search.failure_drives[self.rank - 1]
+        return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 
 
 class Falsification:

@@ -1,0 +1,1 @@
+"""How many distinct failures a search finds."""

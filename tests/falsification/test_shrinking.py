@@ -1,0 +1,40 @@
+"""The simplest draws that still fail, and which draws matter."""
+
+from __future__ import annotations
+
+import pytest
+
+from roadlang import Falsification
+from roadlang.testing import scenario
+from tests.falsification.slider import TEXT, Slider
+
+
+@pytest.fixture(scope="module")
+def search() -> Falsification:
+    return scenario(TEXT, kinds=[Slider]).falsify(evaluations=200, seed=3)
+
+
+def test_a_failure_shrinks_to_one_that_still_fails(search: Falsification) -> None:
+    failure = search.failures[0]
+    simple = failure.shrink()
+    plain = [value == 0.5 for value in simple.outcome.point]
+    assert sum(plain) > 3
+    assert simple.outcome.violated == failure.outcome.violated
+    assert simple.drive.verdicts["in_lane"].satisfied is False
+    assert simple.shrink().outcome == simple.outcome
+    assert failure.drive.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
+
+
+def test_what_matters_comes_first(search: Falsification) -> None:
+    """Speed makes the car slide; without it there is no failure."""
+    found = search.failures[0].explain()
+    singles = {names: rho for names, rho in found.items() if len(names) == 1}
+    assert len(singles) == len(search.evaluator.task.axes)
+    assert len(found) == len(singles) + 28
+    worst = search.failures[0].robustness["in_lane"]
+    assert worst is not None
+    known = [rho for rho in found.values() if rho is not None]
+    assert known == sorted(known, reverse=True)
+    speed = found[("ego/drive 1/speed",)]
+    assert speed is not None
+    assert speed > worst
