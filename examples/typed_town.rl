@@ -16,7 +16,7 @@ image plan from """
 network town from plan
 road tour from town { select: route((20m, 4m), (76m, 36m)), width: 6m }
 
-agent ego is car on tour at 5% { drive with pure_pursuit { speed: 8m/s } }
+agent ego is car on tour at 14% { drive with pure_pursuit { speed: 8m/s } }
 expect stays: always (abs(ego.cross_track_error) < 2m)
 
 emit json
