@@ -8,18 +8,18 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Verdict
 from ..ir.trace import Trace
 from ..plugins.registry import Registry
-from ..stl import Always, Eventually
+from ..stl import Always
 from .drives import DriveCondition
 
 
 def robustness_series(verdict: Verdict, trace: Trace, registry: Registry) -> Floats | None:
-    """(T,) the robustness of `p` in `always p` or `eventually p` at each time, of the worst member
-    of a group; of another formula its own. None for what is no formula over the drive."""
+    """(T,) the robustness of `p` in `always p` at each time, of the worst member of a group; of
+    another formula its own from then on. None for what is no formula over the drive."""
     if verdict.domain != "drive" or verdict.formula is None or "monitor" in verdict.formula:
         return None
     condition = DriveCondition(verdict.formula, trace, registry)
     formula = condition.formula
-    inner = formula.operand if isinstance(formula, Always | Eventually) else formula
+    inner = formula.operand if isinstance(formula, Always) else formula
     series = [inner.robustness(trace.time, values) for _, values in condition.choices()]
     if not series:
         return None
