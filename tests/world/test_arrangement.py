@@ -37,7 +37,7 @@ def polygon(thing: SceneActor) -> Polygon:
 def random_text(seed: int) -> str:
     """A road with 5 to 60 agents and objects, most of them drawn."""
     draw = random.Random(seed)
-    turn = draw.uniform(-70, 70)
+    turn = draw.choice([-1, 1]) * draw.uniform(5, 70)
     lines = [
         "road main {\n  draw with segments { pieces: ["
         f"straight({draw.uniform(60, 150):.0f}m), arc({draw.uniform(25, 90):.0f}m, {turn:.0f}deg), "
