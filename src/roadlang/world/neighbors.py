@@ -32,6 +32,7 @@ class Neighbors:
 
     def beginning(self, *others: Neighbors) -> Neighbors:
         """A copy with others, to be added to."""
+        self.joined()  # or each copy would join thousands of arrays again
         every = (*others, self)
         return Neighbors(
             [boxes for item in every for boxes in item.boxes],
