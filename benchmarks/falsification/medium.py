@@ -19,7 +19,7 @@ import roadlang
 from roadlang.falsification.descriptors import STATIONS
 from roadlang.falsification.outcome import Outcome
 
-LENGTH, AMPLITUDE, FRICTION = 360.0, 5.6, 1.45
+LENGTH, AMPLITUDE, FRICTION = 360.0, 5.6, 1.38
 HEAD = """
 road main {
   draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 40m), (240m, 40m), (340m, 0m)] }
