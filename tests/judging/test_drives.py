@@ -160,3 +160,13 @@ def test_the_gap_is_the_same_from_either_side() -> None:
         options = dict(zip(("first", "second"), names, strict=True))
         apart = condition({"always": {">": ["g", 0.0]}}, g=("gap", options))
         assert rho_of(apart, drive) == pytest.approx(1.65)
+
+
+def test_a_group_without_members_satisfies_what_is_asked_of_each() -> None:
+    """As of `count: integer(0, 3)` where 0 is drawn: nobody is too fast, and nobody is near."""
+    ego = trace(agent("ego", 0 * TIME))
+    slow = condition({"always": {"<": ["v", 1.0]}}, v=("speed", {"agent": "cars"}))
+    assert rho_of(slow, ego) == math.inf
+    pair = {"first": "ego", "second": "cars"}
+    apart = condition({"always": {">": ["d", 1.0]}}, d=("distance", pair))
+    assert rho_of(apart, ego) == math.inf

@@ -22,7 +22,7 @@ def nearest(one: Any, other: Any, separation: Separation) -> Floats:
     others = other if isinstance(other, tuple) else (other,)
     pairs = [separation(a, b) for a in some for b in others if a is not b]
     if not pairs:
-        return np.full(len(some[0].time), np.inf)
+        return np.full(len((*some, *others)[0].time), np.inf)
     return np.asarray(np.min(pairs, axis=0))
 
 

@@ -17,6 +17,8 @@ from ..ir.trace import AgentTrace, Trace
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import DriveSignal
+from ..plugins.option_types import EntityType
+from ..plugins.options import schema_of
 from ..plugins.registry import Registry
 from ..plugins.results import real_numbers
 from ..stl import Formula, from_json
@@ -91,7 +93,7 @@ class DriveCondition:
         numbers = self.condition.get("numbers", {})
         signals: Mapping[str, Any] = self.condition.get("signals", {})
         calls = {name: _TraceSignal(name, call, self) for name, call in signals.items()}
-        members = sorted({name for call in calls.values() for name in call.members})
+        members = sorted(frozenset[str]().union(*(call.members for call in calls.values())))
         for choice in product(*(group(name, self.trace) for name in members)):
             chosen = dict(zip(members, choice, strict=True))
             values = {name: call.values(chosen) for name, call in calls.items()}
@@ -114,19 +116,23 @@ class _TraceSignal:
         return kind
 
     @property
-    def members(self) -> Iterator[str]:
+    def entities(self) -> dict[str, str]:
+        """The options that name agents and objects, with those names."""
+        options = self.call.get("options", {})
+        named = (o.name for o in schema_of(self.kind) if isinstance(o.type, EntityType))
+        return {name: str(options[name]) for name in named if options.get(name) is not None}
+
+    @property
+    def members(self) -> frozenset[str]:
         """The agents and groups of a member signal (`walkers.speed`)."""
-        names = self.call.get("options", {}).values() if self.kind.member else ()
-        return (name for name in map(str, names) if group(name, self.condition.trace))
+        return frozenset(self.entities.values() if self.kind.member else ())
 
     def values(self, chosen: Mapping[str, AgentTrace]) -> Floats:
         """(T,) the signal of the members `chosen`. Raises RL470, RL474, RL701."""
         trace, registry, kind = self.condition.trace, self.condition.registry, self.kind
-        options = {}
-        for key, value in self.call.get("options", {}).items():
-            agents = group(value, trace) if isinstance(value, str) else ()
-            member = chosen[value] if kind.member and agents else None
-            options[key] = member if member is not None else agents or value
+        options = dict(self.call.get("options", {}))
+        for key, name in self.entities.items():
+            options[key] = chosen[name] if kind.member else group(name, trace)
         entry = entry_of(registry, "drive_signal", str(self.call["kind"]))
         with plugin_guard(entry, None):
             result = kind(**options).values_in(trace)
