@@ -117,7 +117,7 @@ def table() -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(
-    ("found", "expected"), zip(cases(), json.loads(TABLE.read_text())["cases"], strict=True)
+    ("found", "expected"), list(zip(cases(), json.loads(TABLE.read_text())["cases"], strict=True))
 )
 def test_python_agrees_with_the_table(found: dict[str, Any], expected: dict[str, Any]) -> None:
     assert found["kind"] == expected["kind"]
