@@ -84,6 +84,8 @@ def test_the_grammar_and_the_godot_project_are_found_in_an_install(
 
 BY_IMPORT = {"cv2": "opencv-python-headless", "yaml": "pyyaml"}
 OPTIONAL = {
+    "distributed": "the extra `dask`: searches and runs on a cluster",
+    "numba": "the extra `fast`: motion of the embedded engine, compiled",
     "pandas": "traces as data frames, for those who have it",
     "pytest": "the fixture of `roadlang.testing`",
 }
