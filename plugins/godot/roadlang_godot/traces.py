@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roadlang.api import AgentTrace, Trace
+
 from .layout import Layout
 from .telemetry import Records, of_agent
 
 if TYPE_CHECKING:
-    from roadlang.api import AgentTrace, Scene, SceneActor, Trace
+    from roadlang.api import Scene, SceneActor
 
 
 def trace_of(records: Records, layout: Layout, scene: Scene, step: float, engine: str) -> Trace:
     """The trace of a drive whose ticks last `step` seconds."""
-    from roadlang.api import Trace
-
     actors = {actor.name: actor for actor in scene.agents}
     agents: dict[str, AgentTrace] = {}
     time = np.zeros(0)
@@ -26,7 +26,7 @@ def trace_of(records: Records, layout: Layout, scene: Scene, step: float, engine
         time = rows["tick"].astype(float) * step
         agents[name] = _agent(name, actors[name], rows, time, layout)
     for actor in scene.objects:
-        agents[actor.name] = _still(actor, time)
+        agents[actor.name] = AgentTrace.still(actor, time)
     return Trace(time=time, agents=agents, engine=engine, events=contact_events(agents))
 
 
@@ -44,8 +44,6 @@ def contact_events(agents: Mapping[str, AgentTrace]) -> tuple[Mapping[str, objec
 def _agent(
     name: str, actor: SceneActor, rows: Records, time: np.ndarray, layout: Layout
 ) -> AgentTrace:
-    from roadlang.api import AgentTrace
-
     speed = rows["speed"].astype(float)
     return AgentTrace(
         name=name,
@@ -60,28 +58,6 @@ def _agent(
         cross_track_error=rows["cross_track_error"].astype(float),
         progress=rows["progress"].astype(float),
         contacts=rows["contacts"].astype(float),
-        length=actor.length,
-        width=actor.width,
-    )
-
-
-def _still(actor: SceneActor, time: np.ndarray) -> AgentTrace:
-    from roadlang.api import AgentTrace
-
-    zero = np.zeros(len(time))
-    return AgentTrace(
-        name=actor.name,
-        time=time,
-        x=zero + actor.x,
-        y=zero + actor.y,
-        heading=zero + actor.heading,
-        speed=zero,
-        acceleration=zero,
-        steering=zero,
-        station=zero + (actor.start or 0.0),
-        cross_track_error=zero + (actor.offset or 0.0),
-        progress=zero,
-        contacts=zero,
         length=actor.length,
         width=actor.width,
     )

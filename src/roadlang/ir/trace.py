@@ -10,6 +10,7 @@ from .read_only import Frozen
 
 if TYPE_CHECKING:
     from ..geometry.arrays import Floats
+    from .scene import SceneActor
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,29 @@ class AgentTrace(Frozen):
     contacts: Floats
     length: float = 4.5
     width: float = 1.8
+
+    @classmethod
+    def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:
+        """What stands where the scene has it, at all times (T,)."""
+        import numpy as np
+
+        zero = np.zeros(len(time))
+        return cls(
+            name=actor.name,
+            time=time,
+            x=zero + actor.x,
+            y=zero + actor.y,
+            heading=zero + actor.heading,
+            speed=zero,
+            acceleration=zero,
+            steering=zero,
+            station=zero + (actor.start or 0.0),
+            cross_track_error=zero + (actor.offset or 0.0),
+            progress=zero,
+            contacts=zero,
+            length=actor.length,
+            width=actor.width,
+        )
 
 
 @dataclass(frozen=True)

@@ -110,7 +110,7 @@ class Recorder:
             for slot, actor in enumerate(scene.agents)
         }
         if scene.objects:
-            agents |= {actor.name: _still(actor, time) for actor in scene.objects}
+            agents |= {actor.name: AgentTrace.still(actor, time) for actor in scene.objects}
         events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
         events.sort(key=lambda event: (event["time"], event["agent"]))
         return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))
@@ -140,23 +140,3 @@ def _rate(values: Floats, time: Floats) -> Floats:
     out[0] = (values[1] - values[0]) / (time[1] - time[0])
     out[-1] = (values[-1] - values[-2]) / (time[-1] - time[-2])
     return out
-
-
-def _still(actor: SceneActor, time: Floats) -> AgentTrace:
-    zero = np.zeros(len(time))
-    return AgentTrace(
-        name=actor.name,
-        time=time,
-        x=zero + actor.x,
-        y=zero + actor.y,
-        heading=zero + actor.heading,
-        speed=zero,
-        acceleration=zero,
-        steering=zero,
-        station=zero + (actor.start or 0.0),
-        cross_track_error=zero + (actor.offset or 0.0),
-        progress=zero,
-        contacts=zero,
-        length=actor.length,
-        width=actor.width,
-    )
