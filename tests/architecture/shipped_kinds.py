@@ -15,6 +15,7 @@ WORDS = {
         "auto behind drive pixels random road scale signals time"
     ),
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
+    "options of controllers that say how fast an agent begins": "lateral_acceleration",
     "rules of junctions, and turns at them": "all_way_stop right_first stop straight yield",
     "types of JSON Schema": "integer",
 }

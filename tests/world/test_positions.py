@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
@@ -158,3 +159,28 @@ def test_what_cannot_be_is_refused(text: str, code: str, help: str) -> None:
     (found,) = loads(ROAD + more + text + "\n").check()
     assert found.code.startswith(code)
     assert help in " ".join(found.help)
+
+
+BENDING = (
+    "road bend { draw with segments { start: (0m, 200m),"
+    " pieces: [straight(40m), arc(20m, 90deg), straight(100m)] }, lanes: 2 }\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("place", "facing", "speed"),
+    [
+        ("60m", "forward", math.sqrt(4.5 * 20.0)),
+        ("20m", "forward", math.sqrt(4.5 * 20.0 + 2 * 4.0 * 20.0)),
+        ("20m", "back", 30.0),
+        ("100m", "forward", 30.0),
+        ("91.4m", "back", math.sqrt(4.5 * 20.0 + 2 * 4.0 * 20.0)),
+    ],
+)
+def test_nobody_begins_too_fast_for_the_bend_ahead(
+    sample: Sample, place: str, facing: str, speed: float
+) -> None:
+    """Lateral acceleration 4.5 m/s^2 in the bend, and braking by 4 m/s^2 before it."""
+    drive = "drive with lane_follow { speed: 30m/s, deceleration: 4m/s^2 }"
+    text = f"agent other is car on bend at {place} {{ facing: {facing}, {drive} }}\n"
+    assert placed(sample, BENDING + text)["other"].start_speed == pytest.approx(speed, rel=0.05)

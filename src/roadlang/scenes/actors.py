@@ -6,14 +6,9 @@ import dataclasses
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.concrete import call_of, concrete
-from ..evaluate.copies import CopyBatch
-from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import KindInstance
-from ..ir.placed_batch import PlacedBatch
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene import Call, SceneActor
@@ -22,9 +17,10 @@ from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 from ..world.arrangement import kinds_of
-from ..world.copies import element_of, is_group, most_copies
+from ..world.copies import is_group, most_copies
 from ..world.networks import network_root
 from ..world.placement import placed
+from .start_speeds import start_speeds
 
 _UNUSUAL_HEIGHT = 3.0
 _USUAL_HEIGHT = 1.5
@@ -77,7 +73,7 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
     options = {key: _concrete_options(found) for key, found in distinct.items()}
     drives = _drives(actor, candidates)
     is_agent = actor in candidates.scenario.source.agents
-    speeds = _start_speeds(actor, where, drives, candidates) if is_agent else []
+    speeds = start_speeds(actor, where, drives, candidates) if is_agent else []
     columns = [getattr(where, name)[0].tolist() for name in _POSE]
     for copy, (x, y, heading, length, width, start, offset, lane, backward) in enumerate(
         zip(*columns, strict=True)
@@ -111,34 +107,6 @@ _POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "bac
 def _concrete_options(found: KindInstance) -> Any:
     fields = dataclasses.fields(found.kind)
     return frozen({field.name: concrete(getattr(found.kind, field.name)) for field in fields})
-
-
-def _start_speeds(
-    actor: ScenarioActor,
-    where: PlacedBatch,
-    drives: list[tuple[Call, ...]],
-    candidates: CandidateBatch,
-) -> list[float]:
-    """m/s: as said; else what the controller in charge at the start wants, of those in a lane."""
-    count = where.x.shape[1]
-    said = actor.options.get("start_speed")
-    if said is not None:
-        copies = CopyBatch.every(candidates, count)
-        value = np.asarray(evaluate(said, copies, element_of(actor)), float).reshape(-1)
-        if candidates.record is not None:
-            copies.record_in(candidates.record)
-        return list(np.broadcast_to(value, (count,)).tolist())
-    wanted = [_wanted_speed(calls) for calls in drives]
-    wanted = wanted if len(wanted) == count else wanted * count
-    lanes = where.lane[0].tolist()
-    return [speed if lane else 0.0 for speed, lane in zip(wanted, lanes, strict=True)]
-
-
-def _wanted_speed(calls: tuple[Call, ...]) -> float:
-    """Of the first controller, unless it waits for something."""
-    first = calls[0] if calls and calls[0].when is None and calls[0].during is None else None
-    speed = None if first is None else first.options.get("speed")
-    return float(speed) if isinstance(speed, int | float) else 0.0
 
 
 def _drives(actor: ScenarioActor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:

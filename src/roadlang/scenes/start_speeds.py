@@ -1,0 +1,82 @@
+"""How fast agents are when a drive begins."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.copies import CopyBatch
+from ..evaluate.evaluation import evaluate
+from ..ir.placed_batch import PlacedBatch
+from ..ir.scenario import ScenarioActor
+from ..ir.scene import Call
+from ..world.copies import element_of
+from ..world.roads import road_batch
+
+_STRAIGHT = 1e-6
+
+
+def start_speeds(
+    actor: ScenarioActor,
+    where: PlacedBatch,
+    drives: list[tuple[Call, ...]],
+    candidates: CandidateBatch,
+) -> list[float]:
+    """m/s of each copy of an agent of a single candidate: as the scene file says; else, of agents
+    in a lane, what the controller in charge at the start wants, and the bends ahead allow."""
+    count = where.x.shape[1]
+    said = actor.options.get("start_speed")
+    if said is not None:
+        copies = CopyBatch.every(candidates, count)
+        value = np.asarray(evaluate(said, copies, element_of(actor)), float).reshape(-1)
+        if candidates.record is not None:
+            copies.record_in(candidates.record)
+        return list(np.broadcast_to(value, (count,)).tolist())
+    each = drives if len(drives) == count else drives * count
+    in_lane = where.lane[0].tolist()
+    return [
+        _wanted(calls, actor, where, copy, candidates) if in_lane[copy] else 0.0
+        for copy, calls in enumerate(each)
+    ]
+
+
+def _wanted(
+    calls: tuple[Call, ...],
+    actor: ScenarioActor,
+    where: PlacedBatch,
+    copy: int,
+    candidates: CandidateBatch,
+) -> float:
+    """What the first controller wants, unless it waits for something: by its options `speed` and,
+    before bends, `lateral_acceleration` and `deceleration`, as far as the kind has them."""
+    first = calls[0] if calls and calls[0].when is None and calls[0].during is None else None
+    speed = None if first is None else first.options.get("speed")
+    if first is None or not isinstance(speed, int | float):
+        return 0.0
+    lateral, braking = (first.options.get(k) for k in ("lateral_acceleration", "deceleration"))
+    if not isinstance(lateral, int | float) or not isinstance(braking, int | float):
+        return float(speed)
+    start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
+    limit = _fastest(actor, start, backward, float(lateral), float(braking), candidates)
+    return min(float(speed), limit)
+
+
+def _fastest(
+    actor: ScenarioActor,
+    start: float,
+    backward: bool,
+    lateral: float,
+    braking: float,
+    candidates: CandidateBatch,
+) -> float:
+    """The greatest speed from which braking in time suffices for every bend ahead of `start`:
+    `v^2 = min(lateral / curvature + 2 braking distance)`, as controllers plan it."""
+    assert actor.on is not None
+    road = road_batch(actor.on, candidates)
+    arc = np.concatenate([[0.0], np.cumsum(road.curves.steps[0])])[: len(road.stations)]
+    ahead = start - arc if backward else arc - start
+    if road.closed:
+        ahead = np.mod(ahead, float(road.length[0, 0]))
+    curvature = np.maximum(np.abs(road.curvature[0]), _STRAIGHT)
+    squares = lateral / curvature + 2.0 * braking * ahead
+    return float(np.sqrt(squares[ahead >= 0.0].min(initial=np.inf)))
