@@ -45,8 +45,9 @@ def test_a_line_for_each_scene_and_the_worst(capsys: pytest.CaptureFixture[str])
     assert f"all expectations hold in {5 - len(violated)} of 5 scenes" in lines[-1]
     assert f"worst: scene {worst['scene']}, slow {float(worst['slow']):.3g} at" in lines[-1]
     for line, row in zip(lines, rows, strict=False):
-        word = "holds" if row["slow satisfied"] == "true" else "violated"
+        word = "holds, worst:" if row["slow satisfied"] == "true" else "violated"
         assert line.startswith(f"scene {row['scene']}: {word} slow {float(row['slow']):.3g} at ")
+        assert line.endswith(" s driven)")
 
 
 def test_results_have_draws_robustness_and_the_worst_moment() -> None:

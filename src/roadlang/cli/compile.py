@@ -11,7 +11,7 @@ import click
 from ..diagnostics import DiagnosticError
 from ..session.outputs import parse_outputs
 from ..session.params import parse_overrides
-from . import exit_codes
+from . import exit_codes, shared_options
 from .console import report
 
 if TYPE_CHECKING:
@@ -20,40 +20,12 @@ if TYPE_CHECKING:
 
 @click.command("compile")
 @click.argument("file", type=click.Path())
-@click.option(
-    "-o",
-    "--output",
-    "folder",
-    default="out",
-    show_default=True,
-    metavar="DIR",
-    type=click.Path(),
-    help="Output folder.",
-)
-@click.option(
-    "-n",
-    "count",
-    type=click.IntRange(min=1, max=1_000_000),
-    help="Number of scenes; by default 1, or all of a grid.",
-)
-@click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
-)
-@click.option(
-    "--jobs",
-    type=click.IntRange(min=1, max=256),
-    default=1,
-    show_default=True,
-    help="Number of worker processes; does not change the result.",
-)
-@click.option(
-    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
-)
-@click.option(
-    "--params",
-    metavar="FILE.yaml",
-    help="YAML file with values of params; a list of maps gives several runs.",
-)
+@shared_options.output
+@shared_options.count
+@shared_options.seed
+@shared_options.jobs
+@shared_options.settings
+@shared_options.params
 @click.option(
     "--emit",
     metavar="KIND,...",

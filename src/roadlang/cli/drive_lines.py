@@ -17,12 +17,12 @@ def print_drive(drive: Drive, run: str, in_full: bool) -> None:
     label = f"{run}{': ' if run else ''}scene {drive.scene.index}"
     took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
     if not in_full:
-        echo(f"{label}: {_outcome(drive)}, {took}")
+        echo(f"{label}: {_outcome(drive)} ({took} driven)")
         return
     echo(f"{label}: {took} driven in {drive.engine}")
     for verdict in drive.verdicts.values():
         rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
-        echo(f"  {_word(verdict.satisfied)}  {verdict.name}: {verdict.text}{rho}")
+        echo(f"  {_word(verdict.satisfied, 8)}  {verdict.name}: {verdict.text}{rho}")
 
 
 def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
@@ -48,7 +48,8 @@ def _outcome(drive: Drive) -> str:
     if moment is not None and moment.actors:
         station = float(moment.actors[0].station[moment.sample])
         place = _place(float(drive.trace.time[moment.sample]), station)
-    return f"{_word(worst.satisfied).rstrip()} {worst.name}{rho}{place}"
+    between = ", worst: " if worst.satisfied else " "
+    return f"{_word(worst.satisfied)}{between}{worst.name}{rho}{place}"
 
 
 def _place(time: float | None, station: float | None) -> str:
@@ -58,7 +59,9 @@ def _place(time: float | None, station: float | None) -> str:
     return f" at {time:.1f} s{along}"
 
 
-def _word(satisfied: bool | None) -> str:
+def _word(satisfied: bool | None, width: int = 0) -> str:
+    """How an expectation came out, padded to `width` before it is colored."""
     if satisfied is None:
         return "not judged"
-    return style("holds   ", fg="green") if satisfied else style("violated", fg="red")
+    word, color = ("holds", "green") if satisfied else ("violated", "red")
+    return style(word.ljust(width), fg=color)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..session.params import parse_overrides
-from . import exit_codes
+from . import exit_codes, shared_options
 from .console import echo, note, report, shown, style
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ _SHOWN = 10
 
 @click.command("falsify")
 @click.argument("file")
-@click.option("-o", "--output", "folder", default="out", show_default=True, metavar="DIR")
+@shared_options.output
 @click.option(
     "--expect",
     "expects",
@@ -42,28 +42,12 @@ _SHOWN = 10
 @click.option(
     "--random", type=click.FloatRange(0, 1), help="Share of candidates that are drawn at random."
 )
-@click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
-@click.option(
-    "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
-)
-@click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
-)
-@click.option(
-    "--jobs",
-    type=click.IntRange(min=1, max=256),
-    default=1,
-    show_default=True,
-    help="Number of worker processes; does not change the result.",
-)
-@click.option(
-    "--cluster",
-    metavar="ADDRESS",
-    help="Scheduler of a running Dask cluster to work on, such as tcp://10.0.0.5:8786.",
-)
-@click.option(
-    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
-)
+@shared_options.engine
+@shared_options.duration
+@shared_options.seed
+@shared_options.jobs
+@shared_options.cluster
+@shared_options.settings
 @click.option("--resume", is_flag=True, help="Go on with the journal in DIR.")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON.")
 def command(

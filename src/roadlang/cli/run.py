@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..session.params import parse_overrides
-from . import exit_codes
+from . import exit_codes, shared_options
 from .console import echo, report, shown
 
 if TYPE_CHECKING:
@@ -26,49 +26,16 @@ _CONCRETE = ".json"
 
 @click.command("run")
 @click.argument("file")
-@click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
-@click.option(
-    "-o",
-    "--output",
-    "folder",
-    default="out",
-    show_default=True,
-    metavar="DIR",
-    help="Output folder.",
-)
-@click.option(
-    "-n",
-    "count",
-    type=click.IntRange(min=1),
-    help="Number of scenes; by default 1, or all of a grid.",
-)
-@click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
-)
-@click.option(
-    "--jobs",
-    type=click.IntRange(min=1, max=256),
-    default=1,
-    show_default=True,
-    help="Number of worker processes; does not change the result.",
-)
-@click.option(
-    "--cluster",
-    metavar="ADDRESS",
-    help="Scheduler of a running Dask cluster to work on, such as tcp://10.0.0.5:8786.",
-)
+@shared_options.engine
+@shared_options.output
+@shared_options.count
+@shared_options.seed
+@shared_options.jobs
+@shared_options.cluster
 @click.option("--resume", is_flag=True, help="Keep what an earlier run has finished in DIR.")
-@click.option(
-    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
-)
-@click.option(
-    "--params",
-    metavar="FILE.yaml",
-    help="YAML file with values of params; a list of maps gives several runs.",
-)
-@click.option(
-    "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
-)
+@shared_options.settings
+@shared_options.params
+@shared_options.duration
 @click.option("--window", is_flag=True, help="Show the drive in a window, in real time.")
 @click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON.")
 def command(  # noqa: PLR0913 - one parameter per option

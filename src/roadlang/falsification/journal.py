@@ -52,8 +52,9 @@ class SearchJournal:
     def known(self, proposal: Proposal) -> Outcome | None:
         """The outcome of that number, where its point is the same."""
         found = self._known.get(proposal.index)
-        same = found is not None and found.point == proposal.point
-        return found if same and found.is_random == proposal.is_random else None  # type: ignore[union-attr]
+        if found is None or found.point != proposal.point:
+            return None
+        return found if found.is_random == proposal.is_random else None
 
     def append(self, outcomes: Sequence[Outcome]) -> None:
         """Add lines to the file."""

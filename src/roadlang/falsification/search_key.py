@@ -1,4 +1,4 @@
-"""A digest of all that the outcomes of a search depend on: which journal can be gone on with."""
+"""A digest of all that the outcomes of a search depend on: only its own journal can be resumed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _STOP_RULES = ("evaluations", "failures", "seconds")
 
 
 def search_key(task: Task, plan: Plan) -> str:
-    """Stop rules are left out: a search that has ended can go on with others."""
+    """Stop rules are left out: a finished search can be resumed with others."""
     settings = {
         field.name: getattr(plan, field.name)
         for field in dataclasses.fields(plan)

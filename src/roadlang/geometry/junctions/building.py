@@ -124,9 +124,9 @@ def _problems(
     problems = []
     for refusal in junction.refused:
         if abs(refusal.angle) <= SHARPEST:
-            kind = "sweep" if "over road" in refusal.reason else "refused"
             ends = refusal.source.edge, refusal.target.edge
-            problems.append(Problem(kind, id, ends))  # type: ignore[arg-type]
+            sweeps = "over road" in refusal.reason
+            problems.append(Problem("sweep" if sweeps else "refused", id, ends))
     served = {connection.source for connection in junction.connections}
     for arm, lanes in zip(found.arms, found.lanes, strict=True):
         ways = {LaneEnd(*arm.key, lane.id) for lane in lanes.inbound}

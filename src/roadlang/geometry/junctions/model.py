@@ -119,7 +119,7 @@ class Problem:
     roads overlap outside the junction, over `amount`, or where there is none (`junction` -1);
     `vanished`: a dead end lies wholly within a junction; `sweep`: vehicles that turn would drive
     over a third road; `outside`: a connection leaves the area by `amount`; `stuck`: a lane of the
-    road has no way on.
+    road leads into no other road.
     """
 
     kind: Literal["refused", "overlap", "vanished", "sweep", "outside", "stuck"]

@@ -1,0 +1,49 @@
+"""Options that several commands have: each means the same in all of them."""
+
+from __future__ import annotations
+
+import click
+
+output = click.option(
+    "-o",
+    "--output",
+    "folder",
+    default="out",
+    show_default=True,
+    metavar="DIR",
+    type=click.Path(),
+    help="Output folder.",
+)
+count = click.option(
+    "-n",
+    "count",
+    type=click.IntRange(min=1, max=1_000_000),
+    help="Number of scenes; by default 1, or all of a grid.",
+)
+seed = click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
+)
+jobs = click.option(
+    "--jobs",
+    type=click.IntRange(min=1, max=256),
+    default=1,
+    show_default=True,
+    help="Number of worker processes; does not change the result.",
+)
+cluster = click.option(
+    "--cluster",
+    metavar="ADDRESS",
+    help="Scheduler of a running Dask cluster to work on, such as tcp://10.0.0.5:8786.",
+)
+settings = click.option(
+    "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
+)
+params = click.option(
+    "--params",
+    metavar="FILE.yaml",
+    help="YAML file with values of params; a list of maps gives several runs.",
+)
+engine = click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
+duration = click.option(
+    "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
+)
