@@ -135,6 +135,7 @@ if TYPE_CHECKING:
         SignalPhase,
     )
     from .ir.scene_lane import SceneLane
+    from .ir.scene_route import RouteStep, RouteTurn, SceneRoute
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
     from .simulation.bodies import Body
@@ -154,6 +155,7 @@ _LATER = {
         " SceneSignal Verdict ViolatedSegment"
     ),
     ".ir.scene_lane": "SceneLane",
+    ".ir.scene_route": "RouteStep RouteTurn SceneRoute",
     ".ir.scene_junctions": (
         "SceneArm SceneConflict SceneConnection SceneControl SceneJunction SceneLaneEnd"
         " SceneRefusal SignalPhase"
@@ -178,14 +180,14 @@ __all__ = [
     "Mass", "Monitor", "Number", "ObjectKind", "Observation", "ObservationBatch", "Perturber",
     "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position", "Profile",
     "Provenance", "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber",
-    "RoadOrNetwork", "RoadPlace", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor",
-    "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
-    "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneSignal",
-    "Search", "Searcher", "Selector", "Signal", "SignalPhase", "Simulator", "Speed", "Standing",
-    "String", "Trace", "Verdict", "ViolatedSegment", "Whole", "Word", "call_of", "diagnose",
-    "did_you_mean", "geometry", "hookimpl", "kind_of", "list_of", "map_of", "one_of", "option",
-    "quantity", "read_image", "read_input", "record_of", "scene_from_json", "simulate_scenes",
-    "to_json",
+    "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents",
+    "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl",
+    "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal",
+    "SceneRoad", "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector", "Signal",
+    "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace", "Verdict",
+    "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
+    "hookimpl", "kind_of", "list_of", "map_of", "one_of", "option", "quantity", "read_image",
+    "read_input", "record_of", "scene_from_json", "simulate_scenes", "to_json",
 ]  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .read_only import Frozen
+from .scene_route import SceneRoute
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,3 +62,5 @@ class SceneActor(Frozen):
     """the controllers of an agent, in order"""
     start_speed: float | None = None
     """of an agent at the start, m/s, in the direction of its heading; null: 0"""
+    route: SceneRoute | None = None
+    """of an agent through a network; null: it follows its road and lane"""
