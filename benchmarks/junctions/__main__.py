@@ -39,6 +39,7 @@ def main() -> None:
         _print(kind, figures, spent)
     _print("all", total, seconds)
     print(total.faults)
+    _print_apart(total)
 
 
 def _print(kind: str, figures: Figures, seconds: float) -> None:
@@ -47,6 +48,26 @@ def _print(kind: str, figures: Figures, seconds: float) -> None:
         f"({figures.faulty_merged}, {figures.unreported}) {figures.turns:5} {figures.refused:7} "
         f"{1e3 * seconds / max(figures.junctions, 1):.1f}"
     )
+
+
+def _print_apart(figures: Figures) -> None:
+    """The shares, with and without junctions whose roads the drawing has over one another."""
+    apart = figures.overlapping
+    print(f"roads of {apart} junctions ({figures.overlapping_merged} merged) overlap as drawn")
+    rows = (
+        ("without fault", figures.junctions, figures.faulty, apart, figures.overlapping_faulty),
+        (
+            "merged without fault", figures.merged, figures.faulty_merged,
+            figures.overlapping_merged, figures.overlapping_faulty_merged,
+        ),
+    )  # fmt: skip
+    for name, count, faulty, left_out, faulty_left_out in rows:
+        rest = max(count - left_out, 1)
+        share, other = 1 - faulty / max(count, 1), 1 - (faulty - faulty_left_out) / rest
+        print(f"{name}: {share:.1%}, without those {other:.1%}")
+    refused = figures.refused / max(figures.turns, 1)
+    others = (figures.refused - figures.overlapping_refused) / max(figures.turns, 1)
+    print(f"turns refused: {refused:.2%}, without those {others:.2%}")
 
 
 if __name__ == "__main__":

@@ -215,16 +215,29 @@ class Figures:
     faulty: int = 0
     faulty_merged: int = 0
     unreported: int = 0
+    overlapping: int = 0
+    """junctions with arms that overlap farther than any trim: the drawing has them so"""
+    overlapping_merged: int = 0
+    overlapping_faulty: int = 0
+    overlapping_faulty_merged: int = 0
+    overlapping_refused: int = 0
     faults: dict[str, int] = field(default_factory=dict)
 
     def add(self, report: Report, plan: JunctionPlan) -> None:
         """Counts a junction."""
         junction = report.junction
         merged = len(junction.nodes) > 1
+        drawn_over = {edge for p in plan.problems if p.kind == "overlap" for edge in p.edges}
+        apart = not drawn_over.isdisjoint(arm.edge for arm in junction.arms)
+        self.overlapping += apart
+        self.overlapping_merged += apart and merged
+        self.overlapping_faulty += apart and bool(report.faults)
+        self.overlapping_faulty_merged += apart and merged and bool(report.faults)
         self.junctions += 1
         self.merged += merged
         tight = sum(abs(refusal.angle) <= _TURN for refusal in junction.refused)
         self.refused += tight
+        self.overlapping_refused += tight if apart else 0
         self.turns += tight + sum(
             abs(sum(length * curvature for length, curvature in c.pieces)) <= _TURN
             for c in junction.connections
