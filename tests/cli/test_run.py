@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import json
+import shlex
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -69,8 +71,54 @@ def test_what_run_writes_is_read_by_the_other_commands() -> None:
         assert float(rho) == pytest.approx(float(row["slow"]), abs=1e-6)
         code = run(["monitor", "always (ego.speed < 11)", f"out/{name}"])
         assert code == (0 if row["slow satisfied"] == "true" else 4)
-    figure = ElementTree.parse("out/scene-0000.svg")
+    figure = ElementTree.parse("out/scene-0000.drive.svg")
     assert len(list(figure.iter("{http://www.w3.org/2000/svg}polyline"))) >= 2
+
+
+def test_each_scene_is_beside_its_trace_and_replays() -> None:
+    run(["run", "bend.rl", "-n", "2"])
+    run(["run", "out/scene-0001.json", "-o", "again"])
+    for name in ("scene-0001.json", "scene-0001.trace.json", "scene-0001.drive.svg"):
+        assert (Path("again") / name).read_bytes() == (Path("out") / name).read_bytes()
+
+
+def test_what_compile_wrote_into_the_folder_stays() -> None:
+    run(["compile", "bend.rl", "-n", "2"])
+    before = {path: path.read_bytes() for path in Path("out").iterdir()}
+    run(["run", "bend.rl", "-n", "2"])
+    assert {path: path.read_bytes() for path in before} == before
+
+
+def test_traces_hold_what_moves() -> None:
+    tree = "object oak is tree on main at 50m { side: right, offset: 2m }\n"
+    clear = "expect clear: always (gap(ego, oak) > 1m)\n"
+    Path("bend.rl").write_text(TEXT + tree + clear)
+    run(["run", "bend.rl"])
+    assert list(json.loads(Path("out/scene-0000.trace.json").read_text())["agents"]) == ["ego"]
+    assert "oak" not in Path("out/scene-0000.trace.csv").read_text()
+    assert "oak" in Path("out/scene-0000.drive.svg").read_text()
+    assert float(results()[0]["clear"]) > 0
+
+
+def test_the_worst_is_no_expectation_that_equality_decides() -> None:
+    Path("bend.rl").write_text(TEXT.replace("16m/s", "7m/s") + "expect calm: ego.contacts == 0\n")
+    run(["run", "bend.rl"])
+    row = results()[0]
+    assert (row["calm"], row["calm satisfied"]) == ("0.0", "true")
+    assert row["worst"] == "slow"
+
+
+def test_results_say_what_they_were_made_from_and_how_to_make_them_again() -> None:
+    digest = hashlib.sha256(Path("bend.rl").read_bytes()).hexdigest()
+    for words in (["run", "-n", "2", "--duration", "5"], ["falsify", "--evaluations", "6"]):
+        run([words[0], "bend.rl", "-o", "out", "--seed", "3", *words[1:]])
+        record = json.loads(Path("out/provenance.json").read_text())
+        assert record["inputs"] == {"bend.rl": digest}
+        assert (record["seed"], record["source"]) == (3, "bend.rl")
+        table = Path("out") / ("results.csv" if words[0] == "run" else "failing.csv")
+        before = table.read_bytes()
+        run([*shlex.split(record["again"])[1:], "-o", "again"])
+        assert (Path("again") / table.name).read_bytes() == before
 
 
 def test_processes_change_nothing() -> None:
@@ -85,7 +133,7 @@ def test_processes_change_nothing() -> None:
 def test_an_interrupted_run_goes_on(capsys: pytest.CaptureFixture[str]) -> None:
     run(["run", "bend.rl", "-n", "3", "-o", "whole"])
     run(["run", "bend.rl", "-n", "2", "-o", "part"])
-    (Path("part") / "scene-0001.svg").unlink()
+    (Path("part") / "scene-0001.drive.svg").unlink()
     capsys.readouterr()
     run(["run", "bend.rl", "-n", "3", "-o", "part", "--resume"])
     printed = capsys.readouterr().out.splitlines()
@@ -153,6 +201,17 @@ def test_fewer_failures_of_another_search_replace_the_earlier_ones() -> None:
         "index.json",
         "notes.txt",
     }
+
+
+def test_safe_scenes_are_there_to_compare() -> None:
+    run(["falsify", "bend.rl", "-o", "search"])
+    index = json.loads(Path("search/safe/index.json").read_text())["safe"]
+    assert 2 <= len(index) <= 12
+    margins = [entry["robustness"]["slow"] for entry in index]
+    assert margins == sorted(margins)
+    assert margins[0] >= 0
+    for entry in index:
+        assert run(["run", f"search/safe/{entry['scene']}", "-o", "again"]) == 0
 
 
 def test_nothing_found_is_done(capsys: pytest.CaptureFixture[str]) -> None:

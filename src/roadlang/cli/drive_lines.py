@@ -27,11 +27,15 @@ def print_drive(drive: Drive, run: str, in_full: bool) -> None:
 
 def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
     """In how many scenes all expectations hold; of several scenes also the worst."""
+    from ..session.drives import badness
+
     text = holding(sum(satisfied), len(satisfied))
     judged = [row for row in rows if row.get("worst") and row.get(row["worst"]) is not None]
     if len(rows) < 2 or not judged:
         return f"{text}; "
-    worst = min(judged, key=lambda row: (row[f"{row['worst']} satisfied"], row[row["worst"]]))
+    worst = min(
+        judged, key=lambda row: badness(row[f"{row['worst']} satisfied"], row[row["worst"]])
+    )
     run = f"{worst['run']}, " if "run" in worst else ""
     name = worst["worst"]
     place = _place(worst.get("worst time"), worst.get("worst station"))

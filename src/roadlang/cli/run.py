@@ -107,12 +107,16 @@ class RunBatch:
 
     def add_scene(self, file: str) -> None:
         """Drive the scene in a file as it is."""
+        from hashlib import sha256
+
+        from ..session.results_record import record_of_scene
         from ..session.scene import Scene
         from ..session.scene_files import read_scene_file
 
         text = read_scene_file(file)
-        scene = Scene.from_json(text)
-        self._drive([scene], self._task(scene.registry), text, {}, {})
+        scene, digest = Scene.from_json(text), sha256(text.encode()).hexdigest()
+        origin = record_of_scene(scene, file, digest, self._engine, self._options)
+        self._drive([scene], self._task(scene.registry), text, origin, {}, {})
 
     def add_variants(
         self,
@@ -134,6 +138,7 @@ class RunBatch:
         self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int
     ) -> None:
         """One run; that there is no scene ends only this one."""
+        from ..session.results_record import record_of_run
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 
@@ -149,7 +154,8 @@ class RunBatch:
             return
         report(scenes.diagnostics)
         places = {item.name: item.span for item in loaded.scenario.expectations}
-        self._drive(scenes, self._task(loaded.registry), _key(scenes), places, run)
+        origin = record_of_run(scenes, count, self._engine, self._options)
+        self._drive(scenes, self._task(loaded.registry), _key(scenes), origin, places, run)
 
     def _task(self, registry: Any) -> DriveTask:
         from ..drive.batches import DriveTask
@@ -161,16 +167,18 @@ class RunBatch:
         scenes: Sequence[Scene],
         task: DriveTask,
         key: str,
+        origin: str,
         places: dict[str, Any],
         run: dict[str, str],
     ) -> None:
-        """Drive what is not finished, write and print it as it comes, and count all."""
+        """Drive what is not finished, write and print it as it comes, and count all. `key` stands
+        for all that the drives depend on, `origin` is the text of `provenance.json`."""
         from ..session.drives import drive_in_parts
         from ..session.run_files import RunFolder
         from .drive_lines import print_drive
         from .progress import ProgressBar
 
-        folder = RunFolder(self._folder(run), _digest(key, task), self._resume)
+        folder = RunFolder(self._folder(run), _digest(key, task), origin, self._resume)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: list[Any] = []
         with ProgressBar("drives") as progress:

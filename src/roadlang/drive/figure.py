@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from xml.sax.saxutils import escape
 
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..ir.scene import Scene
+from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
 
 _SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
 _SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
 _ROAD, _GROUND, _INK, _OTHER = "#757b83", "#f4f2ec", "#23272b", "#1c7ed6"
+_OBJECT = "#c9a227"
 
 
 def drive_figure(
@@ -44,6 +45,7 @@ def drive_figure(
         line = place(np.array(road.x), np.array(road.y))
         width = max(float(np.mean(road.width)) * scale, 1.0)
         parts.append(_polyline(line, _ROAD, width))
+    parts += (_footprint(thing, place, scale) for thing in scene.objects)
     for agent in agents:
         line = place(agent.x, agent.y)
         if agent.name == name and robustness is not None:
@@ -58,6 +60,16 @@ def drive_figure(
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
         f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
+    )
+
+
+def _footprint(thing: SceneActor, place: Callable[[Floats, Floats], Floats], scale: float) -> str:
+    x, y = place(np.array(thing.x), np.array(thing.y)).tolist()
+    long, wide = thing.length * scale, thing.width * scale
+    turn = f"translate({x:.1f} {y:.1f}) rotate({-np.degrees(thing.heading):.1f})"
+    return (
+        f'<rect x="{-long / 2:.1f}" y="{-wide / 2:.1f}" width="{long:.1f}" height="{wide:.1f}"'
+        f' transform="{turn}" fill="{_OBJECT}"><title>{escape(thing.name)}</title></rect>'
     )
 
 

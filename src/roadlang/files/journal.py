@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -24,10 +25,11 @@ class JournalFile:
         header = json.dumps({"schema": SCHEMA, "key": key}).encode()
         self.lines: list[bytes] = []
         try:
+            path.parent.mkdir(parents=True, exist_ok=True)
             if resume and path.exists():
                 self.lines = _finished(path, header)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(b"".join(line + b"\n" for line in (header, *self.lines)))
+            else:
+                path.write_bytes(header + b"\n")
         except OSError as error:
             raise _unwritable(path, error) from error
 
@@ -41,9 +43,17 @@ class JournalFile:
 
 
 def _finished(path: Path, header: bytes) -> list[bytes]:
-    first, *lines = path.read_bytes().split(b"\n")
+    """The finished lines below the header. Only a line without its end is cut off: it would run
+    into the next one."""
+    content = path.read_bytes()
+    first, *lines = content.split(b"\n")
     if first != header:
         raise DiagnosticError(diagnose(Code.OTHER_JOURNAL, path=str(path)))
+    if not lines:
+        with path.open("ab") as file:
+            file.write(b"\n")
+    elif lines[-1]:
+        os.truncate(path, len(content) - len(lines[-1]))
     return [line for line in lines[:-1] if _is_json(line)]
 
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, overload
 from ..drive.batches import DriveTask, parts_of
 from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
+from ..drive.standing import without_still
 from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
 from ..judging.robustness_series import robustness_series
@@ -127,9 +128,10 @@ class Drive:
 
     @property
     def worst(self) -> Verdict | None:
-        """The violated expectation of least robustness; where all hold that of the least."""
+        """The violated expectation of least robustness; where all hold that of the least above 0:
+        what equality decides (`ego.contacts == 0`) holds with 0, and came near to nothing."""
         judged = [v for v in self._verdicts if v.satisfied is not None]
-        return min(judged, key=_badness, default=None)
+        return min(judged, key=lambda v: badness(v.satisfied, v.robustness), default=None)
 
     @cached_property
     def worst_moment(self) -> DecidingMoment | None:
@@ -148,15 +150,17 @@ class Drive:
         first = next(iter(self.trace.agents), "")
         name = moment.actors[0].name if moment is not None and moment.actors else first
         at = None if moment is None else moment.sample
-        return drive_figure(self.scene.record, self.trace, name, series, title, at)
+        trace = without_still(self.trace, self.scene.record)
+        return drive_figure(self.scene.record, trace, name, series, title, at)
 
     def to_csv(self) -> str:
-        """The trace as `roadlang run` writes it: one row for each agent at each time."""
-        return to_csv(self.trace)
+        """The trace as `roadlang run` writes it: one row for each agent at each time. Objects that
+        stand still are in the scene, not here."""
+        return to_csv(without_still(self.trace, self.scene.record))
 
     def to_json(self) -> str:
-        """The trace with everything in it."""
-        return to_json(self.trace)
+        """The same as JSON, with everything that was recorded."""
+        return to_json(without_still(self.trace, self.scene.record))
 
 
 class DriveSet(Sequence[Drive]):
@@ -213,9 +217,10 @@ class DriveSet(Sequence[Drive]):
         return columns_of(self.rows())
 
 
-def _badness(verdict: Verdict) -> tuple[bool, float]:
-    robustness = math.inf if verdict.robustness is None else verdict.robustness
-    return verdict.satisfied is not False, robustness
+def badness(satisfied: bool | None, robustness: float | None) -> tuple[bool, bool, float]:
+    """What the worst expectation, or scene, has least of."""
+    rho = math.inf if robustness is None else robustness
+    return satisfied is not False, satisfied is True and rho == 0.0, rho
 
 
 def _worst_columns(drive: Drive) -> dict[str, Any]:

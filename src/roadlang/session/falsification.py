@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 
 Progress = Callable[[int, int], None]
 JOURNAL = "journal.jsonl"
+SAFE_DRIVES = 12
+"""Scenes in which nothing is violated that are written beside the failures, to compare."""
 
 
 @dataclass(frozen=True)
@@ -79,8 +81,7 @@ class Failure:
     @cached_property
     def scene(self) -> Scene:
         """The scene, with all that figures show. Its number is that of the evaluation."""
-        proposal = Proposal(self.outcome.index, self.outcome.point)
-        return Scene(self._search.evaluator.full_scene(proposal), self._search.loaded.registry)
+        return self._search.scene(self.outcome)
 
     def shrink(self) -> Failure:
         """The same failure with as many draws as possible at their medians."""
@@ -132,9 +133,29 @@ class Falsification:
     @cached_property
     def failure_drives(self) -> DriveSet:
         """The failures, driven once more."""
+        return self._driven([failure.scene for failure in self.failures])
+
+    @cached_property
+    def safe_drives(self) -> DriveSet:
+        """Some scenes in which nothing is violated, driven once more: from the one that came
+        nearest to failing to the one that was farthest from it."""
+        name = self.expects[0]
+        safe = [outcome for outcome in self.driven if not outcome.is_failure]
+        finite = [outcome for outcome in safe if outcome.expectations.get(name) is not None]
+        finite.sort(key=lambda outcome: (outcome.expectations[name], outcome.index))
+        count = min(SAFE_DRIVES, len(finite))
+        places = [step * (len(finite) - 1) // max(count - 1, 1) for step in range(count)]
+        return self._driven([self.scene(finite[place]) for place in places])
+
+    def scene(self, outcome: Outcome) -> Scene:
+        """The scene of a candidate; its number is that of the evaluation."""
+        record = self.evaluator.full_scene(Proposal(outcome.index, outcome.point))
+        return Scene(record, self.loaded.registry)
+
+    def _driven(self, scenes: Sequence[Scene]) -> DriveSet:
         from .drives import drive
 
-        drives, scenes = self.drives, [failure.scene for failure in self.failures]
+        drives = self.drives
         places = {item.name: item.span for item in self.loaded.scenario.expectations}
         return drive(scenes, self.loaded.registry, drives.engine, drives.options, places)
 

@@ -2,8 +2,10 @@
 
 failures/0001.json ...   the distinct failures as scenes, worst first, with trace and figure
 failures/index.json      what each violates, when and where
+safe/0001.json ...       some scenes in which nothing is violated, in the same way
 failing.csv, safe.csv    every scene that was driven
 summary.json             counts, failure rate, coverage, how robustness went down
+provenance.json          what all of this was made from
 """
 
 from __future__ import annotations
@@ -15,32 +17,36 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..files.writing import write_all, write_set
+from ..ir.results_record import RESULTS_FILE
 from ..version import __version__
+from .results_record import record_of_search
 from .tables import columns_of, to_csv
 
 if TYPE_CHECKING:
+    from .drives import Drive
     from .falsification import Failure, Falsification
 
-FAILURES = "failures"
+FAILURES, SAFE = "failures", "safe"
 INDEX = "index.json"
 INDEX_SCHEMA = "roadlang.failures/1"
+SAFE_SCHEMA = "roadlang.safe/1"
 SUMMARY_SCHEMA = "roadlang.falsification/1"
+_ENDINGS = (".json", ".trace.csv", ".trace.json", ".svg", ".shrunk.json", ".explanation.json")
 
 
 def write_falsification(search: Falsification, folder: Path) -> None:
-    """Write all files, each set of them whole or not at all; failures of an earlier search that
-    are not written again are removed."""
+    """Write all files, each set of them whole or not at all; those of an earlier search that are
+    not written again are removed."""
     folder = folder.absolute()
-    contents: dict[str, str | bytes] = {}
-    records = [_write_failure(failure, contents) for failure in search.failures]
-    contents[INDEX] = _json({"schema": INDEX_SCHEMA, "failures": records})
-    write_set(folder / FAILURES, contents, INDEX, _files_of)
+    _write_failures(search, folder / FAILURES)
+    _write_safe(search, folder / SAFE)
     failing = [outcome for outcome in search.driven if outcome.is_failure]
     safe = [outcome for outcome in search.driven if not outcome.is_failure]
     tables = {
         "failing.csv": to_csv(columns_of(search.rows(failing))),
         "safe.csv": to_csv(columns_of(search.rows(safe))),
         "summary.json": _json(summary(search)),
+        RESULTS_FILE: record_of_search(search),
     }
     write_all(folder, tables)
 
@@ -66,24 +72,45 @@ def summary(search: Falsification) -> dict[str, Any]:
     }
 
 
-def _write_failure(failure: Failure, contents: dict[str, str | bytes]) -> dict[str, Any]:
-    """Add the files of a failure; gives its record."""
-    stem = f"{failure.rank:04d}"
-    drive = failure.drive
-    contents[f"{stem}.json"] = failure.scene.to_json()
-    contents[f"{stem}.trace.csv"] = drive.to_csv()
-    contents[f"{stem}.trace.json"] = drive.to_json()
-    contents[f"{stem}.svg"] = drive.svg()
-    outcome = failure.outcome
+def _write_failures(search: Falsification, folder: Path) -> None:
+    contents: dict[str, str | bytes] = {}
+    for failure in search.failures:
+        contents |= _drive_files(failure.rank, failure.drive)
+    records = [_record(failure) for failure in search.failures]
+    axes = list(search.evaluator.task.axes)
+    contents[INDEX] = _json({"schema": INDEX_SCHEMA, "axes": axes, "failures": records})
+    write_set(folder, contents, INDEX, _files_of)
+
+
+def _write_safe(search: Falsification, folder: Path) -> None:
+    contents: dict[str, str | bytes] = {}
+    records = []
+    for number, drive in enumerate(search.safe_drives, 1):
+        contents |= _drive_files(number, drive)
+        robustness = {name: drive.verdicts[name].robustness for name in search.expects}
+        record = {"evaluation": drive.scene.index, "robustness": robustness}
+        records.append({"scene": f"{number:04d}.json", **record})
+    contents[INDEX] = _json({"schema": SAFE_SCHEMA, "safe": records})
+    write_set(folder, contents, INDEX, _files_of)
+
+
+def _drive_files(number: int, drive: Drive) -> dict[str, str]:
+    contents = drive.scene.to_json(), drive.to_csv(), drive.to_json(), drive.svg()
+    return {f"{number:04d}{end}": text for end, text in zip(_ENDINGS, contents, strict=False)}
+
+
+def _record(failure: Failure) -> dict[str, Any]:
+    outcome, drive = failure.outcome, failure.drive
     again = {name: drive.verdicts[name].robustness for name in outcome.expectations}
     return {
-        "scene": f"{stem}.json",
+        "scene": f"{failure.rank:04d}.json",
         "evaluation": outcome.index,
         "violated": list(outcome.violated),
         "robustness": dict(outcome.expectations),
         "replays": again == dict(outcome.expectations),
         "moment": None if outcome.moment is None else dataclasses.asdict(outcome.moment),
         "draws": dict(outcome.draws),
+        "point": list(outcome.point),
     }
 
 
@@ -91,14 +118,12 @@ def _files_of(marker: Path) -> Iterable[str]:
     """The files that an index names; none of one that is not ours."""
     try:
         record = json.loads(marker.read_text(encoding="utf-8"))
-        stems = [str(item["scene"]).removesuffix(".json") for item in record["failures"]]
+        listed = record["failures"] if "failures" in record else record["safe"]
+        stems = [str(item["scene"]).removesuffix(".json") for item in listed]
     except (OSError, ValueError, KeyError, TypeError):
         return []
     names = [f"{stem}{ending}" for stem in stems for ending in _ENDINGS]
     return [name for name in names if (marker.parent / name).exists()]
-
-
-_ENDINGS = (".json", ".trace.csv", ".trace.json", ".svg")
 
 
 def _json(record: dict[str, Any]) -> str:

@@ -32,7 +32,7 @@ def manifest_of(
     """What was written, from what, and how the requirements fared."""
     scenario = loaded.scenario
     sampled = result.scenes[0].provenance
-    inputs = {**loaded.inputs, **_scene_file_digests(scenario), **sampled.inputs}
+    inputs = {**loaded.inputs, **scene_file_digests(scenario), **sampled.inputs}
     emitting = {b.entry.origin.distribution: b.entry.origin.version for b in backends}
     return Manifest(
         name=scenario.header.name,
@@ -63,7 +63,7 @@ def manifest_of(
     )
 
 
-def _scene_file_digests(scenario: Scenario) -> dict[str, str]:
+def scene_file_digests(scenario: Scenario) -> dict[str, str]:
     """sha256 of the scene file and its includes; of what cannot be read again, nothing."""
     digests = {}
     for source in scenario.inputs:

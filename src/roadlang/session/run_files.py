@@ -8,27 +8,29 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..files.journal import JournalFile
-from ..files.writing import write_all
+from ..files.writing import write_all, write_file
+from ..ir.results_record import RESULTS_FILE
 from .drives import Drive
 
 if TYPE_CHECKING:
     from .drives import DriveSet
 
 JOURNAL = "journal.jsonl"
-_ENDINGS = (".trace.csv", ".trace.json", ".verdicts.json", ".svg")
+_ENDINGS = (".json", ".trace.csv", ".trace.json", ".verdicts.json", ".drive.svg")
 
 
 class RunFolder:
-    """A folder of drives. `key` stands for all that they depend on; `resume`: what is there of an
-    earlier run with the same key is kept.
+    """A folder of drives. `key` stands for all that they depend on, `provenance` says it to people;
+    `resume`: what is there of an earlier run with the same key is kept.
 
     `finished` holds the rows of scenes by their number. Raises `DiagnosticError` RL702 where the
     journal is that of another run, RL460 where nothing can be written.
     """
 
-    def __init__(self, folder: Path, key: str, resume: bool) -> None:
+    def __init__(self, folder: Path, key: str, provenance: str, resume: bool) -> None:
         self._folder = folder
         self._journal = JournalFile(folder / JOURNAL, key, resume)
+        write_file(folder / RESULTS_FILE, provenance)
         entries = [json.loads(line) for line in self._journal.lines]
         self.finished: dict[int, Mapping[str, Any]] = {
             entry["row"]["scene"]: entry for entry in entries if self._has_files(entry)
@@ -38,7 +40,8 @@ class RunFolder:
         """Write the files of drives, all of them or none, and then their lines in the journal."""
         files: dict[str, str] = {}
         for drive in drives:
-            contents = (drive.to_csv(), drive.to_json(), verdicts_json(drive), drive.svg())
+            traces = drive.scene.to_json(), drive.to_csv(), drive.to_json()
+            contents = *traces, verdicts_json(drive), drive.svg()
             stem = _stem(drive.scene.index)
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
         write_all(self._folder, files)
