@@ -96,14 +96,43 @@ def test_the_size_of_blocks_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> 
     assert [bytes_of(trace) for trace in drives(scenes)] == whole
 
 
-def test_how_often_it_is_recorded_changes_no_drive() -> None:
-    scenes = records(TRAFFIC, 3)
-    often, seldom = drives(scenes, step=0.1), drives(scenes, step=0.5)
+CRASH = """
+road main { draw with segments { pieces: [straight(120m)] }, lanes: 2 }
+agent ego is car on main at 10m..30m { lane: -1, drive with lane_follow { speed: 17m/s } }
+agent other is car on main at 50m { lane: -1, drive with brake {} }
+object wall is parked_van on main at 100m { offset: 1.8m }
+agent late is car on main at 5m { lane: 1, facing: forward, drive with lane_follow { speed: 20m/s } }
+"""
+
+
+@pytest.mark.parametrize("text", [TRAFFIC, LOOP, CRASH], ids=["traffic", "loop", "crash"])
+@pytest.mark.parametrize("control_step", [0.04, 0.1, 0.3])
+def test_how_often_it_is_recorded_changes_no_drive(text: str, control_step: float) -> None:
+    scenes = records(text, 3)
+    often = drives(scenes, step=0.1, control_step=control_step)
+    seldom = drives(scenes, step=0.5, control_step=control_step)
     for a, b in zip(often, seldom, strict=True):
         count = min(len(a.time[::5]), len(b.time))
+        assert count > 4
         for name in b.agents:
-            x, y = a.agents[name].x[::5][:count], b.agents[name].x[:count]
-            assert x.tobytes() == y.tobytes()
+            for column in ("x", "y", "heading", "speed", "station", "progress", "contacts"):
+                one = getattr(a.agents[name], column)[::5][:count]
+                assert one.tobytes() == getattr(b.agents[name], column)[:count].tobytes(), column
+        assert b.events[: len(a.events)] == a.events[: len(b.events)]
+
+
+def test_an_agent_stands_in_every_sample_after_its_contact() -> None:
+    scenes = records(CRASH, 3)
+    for trace in drives(scenes, step=0.02, control_step=0.3):
+        events = {event["agent"]: event["time"] for event in trace.events}
+        assert {"ego", "other", "late"} <= set(events)
+        for name, time in events.items():
+            after = trace.time > time
+            assert after.any()
+            assert (trace.agents[name].contacts[after] >= 1.0).all()
+            assert (trace.agents[name].contacts[trace.time < time] == 0.0).all()
+            assert (trace.agents[name].speed[after] == 0.0).all()
+            assert len(np.unique(trace.agents[name].x[after])) == 1
 
 
 def test_compiled_it_drives_to_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -23,7 +23,7 @@ class Builtin(Simulator):
     duration: Duration = option(60.0, above=0, maximum=3600, help="maximum duration of a drive")
     step: Duration = option(0.1, minimum=0.001, maximum=1, help="sampling interval of the trace")
     control_step: Duration = option(
-        0.1, minimum=0.001, maximum=1, help="interval between decisions of the controllers"
+        0.04, minimum=0.001, maximum=1, help="interval between decisions of the controllers"
     )
     vehicle_step: Duration = option(
         0.02, minimum=0.001, maximum=0.05, help="time step of the equations of motion"

@@ -31,11 +31,6 @@ class Decision:
     acceleration: Floats
     heading: Floats | None = None
 
-    def take(self, agents: Integers) -> Decision:
-        """That of some agents."""
-        heading = None if self.heading is None else self.heading[agents]
-        return Decision(self.steering[agents], self.acceleration[agents], heading)
-
 
 @dataclass
 class Group:

@@ -41,6 +41,13 @@ class Motion:
         """That of some agents, in separate arrays."""
         return Motion(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
 
+    def copy_agent(self, agent: int, other: Motion) -> None:
+        """An agent moves as it does in `other`."""
+        for field in fields(self):
+            column = getattr(self, field.name).copy()
+            column[agent] = getattr(other, field.name)[agent]
+            setattr(self, field.name, column)
+
     def halt(self, rows: Any) -> None:
         """Some agents stand still, at once."""
         for column in (self.speed, self.slide, self.yaw_rate, self.acceleration):

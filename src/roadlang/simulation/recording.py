@@ -31,6 +31,7 @@ class Recorder:
         self._chunk: list[Floats] = []
         self._parts: dict[int, list[Floats]] = {row: [] for row in range(len(scenes))}
         self._rows = np.arange(len(scenes))
+        self._over = np.zeros(len(scenes), dtype=bool)
         self._turns = False
         self._axes = np.zeros(0)
         self._ends: dict[int, int] = {}
@@ -51,8 +52,15 @@ class Recorder:
                 )
             )
         )  # fmt: skip
-        for row in self._rows[np.flatnonzero(world.finished)]:
-            self._ends.setdefault(int(row), len(self._times))
+        ended = world.finished & ~self._over
+        if ended.any():
+            self._over |= ended
+            self._ends |= dict.fromkeys(self._rows[ended].tolist(), len(self._times))
+
+    @property
+    def going_on(self) -> Integers:
+        """Which scenes of the world have not ended yet."""
+        return np.flatnonzero(~self._over)
 
     def note(self, world: World, contacts: list[Contact]) -> None:
         """Contacts, as events of their scenes."""
@@ -72,7 +80,7 @@ class Recorder:
         """Of the scenes that went on, only these still do; `poses`: of their agents, now."""
         self._close()
         self._heading = poses.heading
-        self._rows = self._rows[kept]
+        self._rows, self._over = self._rows[kept], self._over[kept]
 
     def traces(self) -> list[Trace]:
         """The trace of each scene."""

@@ -35,7 +35,7 @@ class EngineSettings:
     """at most"""
     step: float = 0.1
     """from one sample of the trace to the next"""
-    control_step: float = 0.1
+    control_step: float = 0.04
     """for which a decision of the controllers holds"""
     vehicle_step: float = 0.02
     """of the equations of motion"""
@@ -88,38 +88,42 @@ def _drive_block(
     settings: EngineSettings,
     advance: Advance,
 ) -> list[Trace]:
-    decided, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
+    held, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
     last = settings.ticks(settings.duration)
     dt = settings.vehicle_step
     world = world_of(scenes, settings.bodies, dt, settings.control_step)
     world.advance = advance
-    crew = Crew(world, controllers, decided * dt, settings.signals)
+    crew = Crew(world, controllers, held * dt, settings.signals)
     contacts = Contacts(world)
     poses = world.poses
     recorder = Recorder(world, poses)
     recorder.note(world, contacts.watch(world, poses, 0.0))
-    decision = crew.decide(world, poses)
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
             recorder.record(world, poses)
-            going_on = np.flatnonzero(~world.finished)
-            if world.tick >= last or not len(going_on):
-                return recorder.traces()
-            if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
-                agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
-                crew.take(agents, len(world.present))
-                contacts.take(agents, len(world.present))
-                world, poses = world.take(going_on), poses.take(agents)
-                recorder.go_on_with(going_on, poses)
-                decision = decision.take(agents)
-        if world.tick and world.tick % decided == 0:
-            decision = crew.decide(world, poses)
-        steps = min(decided - world.tick % decided, sampled - world.tick % sampled)
-        steps = min(steps, last - world.tick)
-        world.step(decision.steering, decision.acceleration, decision.heading, steps)
+        going_on = recorder.going_on
+        if world.tick >= last or not len(going_on):
+            return recorder.traces()
+        if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
+            agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
+            crew.take(agents, len(world.present))
+            contacts.take(agents, len(world.present))
+            world, poses = world.take(going_on), poses.take(agents)
+            recorder.go_on_with(going_on, poses)
+        decision = crew.decide(world, poses)
+        steps = min(held, last - world.tick)
+        samples = range(sampled - world.tick % sampled, steps, sampled)
+        passed = world.step(
+            decision.steering, decision.acceleration, decision.heading, steps, samples
+        )
         poses = world.poses
         touched = contacts.watch(world, poses, steps * dt)
         if touched:
             recorder.note(world, touched)
             poses = world.poses
             contacts.seen(poses)
+        for between in passed:
+            for contact in touched:
+                if contact.time <= between.time:
+                    between.copy_agent(contact.agent, world)
+            recorder.record(between, between.poses)

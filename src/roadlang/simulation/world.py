@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -87,9 +88,18 @@ class World:
         self.tick = 0
 
     def step(
-        self, steering: Floats, acceleration: Floats, heading: Floats | None, steps: int
-    ) -> None:
-        """Move on by `steps` steps of `dt` seconds, in which agents hold what they are to do."""
+        self,
+        steering: Floats,
+        acceleration: Floats,
+        heading: Floats | None,
+        steps: int,
+        stops: Sequence[int] = (),
+    ) -> list[World]:
+        """Move on by `steps` steps of `dt` seconds, in which agents hold what they are to do.
+
+        Returns the world as it is after each of the numbers of steps in `stops`, ascending and
+        below `steps`. Stops change nothing of the motion, not even in the last bit.
+        """
         bodies, motion = self.bodies, self.motion
         limit = bodies.max_steering
         angle = np.minimum(np.maximum(steering, -limit), limit)
@@ -97,11 +107,23 @@ class World:
         acceleration = np.where(self.halted, -END_BRAKING, np.minimum(acceleration, braking))
         if heading is not None:
             self._face(heading)
+        held = (np.tan(angle), acceleration)
         before = (motion.along, motion.offset)
-        self.advance(motion, bodies, self.track, (np.tan(angle), acceleration), steps, self.dt)
-        moved = motion.along - before[0]
+        passed = []
+        for begin, end in pairwise((0, *stops, steps)):
+            self.advance(motion, bodies, self.track, held, end - begin, self.dt)
+            if end < steps:
+                between = replace(self, motion=replace(motion), contacts=self.contacts.copy())
+                between._arrive(before, end)
+                passed.append(between)
+        self._arrive(before, steps)
+        return passed
+
+    def _arrive(self, before: tuple[Floats, Floats], steps: int) -> None:
+        """The motion is `steps` steps on; `before`: along and offset then."""
+        moved = self.motion.along - before[0]
         seconds = steps * self.dt
-        self.pace = (moved / seconds, (motion.offset - before[1]) / seconds)
+        self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
         self._wrap()
         self.tick += steps
@@ -157,6 +179,12 @@ class World:
         self.traveled[agent] -= self.pace[0][agent] * seconds
         self.halted[agent] = True
         motion.halt(agent)
+
+    def copy_agent(self, agent: int, other: World) -> None:
+        """An agent is where it is in `other`, the same world at another time."""
+        self.motion.copy_agent(agent, other.motion)
+        self.traveled[agent] = other.traveled[agent]
+        self.contacts[agent] = other.contacts[agent]
 
     def take(self, rows: Integers) -> World:
         """A world of some of its scenes, as they are now."""
