@@ -101,7 +101,10 @@ road main { draw with segments { pieces: [straight(120m)] }, lanes: 2 }
 agent ego is car on main at 10m..30m { lane: -1, drive with lane_follow { speed: 17m/s } }
 agent other is car on main at 50m { lane: -1, drive with brake {} }
 object wall is parked_van on main at 100m { offset: 1.8m }
-agent late is car on main at 5m { lane: 1, facing: forward, drive with lane_follow { speed: 20m/s } }
+agent late is car on main at 5m {
+  lane: 1, facing: forward
+  drive with lane_follow { speed: 20m/s }
+}
 """
 
 

@@ -13,11 +13,11 @@ from ..ir.trace import Trace
 from ..plugins.kinds import Controller
 from . import compiled, motion
 from .bodies import Body
-from .contacts import Contacts
+from .contacts import Contact, Contacts
 from .driving import Crew
 from .motion import Advance
 from .recording import Recorder
-from .world import world_of
+from .world import World, world_of
 
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""
@@ -123,7 +123,16 @@ def _drive_block(
             poses = world.poses
             contacts.seen(poses)
         for between in passed:
-            for contact in touched:
-                if contact.time <= between.time:
-                    between.copy_agent(contact.agent, world)
+            _halt_touched(between, world, touched)
             recorder.record(between, between.poses)
+
+
+def _halt_touched(between: World, world: World, touched: Sequence[Contact]) -> None:
+    """Who has touched something before the time of `between` already stands as in `world`, which
+    is later."""
+    for contact in touched:
+        if contact.time <= between.time:
+            agent = contact.agent
+            between.motion.copy_agent(agent, world.motion)
+            between.traveled[agent] = world.traveled[agent]
+            between.contacts[agent] = world.contacts[agent]

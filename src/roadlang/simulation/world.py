@@ -88,17 +88,13 @@ class World:
         self.tick = 0
 
     def step(
-        self,
-        steering: Floats,
-        acceleration: Floats,
-        heading: Floats | None,
-        steps: int,
-        stops: Sequence[int] = (),
-    ) -> list[World]:
+        self, steering: Floats, acceleration: Floats, heading: Floats | None,
+        steps: int, stops: Sequence[int] = (),
+    ) -> list[World]:  # fmt: skip
         """Move on by `steps` steps of `dt` seconds, in which agents hold what they are to do.
 
-        Returns the world as it is after each of the numbers of steps in `stops`, ascending and
-        below `steps`. Stops change nothing of the motion, not even in the last bit.
+        Returns the world as it is after each number of steps in `stops`, ascending and below
+        `steps`. Stops change nothing of the motion, not even in the last bit.
         """
         bodies, motion = self.bodies, self.motion
         limit = bodies.max_steering
@@ -179,12 +175,6 @@ class World:
         self.traveled[agent] -= self.pace[0][agent] * seconds
         self.halted[agent] = True
         motion.halt(agent)
-
-    def copy_agent(self, agent: int, other: World) -> None:
-        """An agent is where it is in `other`, the same world at another time."""
-        self.motion.copy_agent(agent, other.motion)
-        self.traveled[agent] = other.traveled[agent]
-        self.contacts[agent] = other.contacts[agent]
 
     def take(self, rows: Integers) -> World:
         """A world of some of its scenes, as they are now."""
