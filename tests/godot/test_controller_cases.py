@@ -20,7 +20,7 @@ from roadlang.plugins.discovery import load_registry
 from roadlang.simulation.bend_speeds import BendSpeeds
 from roadlang.simulation.controllers import Driver
 from roadlang.simulation.observing import View
-from roadlang.simulation.world import world_of
+from roadlang.simulation.world_building import world_of
 from roadlang_godot import engine
 
 TABLE = engine.project() / "tests" / "controller_cases.json"

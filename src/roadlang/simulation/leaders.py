@@ -7,76 +7,71 @@ import math
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats
+from .corridors import looks_ahead, nearest_in_corridor
+from .outlines import Outlines
 from .poses import Poses
 from .world import World
 
 SAME_LANE = 2.0
 """Meters: beside each other rather than behind one another, from here on."""
-EVERY = 3
-"""Cells of a line that are skipped in the search for the place of an agent of another road."""
-NEAR = 150.0
-"""Meters, as the crow flies: who is farther away is not ahead."""
 
 
 def leaders(world: World, poses: Poses) -> tuple[Floats, Floats]:
     """(N,) the gap to the next agent ahead in the lane of each, infinite for none, and that one's
-    speed along the lane."""
+    speed along the lane.
+
+    Of two on one road their stations say it; what else is near is looked for along the line.
+    """
     shape = (len(world.scenes), world.slots)
-    ahead, beside = _places(world, poses, shape)
-    own = world.line_offset.reshape(shape)[:, :, None]
-    length = world.bodies.length.reshape(shape)
-    road = world.length.reshape(shape)[:, :, None]
-    closed = world.closed.reshape(shape)[:, :, None]
-    around = closed & np.isfinite(ahead)
-    ahead = np.where(around, ahead - np.floor(np.where(around, ahead, 0.0) / road) * road, ahead)
-    gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
     there = world.present.reshape(shape)
-    fits = (ahead > 0.0) & (np.abs(beside - own) < SAME_LANE)
-    fits &= (there & world.has_road.reshape(shape))[:, :, None] & there[:, None, :]
-    gap = np.where(fits, gap, math.inf)
+    itself = np.eye(shape[1], dtype=bool)[None]
+    pairs = (there & world.has_road.reshape(shape))[:, :, None] & there[:, None, :] & ~itself
+    road = np.where(world.has_route, -1, world.road).reshape(shape)
+    together = pairs & (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
+    gap = np.where(together, _gaps_on_roads(world, shape), math.inf)
+    heading = poses.heading.reshape(shape)
+    turned = heading[:, None, :] - heading[:, :, None]
+    apart = pairs & ~together
+    if apart.any():
+        _search(world, poses, apart, gap, turned)
     first = gap.argmin(axis=2)
     least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0]
-    heading = poses.heading.reshape(shape)
     speed = np.take_along_axis(world.motion.speed.reshape(shape), first, axis=1)
-    turned = np.take_along_axis(heading, first, axis=1) - heading
-    along = np.where(np.isfinite(least), speed * np.cos(turned), 0.0)
+    turn = np.take_along_axis(turned, first[:, :, None], axis=2)[:, :, 0]
+    along = np.where(np.isfinite(least), speed * np.cos(turn), 0.0)
     return least.ravel(), along.ravel()
 
 
-def _places(world: World, poses: Poses, shape: tuple[int, int]) -> tuple[Floats, Floats]:
-    """(S, A, A) how far ahead the second is on the line of the first, and how far to its left."""
+def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
+    """(S, A, A) gap of the first to the second, if both are on the road of the first: infinite for
+    what is behind or beside it."""
     sign = np.where(world.backward, -1.0, 1.0).reshape(shape)
-    road = world.road.reshape(shape)
     station = world.station.reshape(shape)
     left = (np.where(world.backward, -1.0, 1.0) * world.motion.offset).reshape(shape)
     ahead = sign[:, :, None] * (station[:, None, :] - station[:, :, None])
     beside = sign[:, :, None] * left[:, None, :]
-    itself = np.eye(shape[1], dtype=bool)[None]
-    ahead = np.where(itself, -math.inf, ahead)
-    there = world.present.reshape(shape)
-    elsewhere = (road[:, :, None] != road[:, None, :]) & (road >= 0)[:, :, None] & ~itself
-    elsewhere &= there[:, :, None] & there[:, None, :]
-    if elsewhere.any():
-        _search(world, poses, elsewhere, ahead, beside)
-    return ahead, beside
+    road = world.length.reshape(shape)[:, :, None]
+    if world.track.has_closed:
+        closed = world.closed.reshape(shape)[:, :, None]
+        ahead = np.where(closed, ahead - np.floor(ahead / road) * road, ahead)
+    own = world.line_offset.reshape(shape)[:, :, None]
+    length = world.bodies.length.reshape(shape)
+    gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
+    fits = (ahead > 0.0) & (np.abs(beside - own) < SAME_LANE)
+    return np.where(fits, gap, math.inf)
 
 
-def _search(world: World, poses: Poses, elsewhere: Booleans, ahead: Floats, beside: Floats) -> None:
-    """Fill in the places of agents on the lines of other roads: the nearest point of each."""
-    lines = world.track.lines
-    for scene, first, second in zip(*np.nonzero(elsewhere), strict=True):
-        one, other = scene * world.slots + first, scene * world.slots + second
-        x, y = poses.x[other], poses.y[other]
-        if max(abs(x - poses.x[one]), abs(y - poses.y[one])) > NEAR:
-            ahead[scene, first, second] = -math.inf
-            continue
-        start = int(world.track.row[one]) * lines.cells
-        stop = start + int(lines.last[world.track.row[one]]) + 1
-        off_x, off_y = x - lines.x[start:stop:EVERY], y - lines.y[start:stop:EVERY]
-        cell = int((off_x * off_x + off_y * off_y).argmin())
-        heading = lines.heading[start + cell * EVERY]
-        cosine, sine = np.cos(heading), np.sin(heading)
-        beyond = cosine * off_x[cell] + sine * off_y[cell]
-        begins = world.track.origin[one] + cell * EVERY * world.track.spacing[one]
-        ahead[scene, first, second] = begins + beyond - world.motion.along[one]
-        beside[scene, first, second] = cosine * off_y[cell] - sine * off_x[cell]
+def _search(world: World, poses: Poses, apart: Booleans, gap: Floats, turned: Floats) -> None:
+    """Fill in the gaps to agents that are not on the same road, and how these are turned from the
+    line of the first."""
+    shape = (len(world.scenes), world.slots)
+    x, y = poses.x.reshape(shape), poses.y.reshape(shape)
+    radius = 0.5 * (world.bodies.length + world.bodies.width).reshape(shape)
+    view = looks_ahead(world).reshape(shape)[:, :, None] + radius[:, None, :]
+    near = apart & (np.abs(x[:, None, :] - x[:, :, None]) < view)
+    near &= np.abs(y[:, None, :] - y[:, :, None]) < view
+    scene, first, second = np.nonzero(near)
+    one, other = scene * world.slots + first, scene * world.slots + second
+    found, along = nearest_in_corridor(world, one, other, Outlines.moving(world, poses))
+    gap[scene, first, second] = found
+    turned[scene, first, second] = poses.heading[other] - along

@@ -17,7 +17,8 @@ from .contacts import Contact, Contacts
 from .driving import Crew
 from .motion import Advance
 from .recording import Recorder
-from .world import World, world_of
+from .world import World
+from .world_building import world_of
 
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""

@@ -21,6 +21,9 @@ def start_of(
     station = np.array([one.start or 0.0 for one in actors], dtype=np.float64)
     length = track.lines.length[track.row]
     along = np.where(backward, length - station, station) * has_road
+    for row, one in enumerate(actors):
+        if one.route is not None:  # its line begins with its first step
+            along[row] = abs(station[row] - one.route.steps[0].start)
     offset = np.zeros(len(actors))
     heading = np.zeros(len(actors))
     for _ in range(2):  # the foot point of the pose; the station of the scene is nearly that
@@ -59,7 +62,7 @@ class LineOffsets:
 
     def of(self, actor: SceneActor, road: SceneRoad | None, width: float) -> float:
         """Of one agent; `width`: of the road where it starts."""
-        if road is None:
+        if road is None or actor.route is not None:
             return 0.0
         if actor.lane is not None:
             center = self._lane_center(actor.lane, road, actor.start or 0.0)

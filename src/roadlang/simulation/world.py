@@ -3,29 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
-from .bodies import Bodies, Body
-from .lines import Lines, LineSource, road_line, straight_line
+from .bodies import Bodies
 from .motion import Advance, Motion, Track, advance
 from .poses import Poses, poses_of
-from .starting import LineOffsets, start_of
+from .route_table import Place, RouteTable
 
-USUAL_FRICTION = 0.9
 ARRIVED = 0.5
 """Meters before the end of a line from which on an agent has arrived."""
 END_BRAKING = 4.0
 """m/s^2, at the end of a road."""
-FASTEST = 120.0
-"""m/s: lines go on beyond their ends for as far as this takes an agent in one step."""
 
 
 @dataclass
@@ -47,11 +42,14 @@ class World:
     """of the agents"""
     bodies: Bodies
     track: Track
+    table: RouteTable
+    """what the lines lead over"""
     has_road: Booleans
+    has_route: Booleans
     backward: Booleans
-    """against the direction of the road"""
+    """without a route, against the direction of the road"""
     road: Integers
-    """the road of each agent within its scene, -1 for none"""
+    """the road of each agent at the start, within its scene, -1 for none"""
     line_offset: Floats
     """of the line to follow, left of the tabled line"""
     start: Motion
@@ -153,7 +151,16 @@ class World:
     def station(self) -> Floats:
         """(N,) arc length along the road, within its ends."""
         along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
-        return np.where(self.backward, self.length - along, along)
+        station = np.where(self.backward, self.length - along, along)
+        rows = np.flatnonzero(self.has_route)
+        if len(rows):
+            station[rows] = self.table.station(rows, along[rows])
+        return station
+
+    @property
+    def place(self) -> Place:
+        """Where on roads and junctions all agents are."""
+        return self.table.place(slice(None), self.motion.along)
 
     @property
     def progress(self) -> Floats:
@@ -185,6 +192,7 @@ class World:
             actors=tuple(self.actors[agent] for agent in agents),
             bodies=self.bodies.take(agents),
             track=self.track.of_rows(agents),
+            table=self.table.take(agents),
             start=self.start.take(agents),
             motion=self.motion.take(agents),
             pace=(self.pace[0][agents], self.pace[1][agents]),
@@ -209,90 +217,6 @@ class World:
 
 
 _COLUMNS = (
-    "present", "names", "has_road", "backward", "road", "line_offset", "halted", "contacts",
-    "traveled",
+    "present", "names", "has_road", "has_route", "backward", "road", "line_offset", "halted",
+    "contacts", "traveled",
 )  # fmt: skip
-
-
-def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, margin: float) -> World:
-    """The world of some scenes at the start. `margin`: seconds of the longest step."""
-    slots = max(1, *(len(scene.agents) for scene in scenes))
-    sources: list[LineSource] = []
-    found: list[_Slot] = []
-    for scene in scenes:
-        names = {road.name: number for number, road in enumerate(scene.roads)}
-        rows: dict[Any, int] = {}
-        for place in range(slots):
-            actor = scene.agents[place] if place < len(scene.agents) else None
-            found.append(_slot(actor, scene, names, rows, sources))
-    lines = Lines.of(sources, FASTEST * margin)
-    return _started(tuple(scenes), slots, found, lines, kinds, dt)
-
-
-@dataclass(frozen=True)
-class _Slot:
-    actor: SceneActor | None
-    line: int
-    road: int
-    friction: float
-
-
-_NOBODY = SceneActor("", "", "", 0.0, 0.0, 0.0, 1.0, 1.0, 1.0)
-
-
-def _slot(
-    actor: SceneActor | None,
-    scene: Scene,
-    roads: Mapping[str, int],
-    rows: dict[Any, int],
-    sources: list[LineSource],
-) -> _Slot:
-    """An agent with its line, which those of one road and direction share."""
-    who = actor or _NOBODY
-    number = roads.get(who.road or "", -1)
-    key = (number, who.facing == "back") if number >= 0 else (who.x, who.y, who.heading)
-    if key not in rows:
-        rows[key] = len(sources)
-        on_road = number >= 0
-        sources.append(
-            road_line(scene.roads[number], who.facing == "back")
-            if on_road
-            else straight_line(who.x, who.y, who.heading)
-        )
-    friction = scene.world.get("friction", USUAL_FRICTION)
-    return _Slot(actor, rows[key], number, float(friction))
-
-
-def _started(
-    scenes: tuple[Scene, ...],
-    slots: int,
-    found: Sequence[_Slot],
-    lines: Lines,
-    kinds: Mapping[str, Body],
-    dt: float,
-) -> World:
-    actors = [slot.actor or _NOBODY for slot in found]
-    present = np.array([slot.actor is not None for slot in found], dtype=bool)
-    row = np.array([slot.line for slot in found], dtype=np.int64)
-    road_numbers = [slot.road for slot in found]
-    road = np.array(road_numbers, dtype=np.int64)
-    track = Track.of(lines, row)
-    backward = np.array([actor.facing == "back" for actor in actors], dtype=bool)
-    has_road = road >= 0
-    start = start_of(actors, track, backward, has_road)
-    bodies = Bodies.of(actors, [slot.friction for slot in found], kinds, dt)
-    widths = track.lines.width[track.cell(start.along)[0]].tolist()
-    known = LineOffsets()
-    offsets = [
-        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, widths[i])
-        for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
-    ]
-    count = len(found)
-    world = World(
-        scenes, slots, dt, present, tuple(slot.actor for slot in found),
-        np.array([actor.name for actor in actors], dtype=object), bodies, track, has_road,
-        backward, road, np.where(backward, -1.0, 1.0) * np.array(offsets), start, start,
-        ~present, np.zeros(count), np.zeros(count), (np.zeros(count), np.zeros(count)),
-    )  # fmt: skip
-    world.reset()
-    return world

@@ -1,0 +1,127 @@
+"""What stands in the way along the lines that agents follow, wherever it comes from.
+
+The line ahead of an agent is sampled; whatever is close enough to a sample lies in the corridor of
+the agent. Roads and lanes play no part in this, so that those on other roads, on connections that
+part or join, half on the lane before, or on no road at all are found alike.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Floats, Integers
+from .outlines import Outlines
+from .poses import line_points
+from .world import World
+
+SAMPLE_SPACING = 2.0
+"""Meters along the line."""
+CIRCLES = 5
+"""A footprint is as wide circles in a row as these, from its front to its rear."""
+MARGIN = 0.2
+"""Meters to each side between two that pass each other."""
+LEAST_VIEW, MOST_VIEW = 30.0, 150.0
+"""Meters that agents look ahead, standing and at most."""
+VIEW_TIME = 4.5
+"""Seconds of its speed that an agent looks further."""
+AHEAD = 0.5
+"""Meters behind the front bumper, at most, from which on something is ahead."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """The lines ahead of some agents I, sampled at M places: arrays (M, I)."""
+
+    agents: Integers
+    s: Floats
+    """(M,) meters ahead of the agents"""
+    view: Floats
+    """(I,) how far each looks"""
+    x: Floats
+    y: Floats
+    cosine: Floats
+    sine: Floats
+
+    @classmethod
+    def of(cls, world: World, agents: Integers) -> Window:
+        """What these agents have ahead."""
+        view = looks_ahead(world)[agents]
+        count = math.ceil(float(view.max(initial=0.0)) / SAMPLE_SPACING) + 1
+        s: Floats = np.arange(count, dtype=np.float64) * SAMPLE_SPACING
+        track = world.track.of_rows(agents)
+        along = track.wrapped(world.motion.along[agents] + s[:, None])
+        cell, rest = track.cell(along)
+        x, y = line_points(track, cell, rest)
+        heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
+        cosine, sine = np.cos(heading), np.sin(heading)
+        offset = world.line_offset[agents]
+        return cls(agents, s, view, x - sine * offset, y + cosine * offset, cosine, sine)
+
+
+def looks_ahead(world: World) -> Floats:
+    """(N,) meters."""
+    view: Floats = np.minimum(LEAST_VIEW + VIEW_TIME * world.motion.speed, MOST_VIEW)
+    return view
+
+
+def nearest_in_corridor(
+    world: World, agent: Integers, thing: Integers, things: Outlines
+) -> tuple[Floats, Floats]:
+    """(P,) for pairs of an agent and one of `things`: the gap along the line to what of it is in
+    the corridor, infinite where nothing is, and the heading of the line there."""
+    gap, heading = np.full(len(agent), math.inf), np.zeros(len(agent))
+    if not len(agent):
+        return gap, heading
+    agents, column = np.unique(agent, return_inverse=True)
+    window = Window.of(world, agents)
+    half = 0.5 * world.bodies.width[agent] + things.half_width[thing] + MARGIN
+    close = np.flatnonzero(_comes_close(window, column, thing, things, half))
+    if not len(close):
+        return gap, heading
+    own = 0.5 * world.bodies.length[agent[close]]
+    found = _circles(window, column[close], things.take(thing[close]), half[close], own)
+    gap[close], heading[close] = found
+    return gap, heading
+
+
+def _comes_close(
+    window: Window, column: Integers, thing: Integers, things: Outlines, half: Floats
+) -> Booleans:
+    """(P,) whether any part can lie in the corridor."""
+    off_x = things.x[thing] - window.x[:, column]
+    off_y = things.y[thing] - window.y[:, column]
+    square = off_x * off_x + off_y * off_y
+    seen = window.s[:, None] <= window.view[column]
+    around = np.maximum(things.half_length - things.half_width, 0.0)[thing] + half + SAMPLE_SPACING
+    return np.asarray(np.where(seen, square, math.inf).min(axis=0) < around * around)
+
+
+def _circles(
+    window: Window, column: Integers, things: Outlines, half: Floats, own: Floats
+) -> tuple[Floats, Floats]:
+    """(P,) gap and heading of the line, as `nearest_in_corridor`, by circles (C, P)."""
+    share = np.linspace(-1.0, 1.0, CIRCLES)[:, None]
+    out = share * np.maximum(things.half_length - things.half_width, 0.0)
+    x, y = things.x + out * things.cosine, things.y + out * things.sine
+    off_x = x[:, None, :] - window.x[:, column]
+    off_y = y[:, None, :] - window.y[:, column]
+    square = off_x * off_x + off_y * off_y
+    seen = window.s[:, None] <= window.view[column]
+    place = np.where(seen, square, math.inf).argmin(axis=1)
+    pair = np.arange(len(column))
+    circle = np.arange(CIRCLES)[:, None]
+    dx, dy = off_x[circle, place, pair], off_y[circle, place, pair]
+    cosine, sine = window.cosine[place, column], window.sine[place, column]
+    s = window.s[place] + cosine * dx + sine * dy
+    left = cosine * dy - sine * dx
+    begins = s - np.minimum(things.half_width, things.half_length)
+    is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > own - AHEAD)
+    fits = is_ahead & (np.abs(left) < half) & (s < window.view[column] + SAMPLE_SPACING)
+    gaps: Any = np.where(fits, begins - own, math.inf)
+    nearest = gaps.argmin(axis=0)
+    heading = np.arctan2(sine[nearest, pair], cosine[nearest, pair])
+    return gaps[nearest, pair], heading

@@ -1,0 +1,163 @@
+"""What the lines of a world lead over: road, lane, station, stop lines, limits, by arc length."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from .route_lines import RouteLine, Turn
+
+STATION_SPACING = 1.0
+"""Meters of a leg between two stations of the table, at most."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Columns (N,): where on roads and junctions arc lengths of lines are."""
+
+    leg: Integers
+    """number of the part of the line"""
+    step: Integers
+    """of the route"""
+    road: Integers
+    """number in its scene, -1 for none; on a connection that which it leaves"""
+    lane: Integers
+    """its id, 0 for none and on a connection"""
+    station: Floats
+    """arc length along the road; on a connection where the lane ends that it leaves"""
+    turn: Integers
+    """on a connection its number in `RouteTable.turns`, else -1"""
+
+
+@dataclass(frozen=True)
+class RouteTable:
+    """Tables of L lines with at most K legs each. A leg is a part of one lane, or a connection.
+
+    `line` (N,) is the line of each agent; in all methods, `rows` picks some of these agents and
+    `along` are arc lengths of their lines, one for each. On closed lines they are within one lap.
+    The other arrays have the shape (L, K) over legs; those that a line does not have begin at
+    infinity.
+    """
+
+    line: Integers
+    begin: Floats
+    """arc length of the line"""
+    step: Integers
+    road: Integers
+    lane: Integers
+    limit: Floats
+    """m/s, infinite for none"""
+    turn: Integers
+    """number in `turns`, -1 for a lane"""
+    turns: tuple[Turn, ...]
+    """all connections of all lines"""
+    first: Integers
+    """where the stations of a leg begin in `stations`"""
+    last: Integers
+    """how many intervals these have"""
+    per_meter: Floats
+    stations: Floats
+    """of all legs, evenly spaced in each"""
+
+    @classmethod
+    def of(cls, lines: Sequence[RouteLine], line: Integers) -> RouteTable:
+        """The table of lines, in their order. `line`: (N,) that of each agent."""
+        shape = len(lines), max(len(one.legs) for one in lines)
+        begin, limit = np.full(shape, math.inf), np.full(shape, math.inf)
+        per_meter = np.zeros(shape)
+        step, road, lane, turn, first, last = (np.zeros(shape, dtype=np.int64) for _ in range(6))
+        road -= 1
+        turn -= 1
+        turns: list[Turn] = []
+        stations: list[Floats] = []
+        filled = 0
+        for row, one in enumerate(lines):
+            for place, leg in enumerate(one.legs):
+                at = row, place
+                begin[at] = leg.begin if place else -math.inf
+                step[at], road[at], lane[at] = leg.step, leg.road, leg.lane
+                limit[at] = leg.speed_limit
+                if leg.turn is not None:
+                    turn[at] = len(turns)
+                    turns.append(leg.turn)
+                span = float(leg.along[-1] - leg.begin)
+                is_straight = len(leg.along) == 2
+                last[at] = 1 if is_straight else max(1, math.ceil(span / STATION_SPACING))
+                per_meter[at] = last[at] / span if span > 0.0 else 0.0
+                even = np.linspace(leg.begin, float(leg.along[-1]), last[at] + 1)
+                stations.append(np.interp(even, leg.along, leg.station))
+                first[at] = filled
+                filled += len(even)
+        return cls(
+            line, begin, step, road, lane, limit, turn, tuple(turns), first, last, per_meter,
+            np.concatenate(stations),
+        )  # fmt: skip
+
+    def take(self, agents: Integers) -> RouteTable:
+        """That of some agents."""
+        return replace(self, line=self.line[agents])
+
+    def leg(self, rows: Any, along: Floats) -> Integers:
+        """(N,) numbers of the legs there."""
+        if self.begin.shape[1] == 1:
+            return np.zeros(len(along), dtype=np.int64)
+        return np.asarray((along[:, None] >= self.begin[self.line[rows], 1:]).sum(axis=1))
+
+    def place(self, rows: Any, along: Floats) -> Place:
+        """Where that is on roads and junctions."""
+        line, leg = self.line[rows], self.leg(rows, along)
+        return Place(
+            leg, self.step[line, leg], self.road[line, leg], self.lane[line, leg],
+            self._station(line, leg, along), self.turn[line, leg],
+        )  # fmt: skip
+
+    def station(self, rows: Any, along: Floats) -> Floats:
+        """(N,) arc lengths along the roads, within the ends of the lines."""
+        return self._station(self.line[rows], self.leg(rows, along), along)
+
+    def speed_limit(self, rows: Any, along: Floats) -> Floats:
+        """(N,) m/s, infinite for none."""
+        return np.asarray(self.limit[self.line[rows], self.leg(rows, along)])
+
+    def speed_limit_ahead(
+        self, rows: Any, along: Floats, braking: Floats | float, on: Floats | float
+    ) -> Floats:
+        """(N,) the greatest speeds, `on` meters ahead, from which all limits from there on can be
+        kept with `braking`, m/s^2: `v^2 = limit^2 + 2 braking distance`."""
+        there = along + on
+        line = self.line[rows]
+        limit = self.limit[line]
+        distance = np.maximum(self.begin[line] - there[:, None], 0.0)
+        finite = np.where(np.isfinite(distance), distance, 0.0)
+        rate = np.broadcast_to(np.asarray(braking, dtype=np.float64), there.shape)
+        square = limit * limit + 2.0 * rate[:, None] * finite
+        ahead = np.arange(limit.shape[1]) >= self.leg(rows, there)[:, None]
+        return np.asarray(np.sqrt(np.where(ahead, square, math.inf).min(axis=1)))
+
+    def next_turn(self, rows: Any, along: Floats) -> tuple[Floats, Integers]:
+        """(N,) arc length of the line where the next connection begins, infinite for none, and its
+        number in `turns`, -1 for none: the next stop line, where its junction has one."""
+        line = self.line[rows]
+        begin, turn = self.begin[line], self.turn[line]
+        ahead = (turn >= 0) & (begin > along[:, None])
+        first = ahead.argmax(axis=1)
+        each = np.arange(len(first))
+        found = ahead[each, first]
+        at = np.where(found, begin[each, first], math.inf)
+        return at, np.where(found, turn[each, first], -1)
+
+    def _station(self, line: Integers, leg: Integers, along: Floats) -> Floats:
+        """Linear between the stations of the table."""
+        begin = self.begin[line, leg]
+        gone = np.where(np.isfinite(begin), along - begin, along) * self.per_meter[line, leg]
+        last = self.last[line, leg]
+        gone = np.minimum(np.maximum(gone, 0.0), last)
+        cell = np.minimum(gone.astype(np.int64), last - 1)
+        node = self.first[line, leg] + cell
+        low = self.stations[node]
+        return np.asarray(low + (self.stations[node + 1] - low) * (gone - cell))

@@ -1,0 +1,126 @@
+"""The world of some scenes at the start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..ir.scene import Scene, SceneActor
+from .bodies import Bodies, Body
+from .lines import Lines, LineSource, road_line, straight_line
+from .motion import Track
+from .route_lines import RouteLine, plain_line, route_line, speed_limit
+from .route_table import RouteTable
+from .starting import LineOffsets, start_of
+from .world import World
+
+USUAL_FRICTION = 0.9
+FASTEST = 120.0
+"""m/s: lines go on beyond their ends for as far as this takes an agent in one step."""
+
+
+def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, margin: float) -> World:
+    """The world of some scenes at the start. `margin`: seconds of the longest step."""
+    slots = max(1, *(len(scene.agents) for scene in scenes))
+    sources: list[LineSource] = []
+    ways: list[RouteLine] = []
+    found: list[_Slot] = []
+    for scene in scenes:
+        names = {road.name: number for number, road in enumerate(scene.roads)}
+        rows: dict[Any, int] = {}
+        for place in range(slots):
+            actor = scene.agents[place] if place < len(scene.agents) else None
+            found.append(_slot(actor, scene, names, rows, (sources, ways)))
+    lines = Lines.of(sources, FASTEST * margin)
+    table = RouteTable.of(ways, np.array([slot.way for slot in found], dtype=np.int64))
+    return _started(tuple(scenes), slots, found, lines, table, kinds, dt)
+
+
+@dataclass(frozen=True)
+class _Slot:
+    actor: SceneActor | None
+    line: int
+    way: int
+    road: int
+    friction: float
+
+
+_NOBODY = SceneActor("", "", "", 0.0, 0.0, 0.0, 1.0, 1.0, 1.0)
+
+
+def _slot(
+    actor: SceneActor | None,
+    scene: Scene,
+    roads: Mapping[str, int],
+    rows: dict[Any, int],
+    built: tuple[list[LineSource], list[RouteLine]],
+) -> _Slot:
+    """An agent with its line, which those of one road and direction share."""
+    sources, ways = built
+    who = actor or _NOBODY
+    number = roads.get(who.road or "", -1)
+    backward = who.facing == "back"
+    key: Any = (number, backward) if number >= 0 else (who.x, who.y, who.heading)
+    key = key if who.route is None else id(who.route)
+    if who.route is not None and key not in rows:
+        rows[key] = len(sources)
+        rows[key, 0] = len(ways)
+        ways.append(route_line(who.route, scene, roads))
+        sources.append(ways[-1].source)
+    elif key not in rows:
+        rows[key] = len(sources)
+        on_road = number >= 0
+        sources.append(
+            road_line(scene.roads[number], backward)
+            if on_road
+            else straight_line(who.x, who.y, who.heading)
+        )
+    lane = 0 if who.route is not None else who.lane or 0
+    if (key, lane) not in rows:
+        rows[key, lane] = len(ways)
+        limit = speed_limit(scene.roads[number], lane) if number >= 0 else math.inf
+        ways.append(plain_line(sources[rows[key]], number, lane, limit, backward))
+    friction = scene.world.get("friction", USUAL_FRICTION)
+    return _Slot(actor, rows[key], rows[key, lane], number, float(friction))
+
+
+def _started(
+    scenes: tuple[Scene, ...],
+    slots: int,
+    found: Sequence[_Slot],
+    lines: Lines,
+    table: RouteTable,
+    kinds: Mapping[str, Body],
+    dt: float,
+) -> World:
+    actors = [slot.actor or _NOBODY for slot in found]
+    present = np.array([slot.actor is not None for slot in found], dtype=bool)
+    row = np.array([slot.line for slot in found], dtype=np.int64)
+    road_numbers = [slot.road for slot in found]
+    road = np.array(road_numbers, dtype=np.int64)
+    track = Track.of(lines, row)
+    has_route = np.array([actor.route is not None for actor in actors], dtype=bool)
+    backward = np.array([actor.facing == "back" for actor in actors], dtype=bool) & ~has_route
+    has_road = road >= 0
+    start = start_of(actors, track, backward, has_road)
+    bodies = Bodies.of(actors, [slot.friction for slot in found], kinds, dt)
+    widths = track.lines.width[track.cell(start.along)[0]].tolist()
+    known = LineOffsets()
+    offsets = [
+        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, widths[i])
+        for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
+    ]
+    count = len(found)
+    world = World(
+        scenes, slots, dt, present, tuple(slot.actor for slot in found),
+        np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
+        has_road, has_route, backward, road, np.where(backward, -1.0, 1.0) * np.array(offsets),
+        start, start, ~present, np.zeros(count), np.zeros(count),
+        (np.zeros(count), np.zeros(count)),
+    )  # fmt: skip
+    world.reset()
+    return world
