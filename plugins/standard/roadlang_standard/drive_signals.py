@@ -20,6 +20,7 @@ class Speed(DriveSignal):
 
     name: ClassVar[str] = "speed"
     unit: ClassVar[str] = "m/s"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -33,6 +34,7 @@ class AccelerationSignal(DriveSignal):
 
     name: ClassVar[str] = "acceleration"
     unit: ClassVar[str] = "m/s^2"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -46,6 +48,7 @@ class CrossTrack(DriveSignal):
 
     name: ClassVar[str] = "cross_track_error"
     unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -59,6 +62,7 @@ class Progress(DriveSignal):
 
     name: ClassVar[str] = "progress"
     unit: ClassVar[str] = ""
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -72,6 +76,7 @@ class Station(DriveSignal):
 
     name: ClassVar[str] = "station"
     unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -85,6 +90,7 @@ class Steering(DriveSignal):
 
     name: ClassVar[str] = "steering"
     unit: ClassVar[str] = "rad"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -98,6 +104,7 @@ class East(DriveSignal):
 
     name: ClassVar[str] = "x"
     unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -111,6 +118,7 @@ class North(DriveSignal):
 
     name: ClassVar[str] = "y"
     unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -124,6 +132,7 @@ class HeadingSignal(DriveSignal):
 
     name: ClassVar[str] = "heading"
     unit: ClassVar[str] = "rad"
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -137,6 +146,7 @@ class LateralAcceleration(DriveSignal):
 
     name: ClassVar[str] = "lateral_acceleration"
     unit: ClassVar[str] = "m/s^2"
+    looks_back: ClassVar[float] = 1
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -149,6 +159,7 @@ class JerkSignal(DriveSignal):
 
     name: ClassVar[str] = "jerk"
     unit: ClassVar[str] = "m/s^3"
+    looks_back: ClassVar[float] = 1
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -161,6 +172,7 @@ class YawRate(DriveSignal):
 
     name: ClassVar[str] = "yaw_rate"
     unit: ClassVar[str] = "rad/s"
+    looks_back: ClassVar[float] = 1
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -173,6 +185,7 @@ class Contacts(DriveSignal):
 
     name: ClassVar[str] = "contacts"
     unit: ClassVar[str] = ""
+    looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
@@ -186,6 +199,7 @@ class DistanceSignal(DriveSignal):
 
     name: ClassVar[str] = "distance"
     unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
     member: ClassVar[bool] = False
     first: AgentOrObject = option(help="an agent, an object or a group of them")
     second: AgentOrObject = option(help="another agent, object or group")
@@ -200,6 +214,7 @@ class GapSignal(DriveSignal):
 
     name: ClassVar[str] = "gap"
     unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
     member: ClassVar[bool] = False
     first: AgentOrObject = option(help="an agent, an object or a group of them")
     second: AgentOrObject = option(help="another agent, object or group")
@@ -214,6 +229,7 @@ class Time(DriveSignal):
 
     name: ClassVar[str] = "time"
     unit: ClassVar[str] = "s"
+    looks_back: ClassVar[float] = 0
     member: ClassVar[bool] = False
 
     def values_in(self, trace: Trace) -> Floats:

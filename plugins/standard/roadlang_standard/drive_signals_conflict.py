@@ -21,6 +21,7 @@ class TimeToCollision(DriveSignal):
 
     name: ClassVar[str] = "time_to_collision"
     unit: ClassVar[str] = "s"
+    looks_back: ClassVar[float] = 0
     member: ClassVar[bool] = False
     first: AgentOrObject = option(help="an agent, an object or a group of them")
     second: AgentOrObject = option(help="another agent, object or group")
@@ -53,7 +54,7 @@ def _encroachment(a: AgentTrace, b: AgentTrace) -> Floats:
 
 
 def _velocity(agent: AgentTrace) -> Floats:
-    """(T, 2) m/s."""
+    """(..., 2) m/s."""
     import numpy as np
 
     return np.stack(

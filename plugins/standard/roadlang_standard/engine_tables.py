@@ -1,4 +1,4 @@
-"""What the embedded engine has to know of standard kinds: agents, and drive signals in `when:`."""
+"""What the embedded engine has to know of standard agents."""
 
 from __future__ import annotations
 
@@ -18,16 +18,3 @@ BODIES: Mapping[str, Body] = {
 }
 """By the name of the kind: drag area in m^2, power in W for each kilogram; typical numbers, of no
 maker in particular."""
-
-SIGNALS: Mapping[str, str] = {
-    **{
-        name: name
-        for name in (
-            "time", "speed", "acceleration", "yaw_rate", "lateral_acceleration", "jerk",
-            "cross_track_error", "progress", "station", "steering", "heading", "contacts",
-        )
-    },
-    "distance": "between_centers",
-    "gap": "between_outlines",
-}  # fmt: skip
-"""The measure of the engine that a drive signal is."""

@@ -38,9 +38,9 @@ class Builtin(Simulator):
     ) -> Iterable[Trace]:
         from roadlang.api import EngineSettings, simulate_scenes
 
-        from .engine_tables import BODIES, SIGNALS
+        from .engine_tables import BODIES
 
         settings = EngineSettings(
-            self.duration, self.step, self.control_step, self.vehicle_step, BODIES, SIGNALS
+            self.duration, self.step, self.control_step, self.vehicle_step, BODIES
         )
         yield from simulate_scenes(scenes, controllers, settings)

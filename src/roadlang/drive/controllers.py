@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from ..ir.scene import Call, Scene, SceneActor
-from ..plugins.finding import find_entry
+from ..plugins.finding import entry_of, find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Controller, implements
 from ..plugins.options import schema_of
-from ..plugins.registry import Registry
+from ..plugins.registry import KindEntry, Registry
 from ..simulation.controllers import Driver, GuardedController
 
 
@@ -28,7 +28,18 @@ def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
     ]
     if all(one is None for one in each.values()) or (steady and each[steady[-1]] is None):
         return None
-    return Driver(each, steady[-1] if steady else None)
+    return Driver(each, steady[-1] if steady else None, _signals(actor, registry))
+
+
+def _signals(actor: SceneActor, registry: Registry) -> dict[str, KindEntry]:
+    """The drive signals in the conditions of an agent's controllers, by their names."""
+    conditions = [part for call in actor.drive for part in (call.when, call.during) if part]
+    names = {
+        str(signal["kind"])
+        for condition in conditions
+        for signal in condition.get("signals", {}).values()
+    }
+    return {name: entry_of(registry, "drive_signal", name) for name in sorted(names)}
 
 
 def _controller(call: Call, registry: Registry) -> GuardedController | None:

@@ -70,3 +70,9 @@ class Trace(Frozen):
     agents: Mapping[str, AgentTrace]
     engine: str = ""
     events: tuple[Mapping[str, Any], ...] = field(default_factory=tuple)
+
+    def named(self, name: str) -> tuple[AgentTrace, ...]:
+        """The agents that a name stands for: itself, or all copies `name[i]`."""
+        if name in self.agents:
+            return (self.agents[name],)
+        return tuple(agent for key, agent in self.agents.items() if key.startswith(f"{name}["))

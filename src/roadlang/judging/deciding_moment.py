@@ -14,7 +14,7 @@ from ..ir.trace import AgentTrace, Trace
 from ..plugins.registry import Registry
 from ..stl import Formula
 from ..stl.explain.explanation import decider, first_blamed
-from .drives import DriveCondition, group
+from .drives import DriveCondition
 
 Floats = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def _actors(
     found: dict[str, AgentTrace] = {}
     for call in signals.values():
         for name in call.get("options", {}).values():
-            members = group(name, trace) if isinstance(name, str) else ()
+            members = trace.named(name) if isinstance(name, str) else ()
             if name in chosen:
                 members = (chosen[name],)
             if members:

@@ -14,13 +14,10 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
+from ..plugins.drive_signals import drive_signal_kind, drive_signal_values, named_entities
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import DriveSignal
-from ..plugins.option_types import EntityType
-from ..plugins.options import schema_of
-from ..plugins.registry import Registry
-from ..plugins.results import real_numbers
+from ..plugins.registry import KindEntry, Registry
 from ..stl import Formula, from_json
 from ..stl.evaluate.satisfaction import zero_satisfies
 from .verdicts import decided
@@ -94,7 +91,7 @@ class DriveCondition:
         signals: Mapping[str, Any] = self.condition.get("signals", {})
         calls = {name: _TraceSignal(name, call, self) for name, call in signals.items()}
         members = sorted(frozenset[str]().union(*(call.members for call in calls.values())))
-        for choice in product(*(group(name, self.trace) for name in members)):
+        for choice in product(*(self.trace.named(name) for name in members)):
             chosen = dict(zip(members, choice, strict=True))
             values = {name: call.values(chosen) for name, call in calls.items()}
             yield chosen, {name: float(number) for name, number in numbers.items()} | values
@@ -109,34 +106,28 @@ class _TraceSignal:
     condition: DriveCondition
 
     @property
-    def kind(self) -> type[DriveSignal]:
-        registry = self.condition.registry
-        kind = entry_of(registry, "drive_signal", str(self.call["kind"])).load()
-        assert issubclass(kind, DriveSignal)
-        return kind
+    def entry(self) -> KindEntry:
+        return entry_of(self.condition.registry, "drive_signal", str(self.call["kind"]))
 
     @property
     def entities(self) -> dict[str, str]:
         """The options that name agents and objects, with those names."""
-        options = self.call.get("options", {})
-        named = (o.name for o in schema_of(self.kind) if isinstance(o.type, EntityType))
-        return {name: str(options[name]) for name in named if options.get(name) is not None}
+        return named_entities(self.entry, self.call.get("options", {}))
 
     @property
     def members(self) -> frozenset[str]:
         """The agents and groups of a member signal (`walkers.speed`)."""
-        return frozenset(self.entities.values() if self.kind.member else ())
+        is_member = drive_signal_kind(self.entry).member
+        return frozenset(self.entities.values() if is_member else ())
 
     def values(self, chosen: Mapping[str, AgentTrace]) -> Floats:
         """(T,) the signal of the members `chosen`. Raises RL470, RL474, RL701."""
-        trace, registry, kind = self.condition.trace, self.condition.registry, self.kind
+        trace, entry = self.condition.trace, self.entry
+        is_member = drive_signal_kind(entry).member
         options = dict(self.call.get("options", {}))
         for key, name in self.entities.items():
-            options[key] = chosen[name] if kind.member else group(name, trace)
-        entry = entry_of(registry, "drive_signal", str(self.call["kind"]))
-        with plugin_guard(entry, None):
-            result = kind(**options).values_in(trace)
-        values = real_numbers(result, "values", entry, None)
+            options[key] = chosen[name] if is_member else trace.named(name)
+        values = drive_signal_values(entry, options, trace)
         if values.shape != trace.time.shape:
             fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
             raise wrong_result(entry, None, fault)
@@ -146,17 +137,10 @@ class _TraceSignal:
         return values
 
 
-def group(name: str, trace: Trace) -> tuple[AgentTrace, ...]:
-    """The agents that a name stands for: itself, or all copies `name[i]`."""
-    if name in trace.agents:
-        return (trace.agents[name],)
-    return tuple(agent for key, agent in trace.agents.items() if key.startswith(f"{name}["))
-
-
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
     entry = entry_of(registry, "monitor", str(call["monitor"]))
     options = {
-        key: (group(value, trace) or (value,))[0] if isinstance(value, str) else value
+        key: (trace.named(value) or (value,))[0] if isinstance(value, str) else value
         for key, value in call.get("options", {}).items()
     }
     with plugin_guard(entry, None):

@@ -101,10 +101,17 @@ class GuardedController(Controller):
 
 class Driver(Controller):
     """What drives one agent: its controllers by their place in `SceneActor.drive`, None for those
-    that are not written in Python; the last without a condition is at the place `steady`."""
+    that are not written in Python; the last without a condition is at the place `steady`.
+    `signals`: the kinds of drive signals that their conditions name."""
 
-    def __init__(self, each: Mapping[int, GuardedController | None], steady: int | None) -> None:
+    def __init__(
+        self,
+        each: Mapping[int, GuardedController | None],
+        steady: int | None,
+        signals: Mapping[str, KindEntry] | None = None,
+    ) -> None:
         self.each = each
+        self.signals = dict(signals or {})
         self._steady = each[steady] if steady is not None else None
 
     def control(self, observation: Observation) -> Control:

@@ -14,11 +14,11 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..geometry.arrays import Floats, Integers
 from ..ir.control import Observation
 from ..plugins.kinds import Controller
+from ..plugins.registry import KindEntry
 from .bend_speeds import BendSpeeds
 from .controllers import UNDRIVEN_BRAKING, Driver, GuardedController
 from .observing import View
 from .poses import Poses
-from .signals import Moment
 from .triggers import PlacedCall, Triggers
 from .world import World
 
@@ -54,26 +54,23 @@ class Group:
 
 
 class Crew:
-    """What drives the agents of a world. `controllers`: of each scene, by agent; `measures`: which
-    measure of a `Moment` a kind of drive signal is."""
+    """What drives the agents of a world. `controllers`: of each scene, by agent."""
 
     def __init__(
         self,
         world: World,
         controllers: Sequence[Mapping[str, Controller]],
         step: float,
-        measures: Mapping[str, str],
     ) -> None:
         self._step = step
         self._bends = BendSpeeds(world)
         self._groups, calls = _grouped(world, controllers)
-        self._triggers = Triggers(world, calls, measures)
-        self._before: Floats | None = None
+        self._triggers = Triggers(world, calls, _signals(controllers))
 
     def decide(self, world: World, poses: Poses) -> Decision:
         """What all agents are to do until the next step."""
         view = View(world, poses, self._step, self._bends)
-        in_charge = self._in_charge(world, poses)
+        in_charge = self._triggers.in_charge(world, poses)
         count = len(in_charge)
         out = Decision(np.zeros(count), np.full(count, -UNDRIVEN_BRAKING))
         for group in self._groups:
@@ -91,14 +88,6 @@ class Crew:
             group.take(place)
         self._triggers.take(place, agents)
         self._bends.take(agents)
-        self._before = None if self._before is None else self._before[agents]
-
-    def _in_charge(self, world: World, poses: Poses) -> Integers:
-        """(N,) the place of the last active controller, -1 for none."""
-        now = world.motion.acceleration
-        jerk = (now - (now if self._before is None else self._before)) / self._step
-        self._before = now
-        return self._triggers.in_charge(Moment(world, poses, jerk))
 
     def _steer_by_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
         """A controller that does not steer leaves that to the last one before it that does."""
@@ -111,6 +100,15 @@ class Crew:
                 other = Decision(out.steering, out.acceleration.copy())
                 _decide(group, chosen, view, other, lasting=False)
         out.steering[np.isnan(out.steering)] = 0.0
+
+
+def _signals(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:
+    """The drive signals of all conditions, by the names that scenes have for them."""
+    found: dict[str, KindEntry] = {}
+    for each in controllers:
+        for driver in each.values():
+            found |= driver.signals if isinstance(driver, Driver) else {}
+    return found
 
 
 def _decide(

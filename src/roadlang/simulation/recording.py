@@ -9,15 +9,17 @@ import numpy as np
 from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
+from .columns import COLUMNS
 from .contacts import Contact
 from .poses import Poses
 from .world import World
 
 ENGINE = "the embedded engine"
-_COLUMNS = (
+_RECORDED = (
     "x", "y", "heading", "speed", "steering", "station", "cross_track_error", "progress",
     "contacts",
 )  # fmt: skip
+"""Those of `COLUMNS` that are not the same all the time, or computed afterwards."""
 
 
 class Recorder:
@@ -39,19 +41,11 @@ class Recorder:
 
     def record(self, world: World, poses: Poses) -> None:
         """One sample of all scenes; a scene in which all have arrived ends with it."""
-        motion = world.motion
         jump = np.abs(poses.heading - self._heading).max(initial=0.0) > np.pi
         self._turns = self._turns or bool(jump)
         self._heading = poses.heading
         self._times.append(world.time)
-        self._chunk.append(
-            np.stack(
-                (
-                    poses.x, poses.y, poses.heading, motion.speed, np.arctan(motion.tangent),
-                    world.station, world.cross_track_error, world.progress, world.contacts,
-                )
-            )
-        )  # fmt: skip
+        self._chunk.append(np.stack([COLUMNS[name](world, poses) for name in _RECORDED]))
         ended = world.finished & ~self._over
         if ended.any():
             self._over |= ended
@@ -126,7 +120,7 @@ class Recorder:
 
 def _agent(actor: SceneActor, columns: Floats, time: Floats, turns: bool) -> AgentTrace:
     """`turns`: whether the heading may jump by a turn."""
-    values: dict[str, Floats] = dict(zip(_COLUMNS, columns, strict=True))
+    values: dict[str, Floats] = dict(zip(_RECORDED, columns, strict=True))
     heading = values.pop("heading")
     return AgentTrace(
         name=actor.name,

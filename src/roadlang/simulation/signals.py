@@ -1,204 +1,197 @@
-"""Drive signals of a world as it is now: what `when:` and `while:` speak of."""
+"""Drive signals of a world as it is now: what `when:` and `while:` speak of.
+
+Their formulas are those of the kinds, which measure traces as well.
+"""
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Scene
+from ..ir.trace import AgentTrace, Trace
+from ..plugins.drive_signals import drive_signal_kind, drive_signal_values, named_entities
+from ..plugins.guard import wrong_result
+from ..plugins.registry import KindEntry
 from .conditions import unsupported
-from .outlines import Outlines, gaps
-from .poses import Poses
+from .samples import Samples
 from .world import World
 
 
+class AgentsNow:
+    """R agents of as many scenes, with the members of an `AgentTrace` as columns (K, R)."""
+
+    def __init__(self, samples: Samples, agents: Integers, depth: int) -> None:
+        self._samples, self._agents, self._depth = samples, agents, depth
+        self.time = samples.time(depth)
+
+    def __getattr__(self, name: str) -> Floats:
+        if name not in _MEMBERS:
+            raise AttributeError(name)
+        return self._samples.column(name, self._agents, self._depth)
+
+
+class ObjectsNow:
+    """R objects of as many scenes, as `AgentsNow`."""
+
+    def __init__(self, rows: Sequence[AgentTrace], time: Floats) -> None:
+        self._rows = rows
+        self.time = time
+
+    def __getattr__(self, name: str) -> Floats:
+        if name not in _MEMBERS:
+            raise AttributeError(name)
+        first = [np.ravel(getattr(row, name))[0] for row in self._rows]
+        if name in ("length", "width"):
+            return np.array(first)
+        return np.tile(np.array(first), (len(self.time), 1))
+
+
+_MEMBERS = frozenset(one.name for one in fields(AgentTrace) if one.name not in ("name", "time"))
+
+
 @dataclass(frozen=True)
-class Moment:
-    """What can be measured of a world now: of each agent, columns (N,), and of pairs."""
+class _Part:
+    """Rows whose scenes have what the signal names at the same places of their lists."""
 
-    world: World
-    poses: Poses
-    jerk: Floats
-
-    @property
-    def time(self) -> Floats:
-        """Seconds since the start."""
-        return np.full(len(self.jerk), self.world.time)
-
-    @property
-    def speed(self) -> Floats:
-        """m/s, along the body."""
-        return self.world.motion.speed
-
-    @property
-    def acceleration(self) -> Floats:
-        """m/s^2, along the body."""
-        return self.world.motion.acceleration
-
-    @property
-    def yaw_rate(self) -> Floats:
-        """rad/s, to the left."""
-        return self.world.motion.yaw_rate
-
-    @property
-    def lateral_acceleration(self) -> Floats:
-        """m/s^2: speed times yaw rate."""
-        return self.speed * self.yaw_rate
-
-    @property
-    def cross_track_error(self) -> Floats:
-        """m, left of the line to follow."""
-        return self.world.cross_track_error
-
-    @property
-    def progress(self) -> Floats:
-        """Share of the line."""
-        return self.world.progress
-
-    @property
-    def station(self) -> Floats:
-        """m along the road."""
-        return self.world.station
-
-    @property
-    def contacts(self) -> Floats:
-        """How many things were touched."""
-        return self.world.contacts
-
-    @property
-    def steering(self) -> Floats:
-        """Radians, to the left."""
-        return np.arctan(self.world.motion.tangent)
-
-    @property
-    def heading(self) -> Floats:
-        """Radians from east."""
-        return self.poses.heading
-
-    @property
-    def outlines(self) -> Outlines:
-        """Footprints of the agents."""
-        return Outlines.moving(self.world, self.poses)
-
-
-def _between_centers(first: Outlines, second: Outlines) -> Floats:
-    return first.distances(second)
-
-
-BETWEEN: Mapping[str, Callable[[Outlines, Outlines], Floats]] = {
-    "between_centers": _between_centers,
-    "between_outlines": gaps,
-}
-"""Measures of pairs; the others are attributes of `Moment`."""
+    rows: Integers
+    scenes: Integers
+    things: Mapping[str, tuple[int, ...]]
+    """of each option that names agents or objects: their places, objects after `World.slots`"""
+    options: Mapping[str, Any]
+    objects: Mapping[int, tuple[AgentTrace, ...]]
+    """by place: that of each scene"""
 
 
 class SignalCall:
     """One signal of a condition for R agents, which may be in different scenes.
 
-    `calls` (R,) name the same kind, and `measures` says what of a `Moment` it is; agents are found
-    by name in the scene of each. Of a group, a signal of one agent is that of its first, one of a
-    pair that of its nearest.
+    `calls` (R,) name the same kind; agents and objects are found by name in the scene of each. Of a
+    group, a signal of one agent is that of its first, one of a pair has all of them.
     """
 
     def __init__(
         self,
-        calls: list[Mapping[str, Any]],
-        scenes: list[int],
+        calls: Sequence[Mapping[str, Any]],
+        scenes: Sequence[int],
         world: World,
-        measures: Mapping[str, str],
+        signals: Mapping[str, KindEntry],
     ) -> None:
-        self._kind = str(calls[0]["kind"])
-        if self._kind not in measures:
-            raise unsupported(self._kind)
-        self._measure = measures[self._kind]
+        kind = str(calls[0]["kind"])
+        if kind not in signals:
+            raise unsupported(kind)
+        self._entry = signals[kind]
+        self._slots = world.slots
         self._count = len(calls)
-        self._owner = np.zeros(0, dtype=np.int64)
-        self._first = self._second = self._owner
-        self._still = Outlines.of(())
-        options = [call.get("options", {}) for call in calls]
-        if self._measure in BETWEEN:
-            self._find_pairs(options, scenes, world)
-        else:
-            self._find_members(options, scenes, world)
+        found: dict[str, list[int]] = {}
+        places = [
+            self._places(call, world.scenes[scene])
+            for call, scene in zip(calls, scenes, strict=True)
+        ]
+        for row, (call, place) in enumerate(zip(calls, places, strict=True)):
+            key = json.dumps([place, call.get("options", {})], sort_keys=True)
+            found.setdefault(key, []).append(row)
+        self._parts = []
+        for rows in found.values():
+            options = dict(calls[rows[0]].get("options", {}))
+            within = np.array([scenes[row] for row in rows], dtype=np.int64)
+            things = places[rows[0]]
+            objects = {
+                place: tuple(
+                    AgentTrace.still(world.scenes[scene].objects[place - self._slots], np.zeros(1))
+                    for scene in within
+                )
+                for place in {place for named in things.values() for place in named}
+                if place >= self._slots
+            }
+            self._parts.append(_Part(np.array(rows), within, things, options, objects))
 
-    def values(self, now: Moment) -> Floats:
-        """(R,) the signal now."""
-        if self._measure not in BETWEEN:
-            return np.asarray(getattr(now, self._measure)[self._first])
-        every = now.outlines.joined(self._still)
-        apart = BETWEEN[self._measure](every.take(self._first), every.take(self._second))
-        least = np.full(self._count, math.inf)
-        np.minimum.at(least, self._owner, apart)
-        return least
+    @property
+    def looks_back(self) -> float:
+        """How many samples before the last it depends on."""
+        return drive_signal_kind(self._entry).looks_back
+
+    def values(self, samples: Samples) -> Floats:
+        """(R,) the signal now. Raises RL470, RL474."""
+        out = np.empty(self._count)
+        for part in self._parts:
+            if math.isinf(self.looks_back):
+                out[part.rows] = [self._alone(part, int(scene), samples) for scene in part.scenes]
+            else:
+                out[part.rows] = self._together(part, samples, int(self.looks_back))
+        return out
 
     def take(self, rows: Integers, agents: Integers, count: int) -> None:
         """From now on it is about `rows` of its agents alone; of the `count` agents of the world
         there are those that are `agents`."""
         place = np.full(count, -1)
         place[agents] = np.arange(len(agents))
-        if self._measure in BETWEEN:
-            kept = np.isin(self._owner, rows)
-            still = self._second >= count
-            second = np.where(still, self._second - count + len(agents), 0)
-            second[~still] = place[self._second[~still]]
-            number = np.full(self._count, -1)
-            number[rows] = np.arange(len(rows))
-            self._owner = number[self._owner[kept]]
-            self._first, self._second = place[self._first[kept]], second[kept]
-        else:
-            self._first = place[self._first[rows]]
+        number = np.full(self._count, -1)
+        number[rows] = np.arange(len(rows))
+        self._parts = [
+            _Part(
+                number[part.rows[kept]],
+                place[part.scenes[kept] * self._slots] // self._slots,
+                part.things,
+                part.options,
+                {at: tuple(some[i] for i in kept) for at, some in part.objects.items()},
+            )
+            for part in self._parts
+            if len(kept := np.flatnonzero(number[part.rows] >= 0))
+        ]
         self._count = len(rows)
 
-    def _find_members(
-        self, options: list[Mapping[str, Any]], scenes: list[int], world: World
-    ) -> None:
-        found = []
-        for one, scene in zip(options, scenes, strict=True):
-            everyone = [scene * world.slots]  # a signal of no agent is the same for all
-            found.append(_agents(str(one["agent"]), scene, world) if "agent" in one else everyone)
-        if not all(found):
-            raise unsupported(self._kind)
-        self._first = np.array([agents[0] for agents in found], dtype=np.int64)
+    def _places(self, call: Mapping[str, Any], scene: Scene) -> dict[str, tuple[int, ...]]:
+        """Where in the lists of a scene the things are that the options name."""
+        is_member = drive_signal_kind(self._entry).member
+        out = {}
+        for option, name in named_entities(self._entry, call.get("options", {})).items():
+            things = [*enumerate(scene.agents), *enumerate(scene.objects, self._slots)]
+            places = tuple(at for at, one in things if name in (one.name, one.group))
+            if not places:
+                raise unsupported(str(call["kind"]))
+            out[option] = places[:1] if is_member else places
+        return out
 
-    def _find_pairs(
-        self, options: list[Mapping[str, Any]], scenes: list[int], world: World
-    ) -> None:
-        owner, first, second = [], [], []
-        still: list[Any] = []
-        for row, (one, scene) in enumerate(zip(options, scenes, strict=True)):
-            names = [str(one["first"]), str(one["second"])]
-            moving = [_agents(name, scene, world) for name in names]
-            if not any(moving):
-                raise unsupported(self._kind)
-            if not moving[0]:
-                names.reverse()
-                moving.reverse()
-            others = moving[1]
-            if not others:
-                objects = _objects(names[1], world.scenes[scene])
-                others = [len(world.present) + len(still) + i for i in range(len(objects))]
-                still += objects
-            pairs = [(a, b) for a in moving[0] for b in others if a != b]
-            owner += [row] * len(pairs)
-            first += [a for a, _ in pairs]
-            second += [b for _, b in pairs]
-        self._owner, self._first, self._second = (
-            np.array(column, dtype=np.int64) for column in (owner, first, second)
-        )
-        self._still = Outlines.of(still)
+    def _together(self, part: _Part, samples: Samples, depth: int) -> Floats:
+        """(R,) of rows at once."""
+        time = samples.time(depth)
+        now = {
+            place: ObjectsNow(part.objects[place], time)
+            if place >= self._slots
+            else AgentsNow(samples, part.scenes * self._slots + place, depth)
+            for place in sorted({place for some in part.things.values() for place in some})
+        }
+        named: dict[str, Any] = {
+            key: tuple(now[place] for place in some) for key, some in part.things.items()
+        }
+        if drive_signal_kind(self._entry).member:
+            named = {key: some[0] for key, some in named.items()}
+        found = drive_signal_values(self._entry, {**part.options, **named}, Trace(time, {}))
+        shape = (len(time), len(part.rows))
+        if found.shape == time.shape:
+            return np.full(len(part.rows), found[-1])
+        if found.shape != shape:
+            raise wrong_result(
+                self._entry, None, f"gave values of shape {found.shape}, not {shape}"
+            )
+        return np.asarray(found[-1])
 
-
-def _agents(name: str, scene: int, world: World) -> list[int]:
-    """The agents of a name, or of a group, by their columns."""
-    agents = world.scenes[scene].agents
-    first = scene * world.slots
-    return [first + i for i, actor in enumerate(agents) if name in (actor.name, actor.group)]
-
-
-def _objects(name: str, scene: Scene) -> list[Any]:
-    return [actor for actor in scene.objects if name in (actor.name, actor.group)]
+    def _alone(self, part: _Part, scene: int, samples: Samples) -> float:
+        """Of one scene, by all that has happened in it."""
+        trace = samples.trace(scene)
+        is_member = drive_signal_kind(self._entry).member
+        named: dict[str, Any] = {key: trace.named(str(part.options[key])) for key in part.things}
+        if is_member:
+            named = {key: some[0] for key, some in named.items()}
+        found = drive_signal_values(self._entry, {**part.options, **named}, trace)
+        if found.shape != trace.time.shape:
+            fault = f"gave values of shape {found.shape}, not {trace.time.shape}"
+            raise wrong_result(self._entry, None, fault)
+        return float(found[-1])

@@ -42,9 +42,6 @@ class EngineSettings:
     """of the equations of motion"""
     bodies: Mapping[str, Body] = field(default_factory=dict)
     """what kinds of agents are, by name"""
-    signals: Mapping[str, str] = field(default_factory=dict)
-    """which measure a kind of drive signal is, in conditions: an attribute of `Moment`, or one of
-    `BETWEEN`"""
 
     def ticks(self, seconds: float) -> int:
         """Steps of the vehicles in a time, at least one."""
@@ -94,7 +91,7 @@ def _drive_block(
     dt = settings.vehicle_step
     world = world_of(scenes, settings.bodies, dt, settings.control_step)
     world.advance = advance
-    crew = Crew(world, controllers, held * dt, settings.signals)
+    crew = Crew(world, controllers, held * dt)
     contacts = Contacts(world)
     poses = world.poses
     recorder = Recorder(world, poses)

@@ -11,8 +11,11 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Integers
 from ..ir.scene import Call
+from ..plugins.registry import KindEntry
 from .conditions import Condition
-from .signals import Moment, SignalCall
+from .poses import Poses
+from .samples import Samples
+from .signals import SignalCall
 from .world import World
 
 PlacedCall = tuple[int, int, Call]
@@ -30,9 +33,9 @@ class Trigger:
     latched: Booleans | None
     """of `when:`, which stays true once it is; None of `while:`"""
 
-    def holds(self, moment: Moment) -> Booleans:
+    def holds(self, samples: Samples, time: float) -> Booleans:
         """(R,) whose condition holds."""
-        now = self.condition.now(moment.world.time, lambda name: self.signals[name].values(moment))
+        now = self.condition.now(time, lambda name: self.signals[name].values(samples))
         if self.latched is None:
             return now
         self.latched |= now
@@ -52,7 +55,7 @@ class Triggers:
     """Which controller of each agent is in charge: the last whose conditions all hold."""
 
     def __init__(
-        self, world: World, calls: Sequence[PlacedCall], measures: Mapping[str, str]
+        self, world: World, calls: Sequence[PlacedCall], signals: Mapping[str, KindEntry]
     ) -> None:
         places = 1 + max((place for place, _, _ in calls), default=0)
         self._exists = np.zeros((places, len(world.present)), dtype=bool)
@@ -61,31 +64,36 @@ class Triggers:
         starts = ((place, row, call.when) for place, row, call in calls)
         limits = ((place, row, call.during) for place, row, call in calls)
         self._triggers = [
-            *_triggers(world, starts, measures, latched=True),
-            *_triggers(world, limits, measures, latched=False),
+            *_triggers(world, starts, signals, latched=True),
+            *_triggers(world, limits, signals, latched=False),
         ]
         self._number = np.arange(places)[:, None]
+        depths = [s.looks_back for t in self._triggers for s in t.signals.values()]
+        self._samples = Samples(max(depths, default=0))
 
-    def in_charge(self, moment: Moment) -> Integers:
+    def in_charge(self, world: World, poses: Poses) -> Integers:
         """(N,) the place of the controller in charge, -1 for none."""
         active = self._exists
         if self._triggers:
             active = active.copy()
+            self._samples.add(world, poses)
             for trigger in self._triggers:
-                active[trigger.place, trigger.rows] &= trigger.holds(moment)
+                holds = trigger.holds(self._samples, world.time)
+                active[trigger.place, trigger.rows] &= holds
         return np.asarray(np.where(active, self._number, -1).max(axis=0))
 
     def take(self, place: Integers, agents: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
         for trigger in self._triggers:
             trigger.take(place, agents)
+        self._samples.take(agents)
         self._exists = self._exists[:, agents]
 
 
 def _triggers(
     world: World,
     conditions: Iterable[tuple[int, int, Mapping[str, Any] | None]],
-    measures: Mapping[str, str],
+    signals: Mapping[str, KindEntry],
     *,
     latched: bool,
 ) -> list[Trigger]:
@@ -98,7 +106,7 @@ def _triggers(
             form = json.dumps([condition["formula"], kinds, numbers], sort_keys=True)
             members.setdefault((place, form), []).append((row, condition))
     return [
-        _trigger(place, found, world, measures, latched) for (place, _), found in members.items()
+        _trigger(place, found, world, signals, latched) for (place, _), found in members.items()
     ]
 
 
@@ -106,14 +114,14 @@ def _trigger(
     place: int,
     members: list[tuple[int, Mapping[str, Any]]],
     world: World,
-    measures: Mapping[str, str],
+    kinds: Mapping[str, KindEntry],
     latched: bool,
 ) -> Trigger:
     rows = np.array([row for row, _ in members], dtype=np.int64)
     first = members[0][1]
     scenes = [row // world.slots for row, _ in members]
     signals = {
-        name: SignalCall([one["signals"][name] for _, one in members], scenes, world, measures)
+        name: SignalCall([one["signals"][name] for _, one in members], scenes, world, kinds)
         for name in first.get("signals", {})
     }
     numbers = {

@@ -81,6 +81,11 @@ class DriveSignal(Signal):
     required_methods: ClassVar[tuple[str, ...]] = ("values", "values_in")
     domain: ClassVar[str] = "drive"
     member: ClassVar[bool] = True
+    looks_back: ClassVar[float] = float("inf")
+    """how many samples before its own a value depends on; infinite: any of them. In `when:` and
+    `while:` a signal is asked for its value now. If this is finite, `values` gets columns (samples,
+    agents) of many agents at once, whose `length` and `width` are (agents,), and must return such
+    columns; else all samples up to now of one agent after another"""
 
     def values(self) -> Floats:
         """The values in SI units.

@@ -1,0 +1,90 @@
+"""The last samples of a world while it is driven: what `when:` and `while:` are measured on."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import fields
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from ..ir.scene import SceneActor
+from ..ir.trace import AgentTrace, Trace
+from .columns import COLUMNS
+from .poses import Poses
+from .world import World
+
+_SIZES = ("length", "width")
+_MEMBERS = tuple(one.name for one in fields(AgentTrace) if one.name not in ("name", "time"))
+
+
+class Samples:
+    """The sample of now and `depth` before it, which may be infinite.
+
+    Columns are (K, N) over samples and agents, the last row is now.
+    """
+
+    def __init__(self, depth: float) -> None:
+        longest = None if math.isinf(depth) else int(depth)
+        self._depth = depth
+        self._times: deque[float] = deque(maxlen=None if longest is None else longest + 1)
+        self._past: deque[dict[str, Floats]] = deque(maxlen=longest)
+        self._now: dict[str, Floats] = {}
+        self._traces: dict[int, Trace] = {}
+
+    def add(self, world: World, poses: Poses) -> None:
+        """The world as it is now."""
+        if self._depth != 0 and self._times:
+            self._past.append(self._now)
+        self._world, self._poses = world, poses
+        self._times.append(world.time)
+        self._now, self._traces = {}, {}
+        if self._depth != 0:  # the world goes on from here
+            self._now = {name: self._present(name) for name in COLUMNS}
+
+    def take(self, agents: Integers) -> None:
+        """From now on the world has these of its agents alone."""
+        for number, past in enumerate(self._past):
+            self._past[number] = {name: column[agents] for name, column in past.items()}
+        self._now = {name: column[agents] for name, column in self._now.items()}
+
+    def time(self, depth: int) -> Floats:
+        """(K,) seconds, of now and of at most `depth` samples before."""
+        return np.array(self._times)[-depth - 1 :]
+
+    def column(self, name: str, agents: Integers, depth: int) -> Floats:
+        """(K, R) a member of the `AgentTrace` of some agents; sizes are (R,)."""
+        now = self._present(name)[agents]
+        if name in _SIZES:
+            return now
+        before = list(self._past)[max(len(self._past) - depth, 0) :]
+        found = np.stack([*(past[name][agents] for past in before), now])
+        return np.unwrap(found, axis=0) if name == "heading" and len(found) > 1 else found
+
+    def trace(self, scene: int) -> Trace:
+        """A scene up to now, its agents and objects."""
+        if scene not in self._traces:
+            time = np.array(self._times)
+            record, first = self._world.scenes[scene], scene * self._world.slots
+            agents = {
+                actor.name: self._agent(actor, first + slot, time)
+                for slot, actor in enumerate(record.agents)
+            }
+            agents |= {actor.name: AgentTrace.still(actor, time) for actor in record.objects}
+            self._traces[scene] = Trace(time, agents, "the embedded engine")
+        return self._traces[scene]
+
+    def _present(self, name: str) -> Floats:
+        if name not in self._now:
+            self._now[name] = np.array(COLUMNS[name](self._world, self._poses))
+        return self._now[name]
+
+    def _agent(self, actor: SceneActor, agent: int, time: Floats) -> AgentTrace:
+        row = np.array([agent])
+        columns = {
+            name: self.column(name, row, len(time))[:, 0] for name in _MEMBERS if name not in _SIZES
+        }
+        return AgentTrace(
+            name=actor.name, time=time, length=actor.length, width=actor.width, **columns
+        )
