@@ -50,7 +50,7 @@ def trace_with(condition: str) -> Trace:
     """A drive of the scene, in which the car brakes on this condition."""
     text = SCENE.replace("CONDITION", condition)
     scenes = testing.sample(text, 1, kinds=[FarthestSouth])
-    (found,) = scenes.run("builtin", duration=10)
+    (found,) = scenes.run("builtin", duration=10, control_step=0.1)
     return found.trace
 
 
