@@ -53,6 +53,11 @@ def test_compiling_without_an_engine_leaves_with_5_and_says_where_it_looked(
     assert "RL512" in capsys.readouterr().err
 
 
+def _heeds_ctrl_c() -> None:
+    """Tests that a script runs in the background inherit a SIGINT that is ignored."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 class Watching:
     """`roadlang watch` in a process of its own, with what it has printed so far."""
 
@@ -60,7 +65,9 @@ class Watching:
         self._log = (file.parent / "watch.log").open("w+", encoding="utf-8")
         command = [sys.executable, "-u", "-m", "roadlang", "watch", str(file)]
         command += ["--host", "127.0.0.1", "--port", str(port)]
-        self.process = subprocess.Popen(command, stdout=self._log, stderr=subprocess.STDOUT)
+        self.process = subprocess.Popen(
+            command, stdout=self._log, stderr=subprocess.STDOUT, preexec_fn=_heeds_ctrl_c
+        )
 
     def printed(self) -> str:
         return Path(self._log.name).read_text(encoding="utf-8")
