@@ -204,6 +204,23 @@ def test_a_road_shrunk_to_a_point_is_folded() -> None:
     np.testing.assert_array_equal(batch.folded, [False, True, True])
 
 
+@pytest.mark.parametrize("computed_before", [True, False])
+def test_variants_taken_twice_are_those_of_the_whole_batch(computed_before: bool) -> None:
+    s = np.linspace(0.0, 60.0, 61)
+    bends = np.array([0.5, -1.0, 1.5, 2.0])[:, None] * np.sin(s / 7.0)
+    once = displace(line(60.0), s, bends)
+    batch = displace(once, s, 0.3 * bends[::-1])
+    names = ("points", "heading", "speed", "curvature", "length", "folded", "normal")
+    fresh = {name: getattr(batch.take(np.arange(4)), name) for name in names}
+    if computed_before:
+        for name in names:
+            getattr(batch, name)
+            getattr(once, name)
+    chosen = batch.take(np.array([False, True, True, True])).take([2, 0])
+    for name in names:
+        np.testing.assert_array_equal(getattr(chosen, name), fresh[name][[3, 1]], err_msg=name)
+
+
 def test_taking_variants_takes_their_base_along() -> None:
     road = wave()
     s = road.stations(count=50)

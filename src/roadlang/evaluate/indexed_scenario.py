@@ -111,6 +111,9 @@ class IndexedScenario:
 
     def origins(self) -> dict[str, str]:
         """The distributions that bring the kinds of the scenario, and their versions."""
+        return self.once("origins", self._origins)
+
+    def _origins(self) -> dict[str, str]:
         calls = (
             item
             for value in values_in(self.source)

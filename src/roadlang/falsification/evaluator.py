@@ -12,14 +12,15 @@ import numpy as np
 
 from ..diagnostics import DiagnosticError
 from ..drive.simulators import Driven, drive_scenes
-from ..evaluate.candidates import CandidateBatch
+from ..evaluate.candidates import CandidateBatch, rows_of
 from ..evaluate.draw_record import DrawRecord
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.registry import Registry
 from ..scenes.instantiate import driven_scene, instantiate
+from ..scenes.preparing import prepare_scenes
 from ..world.index import index_scenario
 from .descriptors import descriptor, measures, moment_of, protagonist
 from .outcome import Outcome
@@ -68,33 +69,31 @@ class Evaluator:
         candidates = self._candidates(proposals)
         measured = self.acceptance.measure(candidates)
         violations = self._violations(measured)
-        outcomes: dict[int, Outcome] = {}
+        is_valid = measured.satisfied.all(axis=0)
+        outcomes = {
+            row: self._invalid(proposals[row], float(violations[row]), measured.rho[:, row])
+            for row in np.flatnonzero(~is_valid).tolist()
+        }
         scenes: dict[int, Scene] = {}
-        for row, proposal in enumerate(proposals):
-            violation = None if measured.satisfied[:, row].all() else float(violations[row])
-            if violation is None:
-                try:
-                    scenes[row] = self._scene(candidates, row, proposal.index)
-                    continue
-                except DiagnosticError as error:
-                    if not _is_of_draws(error):
-                        raise
-                    violation = float(len(self.acceptance.requirements) + 1)
-            outcomes[row] = self._invalid(proposal, violation, measured.rho[:, row])
+        rows = np.flatnonzero(is_valid)
+        valid = _part(candidates, rows)
+        if len(rows):
+            prepare_scenes(valid)
+        for place, row in enumerate(rows.tolist()):
+            single = _part(valid, np.array([place]))
+            try:
+                scenes[row] = driven_scene(single, proposals[row].index, self.task.overrides)
+            except DiagnosticError as error:
+                if not _is_of_draws(error):
+                    raise
+                worst = float(len(self.acceptance.requirements) + 1)
+                outcomes[row] = self._invalid(proposals[row], worst, measured.rho[:, row])
         if scenes:
             task = self.task
             driven = drive_scenes(list(scenes.values()), task.registry, task.engine, task.options)
             for row, found in zip(scenes, driven, strict=True):
                 outcomes[row] = self.outcome(proposals[row], found, measured.rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
-
-    def _scene(self, candidates: CandidateBatch, row: int, index: int) -> Scene:
-        """The scene of a candidate as it is driven; what was computed for all of them is kept."""
-        chosen = candidates.take(np.array([row]))
-        assert candidates.record is not None
-        drawn = candidates.record.values.items()
-        chosen.record = DrawRecord(values={name: _row(value, row) for name, value in drawn})
-        return driven_scene(chosen, index, self.task.overrides)
 
     def full_scene(self, proposal: Proposal) -> Scene:
         """The same with all that people and figures want."""
@@ -178,9 +177,16 @@ class Evaluator:
         return np.where(mean > 0.0, mean, 1.0)[:, None]
 
 
-def _row(values: Any, row: int) -> Any:
-    """The value of one candidate of those that were drawn for all."""
-    return values[row : row + 1] if isinstance(values, np.ndarray) and len(values) > 1 else values
+def _part(candidates: CandidateBatch, rows: Integers) -> CandidateBatch:
+    """Some of the candidates, with what was computed of them and their draws."""
+    chosen = candidates.take(rows)
+    assert candidates.record is not None
+    values = {
+        name: rows_of(value, rows, candidates.count)
+        for name, value in candidates.record.values.items()
+    }
+    chosen.record = DrawRecord(values=values)
+    return chosen
 
 
 def _is_of_draws(error: DiagnosticError) -> bool:

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from .arrays import Booleans, Floats, SharedArrays, cached_array, finite, left_of, norm
+from .arrays import Booleans, Floats, SharedArrays, cached_array, finite, left_of, norm, read_only
 from .curvature import curvature_of_points
 from .curve import Curve
 from .differences import derivative, station_gaps
 from .errors import GeometryError
 from .folding import fold_of_points
+
+Taken = TypeVar("Taken", bound="CurveBatch")
+_COMPUTED = {"heading", "speed", "curvature", "steps", "folded", "slope"}
+"""Properties that are computed when they are first used, with a row for each variant."""
 
 
 class CurveBatch(SharedArrays):
@@ -112,8 +117,17 @@ class CurveBatch(SharedArrays):
 
     def take(self, variants: ArrayLike) -> CurveBatch:
         """The variants chosen by index or by mask."""
-        chosen = self.points[np.asarray(variants)]
-        return CurveBatch(self.stations, chosen, self.closed, self.period)
+        rows = np.asarray(variants)
+        return self._computed_for(
+            CurveBatch(self.stations, self.points[rows], self.closed, self.period), rows
+        )
+
+    def _computed_for(self, taken: Taken, rows: NDArray[Any]) -> Taken:
+        """Rows of this batch, with what was computed of them so far."""
+        computed = vars(self)
+        for name in _COMPUTED & computed.keys():
+            vars(taken)[name] = read_only(computed[name][rows])
+        return taken
 
 
 def _tangents(heading: Floats) -> Floats:

@@ -10,8 +10,11 @@ here is accurate to second order in the gap of the stations.
 
 from __future__ import annotations
 
+from functools import cached_property
+from typing import Any
+
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .arrays import Booleans, Floats, cached_array, finite
 from .batch import CurveBatch
@@ -90,7 +93,8 @@ class DisplacedBatch(CurveBatch):
 
     def take(self, variants: ArrayLike) -> DisplacedBatch:
         """The variants chosen by index or by mask."""
-        return DisplacedBatch(self.frame, self.displacement[np.asarray(variants)])
+        rows = np.asarray(variants)
+        return self._computed_for(DisplacedBatch(self.frame, self.displacement[rows]), rows)
 
 
 class MovedBatch(CurveBatch):
@@ -104,9 +108,17 @@ class MovedBatch(CurveBatch):
         self, base: CurveBatch, points: Floats, velocity: tuple[Floats, Floats], along_base: bool
     ) -> None:
         super().__init__(base.stations, points, base.closed, base.period)
-        self.base = base
+        self._base = base
+        self._rows: NDArray[Any] | None = None
         self.forward, self.sideways = (np.broadcast_to(part, points.shape[:2]) for part in velocity)
         self.along_base = along_base
+
+    @cached_property
+    def base(self) -> CurveBatch:
+        """What was moved; its rows are chosen when they are first needed."""
+        if self._rows is None or self._base.variants == 1:
+            return self._base
+        return self._base.take(self._rows)
 
     @cached_array
     def heading(self) -> Floats:
@@ -137,10 +149,11 @@ class MovedBatch(CurveBatch):
 
     def take(self, variants: ArrayLike) -> MovedBatch:
         """The variants chosen by index or by mask."""
-        chosen = np.asarray(variants)
-        base = self.base if self.base.variants == 1 else self.base.take(chosen)
-        velocity = self.forward[chosen], self.sideways[chosen]
-        return MovedBatch(base, self.points[chosen], velocity, self.along_base)
+        rows = np.arange(self.variants)[np.asarray(variants)]
+        velocity = self.forward[rows], self.sideways[rows]
+        taken = MovedBatch(self._base, self.points[rows], velocity, self.along_base)
+        taken._rows = rows if self._rows is None else self._rows[rows]
+        return self._computed_for(taken, rows)
 
 
 def displace(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Path
 from ..ir.scenario import ScenarioNetwork
 from ..ir.values import ConstantValue
@@ -34,20 +35,25 @@ def lane_parts(name: str, candidates: CandidateBatch) -> tuple[tuple[Rows, LaneB
     """
 
     def make() -> tuple[tuple[Rows, LaneBatch], ...]:
-        plan = lane_plan(candidates.scenario.roads[name], candidates.scenario)
-        return tuple(
-            (rows, _lanes(alike, name, candidates, rows))
-            for rows, alike in _alike(plan, candidates)
-        )
+        scenario = candidates.scenario
+        plan, fixed = scenario.once(("lane plan", name), lambda: _plan(name, scenario))
+        every = np.arange(candidates.count)
+        parts = ((every, plan),) if fixed else _alike(plan, candidates)
+        return tuple((rows, _lanes(alike, name, candidates, rows)) for rows, alike in parts)
 
     return candidates.once(("lanes", name), make, inherited=False)
 
 
+def _plan(name: str, scenario: IndexedScenario) -> tuple[LanePlan, bool]:
+    """What is written about the lanes of a road, and whether they are the same everywhere."""
+    plan = lane_plan(scenario.roads[name], scenario)
+    return plan, is_fixed(plan, scenario)
+
+
 def _alike(plan: LanePlan, candidates: CandidateBatch) -> Iterator[tuple[Rows, LanePlan]]:
+    """Parts of the candidates, of lanes that are drawn."""
     every = np.arange(candidates.count)
-    if is_fixed(plan, candidates.scenario):
-        yield every, plan
-    elif plan.lanes is not None and is_fixed(replace(plan, lanes=None), candidates.scenario):
+    if plan.lanes is not None and is_fixed(replace(plan, lanes=None), candidates.scenario):
         numbers = np.asarray(evaluate(plan.lanes, candidates), float).reshape(-1)
         counts = np.broadcast_to(np.maximum(1, np.rint(numbers)), (candidates.count,))
         for count in np.unique(counts).tolist():
