@@ -17,9 +17,8 @@ import pytest
 from roadlang.drive.controllers import python_controllers
 from roadlang.ir.scene import Call, Provenance, Scene, SceneActor, SceneRoad
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation.bend_speeds import BendSpeeds
 from roadlang.simulation.controllers import Driver
-from roadlang.simulation.observing import View
+from roadlang.simulation.observing import Surroundings, View
 from roadlang.simulation.world_building import world_of
 from roadlang_godot import engine
 
@@ -82,7 +81,7 @@ def decided(kind: str, options: dict[str, float], state: tuple[float, ...]) -> l
     one = scene(kind, options, state)
     world = world_of([one], {}, 0.02, 0.1)
     world.motion.speed[:] = state[3]
-    view = View(world, world.poses, 0.1, BendSpeeds(world))
+    view = View(world, world.poses, 0.1, Surroundings(world))
     view._ahead = (np.array([state[4]]), np.array([state[5]]))
     driver = python_controllers(one, load_registry())["ego"]
     assert isinstance(driver, Driver)

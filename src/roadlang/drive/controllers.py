@@ -28,7 +28,7 @@ def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
     ]
     if all(one is None for one in each.values()) or (steady and each[steady[-1]] is None):
         return None
-    return Driver(each, steady[-1] if steady else None, _signals(actor, registry))
+    return Driver(each, steady, _signals(actor, registry))
 
 
 def _signals(actor: SceneActor, registry: Registry) -> dict[str, KindEntry]:

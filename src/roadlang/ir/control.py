@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING
 
 from .read_only import Frozen
+from .surroundings import LaneChoice, LanePlace, LanePlaces, Neighbor, Neighbors
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ..geometry.arrays import Floats
+    from ..geometry.arrays import Floats, Integers
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,18 +50,79 @@ class Observation(Frozen):
     `b`"""
     vehicle_ahead: Callable[[], tuple[float, float]] = lambda: (math.inf, 0.0)
     """`vehicle_ahead()`: gap to the next agent ahead in the lane, and its speed along it"""
+    length: float = 4.5
+    width: float = 1.8
+    yaw_rate: float = 0.0
+    acceleration: float = 0.0
+    """along the body"""
+    contacts: float = 0.0
+    """how many things were touched"""
+    traveled: float = 0.0
+    """meters along the line since the start of the drive"""
+    lane_place: Callable[[], LanePlace] = LanePlace
+    """where the agent is among the lanes; `lane`, `lane_offset`, `lane_width` and `speed_limit` are
+    its members"""
+    offset_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
+    """`offset_of_lane(-2)`, `offset_of_lane("left")`: how far left of the tabled line of the agent
+    the middle of a lane is here; NaN where there is none"""
+    direction_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
+    """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none; NaN where there is no
+    such lane"""
+    speed_limit_ahead: Callable[[float, float], float] = lambda braking, on: math.inf
+    """`speed_limit_ahead(b, d)`: the greatest speed, `d` meters on, from which the speed limits
+    ahead can be obeyed by braking with `b`"""
+    stop_ahead: Callable[[], float] = lambda: math.inf
+    """`stop_ahead()`: how far ahead right of way or a signal demands a stop; infinite: nowhere"""
+    nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
+    """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
+
+    @property
+    def lane(self) -> int:
+        """The id of the lane in which the agent is, 0 for none."""
+        return self.lane_place().lane
+
+    @property
+    def lane_offset(self) -> float:
+        """Of the middle of that lane, left of the tabled line."""
+        return self.lane_place().offset
+
+    @property
+    def lane_width(self) -> float:
+        """Of that lane."""
+        return self.lane_place().width
+
+    @property
+    def speed_limit(self) -> float:
+        """Of that lane, infinite where there is none."""
+        return self.lane_place().speed_limit
 
 
 @dataclass(frozen=True, slots=True)
 class Control:
     """Steering angle of the front wheels (left positive), acceleration (braking negative).
 
-    What walks turns to `heading` at once, where that is a number.
+    What walks turns to `heading` at once, where that is a number. `line_offset` and `line_time`
+    move the line to follow, `pose` puts the agent at a place: see `ControlBatch`.
     """
 
     steering: float
     acceleration: float
     heading: float = math.nan
+    line_offset: float = math.nan
+    line_time: float = 0.0
+    pose: tuple[float, float, float, float] | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether steering or acceleration is left to a controller before."""
+        return math.isnan(self.steering) or math.isnan(self.acceleration)
+
+    def filled(self, earlier: Control) -> Control:
+        """With what `earlier` decides where this one is open."""
+        steering = earlier.steering if math.isnan(self.steering) else self.steering
+        open_ = math.isnan(self.acceleration)
+        acceleration = earlier.acceleration if open_ else self.acceleration
+        return replace(self, steering=steering, acceleration=acceleration)
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +148,44 @@ class ObservationBatch:
     """of each agent, a distance ahead: a number, or (N,)"""
     speed_for_bends: Callable[[Floats | float, Floats | float, Floats | float], Floats]
     vehicle_ahead: Callable[[], tuple[Floats, Floats]]
+    length: Floats
+    width: Floats
+    yaw_rate: Floats
+    acceleration: Floats
+    contacts: Floats
+    traveled: Floats
+    lane_place: Callable[[], LanePlaces]
+    offset_of_lane: Callable[[LaneChoice | Floats], Floats]
+    """of each agent; ids may be a column (N,)"""
+    direction_of_lane: Callable[[LaneChoice | Floats], Floats]
+    speed_limit_ahead: Callable[[Floats | float, Floats | float], Floats]
+    stop_ahead: Callable[[], Floats]
+    nearby: Callable[[float], Neighbors]
+
+    @property
+    def lane(self) -> Integers:
+        """Ids of the lanes in which the agents are, 0 for none."""
+        return self.lane_place().lane
+
+    @property
+    def lane_offset(self) -> Floats:
+        """Of the middle of those lanes, left of the tabled lines."""
+        return self.lane_place().offset
+
+    @property
+    def lane_width(self) -> Floats:
+        """Of those lanes."""
+        return self.lane_place().width
+
+    @property
+    def speed_limit(self) -> Floats:
+        """Of those lanes, infinite where there is none."""
+        return self.lane_place().speed_limit
+
+    @classmethod
+    def number_columns(cls) -> tuple[str, ...]:
+        """The names of its columns of numbers."""
+        return tuple(one.name for one in fields(cls) if one.type == "Floats")
 
     @classmethod
     def of_one(cls, seen: Observation) -> ObservationBatch:
@@ -106,26 +206,26 @@ class ObservationBatch:
             gap, speed = seen.vehicle_ahead()
             return column(gap), column(speed)
 
+        def lane(which: LaneChoice | Floats) -> LaneChoice:
+            return which if isinstance(which, str | int) else round(first(which))
+
         return cls(
-            time=column(seen.time),
+            **{name: column(getattr(seen, name)) for name in cls.number_columns()},
             step=seen.step,
             agent=np.array([seen.agent], dtype=object),
-            x=column(seen.x),
-            y=column(seen.y),
-            heading=column(seen.heading),
-            speed=column(seen.speed),
-            steering=column(seen.steering),
-            cross_track_error=column(seen.cross_track_error),
-            heading_error=column(seen.heading_error),
-            station=column(seen.station),
-            wheelbase=column(seen.wheelbase),
-            road_offset=column(seen.road_offset),
-            road_width=column(seen.road_width),
             line_ahead=line_ahead,
             speed_for_bends=lambda lateral, braking, on: column(
                 seen.speed_for_bends(first(lateral), first(braking), first(on))
             ),
             vehicle_ahead=vehicle_ahead,
+            lane_place=lambda: LanePlaces.of_one(seen.lane_place()),
+            offset_of_lane=lambda which: column(seen.offset_of_lane(lane(which))),
+            direction_of_lane=lambda which: column(seen.direction_of_lane(lane(which))),
+            speed_limit_ahead=lambda braking, on: column(
+                seen.speed_limit_ahead(first(braking), first(on))
+            ),
+            stop_ahead=lambda: column(seen.stop_ahead()),
+            nearby=lambda range: Neighbors.of_one(seen.nearby(range)),
         )
 
 
@@ -133,10 +233,55 @@ class ObservationBatch:
 class ControlBatch:
     """Columns (N,) of what `Control` says of one agent.
 
-    Where `steering` is NaN, the last controller before this one that steers does. `heading` is for
-    what walks: it turns there at once where that is not NaN.
+    Where `steering` or `acceleration` is NaN, the last controller before this one that gives a
+    number decides; where there is none, it is 0. `heading` is for what walks: it turns there at
+    once where that is not NaN.
     """
 
     steering: Floats
     acceleration: Floats
     heading: Floats | None = None
+    line_offset: Floats | None = None
+    """moves the line that the agent follows to this distance left of its tabled line, in meters;
+    NaN: as before. It stays there, for all later controllers."""
+    line_time: Floats | None = None
+    """seconds in which the line moves there, smoothly; None or 0: at once. Where it is on its way
+    there already, nothing changes."""
+    pose: Floats | None = None
+    """(N, 4) x, y, heading and speed with which the agent is there one step later, whatever the
+    equations of motion say; NaN: left to them"""
+
+    def single(self, row: int) -> Control:
+        """That of one agent."""
+
+        def number(column: Floats | None, usual: float) -> float:
+            return usual if column is None else float(column[row])
+
+        pose = None
+        if self.pose is not None and math.isfinite(self.pose[row, 0]):
+            x, y, heading, speed = self.pose[row].tolist()
+            pose = (x, y, heading, speed)
+        return Control(
+            float(self.steering[row]), float(self.acceleration[row]),
+            number(self.heading, math.nan), number(self.line_offset, math.nan),
+            number(self.line_time, 0.0), pose,
+        )  # fmt: skip
+
+    @classmethod
+    def of(cls, controls: Sequence[Control]) -> ControlBatch:
+        """A batch of what is decided one by one."""
+        import numpy as np
+
+        numbers = np.array(
+            [
+                (one.steering, one.acceleration, one.heading, one.line_offset, one.line_time)
+                for one in controls
+            ],
+            dtype=np.float64,
+        ).reshape(len(controls), 5)
+        nowhere = (math.nan,) * 4
+        poses = [one.pose or nowhere for one in controls]
+        is_placed = any(one.pose is not None for one in controls)
+        pose = np.array(poses, dtype=np.float64) if is_placed else None
+        steering, acceleration, heading, line_offset, line_time = numbers.T.copy()
+        return cls(steering, acceleration, heading, line_offset, line_time, pose)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -49,9 +50,7 @@ class GuardedController(Controller):
         if implements(self.kind, "control"):
             return self._checked(observation)
         batch = ObservationBatch.of_one(observation)
-        decided = self.decide(self._single, batch, self._state)
-        heading = math.nan if decided.heading is None else float(decided.heading[0])
-        return Control(float(decided.steering[0]), float(decided.acceleration[0]), heading)
+        return self.decide(self._single, batch, self._state).single(0)
 
     def first_state(self, controller: Controller, count: int) -> Any:
         """The state of `count` agents at the start. Raises RL470, RL474."""
@@ -68,14 +67,29 @@ class GuardedController(Controller):
         if not isinstance(decided, ControlBatch):
             fault = f"gave a {type(decided).__name__}, not a ControlBatch"
             raise wrong_result(self.entry, None, fault)
-        steering = self._column(decided.steering, "steering", len(seen.x))
-        acceleration = self._column(decided.acceleration, "acceleration", len(seen.x))
-        if not np.isfinite(acceleration).all() or np.isinf(steering).any():
+        count = len(seen.x)
+        columns = {
+            name: None if value is None else self._column(value, name, count)
+            for name in ("steering", "acceleration", "heading", "line_offset", "line_time")
+            for value in (getattr(decided, name),)
+        }
+        steering, acceleration = columns["steering"], columns["acceleration"]
+        assert steering is not None
+        assert acceleration is not None
+        if np.isinf(acceleration).any() or np.isinf(steering).any():
             raise wrong_result(self.entry, None, "gave controls that are not finite")
-        heading = None
-        if decided.heading is not None:
-            heading = self._column(decided.heading, "heading", len(seen.x))
-        return ControlBatch(steering, acceleration, heading)
+        pose = None if decided.pose is None else self._poses(decided.pose, count)
+        return ControlBatch(
+            steering, acceleration, columns["heading"], columns["line_offset"],
+            columns["line_time"], pose,
+        )  # fmt: skip
+
+    def _poses(self, values: Any, count: int) -> Floats:
+        numbers = real_numbers(values, "poses", self.entry, None)
+        if numbers.shape != (count, 4):
+            fault = f"gave poses of shape {numbers.shape}, not {(count, 4)}"
+            raise wrong_result(self.entry, None, fault)
+        return numbers
 
     def _column(self, values: Any, what: str, count: int) -> Floats:
         numbers = real_numbers(values, what, self.entry, None)
@@ -93,7 +107,14 @@ class GuardedController(Controller):
             raise wrong_result(self.entry, None, fault)
         with plugin_guard(self.entry, None):
             steering, acceleration = float(decision.steering), float(decision.acceleration)
-            control = Control(steering, acceleration, float(decision.heading))
+            control = replace(
+                decision,
+                steering=steering,
+                acceleration=acceleration,
+                heading=float(decision.heading),
+                line_offset=float(decision.line_offset),
+                line_time=float(decision.line_time),
+            )
         if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
             raise wrong_result(self.entry, None, f"gave {decision}, which is not finite")
         return control
@@ -101,21 +122,28 @@ class GuardedController(Controller):
 
 class Driver(Controller):
     """What drives one agent: its controllers by their place in `SceneActor.drive`, None for those
-    that are not written in Python; the last without a condition is at the place `steady`.
+    that are not written in Python; `steady` are the places of those without a condition;
     `signals`: the kinds of drive signals that their conditions name."""
 
     def __init__(
         self,
         each: Mapping[int, GuardedController | None],
-        steady: int | None,
+        steady: Sequence[int],
         signals: Mapping[str, KindEntry] | None = None,
     ) -> None:
         self.each = each
         self.signals = dict(signals or {})
-        self._steady = each[steady] if steady is not None else None
+        self._steady = [each[place] for place in reversed(steady)]
 
     def control(self, observation: Observation) -> Control:
-        """What the last controller without a condition decides. Raises RL470, RL474."""
-        if self._steady is None:
-            return Control(0.0, -UNDRIVEN_BRAKING)
-        return self._steady.control(observation)
+        """What the last controller without a condition decides, and where it leaves steering or
+        acceleration open, those without a condition before it. Raises RL470, RL474."""
+        found = Control(0.0, -UNDRIVEN_BRAKING)
+        for place, controller in enumerate(self._steady):
+            if controller is None:
+                continue
+            earlier = controller.control(observation)
+            found = earlier if place == 0 else found.filled(earlier)
+            if not found.is_open:
+                break
+        return found.filled(Control(0.0, 0.0))

@@ -11,25 +11,16 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..geometry.arrays import Floats, Integers
-from ..ir.control import Observation
+from ..geometry.arrays import Booleans, Integers
+from ..ir.control import ControlBatch, Observation
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
-from .bend_speeds import BendSpeeds
-from .controllers import UNDRIVEN_BRAKING, Driver, GuardedController
-from .observing import View
+from .controllers import Driver, GuardedController
+from .decision import Decision
+from .observing import Surroundings, View
 from .poses import Poses
 from .triggers import PlacedCall, Triggers
 from .world import World
-
-
-@dataclass
-class Decision:
-    """What all agents are to do: columns (N,)."""
-
-    steering: Floats
-    acceleration: Floats
-    heading: Floats | None = None
 
 
 @dataclass
@@ -63,22 +54,25 @@ class Crew:
         step: float,
     ) -> None:
         self._step = step
-        self._bends = BendSpeeds(world)
+        self._surroundings = Surroundings(world)
+        self._slots = world.slots
         self._groups, calls = _grouped(world, controllers)
         self._triggers = Triggers(world, calls, _signals(controllers))
 
     def decide(self, world: World, poses: Poses) -> Decision:
-        """What all agents are to do until the next step."""
-        view = View(world, poses, self._step, self._bends)
+        """What all agents are to do until the next step. Moves the lines that they follow."""
+        view = View(world, poses, self._step, self._surroundings)
         in_charge = self._triggers.in_charge(world, poses)
-        count = len(in_charge)
-        out = Decision(np.zeros(count), np.full(count, -UNDRIVEN_BRAKING))
+        out = Decision.open(in_charge >= 0)
         for group in self._groups:
             chosen = np.flatnonzero(in_charge[group.rows] == group.place)
             if len(chosen):
-                _decide(group, chosen, view, out)
-        self._steer_by_earlier(in_charge, view, out)
-        return out
+                found = _decided(group, chosen, view)
+                out.put(group.rows[chosen], found)
+                if found.line_offset is not None:
+                    _move_lines(world, group.rows[chosen], found)
+        self._ask_earlier(in_charge, view, out)
+        return out.closed()
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
@@ -87,19 +81,20 @@ class Crew:
         for group in self._groups:
             group.take(place)
         self._triggers.take(place, agents)
-        self._bends.take(agents)
+        self._surroundings.take(agents, self._slots)
 
-    def _steer_by_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
-        """A controller that does not steer leaves that to the last one before it that does."""
-        if not np.isnan(out.steering).any():
+    def _ask_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
+        """A controller that does not steer, or does not accelerate, leaves that to the last one
+        before it that does."""
+        if not out.is_open.any():
             return
         for group in reversed(self._groups):
-            open_ = np.isnan(out.steering[group.rows]) & (in_charge[group.rows] > group.place)
+            open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
             chosen = np.flatnonzero(open_)
             if len(chosen):
-                other = Decision(out.steering, out.acceleration.copy())
-                _decide(group, chosen, view, other, lasting=False)
-        out.steering[np.isnan(out.steering)] = 0.0
+                rows = group.rows[chosen]
+                accelerates = np.isnan(out.acceleration[rows])
+                out.fill(rows, _decided(group, chosen, view, accelerates))
 
 
 def _signals(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:
@@ -111,40 +106,46 @@ def _signals(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindE
     return found
 
 
-def _decide(
-    group: Group, chosen: Integers, view: View, out: Decision, *, lasting: bool = True
-) -> None:
-    """Ask the controllers of some agents of a group. `lasting`: their state goes on."""
-    rows = group.rows[chosen]
+def _move_lines(world: World, rows: Integers, found: ControlBatch) -> None:
+    assert found.line_offset is not None
+    target = np.full(len(world.present), math.nan)
+    time = np.zeros(len(world.present))
+    target[rows] = found.line_offset
+    if found.line_time is not None:
+        time[rows] = found.line_time
+    world.moves.move(target, time)
+
+
+def _decided(
+    group: Group, chosen: Integers, view: View, lasting: Booleans | None = None
+) -> ControlBatch:
+    """What the controllers of some agents of a group decide. `lasting`: whose state goes on,
+    by default that of all."""
     if group.singles:
-        _decide_singly(group, chosen, view, out)
-        return
+        return _decided_singly(group, chosen, view)
+    rows = group.rows[chosen]
     everyone = len(chosen) == len(group.rows)
     columns = group.columns if everyone else _part(group.columns, chosen)
     state = None if group.state is None else group.state[chosen]
     guarded = group.controller
     decided = guarded.decide(guarded.built(columns), view.of(rows), state)
-    if state is not None and lasting:
-        group.state[chosen] = state
-    out.steering[rows] = decided.steering
-    out.acceleration[rows] = decided.acceleration
-    if decided.heading is not None:
-        if out.heading is None:
-            out.heading = np.full(len(out.steering), math.nan)
-        out.heading[rows] = decided.heading
+    if state is not None:
+        last = slice(None) if lasting is None else np.flatnonzero(lasting)
+        group.state[chosen[last]] = state[last]
+    return decided
 
 
-def _decide_singly(group: Group, chosen: Integers, view: View, out: Decision) -> None:
+def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
     """Loop over agents whose controllers decide for one alone."""
+    found = []
     for index in chosen:
         row = int(group.rows[index])
         scene = row // view.world.slots
         others: dict[str, Observation] = {}
         for place, actor in enumerate(view.world.scenes[scene].agents):
             others[actor.name] = view.single(scene * view.world.slots + place)
-        control = group.singles[index].control(view.single(row, others))
-        out.steering[row] = control.steering
-        out.acceleration[row] = control.acceleration
+        found.append(group.singles[index].control(view.single(row, others)))
+    return ControlBatch.of(found)
 
 
 def _grouped(

@@ -48,6 +48,14 @@ class Motion:
             column[agent] = getattr(other, field.name)[agent]
             setattr(self, field.name, column)
 
+    def face(self, who: Booleans, heading: Floats) -> None:
+        """Who is on foot turns to a heading, at once."""
+        rows = np.flatnonzero(who)
+        if len(rows):
+            error = heading[rows] - self.line_heading[rows]
+            self.cosine[rows], self.sine[rows] = np.cos(error), np.sin(error)
+            self.tangent[rows] = 0.0
+
     def halt(self, rows: Any) -> None:
         """Some agents stand still, at once."""
         for column in (self.speed, self.slide, self.yaw_rate, self.acceleration):

@@ -4,28 +4,89 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers, wrapped
+from ..geometry.arrays import Booleans, Floats, Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
+from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .leaders import leaders
+from .neighbors import Nearby, StandingObjects
 from .poses import Poses, line_points
+from .road_lanes import LanesHere, RoadLanes, lane_values
 from .world import World
+
+PROBE = 0.1
+"""Meters along a route to each side, to see in which direction of the road it goes."""
+
+
+class Surroundings:
+    """What of a drive is computed once, when it is first needed: plans of speeds before bends, the
+    lanes of the roads, where objects are along the lines."""
+
+    def __init__(self, world: World) -> None:
+        self.bends = BendSpeeds(world)
+        self._roads = [road for scene in world.scenes for road in scene.roads]
+        counts = [len(scene.roads) for scene in world.scenes]
+        self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
+        self._lanes: RoadLanes | None = None
+        self._objects: StandingObjects | None = None
+
+    def take(self, agents: Integers, slots: int) -> None:
+        """From now on the world has these of its agents alone."""
+        self.bends.take(agents)
+        self._first = self._first[agents[::slots] // slots]
+
+    def lanes(self, world: World) -> LanesHere:
+        """Of all agents, where they are; on connections there are none."""
+        if self._lanes is None:
+            self._lanes = RoadLanes(self._roads)
+        first = np.repeat(self._first, world.slots)
+        place = world.place
+        road = np.where((place.road >= 0) & (place.turn < 0), first + place.road, -1)
+        here = self._lanes.at(road, world.station, _backward(world))
+        rows = np.flatnonzero(world.has_route)
+        if not len(rows):
+            return here
+        # The tabled line of a route is the middle of its lane, not that of the road.
+        lane = here.take(rows)
+        middle = lane_values(lane.middles, lane.choose(place.lane[rows], np.zeros(len(rows))))
+        shift = np.zeros(len(road))
+        shift[rows] = np.where(np.isfinite(middle), middle, 0.0)
+        return replace(here, borders=here.borders - shift[:, None])
+
+    def nearby(self, world: World, poses: Poses) -> Nearby:
+        """Of all agents."""
+        if self._objects is None:
+            self._objects = StandingObjects.of(world)
+        return Nearby(world, poses, self._objects)
+
+
+def _backward(world: World) -> Booleans:
+    """(N,) who goes against the direction of the road where it is."""
+    out = world.backward.copy()
+    rows = np.flatnonzero(world.has_route)
+    if len(rows):
+        along = world.motion.along[rows]
+        ends = [world.table.station(rows, along + off) for off in (-PROBE, PROBE)]
+        out[rows] = ends[1] < ends[0]
+    return out
 
 
 @dataclass
 class View:
-    """A world as it is at one time, seen by its agents. `bends` remembers what was computed."""
+    """A world as it is at one time, seen by its agents."""
 
     world: World
     poses: Poses
     step: float
-    bends: BendSpeeds
+    surroundings: Surroundings
     _ahead: tuple[Floats, Floats] | None = field(default=None)
+    _lanes: LanesHere | None = field(default=None)
+    _nearby: Nearby | None = field(default=None)
 
     def of(self, chosen: Integers) -> ObservationBatch:
         """What some agents see."""
@@ -50,8 +111,20 @@ class View:
             road_offset=motion.offset[rows],
             road_width=np.where(world.has_road[rows], poses.road_width[rows], math.inf),
             line_ahead=lambda distance: self.line_ahead(rows, distance),
-            speed_for_bends=lambda *limits: self.bends.at(world, rows, *limits),
+            speed_for_bends=lambda *limits: self.surroundings.bends.at(world, rows, *limits),
             vehicle_ahead=lambda: self.vehicle_ahead(rows),
+            length=world.bodies.length[rows],
+            width=world.bodies.width[rows],
+            yaw_rate=motion.yaw_rate[rows],
+            acceleration=motion.acceleration[rows],
+            contacts=world.contacts[rows],
+            traveled=world.traveled[rows],
+            lane_place=lambda: self.lane_place(chosen),
+            offset_of_lane=lambda which: self.of_lane(chosen, which, "middles"),
+            direction_of_lane=lambda which: self.of_lane(chosen, which, "direction"),
+            speed_limit_ahead=lambda braking, on: self.speed_limit_ahead(chosen, braking, on),
+            stop_ahead=lambda: np.full(len(chosen), math.inf),
+            nearby=lambda distance: self.nearby(chosen, distance),
         )
 
     def line_ahead(
@@ -63,16 +136,61 @@ class View:
         cell, rest = track.cell(track.wrapped(world.motion.along[rows] + distance))
         x, y = line_points(track, cell, rest)
         heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
-        offset = world.line_offset[rows]
+        curvature = track.lines.seen_curvature[cell]
+        speed = world.motion.speed[rows]
+        offset, slope, bend, moving = world.moves.ahead(rows, distance, speed)
         x -= np.sin(heading) * offset
         y += np.cos(heading) * offset
-        return x, y, heading, track.lines.seen_curvature[cell]
+        if moving is not None:
+            heading = np.where(moving, heading + np.arctan(slope), heading)
+            curvature = np.where(moving, curvature + bend, curvature)
+        return x, y, heading, curvature
 
     def vehicle_ahead(self, rows: Any) -> tuple[Floats, Floats]:
         """(N,) gap to the next agent in the lane, and its speed along it."""
         if self._ahead is None:
             self._ahead = leaders(self.world, self.poses)
         return self._ahead[0][rows], self._ahead[1][rows]
+
+    def lane_place(self, rows: Integers) -> LanePlaces:
+        """In which lanes agents are."""
+        world = self.world
+        place = self._lanes_here().take(rows).place(world.motion.offset[rows])
+        routed = world.has_route[rows]
+        if not routed.any():
+            return place
+        along = world.track.wrapped(world.motion.along)[rows]
+        limit = np.where(routed, world.table.speed_limit(rows, along), place.speed_limit)
+        return replace(place, speed_limit=limit)
+
+    def speed_limit_ahead(
+        self, rows: Integers, braking: Floats | float, on: Floats | float
+    ) -> Floats:
+        """(N,) the greatest speeds from which the limits ahead can be obeyed."""
+        here = self.lane_place(rows).speed_limit
+        routed = self.world.has_route[rows]
+        if not routed.any():
+            return here
+        along = self.world.track.wrapped(self.world.motion.along)[rows]
+        ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
+        return np.where(routed, ahead, here)
+
+    def of_lane(self, rows: Integers, which: LaneChoice | Floats, quantity: str) -> Floats:
+        """(N,) a quantity of one lane of each agent, NaN where there is none."""
+        here = self._lanes_here().take(rows)
+        index = here.choose(which, self.world.motion.offset[rows])
+        return lane_values(getattr(here, quantity), index)
+
+    def nearby(self, rows: Integers, distance: float) -> Neighbors:
+        """Who and what is within a distance of agents."""
+        if self._nearby is None:
+            self._nearby = self.surroundings.nearby(self.world, self.poses)
+        return self._nearby.of(rows, distance)
+
+    def _lanes_here(self) -> LanesHere:
+        if self._lanes is None:
+            self._lanes = self.surroundings.lanes(self.world)
+        return self._lanes
 
     def single(self, agent: int, others: Mapping[str, Observation] | None = None) -> Observation:
         """What one agent sees, as controllers get it that decide for one."""
@@ -88,19 +206,21 @@ class View:
             return float(gap[0]), float(speed[0])
 
         numbers: dict[str, Any] = {
-            name: float(getattr(seen, name)[0])
-            for name in (
-                "time", "x", "y", "heading", "speed", "steering", "cross_track_error",
-                "station", "wheelbase", "road_offset", "road_width",
-            )
-        }  # fmt: skip
+            name: float(getattr(seen, name)[0]) for name in seen.number_columns()
+        }
+        numbers["heading_error"] = float(wrapped(seen.heading_error)[0])
         return Observation(
             **numbers,
             step=self.step,
             agent=seen.agent[0],
-            heading_error=float(wrapped(seen.heading_error)[0]),
             line_ahead=line_ahead,
             others=others or {},
-            speed_for_bends=lambda *limits: float(self.bends.at(self.world, rows, *limits)[0]),
+            speed_for_bends=lambda *limits: float(seen.speed_for_bends(*limits)[0]),
             vehicle_ahead=vehicle_ahead,
+            lane_place=lambda: seen.lane_place().single(0),
+            offset_of_lane=lambda which: float(seen.offset_of_lane(which)[0]),
+            direction_of_lane=lambda which: float(seen.direction_of_lane(which)[0]),
+            speed_limit_ahead=lambda braking, on: float(seen.speed_limit_ahead(braking, on)[0]),
+            stop_ahead=lambda: float(seen.stop_ahead()[0]),
+            nearby=lambda distance: seen.nearby(distance).single(0),
         )

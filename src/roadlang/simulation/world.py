@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
 from .bodies import Bodies
+from .line_moves import LineMoves
 from .motion import Advance, Motion, Track, advance
 from .poses import Poses, poses_of
 from .route_table import Place, RouteTable
@@ -50,8 +51,8 @@ class World:
     """without a route, against the direction of the road"""
     road: Integers
     """the road of each agent at the start, within its scene, -1 for none"""
-    line_offset: Floats
-    """of the line to follow, left of the tabled line"""
+    moves: LineMoves
+    """of the lines to follow, left of the tabled lines"""
     start: Motion
     motion: Motion
     halted: Booleans
@@ -83,6 +84,7 @@ class World:
         self.traveled = np.zeros(len(self.present))
         zero = np.zeros(len(self.present))
         self.pace = (zero, zero)
+        self.moves = LineMoves.at_rest(self.moves.start)
         self.tick = 0
 
     def step(
@@ -100,14 +102,15 @@ class World:
         braking = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
         acceleration = np.where(self.halted, -END_BRAKING, np.minimum(acceleration, braking))
         if heading is not None:
-            self._face(heading)
+            motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
         held = (np.tan(angle), acceleration)
         before = (motion.along, motion.offset)
         passed = []
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, bodies, self.track, held, end - begin, self.dt)
             if end < steps:
-                between = replace(self, motion=replace(motion), contacts=self.contacts.copy())
+                between = replace(self, motion=replace(motion), moves=replace(self.moves))
+                between.contacts = self.contacts.copy()
                 between._arrive(before, end)
                 passed.append(between)
         self._arrive(before, steps)
@@ -119,8 +122,14 @@ class World:
         seconds = steps * self.dt
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
+        self.moves.advance(self.motion.speed, seconds)
         self._wrap()
         self.tick += steps
+
+    @property
+    def line_offset(self) -> Floats:
+        """(N,) of the line to follow, left of the tabled line."""
+        return self.moves.offset
 
     @property
     def closed(self) -> Booleans:
@@ -195,17 +204,10 @@ class World:
             table=self.table.take(agents),
             start=self.start.take(agents),
             motion=self.motion.take(agents),
+            moves=self.moves.take(agents),
             pace=(self.pace[0][agents], self.pace[1][agents]),
             **{name: getattr(self, name)[agents] for name in _COLUMNS},
         )
-
-    def _face(self, heading: Floats) -> None:
-        """What walks turns to a heading."""
-        rows = np.flatnonzero(self.bodies.walks & np.isfinite(heading) & ~self.halted)
-        if len(rows):
-            error = heading[rows] - self.motion.line_heading[rows]
-            self.motion.cosine[rows], self.motion.sine[rows] = np.cos(error), np.sin(error)
-            self.motion.tangent[rows] = 0.0
 
     def _wrap(self) -> None:
         """On closed lines, arc length begins anew after a lap."""
@@ -217,6 +219,6 @@ class World:
 
 
 _COLUMNS = (
-    "present", "names", "has_road", "has_route", "backward", "road", "line_offset", "halted",
+    "present", "names", "has_road", "has_route", "backward", "road", "halted",
     "contacts", "traveled",
 )  # fmt: skip

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..ir.scene import Scene, SceneActor
 from .bodies import Bodies, Body
+from .line_moves import LineMoves
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
 from .route_lines import RouteLine, plain_line, route_line, speed_limit
@@ -115,12 +116,12 @@ def _started(
         for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
     ]
     count = len(found)
+    moves = LineMoves.at_rest(np.where(backward, -1.0, 1.0) * np.array(offsets))
     world = World(
         scenes, slots, dt, present, tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
-        has_road, has_route, backward, road, np.where(backward, -1.0, 1.0) * np.array(offsets),
-        start, start, ~present, np.zeros(count), np.zeros(count),
-        (np.zeros(count), np.zeros(count)),
+        has_road, has_route, backward, road, moves, start, start, ~present,
+        np.zeros(count), np.zeros(count), (np.zeros(count), np.zeros(count)),
     )  # fmt: skip
     world.reset()
     return world

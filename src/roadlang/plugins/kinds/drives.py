@@ -35,8 +35,8 @@ class Controller(Kind):
         """What N agents do until the next step. Options that are numbers are columns (N,) here.
 
         What is decided for an agent depends on its row alone. `state` has a row for each agent, as
-        `start` made it; the method changes it in place. Returns a `ControlBatch` of numbers; only
-        `steering` and `heading` may be NaN. Anything else is RL474.
+        `start` made it; the method changes it in place. Returns a `ControlBatch` of numbers, NaN
+        where something is left open. Anything else is RL474.
         """
         raise NotImplementedError
 

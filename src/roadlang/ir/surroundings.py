@@ -1,0 +1,139 @@
+"""What a controller sees around its agents: the lanes of their roads, and who else is near."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..geometry.arrays import Booleans, Floats, Integers
+
+LaneChoice = str | int
+"""A lane as seen by an agent: its id, `left`, `right` (next to the agent's), `inner` (toward the
+middle of the road and over it), `outer`, or a kind of lane: the nearest of that kind"""
+
+
+@dataclass(frozen=True, slots=True)
+class LanePlace:
+    """The lane in which an agent is, meters. Offsets are left of the tabled line of the agent, as
+    `Observation.road_offset` is."""
+
+    lane: int = 0
+    """its id; 0: in none"""
+    offset: float = math.nan
+    """of its middle"""
+    width: float = math.nan
+    speed_limit: float = math.inf
+    """m/s"""
+    direction: float = math.nan
+    """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none"""
+
+
+@dataclass(frozen=True, slots=True)
+class LanePlaces:
+    """Columns (N,) of what `LanePlace` says of one agent."""
+
+    lane: Integers
+    offset: Floats
+    width: Floats
+    speed_limit: Floats
+    direction: Floats
+
+    @classmethod
+    def of_one(cls, place: LanePlace) -> LanePlaces:
+        """Of one agent."""
+        import numpy as np
+
+        return cls(
+            np.array([place.lane], dtype=np.int64),
+            *(
+                np.array([value], dtype=np.float64)
+                for value in (place.offset, place.width, place.speed_limit, place.direction)
+            ),
+        )
+
+    def single(self, row: int) -> LanePlace:
+        """That of one agent."""
+        return LanePlace(
+            int(self.lane[row]), float(self.offset[row]), float(self.width[row]),
+            float(self.speed_limit[row]), float(self.direction[row]),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Neighbor:
+    """An agent or object near an agent. SI units and radians."""
+
+    name: str
+    kind: str
+    """`car`, `tree`, ..."""
+    x: float
+    y: float
+    heading: float
+    speed: float
+    length: float
+    width: float
+    ahead: float
+    """from center to center, along the line of the agent, round bends too"""
+    left: float
+    """of the center of the agent, across that line"""
+    pace: float
+    """its speed along that line; negative for who comes toward the agent"""
+    drift: float
+    """its speed across that line, to the left"""
+
+
+@dataclass(frozen=True, slots=True)
+class Neighbors:
+    """Columns (N, K) of what `Neighbor` says of one; `there` is False where there is none."""
+
+    there: Booleans
+    name: NDArray[np.object_]
+    kind: NDArray[np.object_]
+    x: Floats
+    y: Floats
+    heading: Floats
+    speed: Floats
+    length: Floats
+    width: Floats
+    ahead: Floats
+    left: Floats
+    pace: Floats
+    drift: Floats
+
+    @classmethod
+    def of_one(cls, seen: tuple[Neighbor, ...]) -> Neighbors:
+        """Those of one agent, (1, K)."""
+        import numpy as np
+
+        words = {"name", "kind"}
+        columns = {
+            name: np.array(
+                [[getattr(one, name) for one in seen]],
+                dtype=object if name in words else np.float64,
+            ).reshape(1, len(seen))
+            for name in _MEMBERS
+        }
+        return cls(np.ones((1, len(seen)), dtype=bool), **columns)
+
+    def single(self, row: int) -> tuple[Neighbor, ...]:
+        """Those of one agent."""
+        import numpy as np
+
+        return tuple(
+            Neighbor(
+                str(self.name[row, i]), str(self.kind[row, i]),
+                *(float(getattr(self, name)[row, i]) for name in _MEMBERS[2:]),
+            )
+            for i in np.flatnonzero(self.there[row])
+        )  # fmt: skip
+
+
+_MEMBERS = (
+    "name", "kind", "x", "y", "heading", "speed", "length", "width", "ahead", "left", "pace",
+    "drift",
+)  # fmt: skip

@@ -1,0 +1,59 @@
+"""What all agents of a world are to do until the next step."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.control import ControlBatch
+from .controllers import UNDRIVEN_BRAKING
+
+
+@dataclass
+class Decision:
+    """Columns (N,); NaN in `steering` and `acceleration` is open, until the decision is closed."""
+
+    steering: Floats
+    acceleration: Floats
+    heading: Floats | None = None
+    pose: Floats | None = None
+    """(N, 4) x, y, heading, speed; NaN where the equations of motion decide"""
+
+    @classmethod
+    def open(cls, driven: Booleans) -> Decision:
+        """Nothing decided of agents that are `driven`; the others brake."""
+        return cls(np.where(driven, math.nan, 0.0), np.where(driven, math.nan, -UNDRIVEN_BRAKING))
+
+    @property
+    def is_open(self) -> Booleans:
+        """(N,) of whom something is not decided."""
+        return np.isnan(self.steering) | np.isnan(self.acceleration)
+
+    def put(self, rows: Integers, found: ControlBatch) -> None:
+        """What the controllers in charge of some agents decide."""
+        self.steering[rows], self.acceleration[rows] = found.steering, found.acceleration
+        if found.heading is not None:
+            if self.heading is None:
+                self.heading = np.full(len(self.steering), math.nan)
+            self.heading[rows] = found.heading
+        if found.pose is not None:
+            if self.pose is None:
+                self.pose = np.full((len(self.steering), 4), math.nan)
+            self.pose[rows] = found.pose
+
+    def fill(self, rows: Integers, found: ControlBatch) -> None:
+        """What controllers before those decide, where it is still open."""
+        for mine, theirs in (
+            (self.steering, found.steering),
+            (self.acceleration, found.acceleration),
+        ):
+            mine[rows] = np.where(np.isnan(mine[rows]), theirs, mine[rows])
+
+    def closed(self) -> Decision:
+        """With 0 for what nobody has decided."""
+        for column in (self.steering, self.acceleration):
+            column[np.isnan(column)] = 0.0
+        return self

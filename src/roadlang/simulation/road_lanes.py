@@ -1,0 +1,207 @@
+"""The lanes of the roads of a world, as tables: looked up for many agents at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.scene import SceneRoad
+from ..ir.surroundings import LaneChoice, LanePlaces
+
+SPACING = 1.0
+"""Meters between two nodes of a table of lanes whose width varies."""
+_DIRECTIONS: Mapping[str, float] = {"forward": 1.0, "backward": -1.0}
+
+
+@dataclass(frozen=True)
+class _Section:
+    """The lanes of one road from left to right; `borders` (nodes, L + 1), `spacing` meters."""
+
+    ids: tuple[int, ...]
+    kinds: tuple[str, ...]
+    direction: tuple[float, ...]
+    limit: tuple[float, ...]
+    drivable: tuple[bool, ...]
+    borders: Floats
+    spacing: float
+
+
+class RoadLanes:
+    """Tables of R roads with at most L lanes. Sections that many roads share are built once."""
+
+    def __init__(self, roads: Sequence[SceneRoad]) -> None:
+        known: dict[Any, int] = {}
+        sections: list[_Section] = []
+        row = []
+        for road in roads:
+            key = _key(road)
+            if key is None or key not in known:
+                if key is not None:
+                    known[key] = len(sections)
+                row.append(len(sections))
+                sections.append(_section(road))
+            else:
+                row.append(known[key])
+        self._row = np.array(row, dtype=np.int64)
+        self._widest = widest = max((len(one.ids) for one in sections), default=1)
+        self._ids = _padded([one.ids for one in sections], widest, 0)
+        self._direction = _padded([one.direction for one in sections], widest, 0.0)
+        self._limit = _padded([one.limit for one in sections], widest, math.inf)
+        self._drivable = _padded([one.drivable for one in sections], widest, False)
+        self._kinds = _padded([one.kinds for one in sections], widest, "").astype(object)
+        self._count = np.array([len(one.ids) for one in sections], dtype=np.int64)
+        self._nodes = np.array([len(one.borders) for one in sections], dtype=np.int64)
+        self._first = np.concatenate([[0], np.cumsum(self._nodes)])[:-1].astype(np.int64)
+        self._spacing = np.array([one.spacing for one in sections])
+        wide = [
+            np.pad(one.borders, ((0, 0), (0, widest - len(one.ids))), mode="edge")
+            for one in sections
+        ]
+        self._borders = np.concatenate(wide) if wide else np.zeros((1, widest + 1))
+
+    def at(self, road: Integers, station: Floats, backward: Booleans) -> LanesHere:
+        """The lanes of roads (N,), -1 for none, at stations (N,), as seen by who goes along the
+        roads or `backward`."""
+        row = self._row[road] if len(self._row) else np.zeros(len(road), dtype=np.int64)
+        place = np.minimum(np.maximum(station / self._spacing[row], 0.0), self._nodes[row] - 1.0)
+        low = place.astype(np.int64)
+        high = np.minimum(low + 1, self._nodes[row] - 1)
+        share = (place - low)[:, None]
+        first = self._first[row]
+        borders = self._borders[first + low] * (1.0 - share) + self._borders[first + high] * share
+        there = np.arange(self._widest) < self._count[row][:, None]
+        there &= (road >= 0)[:, None]
+        sign = np.where(backward, -1.0, 1.0)[:, None]
+        return LanesHere(
+            there, self._ids[row], self._kinds[row], self._drivable[row], self._limit[row],
+            self._direction[row] * sign, borders * sign, backward,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class LanesHere:
+    """The lanes at N places: (N, L), in the order of the road from left to right; offsets are left
+    of the center line as the agent sees it, so on the way back they grow from lane to lane."""
+
+    there: Booleans
+    ids: Integers
+    kinds: Any
+    drivable: Booleans
+    limit: Floats
+    direction: Floats
+    borders: Floats
+    """(N, L + 1)"""
+    backward: Booleans
+
+    def take(self, rows: Integers) -> LanesHere:
+        """Those at some of the places."""
+        return LanesHere(**{one.name: getattr(self, one.name)[rows] for one in fields(self)})
+
+    @property
+    def middles(self) -> Floats:
+        """Offsets of the middles of the lanes, (N, L)."""
+        return 0.5 * (self.borders[:, 1:] + self.borders[:, :-1])
+
+    def index(self, offset: Floats) -> Integers:
+        """(N,) the lane at offsets (N,), -1 for none."""
+        one, other = self.borders[:, :-1], self.borders[:, 1:]
+        low, high = np.minimum(one, other), np.maximum(one, other)
+        inside = self.there & (offset[:, None] >= low) & (offset[:, None] <= high) & (high > low)
+        return np.where(inside.any(axis=1), inside.argmax(axis=1), -1)
+
+    def place(self, offset: Floats) -> LanePlaces:
+        """The lanes at offsets (N,)."""
+        index = self.index(offset)
+        found = index >= 0
+        width = np.abs(self.borders[:, 1:] - self.borders[:, :-1])
+        return LanePlaces(
+            np.where(found, _of(self.ids, index), 0),
+            np.where(found, _of(self.middles, index), math.nan),
+            np.where(found, _of(width, index), math.nan),
+            np.where(found, _of(self.limit, index), math.inf),
+            np.where(found, _of(self.direction, index), math.nan),
+        )
+
+    def choose(self, which: LaneChoice | Floats | Integers, offset: Floats) -> Integers:
+        """(N,) the lane that agents at `offset` mean, -1 for none."""
+        if isinstance(which, str) and which in _SIDES:
+            return self._beside(which, offset)
+        if isinstance(which, str):
+            fits = self.there & (self.kinds == which)
+            away = np.where(fits, np.abs(self.middles - offset[:, None]), math.inf)
+            return np.where(fits.any(axis=1), away.argmin(axis=1), -1)
+        wanted = np.broadcast_to(np.asarray(which), offset.shape)[:, None]
+        fits = self.there & (self.ids == wanted)
+        return np.where(fits.any(axis=1), fits.argmax(axis=1), -1)
+
+    def _beside(self, side: str, offset: Floats) -> Integers:
+        """The lane next to that of agents at `offset`, for motor vehicles."""
+        index = self.index(offset)
+        step = np.where(self.backward, 1, -1)
+        if side in ("inner", "outer"):
+            # Lanes run from n to 1, then from -1 on: the middle is to the right of positive ones.
+            step = np.where(_of(self.ids, index) > 0, 1, -1)
+        if side in ("right", "outer"):
+            step = -step
+        there = index + step
+        last = self.there.sum(axis=1) - 1
+        fits = (index >= 0) & (there >= 0) & (there <= last)
+        there = np.where(fits, there, 0)
+        return np.where(fits & _of(self.drivable, there), there, -1)
+
+
+_SIDES = ("left", "right", "inner", "outer")
+
+
+def _of(columns: Any, index: Integers) -> Any:
+    """(N,) one column of each row."""
+    return np.take_along_axis(columns, np.maximum(index, 0)[:, None], axis=1)[:, 0]
+
+
+def lane_values(columns: Floats, index: Integers) -> Floats:
+    """(N,) the number of one lane of each place; NaN where that is -1."""
+    return np.where(index >= 0, _of(columns, index), math.nan)
+
+
+def _key(road: SceneRoad) -> Any:
+    """Roads of one key have the same section everywhere; None for widths that vary."""
+    widths = [len(one.width) for one in road.lane_list]
+    if not widths or max(widths) > 1 or len(road.center_offset) > 1:
+        return None
+    return (road.lane_list, road.center_offset, road.center_marking, road.speed_limit)
+
+
+def _section(road: SceneRoad) -> _Section:
+    section = road.cross_section()
+    varies = _key(road) is None
+    length = road.length
+    nodes = max(2, math.ceil(length / SPACING) + 1) if varies else 1
+    stations = np.linspace(0.0, length, nodes)
+    limits = {one.id: one.speed_limit for one in road.lane_list}
+    usual = road.speed_limit
+
+    def limit(id: int) -> float:
+        value = limits.get(id)
+        value = usual if value is None else value
+        return math.inf if value is None else float(value)
+
+    return _Section(
+        ids=section.ids,
+        kinds=tuple(lane.kind for lane in section.lanes),
+        direction=tuple(_DIRECTIONS.get(lane.direction, 0.0) for lane in section.lanes),
+        limit=tuple(limit(id) for id in section.ids),
+        drivable=tuple(lane.drivable for lane in section.lanes),
+        borders=np.ascontiguousarray(section.border_offsets(stations).T),
+        spacing=length / (nodes - 1) if varies else 1.0,
+    )
+
+
+def _padded(rows: Sequence[Sequence[Any]], count: int, value: Any) -> Any:
+    if not rows:
+        return np.array([[value] * count])
+    return np.array([[*row, *([value] * (count - len(row)))] for row in rows])
