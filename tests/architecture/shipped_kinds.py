@@ -12,7 +12,7 @@ WORDS = {
         " speed start station steering width x y"
     ),
     "words of the language, its units and its near misses": (
-        "auto behind drive pixels random road scale signals time"
+        "auto behind drive pixels random road route scale signals time"
     ),
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
     "options of controllers that say how fast an agent begins": "lateral_acceleration",

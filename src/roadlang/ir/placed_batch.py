@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 class PlacedBatch(Frozen):
     """Arrays (V, N): N copies in V candidates, of which some candidates may have fewer.
 
-    Without a road `start` and `offset` are NaN and `lane` is 0.
+    Without a road `start` and `offset` are NaN and `lane` is 0. In a network `start` counts along
+    one of its roads.
     """
 
     present: NDArray[np.bool_]
@@ -41,6 +42,8 @@ class PlacedBatch(Frozen):
     """as in OpenDRIVE; 0 for none"""
     backward: NDArray[np.bool_]
     """whether it faces against the road"""
+    road: NDArray[np.int64]
+    """of what is placed in a network, the number of its road there; else -1"""
 
     def copy(self, number: int) -> PlacedBatch:
         """The copy of that number, counted from 1: arrays (V, 1)."""

@@ -16,6 +16,7 @@ from ..ir.values import RandomValue
 from ..world.networks import edge_batch, network_root
 from ..world.placement import blocker_of, room_among_others, room_on_road
 from ..world.roads import road_batch, road_root
+from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
 from ..world.stations import STATIONS_PER_FEATURE, unknown_features
 from .influences import influences_on_place, influences_on_start, is_thing_random
@@ -31,13 +32,23 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
     return Requirement(
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",
-        rho=partial(room_on_road, actor),
+        rho=partial(_on_road, actor, not causes.is_random),
         cost=8.0 if drawn else 6.0,
         names=causes.names,
         is_random=causes.is_random,
         implied=True,
         span=actor.span,
     )
+
+
+def _on_road(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> Floats:
+    """(V,) as `room_on_road`. Raises RL617 and RL618 where no draw has a say."""
+    room = room_on_road(actor, candidates)
+    if is_fixed and actor.on in candidates.scenario.networks and (room < 0.0).any():
+        fault = route_fault(actor, candidates)
+        if fault is not None:
+            raise DiagnosticError(fault)
+    return room
 
 
 def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:

@@ -32,9 +32,9 @@ def influences(test: Condition | PassCall, scenario: IndexedScenario) -> Influen
 
 def influences_on_start(actor: ScenarioActor, scenario: IndexedScenario) -> Influences:
     """On where an agent or object begins, and on how many of it do."""
-    counts = [value for name, value in actor.options.items() if name == "count"]
+    deciding = [value for name, value in actor.options.items() if name in ("count", "route")]
     named = _names_in(actor, scenario) - {actor.name}
-    is_random = bool(scenario.dependencies.draws(actor.at, *counts))
+    is_random = bool(scenario.dependencies.draws(actor.at, *deciding))
     return _joined(named, is_random, _of_actors(scenario), scenario)
 
 

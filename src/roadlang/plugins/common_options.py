@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
-from ..ir.dimension import PURE
+from ..ir.dimension import LENGTH, PURE
 from .annotations import (
     Angle,
     Condition,
@@ -20,11 +20,12 @@ from .annotations import (
     Word,
 )
 from .lane_options import LaneOptions
-from .option_types import KindNameType, ListType, QuantityType, UnionType
+from .option_types import KindNameType, ListType, PointType, QuantityType, UnionType
 from .options import OptionSchema, option, schema_of
 
 JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, whole=True), KindNameType("lane")))]
+RoutePoints = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 
 
@@ -103,6 +104,21 @@ class AgentOptions(PlacementOptions):
         help="speed at the start; by default what its first controller wants if the agent is in a "
         "lane, else 0",
         example="40km/h",
+    )
+    route: RoutePoints = option(
+        None,
+        words=("random",),
+        help="in a network: the points to pass, in order, along lanes by the shortest way; or "
+        "`random`, turn by turn, the default of an agent that drives; without `at` it begins at "
+        "the first point, or anywhere",
+        example="[(0m, 0m), (120m, 80m)]",
+    )
+    route_length: Length = option(
+        None,
+        above=0,
+        maximum=100_000,
+        help="how far a random route leads; by default 2km, or to where the roads end",
+        example="300m",
     )
 
 

@@ -18,8 +18,10 @@ from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 from ..world.arrangement import kinds_of
 from ..world.copies import is_group, most_copies
+from ..world.named_roads import name_of_road
 from ..world.networks import network_root
 from ..world.placement import placed
+from .routes import scene_routes
 from .start_speeds import start_speeds
 
 _UNUSUAL_HEIGHT = 3.0
@@ -74,8 +76,9 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
     drives = _drives(actor, candidates)
     is_agent = actor in candidates.scenario.source.agents
     speeds = start_speeds(actor, where, drives, candidates) if is_agent else []
+    routes = scene_routes(actor, candidates) if is_agent else []
     columns = [getattr(where, name)[0].tolist() for name in _POSE]
-    for copy, (x, y, heading, length, width, start, offset, lane, backward) in enumerate(
+    for copy, (x, y, heading, length, width, start, offset, lane, backward, road) in enumerate(
         zip(*columns, strict=True)
     ):
         instance = kinds.instances[copy]
@@ -90,7 +93,7 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
             length,
             width,
             float(options[id(instance)].get("height") or _USUAL_HEIGHT),
-            actor.on,
+            name_of_road(actor, road),
             start if on_road else None,
             offset if on_road else None,
             lane or None,
@@ -98,10 +101,11 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
             options[id(instance)],
             drives[copy] if len(drives) > 1 else drives[0],
             speeds[copy] if is_agent else None,
+            routes[copy] if routes else None,
         )
 
 
-_POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward")
+_POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")
 
 
 def _concrete_options(found: KindInstance) -> Any:

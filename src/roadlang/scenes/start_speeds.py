@@ -11,7 +11,7 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
 from ..world.copies import element_of
-from ..world.roads import road_batch
+from ..world.named_roads import name_of_road, named_road
 
 _STRAIGHT = 1e-6
 
@@ -57,12 +57,13 @@ def _wanted(
     if not isinstance(lateral, int | float) or not isinstance(braking, int | float):
         return float(speed)
     start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
-    limit = _fastest(actor, start, backward, float(lateral), float(braking), candidates)
+    road = name_of_road(actor, int(where.road[0, copy]))
+    limit = _fastest(str(road), start, backward, float(lateral), float(braking), candidates)
     return min(float(speed), limit)
 
 
 def _fastest(
-    actor: ScenarioActor,
+    name: str,
     start: float,
     backward: bool,
     lateral: float,
@@ -71,8 +72,7 @@ def _fastest(
 ) -> float:
     """The greatest speed from which braking in time suffices for every bend ahead of `start`:
     `v^2 = min(lateral / curvature + 2 braking distance)`, as controllers plan it."""
-    assert actor.on is not None
-    road = road_batch(actor.on, candidates)
+    road = named_road(name, candidates)
     arc = np.concatenate([[0.0], np.cumsum(road.curves.steps[0])])[: len(road.stations)]
     ahead = start - arc if backward else arc - start
     if road.closed:

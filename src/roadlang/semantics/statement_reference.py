@@ -102,7 +102,7 @@ REFERENCE = (
         "agent",
         "agent NAME is KIND on ROAD at POSITION { ... }",
         "Something that moves. `at` is an arc length, a percentage of the length of the road, or, "
-        "without `on`, a point.",
+        "without `on`, a point. `on` also takes a network, in which a `route` may stand for `at`.",
         _ROAD + "agent ego is car on main at 5m { lane: -1, drive with lane_follow }",
     ),
     StatementReference(

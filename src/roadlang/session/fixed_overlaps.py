@@ -62,7 +62,12 @@ def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _OccupiedRange
     """Where it stands, if that is the same in every scene."""
     options = actor.options
     free = {"count", "offset", "side", "heading", "spacing"} & options.keys()
-    if actor.on is None or actor.at_fraction or free or not isinstance(actor.kind, PassCall):
+    if (
+        actor.on not in scenario.roads
+        or actor.at_fraction
+        or free
+        or not isinstance(actor.kind, PassCall)
+    ):
         return None
     if options.get("overlap", Flag(False)) != Flag(False):
         return None

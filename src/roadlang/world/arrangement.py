@@ -20,12 +20,13 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import CopyKinds, counts, element_of, kinds_of_copies, most_copies
+from .named_roads import length_of_rows, name_of_road, named_road
 from .neighbors import COPY, Neighbors, legend_neighbors, missing_room, room_among
 from .placement_order import can_be_placed_again, placement_order
-from .poses import Poses, poses_of
+from .poses import poses_of
 from .positions import Others
+from .road_poses import Poses
 from .road_strips import depth_in_lanes
-from .roads import road_batch
 
 TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)
 """How often a copy is tried in each round before it is given up. Within a round it keeps clear of
@@ -186,28 +187,29 @@ class _Turn:
         boxes = self._boxes_at(poses, index)
         missing, blocker = missing_room(boxes, rows, self.apart[index], placed)
         if again and self.actor.on is not None:
-            missing = np.maximum(missing, self._beyond_road(index, poses.start))
+            missing = np.maximum(missing, self._beyond_road(index, poses))
             if _has(self.actor, "side"):
-                missing = np.maximum(missing, self._in_lanes(boxes, rows, poses.start))
+                missing = np.maximum(missing, self._in_lanes(boxes, rows, poses))
         return missing, blocker
 
-    def _beyond_road(self, index: Integers, start: Floats) -> Floats:
+    def _beyond_road(self, index: Integers, poses: Poses) -> Floats:
         """(n,) meters that copies stand beyond the ends of their road: agents in a lane with their
-        bumpers, others with their middles."""
-        road = road_batch(str(self.actor.on), self.candidates)
-        if road.closed:
+        bumpers, others with their middles. In a network they are found on its roads."""
+        name, start = str(self.actor.on), poses.start
+        if name in self.candidates.scenario.networks:
+            return poses.lacking
+        if named_road(name, self.candidates).closed:
             return np.zeros(len(index))
-        length = road.length.reshape(-1)
-        length = length[np.minimum(index // self._most, len(length) - 1)]
+        length = length_of_rows(name, self.candidates, index // self._most)
         half = np.zeros(len(index))
         if self.actor.name in self.candidates.scenario.agents and not _has(self.actor, "side"):
             half = np.minimum(self.kinds.lengths[index], length) / 2
         beyond = np.maximum(half - start, start + half - length)
         return np.where(beyond > 1e-9 * length, beyond, 0.0)
 
-    def _in_lanes(self, boxes: Footprints, rows: Integers, start: Floats) -> Floats:
-        candidates = self.candidates
-        return depth_in_lanes(boxes, rows, self.actor.on, start, candidates, self._varying)
+    def _in_lanes(self, boxes: Footprints, rows: Integers, poses: Poses) -> Floats:
+        names = [name_of_road(self.actor, number) for number in poses.road.tolist()]
+        return depth_in_lanes(boxes, rows, names, poses.start, self.candidates, self._varying)
 
     def _boxes(self, index: Integers) -> Footprints:
         poses = Poses(*(getattr(self.poses, name)[index] for name in POSE))

@@ -74,13 +74,14 @@ def network_plans(
             continue
         lanes = replace(lane_plan(network, scenario), speed_limit=None)
         if lanes not in made:
-            sections = {edge.id: _section(edge, lanes, candidates) for edge in geometry.edges}
+            sections = {edge.id: edge_section(edge, lanes, candidates) for edge in geometry.edges}
             made[lanes] = plan_junctions(geometry, sections, options)
         plans[network.name] = made[lanes]
     return NetworkPlans(plans, _greatest(geometry, plans.values()))
 
 
-def _section(edge: Edge, lanes: LanePlan, candidates: CandidateBatch) -> CrossSection:
+def edge_section(edge: Edge, lanes: LanePlan, candidates: CandidateBatch) -> CrossSection:
+    """The lanes of an edge before any `perturb`, of candidates that have the same ones."""
     built = built_lanes(lanes, candidates, edge.cross_section)
     return built.cross_section(edge.width, edge.width.stations)
 

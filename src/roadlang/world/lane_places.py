@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..geometry import CrossSection
 from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import ScenarioActor
 from .cross_sections import LaneBatch
+from .named_roads import named_lanes
 from .placement_faults import unknown_lane
-from .road_lanes import lane_parts
 from .road_places import RoadPlaces
 
 
@@ -33,16 +34,21 @@ class LanePlaces:
 
 
 def lane_places(
-    actor: ScenarioActor, copies: CopyBatch, place: RoadPlaces, lane: Integers
+    name: str,
+    actor: ScenarioActor,
+    candidates: CandidateBatch,
+    which: NDArray[np.intp],
+    place: RoadPlaces,
+    lane: Integers,
 ) -> LanePlaces:
-    """The lanes at the places (R,) of copies that are in `lane` (R,), 0 of none. Raises RL613."""
-    assert actor.on is not None
-    count = copies.count
+    """The lanes of a road at the places (R,) of copies of the candidates at `which` (R,) that are
+    in `lane` (R,), 0 of none. Raises RL613."""
+    count = len(which)
     left, right, middle = np.zeros((3, count))
     backward = np.zeros(count, dtype=bool)
-    for rows, lanes in lane_parts(actor.on, copies.candidates):
-        chosen = np.flatnonzero(np.isin(copies.rows, rows))
-        part = lanes.take(np.searchsorted(rows, copies.rows[chosen]))
+    for rows, lanes in named_lanes(name, candidates):
+        chosen = np.flatnonzero(np.isin(which, rows))
+        part = lanes.take(np.searchsorted(rows, which[chosen]))
         width, station = place.width[chosen, None], place.station[chosen, None]
         borders = part.border_offsets(width, station)[..., 0]
         left[chosen], right[chosen] = borders[0], borders[-1]
@@ -56,15 +62,14 @@ def lane_places(
 
 
 def lanes_by_word(
-    actor: ScenarioActor, copies: CopyBatch, word: str, against: NDArray[np.bool_]
+    name: str, actor: ScenarioActor, copies: CopyBatch, word: str, against: NDArray[np.bool_]
 ) -> Integers:
     """(R,) ids of the lanes that a word names, for copies that travel along the road or `against`
     it: `first`, the one next to the middle, `outer`, the outermost for vehicles, or a kind of lane,
     on the side that traffic keeps. Raises RL613 where the road has none."""
-    assert actor.on is not None
     found = np.zeros(copies.count, np.int64)
     usual = copies.scenario.registry.default("lane").name
-    for rows, lanes in lane_parts(actor.on, copies.candidates):
+    for rows, lanes in named_lanes(name, copies.candidates):
         chosen = np.isin(copies.rows, rows)
         for way in (False, True):
             here = chosen & (against == way)

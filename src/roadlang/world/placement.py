@@ -38,22 +38,28 @@ def placed_copy(actor: ScenarioActor, candidates: CandidateBatch, copy: int = 1)
     numbers = np.full(candidates.count, number)
     copies = CopyBatch(candidates, np.arange(candidates.count), numbers)
     others = _arrangement(candidates).batch
-    start = starts_of(actor, copies, others) if actor.on else np.full(candidates.count, np.nan)
+    on_road = actor.on in candidates.scenario.roads
+    start = starts_of(actor, copies, others) if on_road else np.full(candidates.count, np.nan)
     nothing, no = np.full((candidates.count, 1), np.nan), np.zeros((candidates.count, 1), bool)
     lane = no.astype(np.int64)
     x = y = heading = length = width = offset = nothing
-    return PlacedBatch(no, x, y, heading, length, width, start[:, None], offset, lane, no)
+    return PlacedBatch(no, x, y, heading, length, width, start[:, None], offset, lane, no, lane - 1)
 
 
 def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
-    """(V,) meters from where each copy begins to the nearer end of its road; the least of all.
+    """(V,) meters from where each copy begins to the nearer end of its road; the least of all. In a
+    network it is below zero where a point is far from every lane, or no way leads on.
 
     What can be placed again does so until it is on the road: see `room_among_others`.
     """
     assert actor.on is not None
-    road = road_batch(actor.on, candidates)
     most = most_copies(actor, candidates)
-    if road.closed or most == 0 or can_be_placed_again(actor, candidates):
+    if most == 0 or can_be_placed_again(actor, candidates):
+        return np.full(candidates.count, FAR)
+    if actor.on in candidates.scenario.networks:
+        return _room_in_network(actor, candidates)
+    road = road_batch(actor.on, candidates)
+    if road.closed:
         return np.full(candidates.count, FAR)
     copies = CopyBatch.every(candidates, most)
     start = starts_of(actor, copies, _arrangement(candidates).batch)
@@ -63,6 +69,12 @@ def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
     inside = np.where(inside > -1e-9 * road.length, np.maximum(inside, 0.0), inside)
     present = np.arange(1, most + 1) <= counts(actor, candidates)[:, None]
     return np.asarray(np.where(present, inside, FAR).min(axis=1))
+
+
+def _room_in_network(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
+    found = _arrangement(candidates).placed(actor)
+    lacking = np.where(found["present"].astype(bool), found["lacking"], 0.0).max(axis=1)
+    return np.where(lacking > 0.0, -lacking, FAR)
 
 
 def room_among_others(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:

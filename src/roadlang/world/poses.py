@@ -1,38 +1,31 @@
-"""Where copies stand by what their statement says: arc length, lane and offset to x, y, heading."""
+"""Where copies stand by what their statement says, on a road, in a network or in the world."""
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
-from ..evaluate.kind_instance import scalar
-from ..geometry.arrays import Booleans, Floats, Integers
+from ..geometry.arrays import Floats, Integers
 from ..ir.contained_values import values_in
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Measure, PassCall, Value
 from ..plugins.kinds import Standing
 from .copies import element_of
-from .lane_places import LanePlaces, lane_places, lanes_by_word
+from .lane_places import lanes_by_word
+from .network_places import begins_in_network
 from .positions import Others, column, standing_of, starts_of
-from .road_places import places_along
-
-
-@dataclass(frozen=True, eq=False)
-class Poses:
-    """Arrays (R,) as in `PlacedBatch`, of the copies of a `CopyBatch`."""
-
-    x: Floats
-    y: Floats
-    heading: Floats
-    start: Floats
-    offset: Floats
-    lane: Integers
-    backward: Booleans
+from .road_poses import (
+    NO_ROAD,
+    LaneStart,
+    Poses,
+    WrittenPlace,
+    number_option,
+    option_value,
+    poses_on_road,
+)
 
 
 def poses_of(
@@ -42,46 +35,72 @@ def poses_of(
     RL613."""
     if actor.on is None:
         return _in_the_world(actor, copies)
-    start = starts_of(actor, copies, others)
-    by = standing_of(actor, copies, others) if isinstance(actor.at, PassCall) else None
-    place = places_along(actor.on, copies.candidates, copies.rows, start)
-    lane = _lanes(actor, copies, by)
-    lanes = lane_places(actor, copies, place, lane)
-    turned = _number(actor, "heading", copies)
-    across = _across(turned, lengths, widths)
-    offset = _offsets(actor, copies, lanes, lane, across)
-    backward = lanes.backward
-    if by is not None:
-        offset = offset + np.where(lane == 0, by.offset.reshape(-1), 0.0)
-        backward = np.where(lane == 0, by.backward.reshape(-1), backward)
-    backward = _backward(actor, copies, backward)
-    heading = place.heading + np.where(backward, math.pi, 0.0) + turned
-    directions = place.heading.tolist()
-    sine = np.array([math.sin(direction) for direction in directions])
-    cosine = np.array([math.cos(direction) for direction in directions])
-    return Poses(
-        place.x - offset * sine,
-        place.y + offset * cosine,
-        np.array([math.remainder(angle, 2 * math.pi) for angle in heading.tolist()]),
-        start,
-        offset,
-        lane,
-        backward,
-    )
+    said, sizes = WrittenPlace.of(actor, copies), (lengths, widths)
+    if actor.on in copies.scenario.networks:
+        return _in_network(actor, copies, said, sizes, others)
+    begin = _begin(actor, copies, said, others)
+    return poses_on_road(actor.on, actor, copies.candidates, copies.rows, begin, said, sizes)
 
 
 def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> Poses:
     x, y = (column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
     nothing = np.full(copies.count, np.nan)
     none = np.zeros(copies.count, np.int64)
-    heading = _number(actor, "heading", copies)
-    return Poses(x, y, heading, nothing, nothing, none, none.astype(bool))
+    heading = number_option(actor, "heading", copies)
+    road = np.full(copies.count, NO_ROAD)
+    no = none.astype(bool)
+    return Poses(x, y, heading, nothing, nothing, none, no, road, np.zeros(copies.count))
 
 
-def _lanes(actor: ScenarioActor, copies: CopyBatch, by: Standing | None) -> Integers:
+def _in_network(
+    actor: ScenarioActor,
+    copies: CopyBatch,
+    said: WrittenPlace,
+    sizes: tuple[Floats, Floats],
+    others: Others,
+) -> Poses:
+    """Road by road."""
+    road, begin, lacking = begins_in_network(actor, copies, said, sizes[0], others)
+    found = [np.zeros(copies.count) for _ in range(5)]
+    lane, backward = np.zeros(copies.count, np.int64), np.zeros(copies.count, dtype=bool)
+    columns = [*found, lane, backward]
+    for edge in np.unique(road).tolist():
+        index = np.flatnonzero(road == edge)
+        part = poses_on_road(
+            f"{actor.on}/{edge}",
+            actor,
+            copies.candidates,
+            copies.rows[index],
+            begin.take(index),
+            said.take(index),
+            (sizes[0][index], sizes[1][index]),
+        )
+        names = ("x", "y", "heading", "start", "offset", "lane", "backward")
+        for into, name in zip(columns, names, strict=True):
+            into[index] = getattr(part, name)
+    x, y, heading, start, offset = found
+    return Poses(x, y, heading, start, offset, lane, backward, road, lacking)
+
+
+def _begin(
+    actor: ScenarioActor, copies: CopyBatch, said: WrittenPlace, others: Others
+) -> LaneStart:
+    """Where along its road, and in which lane."""
+    start = starts_of(actor, copies, others)
+    if not isinstance(actor.at, PassCall):
+        return LaneStart.of(start, _lanes(actor, copies, said, None))
+    by = standing_of(actor, copies, others)
+    lane = _lanes(actor, copies, said, by)
+    backward = np.asarray(by.backward, bool).reshape(-1)
+    return LaneStart(start, lane, np.asarray(by.offset, float).reshape(-1), backward, lane == 0)
+
+
+def _lanes(
+    actor: ScenarioActor, copies: CopyBatch, said: WrittenPlace, by: Standing | None
+) -> Integers:
     """(R,) lane ids; 0 of what is in no lane. An agent on a road is in a lane unless it is said to
     be in none or beside the road."""
-    value = _option(actor, "lane", copies)
+    value = option_value(actor, "lane", copies)
     if value is None and by is not None and "side" not in actor.options:
         return np.asarray(by.lane, np.int64).reshape(-1)
     if value is None:
@@ -91,11 +110,12 @@ def _lanes(actor: ScenarioActor, copies: CopyBatch, by: Standing | None) -> Inte
     if not isinstance(words[0], str):
         lane = np.rint(column(value, copies)).astype(np.int64)
         return _over_the_middle(actor, copies, lane)
-    against = _is_word(_option(actor, "facing", copies), "back", copies)
     found = np.zeros(copies.count, np.int64)
     for word in sorted(set(words) - {"none"}):
         chosen = np.broadcast_to(np.array([item == word for item in words]), (copies.count,))
-        found[chosen] = lanes_by_word(actor, copies, word, against)[chosen]
+        found[chosen] = lanes_by_word(str(actor.on), actor, copies, word, said.facing == "back")[
+            chosen
+        ]
     return found
 
 
@@ -127,54 +147,3 @@ def _items(value: Any) -> list[Any]:
 def _word(value: Any) -> Any:
     """A word, or the name of a kind of lane."""
     return value.kind.rpartition(".")[2] if isinstance(value, PassCall) else value
-
-
-def _across(turned: Floats, lengths: Floats, widths: Floats) -> Floats:
-    """(R,) meters that things take across the road, turned against it."""
-    sine = np.array([abs(math.sin(angle)) for angle in turned.tolist()])
-    cosine = np.array([abs(math.cos(angle)) for angle in turned.tolist()])
-    return np.asarray(lengths * sine + widths * cosine)
-
-
-def _offsets(
-    actor: ScenarioActor, copies: CopyBatch, lanes: LanePlaces, lane: Integers, across: Floats
-) -> Floats:
-    """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
-
-    Beside the road it is the near side of the thing that stands `offset` from the edge.
-    """
-    offset = _number(actor, "offset", copies)
-    side = _option(actor, "side", copies)
-    found = np.where(lane == 0, offset, lanes.middle + offset)
-    if side is None:
-        return found
-    outward = offset + across / 2
-    found = np.where(_is_word(side, "left", copies), lanes.left + outward, found)
-    return np.where(_is_word(side, "right", copies), lanes.right - outward, found)
-
-
-def _backward(actor: ScenarioActor, copies: CopyBatch, by_lane: Booleans) -> Booleans:
-    """(R,) whether copies face against the road: as said, or as their lane runs."""
-    facing = _option(actor, "facing", copies)
-    if facing is None:
-        return by_lane
-    back, forward = (_is_word(facing, word, copies) for word in ("back", "forward"))
-    return np.where(back, True, np.where(forward, False, by_lane))
-
-
-def _option(actor: ScenarioActor, name: str, copies: CopyBatch) -> Any:
-    value = actor.options.get(name)
-    return None if value is None else evaluate(value, copies, element_of(actor))
-
-
-def _number(actor: ScenarioActor, name: str, copies: CopyBatch) -> Floats:
-    value = _option(actor, name, copies)
-    return np.zeros(copies.count) if value is None else column(value, copies)
-
-
-def _is_word(value: Any, word: str, copies: CopyBatch) -> Booleans:
-    if isinstance(value, np.ndarray):
-        return np.broadcast_to(
-            np.array([item == word for item in value.reshape(-1)]), (copies.count,)
-        )
-    return np.full(copies.count, scalar(value) == word)

@@ -77,7 +77,7 @@ def _of_copies(other: ScenarioActor, copies: CopyBatch, placed: PlacedBatch) -> 
     if most == 0:
         zero, no = np.zeros((copies.count, 1)), np.zeros((copies.count, 1), bool)
         start, lane = zero + _NOWHERE, no.astype(np.int64)
-        return PlacedBatch(no, zero, zero, zero, zero, zero, start, zero, lane, no)
+        return PlacedBatch(no, zero, zero, zero, zero, zero, start, zero, lane, no, lane - 1)
     numbers = np.minimum(copies.copies, most) if is_group(other) else np.ones(copies.count, int)
     parts = (getattr(placed, field.name) for field in fields(PlacedBatch))
     return PlacedBatch(*(part[copies.rows, numbers - 1][:, None] for part in parts))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..geometry.arrays import Floats
 from ..ir.batch import RoadBatch
-from .roads import road_batch
+from .named_roads import named_road
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ def places_along(
 
     Arc lengths are those along the road itself; beyond an end, the end.
     """
-    lines = candidates.once(("lines along", name), lambda: _lines(road_batch(name, candidates)))
+    lines = _lines_of(name, candidates)
     stations = lines["along"]
     names = ("x", "y", "heading", "width", "station")
     found = np.empty((5, len(at)))
@@ -44,6 +44,40 @@ def places_along(
             row = number[min(variant, len(number) - 1)]
             into[chosen] = np.interp(where, stations[variant], row)
     return RoadPlaces(*found)
+
+
+def from_root(
+    name: str, candidates: CandidateBatch, rows: NDArray[np.intp], stations: Floats
+) -> Floats:
+    """Arc lengths (R,) along the road of candidates, of `stations` (R,) of its root."""
+    return _translated(name, candidates, rows, stations, "station", "along")
+
+
+def to_root(name: str, candidates: CandidateBatch, rows: NDArray[np.intp], at: Floats) -> Floats:
+    """Arc lengths (R,) along the root of the road of candidates, at `at` (R,) along the road."""
+    return _translated(name, candidates, rows, at, "along", "station")
+
+
+def _translated(
+    name: str,
+    candidates: CandidateBatch,
+    rows: NDArray[np.intp],
+    places: Floats,
+    known: str,
+    wanted: str,
+) -> Floats:
+    lines = _lines_of(name, candidates)
+    variants = np.minimum(rows, len(lines["along"]) - 1)
+    found = np.empty(len(places))
+    for variant in np.unique(variants).tolist():
+        chosen = variants == variant
+        row = {key: lines[key][min(variant, len(lines[key]) - 1)] for key in (known, wanted)}
+        found[chosen] = np.interp(places[chosen], row[known], row[wanted])
+    return found
+
+
+def _lines_of(name: str, candidates: CandidateBatch) -> dict[str, Floats]:
+    return candidates.once(("lines along", name), lambda: _lines(named_road(name, candidates)))
 
 
 def _lines(road: RoadBatch) -> dict[str, Floats]:

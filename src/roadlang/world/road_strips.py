@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -70,14 +71,14 @@ def road_strips(candidates: CandidateBatch, varying: bool) -> tuple[RoadStrips, 
 def depth_in_lanes(
     boxes: Footprints,
     rows: Integers,
-    road: str | None,
+    roads: Sequence[str | None],
     start: Floats,
     candidates: CandidateBatch,
     varying: bool,
 ) -> Floats:
     """(n,) meters that things stand in the driving lanes of some road, 0 beside all of them.
 
-    `rows` are their candidates; `road` and `start` (n,) say where along their own road they stand,
+    `rows` are their candidates; `roads` and `start` (n,) say where along their own road they stand,
     of which the part right beside them does not count.
     """
     deepest = np.zeros(len(boxes.x))
@@ -85,13 +86,13 @@ def depth_in_lanes(
         shared = not strips.group.any()
         group = np.zeros(len(rows), np.int64) if shared else rows
         i, j = close_pairs(boxes, strips.boxes, 0.0, group, strips.group)
-        if road in strips.names:
-            number = strips.names.index(road)
-            away = np.abs(strips.station[j] - start[i])
-            away = np.minimum(away, np.abs(strips.periods[number] - away))
-            reach = 0.5 * (boxes.length[i] + strips.boxes.length[j]) + BESIDE
-            other = (strips.road[j] != number) | (away > reach)
-            i, j = i[other], j[other]
+        numbers = {name: number for number, name in enumerate(strips.names)}
+        own = np.array([numbers.get(name or "", -1) for name in roads], np.int64)
+        away = np.abs(strips.station[j] - start[i])
+        away = np.minimum(away, np.abs(np.array(strips.periods)[strips.road[j]] - away))
+        reach = 0.5 * (boxes.length[i] + strips.boxes.length[j]) + BESIDE
+        other = (strips.road[j] != own[i]) | (away > reach)
+        i, j = i[other], j[other]
         depth = -separation(boxes.take(i), strips.boxes.take(j))
         np.maximum.at(deepest, i, np.maximum(depth, 0.0))
     return deepest

@@ -28,8 +28,9 @@ def _warn_of_replaced_roads(checker: Checker) -> None:
     derived: dict[str, str] = {}
     for declaration in checker.program.in_role("road"):
         statement = declaration.statement
-        if isinstance(statement, ast.Geometry) and isinstance(statement.source, ast.Name):
-            derived.setdefault(statement.source.text, declaration.name.text)
+        source = statement.source if isinstance(statement, ast.Geometry) else None
+        if isinstance(source, ast.Name) and _is_road(checker, source.text):
+            derived.setdefault(source.text, declaration.name.text)
     for declaration in checker.program.in_role("agent", "object"):
         statement = declaration.statement
         on = statement.on if isinstance(statement, ast.Actor) else None
@@ -40,6 +41,11 @@ def _warn_of_replaced_roads(checker: Checker) -> None:
                 Code.ACTOR_ON_REPLACED_ROAD, on.span, name=name, road=on.text, heir=heir,
                 help=f"place it on `{heir}`", fixes=fixes,
             )  # fmt: skip
+
+
+def _is_road(checker: Checker, name: str) -> bool:
+    declared = checker.program.declarations.get(name)
+    return declared is not None and declared.role == "road"
 
 
 def _warn_of_abrupt_intervals(checker: Checker) -> None:

@@ -6,17 +6,7 @@ from dataclasses import replace
 
 from ...diagnostics import Code
 from ...ir import scenario as ir
-from ...ir.dimension import LENGTH, PURE
-from ...ir.read_only import FrozenDict
-from ...ir.values import (
-    NO_OPTIONS,
-    ConstantValue,
-    Entity,
-    Options,
-    PassCall,
-    RandomValue,
-    Reference,
-)
+from ...ir.values import NO_OPTIONS, Entity, Options, Reference
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -24,18 +14,12 @@ from ..context import Context
 from ..infer.actor_kinds import calls_in, shared_options, with_options
 from ..infer.blocks import lower_options, lower_passes
 from ..infer.inherited_roads import road_of
-from ..infer.kinds import find_default
 from ..infer.option_binding import divided
 from ..infer.statement_spec import StatementSpec
 from ..names.program import Declaration
-from ..types.dimensions import unit_missing
-from ..types.expression_types import (
-    CoordinatesType,
-    DeclaredType,
-    KindCallType,
-    Quantity,
-    TypedExpression,
-)
+from ..types.expression_types import DeclaredType, KindCallType, Quantity, TypedExpression
+from .actor_places import place_of
+from .routes import rest_of_route, with_route
 
 
 def lower_actor(
@@ -49,9 +33,20 @@ def lower_actor(
     context = Context(user=name, place=name, per="copy" if copies else "scene")
     kind = _kind(checker, statement, context)
     on = _road(checker, statement, context)
-    at = _place(checker, statement, context)
+    network = on if isinstance(on, str) and _is_network(checker, on) else None
     placement, kind_options = _options(checker, statement, spec, kind, context)
     drive = lower_passes(checker, spec, statement.block, context)
+    if on is not False and placement is not None:
+        placement = with_route(checker, statement, context, network, placement, bool(drive))
+        if network is not None and "spacing" in (placement or {}):
+            help_ = f"choose a road: `road street from {network}`"
+            checker.report(
+                Code.OPTION_NEEDS_ROAD, statement.name.span, name=name, option="spacing", help=help_
+            )
+            placement = None
+    route = None if placement is None else placement.get("route")
+    unknown_route = placement is None and statement.at is None
+    at = None if unknown_route else place_of(checker, statement, context, network, route)
     if statement.block is not None and not statement.block.complete:
         return None
     if kind is None or kind.value is None or on is False or at is None or at.value is None:
@@ -60,10 +55,16 @@ def lower_actor(
         return None
     if on is None and not _fits_without_road(checker, statement):
         return None
+    if statement.at is None and route is not None:
+        placement = rest_of_route(placement)
     value = with_options(checker, kind.value, kind_options)
     fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
     road = on if isinstance(on, str) else None
     return ir.ScenarioActor(name, value, road, at.value, fraction, placement, drive, statement.span)
+
+
+def _is_network(checker: Checker, name: str) -> bool:
+    return checker.program.declarations[name].role == "network"
 
 
 def _has_count(statement: ast.Actor) -> bool:
@@ -98,122 +99,24 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
     typed = checker.infer(named, context)
     if typed.is_unknown:
         return False
-    if isinstance(typed.type, DeclaredType) and typed.type.role == "road":
+    if isinstance(typed.type, DeclaredType) and typed.type.role in ("road", "network"):
         assert isinstance(typed.value, Entity)
         return typed.value.name
     what, found = "`on`", typed.type
     if isinstance(typed.type, DeclaredType):
-        name = typed.span.text
-        help_ = (
-            f"choose one of its roads: `road street from {name}`"
-            if typed.type.role == "network"
-            else ()
-        )
         checker.report(
             Code.WRONG_ENTITY_TYPE,
             typed.span,
-            name=name,
+            name=typed.span.text,
             found=found,
-            expected="a road",
+            expected="a road or network",
             what=what,
-            help=help_,
         )
     else:
-        checker.report(Code.WRONG_TYPE, typed.span, what=what, expected="a road", found=found)
-    return False
-
-
-def _place(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
-    """`at`: along the road, a share of it, or a point in the world."""
-    inner = replace(context, place=f"{context.place}/at")
-    if isinstance(statement.at, ast.Name) and statement.at.text == "random":
-        return _anywhere(checker, statement, inner)
-    typed = checker.infer(statement.at, inner)
-    if typed.is_unknown:
-        return None
-    if isinstance(typed.type, KindCallType) and typed.type.verb == "position":
-        return _by_another(checker, statement, typed)
-    if isinstance(typed.type, CoordinatesType):
-        return _point(checker, statement, typed)
-    if not isinstance(typed.type, Quantity):
-        expected = "a length or a share of the road" if statement.on else "a point `(x, y)`"
         checker.report(
-            Code.WRONG_TYPE, typed.span, what="`at`", expected=expected, found=typed.type
+            Code.WRONG_TYPE, typed.span, what=what, expected="a road or network", found=found
         )
-        return None
-    if statement.on is None:
-        checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, typed.span, name=statement.name.text)
-        return None
-    if typed.type.fits_any or typed.type.dimension == LENGTH:
-        return typed
-    if typed.type.bare:
-        unit_missing(checker, typed, LENGTH)
-        return None
-    if typed.type.dimension.is_pure:
-        return typed
-    expected = "a length or a share of the road"
-    checker.report(
-        Code.WRONG_DIMENSION, typed.span, what="`at`", expected=expected, found=typed.type.dimension
-    )
-    return None
-
-
-def _anywhere(checker: Checker, statement: ast.Actor, context: Context) -> TypedExpression | None:
-    """`at random`: what `at 0%..100%` says."""
-    span = statement.at.span
-    if statement.on is None:
-        checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, span, name=statement.name.text)
-        return None
-    found = find_default(checker, "distribution", span)
-    if found is None:
-        return None
-    place = checker.draw_place(context)
-    ends: Options = FrozenDict({"low": ConstantValue(0.0), "high": ConstantValue(1.0)})
-    call = PassCall("distribution", found.entry.qualified, ends, place, span)
-    value = RandomValue(place, call, context.per, PURE)
-    return TypedExpression(span, Quantity(PURE), value, random=True, bounds=(0.0, 1.0))
-
-
-def _by_another(
-    checker: Checker, statement: ast.Actor, typed: TypedExpression
-) -> TypedExpression | None:
-    """A position by another agent or object, which is on the same road."""
-    assert isinstance(typed.value, PassCall)
-    for value in typed.value.options.values():
-        if isinstance(value, Entity) and value.role in ("agent", "object"):
-            other = checker.program.declarations[value.name].statement
-            assert isinstance(other, ast.Actor)
-            road, own = road_of(checker, other), road_of(checker, statement)
-            if road is None or own is None:
-                name, member = value.name, "place on a road"
-                checker.report(Code.START_WITHOUT_ROAD, typed.span, name=name, member=member)
-                return None
-            if road.span.text != own.span.text:
-                help_ = f"place it on `{road.span.text}`, or leave out `on`"
-                checker.report(
-                    Code.OTHER_ROAD,
-                    typed.span,
-                    name=statement.name.text,
-                    other=value.name,
-                    road=road.span.text,
-                    help=help_,
-                )
-                return None
-    return typed
-
-
-def _point(
-    checker: Checker, statement: ast.Actor, typed: TypedExpression
-) -> TypedExpression | None:
-    from ...plugins.option_types import PointType as PointOption
-    from ...plugins.options import Constraints
-    from ..types.assignable import check_assignable
-
-    if statement.on is not None:
-        checker.report(Code.POINT_ON_ROAD, typed.span, name=statement.name.text)
-        return None
-    schema = OptionSchema("at", PointOption(LENGTH), None, Constraints())
-    return check_assignable(checker, typed, schema)
+    return False
 
 
 def _options(

@@ -89,29 +89,3 @@ def actor_order(place: ErrorPosition) -> Mistake | None:
         help="the order is `is KIND on ROAD at PLACE { ... }`",
     )
     return Mistake(found, Edit(at, end, moved))
-
-
-def missing_position(place: ErrorPosition) -> Mistake | None:
-    """`agent ego is car on main { ... }`: `at` is missing."""
-    if place.first_kind not in ("AGENT", "OBJECT") or place.kind() not in ("LBRACE", END):
-        return None
-    kinds = [token[0] for token in place.tokens[: place.index]]
-    if "AT" in kinds or "IS" not in kinds or not place.expects("AT"):
-        return None
-    name = place.tokens[1]
-    on_road = "ON" in kinds
-    example = "`at 20m` or `at 50%`" if on_road else "`at (40m, 32m)`, or `on ROAD at 20m`"
-    found = diagnose(
-        Code.MISSING_POSITION,
-        place.source.span(name[2], name[3]),
-        name=name[1],
-        help=f"write {example} before the block",
-    )
-    start = place.token()[2]
-    zero = ("NUMBER", "0", start, start)
-    point = (
-        ("LPAR", "(", start, start), zero, ("COMMA", ",", start, start), zero,
-        ("RPAR", ")", start, start),
-    )  # fmt: skip
-    tokens = (("AT", "at", start, start), *((zero,) if on_road else point))
-    return Mistake(found, Edit(place.index, place.index, tokens))

@@ -26,7 +26,7 @@ from .expression_habits import (
     title_of_scenario,
     typed_value,
 )
-from .form_mistakes import actor_order, interval_form, list_operand, missing_position
+from .form_mistakes import actor_order, interval_form, list_operand
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .placement_habits import position_on_road
 from .sign_mistakes import (
@@ -83,7 +83,6 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     equal_for_word,
     power_of_python,
     actor_order,
-    missing_position,
     bare_letter,
     misspelled_word,
     reserved_name,

@@ -95,7 +95,7 @@ class Constraint(Statement):
 
 @dataclass(frozen=True, slots=True)
 class Actor(Statement):
-    """`agent | object NAME is KIND [on ROAD] at PLACE { ... }`."""
+    """`agent | object NAME is KIND [on ROAD] [at PLACE] { ... }`."""
 
     words = ("agent", "object")
     layout = "{word} {name} is {kind} on {on} at {at} {block}"
@@ -103,7 +103,7 @@ class Actor(Statement):
     name: Word
     kind: Expression
     on: Expression | None
-    at: Expression
+    at: Expression | None
     block: Block | None
 
 

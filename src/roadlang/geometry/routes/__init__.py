@@ -1,0 +1,1 @@
+"""Routes through a road network by its lanes, and by the connections of its junctions."""

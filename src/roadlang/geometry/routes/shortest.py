@@ -1,0 +1,199 @@
+"""The shortest routes between places in lanes: Dijkstra's algorithm over lanes."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from .lane_graph import LANE_CHANGE, LaneGraph, Turn
+
+CHANGE_COST = 30.0
+"""Meters of detour that a change of lane is worth"""
+
+
+@dataclass(frozen=True, slots=True)
+class LanePlace:
+    """A place in a lane of a graph: an arc length of the edge; `penalty` is what it costs to choose
+    it among others, in meters."""
+
+    lane: int
+    station: float
+    penalty: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A part of one lane, from arc length `start` to `stop` of its edge, and the turn at its end,
+    None at the last one and before a change of lane."""
+
+    lane: int
+    start: float
+    stop: float
+    turn: Turn | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedRoute:
+    """Legs in order, and what they cost: meters, changes of lane and penalties."""
+
+    legs: tuple[Leg, ...]
+    cost: float
+    closed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class _Tree:
+    """From where traffic enters one lane: the cost to enter each, and how."""
+
+    cost: dict[int, float]
+    before: dict[int, tuple[int, int, Turn]]
+    """the lane entered before, the one left, and the turn between"""
+
+
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """The way from a place to another: into the lane left first, by the turn there, and on."""
+
+    cost: float
+    exit_lane: int = -1
+    turn: Turn | None = None
+    entered: int = -1
+    """the lane of the last road as it is entered"""
+
+
+@dataclass(frozen=True, slots=True)
+class _Reached:
+    place: LanePlace
+    cost: float
+    legs: tuple[Leg, ...]
+
+
+def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[LanePlace]]) -> PlannedRoute | int:
+    """The cheapest route that passes one place of each stage, in order.
+
+    Where there is none, the number of the first stage that cannot be reached.
+    """
+    reached = [_Reached(place, place.penalty, ()) for place in stages[0]]
+    for number, stage in enumerate(stages[1:], 1):
+        following = [found for place in stage if (found := _nearest(graph, reached, place))]
+        if not following:
+            return number
+        reached = following
+    best = min(reached, key=lambda item: item.cost)
+    legs = _joined(best.legs)
+    first, last = stages[0], best.place
+    returns = len(stages) > 2 and any(
+        place.lane == last.lane and abs(place.station - last.station) < 1e-6 for place in first
+    )
+    closed = returns and legs[0].lane == last.lane and abs(legs[0].start - last.station) < 1e-6
+    return PlannedRoute(legs, best.cost, closed)
+
+
+def _nearest(graph: LaneGraph, reached: Sequence[_Reached], place: LanePlace) -> _Reached | None:
+    best: tuple[float, _Reached, _Way] | None = None
+    for item in reached:
+        way = _way(graph, item.place, place)
+        if way is not None and (best is None or item.cost + way.cost < best[0]):
+            best = item.cost + way.cost, item, way
+    if best is None:
+        return None
+    cost, item, way = best
+    legs = item.legs + _legs(graph, item.place, place, way)
+    return _Reached(place, cost + place.penalty, legs)
+
+
+def _way(graph: LaneGraph, origin: LanePlace, goal: LanePlace) -> _Way | None:
+    """The cheapest way between two places."""
+    best: _Way | None = None
+    direct = _within_road(graph, origin.lane, origin.station, goal)
+    if direct is not None:
+        best = _Way(direct)
+    for exit_ in graph.exits(origin.lane, graph.room(origin.lane, origin.station)):
+        begun = graph.room(origin.lane, origin.station) + CHANGE_COST * exit_.changes
+        begun += exit_.turn.length
+        tree = _tree(graph, exit_.turn.target)
+        for lane in graph.carriageways[goal.lane]:
+            arriving = _within_road(graph, lane, graph.begin[lane], goal)
+            if lane in tree.cost and arriving is not None:
+                cost = begun + tree.cost[lane] + arriving
+                if best is None or cost < best.cost:
+                    best = _Way(cost, exit_.lane, exit_.turn, lane)
+    return best
+
+
+def _within_road(graph: LaneGraph, lane: int, station: float, goal: LanePlace) -> float | None:
+    """The cost from a place to a goal ahead on the same road; None where it is not."""
+    if goal.lane not in graph.changes[lane]:
+        return None
+    ahead = goal.station - station if graph.forward(lane) else station - goal.station
+    changes = graph.changes[lane][goal.lane]
+    if ahead < -1e-9 or changes > int(ahead // LANE_CHANGE):
+        return None
+    return ahead + CHANGE_COST * changes
+
+
+def _tree(graph: LaneGraph, source: int) -> _Tree:
+    if source not in graph._trees:
+        graph._trees[source] = _searched(graph, source)
+    found = graph._trees[source]
+    assert isinstance(found, _Tree)
+    return found
+
+
+def _searched(graph: LaneGraph, source: int) -> _Tree:
+    cost, before = {source: 0.0}, {}
+    waiting, settled = [(0.0, source)], set()
+    while waiting:
+        spent, lane = heapq.heappop(waiting)
+        if lane in settled:
+            continue
+        settled.add(lane)
+        length = graph.length(lane)
+        for exit_ in graph.exits(lane, length):
+            total = spent + length + CHANGE_COST * exit_.changes + exit_.turn.length
+            target = exit_.turn.target
+            if target not in cost or total < cost[target]:
+                cost[target] = total
+                before[target] = (lane, exit_.lane, exit_.turn)
+                heapq.heappush(waiting, (total, target))
+    return _Tree(cost, before)
+
+
+def _legs(graph: LaneGraph, origin: LanePlace, goal: LanePlace, way: _Way) -> tuple[Leg, ...]:
+    if way.turn is None:
+        return lane_legs(graph, origin.lane, goal.lane, origin.station, goal.station, None)
+    tree = _tree(graph, way.turn.target)
+    passed: list[tuple[Leg, ...]] = []
+    lane = way.entered
+    while lane != way.turn.target:
+        entered, left, turn = tree.before[lane]
+        passed.append(lane_legs(graph, entered, left, graph.begin[entered], graph.end[left], turn))
+        lane = entered
+    last = lane_legs(graph, way.entered, goal.lane, graph.begin[way.entered], goal.station, None)
+    first = lane_legs(
+        graph, origin.lane, way.exit_lane, origin.station, graph.end[way.exit_lane], way.turn
+    )
+    return (*first, *(leg for part in reversed(passed) for leg in part), *last)
+
+
+def lane_legs(
+    graph: LaneGraph, first: int, last: int, start: float, stop: float, turn: Turn | None
+) -> tuple[Leg, ...]:
+    """Along one road, the changes of lane evenly between."""
+    lanes = graph.lanes_between(first, last)
+    cuts = [start + (stop - start) * k / len(lanes) for k in range(len(lanes))] + [stop]
+    legs = [Leg(lane, cuts[k], cuts[k + 1]) for k, lane in enumerate(lanes)]
+    return (*legs[:-1], Leg(lanes[-1], cuts[-2], cuts[-1], turn))
+
+
+def _joined(legs: Sequence[Leg]) -> tuple[Leg, ...]:
+    """Legs of one lane that follow each other as one, without those of no length."""
+    found: list[Leg] = []
+    for leg in legs:
+        before = found[-1] if found else None
+        if before is not None and before.turn is None and before.lane == leg.lane:
+            found[-1] = Leg(leg.lane, before.start, leg.stop, leg.turn)
+        else:
+            found.append(leg)
+    return tuple(found)

@@ -1,0 +1,46 @@
+"""The routes of the agents of one candidate, as a scene holds them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..evaluate.candidates import CandidateBatch
+from ..geometry.routes.lane_graph import NO_JUNCTION, LaneGraph
+from ..geometry.routes.shortest import Leg, PlannedRoute
+from ..ir.scenario import ScenarioActor
+from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
+from ..world.lane_graphs import lanes_of_network
+from ..world.road_places import from_root
+from ..world.routes import routes_of
+
+_FIRST = np.zeros(2, np.intp)
+
+
+def scene_routes(actor: ScenarioActor, candidates: CandidateBatch) -> list[SceneRoute | None]:
+    """The route of each copy of an agent of a single candidate; empty where none has one."""
+    if "route" not in actor.options:
+        return []
+    lanes = lanes_of_network(candidates.scenario.networks[str(actor.on)], candidates)
+    found = routes_of(actor, candidates)[0].tolist()
+    return [
+        None if route is None else _route(route, str(actor.on), lanes, candidates)
+        for route in found
+    ]
+
+
+def _route(
+    route: PlannedRoute, network: str, lanes: LaneGraph, candidates: CandidateBatch
+) -> SceneRoute:
+    return SceneRoute(
+        tuple(_step(leg, network, lanes, candidates) for leg in route.legs), route.closed
+    )
+
+
+def _step(leg: Leg, network: str, lanes: LaneGraph, candidates: CandidateBatch) -> RouteStep:
+    """Its arc lengths are along the road of the scene, which may be bent."""
+    lane, turn = lanes.lanes[leg.lane], None
+    if leg.turn is not None and leg.turn.junction != NO_JUNCTION:
+        turn = RouteTurn(network, leg.turn.junction, leg.turn.connection)
+    name, ends = f"{network}/{lane.edge}", np.array([leg.start, leg.stop])
+    start, stop = from_root(name, candidates, _FIRST, ends).tolist()
+    return RouteStep(name, lane.lane, start, stop, turn)

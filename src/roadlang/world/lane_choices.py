@@ -1,0 +1,90 @@
+"""Which lanes of a network copies may be in: by `lane` and `facing`, or those of its usual kind."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..evaluate.copies import CopyBatch
+from ..geometry.routes.lane_graph import LaneGraph
+from ..ir.scenario import ScenarioActor
+from ..ir.values import PassCall
+from .road_poses import WrittenPlace, option_value
+
+LaneChoice: TypeAlias = tuple[str | int, str]
+"""`any`, a number, `outer` or a kind of lane; and `forward`, `back` or neither"""
+
+
+def lane_choices(
+    actor: ScenarioActor, copies: CopyBatch, said: WrittenPlace
+) -> list[LaneChoice | None]:
+    """(R) what each copy may be in; None of what is in no lane."""
+    value = option_value(actor, "lane", copies)
+    if value is None:
+        in_lane = actor.name in copies.scenario.agents and "side" not in actor.options
+        items: list[Any] = ["any" if in_lane else "none"]
+    elif isinstance(value, np.ndarray):
+        items = value.reshape(-1).tolist()
+    else:
+        items = [value]
+    items = items * copies.count if len(items) == 1 else items
+    facing = said.facing.tolist()
+    return [_choice(item, way) for item, way in zip(items, facing, strict=True)]
+
+
+def _choice(item: Any, facing: str) -> LaneChoice | None:
+    if isinstance(item, PassCall):
+        item = item.kind.rpartition(".")[2]
+    if item == "none":
+        return None
+    return (item if isinstance(item, str) else round(item)), facing
+
+
+def allowed_lanes(
+    actor: ScenarioActor, lanes: LaneGraph, choice: LaneChoice, copies: CopyBatch
+) -> frozenset[int]:
+    """The lanes of a network that a choice allows. Raises RL613 if it is none."""
+    usual = copies.scenario.registry.default("lane").name
+    found = frozenset(number for number in _of_choice(lanes, choice[0], usual))
+    facing = {"forward": False, "back": True}.get(choice[1])
+    if facing is not None:
+        found = frozenset(lane for lane in found if lanes.lanes[lane].backward == facing)
+    if not found:
+        known = sorted({lane.lane for lane in lanes.lanes}, key=lambda id: (abs(id), id))
+        help_ = f"its lanes for vehicles are {', '.join(map(str, known))}"
+        lane = f"`{choice[0]}`" if isinstance(choice[0], str) else choice[0]
+        raise DiagnosticError(
+            diagnose(Code.UNKNOWN_LANE, actor.span, road=actor.on, lane=lane, help=help_)
+        )
+    return found
+
+
+def _of_choice(lanes: LaneGraph, choice: Hashable, usual: str) -> list[int]:
+    if choice == "any":
+        return [n for group in _carriageways(lanes) for n in _usual(lanes, group, usual)]
+    if choice == "outer":
+        return [
+            max(group, key=lambda n: abs(lanes.lanes[n].lane)) for group in _carriageways(lanes)
+        ]
+    by_id = isinstance(choice, int)
+    return [
+        number
+        for number, lane in enumerate(lanes.lanes)
+        if choice == (lane.lane if by_id else _kind(lanes, number))
+    ]
+
+
+def _carriageways(lanes: LaneGraph) -> list[tuple[int, ...]]:
+    return sorted(set(lanes.carriageways))
+
+
+def _usual(lanes: LaneGraph, group: tuple[int, ...], usual: str) -> list[int]:
+    return [n for n in group if _kind(lanes, n) == usual] or list(group)
+
+
+def _kind(lanes: LaneGraph, number: int) -> str:
+    lane = lanes.lanes[number]
+    return lanes.sections[lane.edge].lane(lane.lane).kind

@@ -1,0 +1,162 @@
+"""Where copies stand on one road: arc length, lane and offset to x, y and heading."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.copies import CopyBatch
+from ..evaluate.evaluation import evaluate
+from ..evaluate.kind_instance import scalar
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.scenario import ScenarioActor
+from .copies import element_of
+from .lane_places import LanePlaces, lane_places
+from .positions import column
+from .road_places import places_along
+
+NO_ROAD = -1
+"""The number of the road of what is on none, or on a declared one"""
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Arrays (R,) as in `PlacedBatch`, of the copies of a `CopyBatch`."""
+
+    x: Floats
+    y: Floats
+    heading: Floats
+    start: Floats
+    offset: Floats
+    lane: Integers
+    backward: Booleans
+    road: Integers
+    """number of the road in its network, or `NO_ROAD`"""
+    lacking: Floats
+    """of an agent in a network: meters, 0 where a lane is near and a way leads on"""
+
+
+@dataclass(frozen=True, eq=False)
+class LaneStart:
+    """Where along a road, and in which lane, copies (R,) begin."""
+
+    start: Floats
+    lane: Integers
+    """0 for none"""
+    offset: Floats
+    """left of the center line, meters, of those in no lane"""
+    backward: Booleans
+    """whether it faces against the road, where `is_directed`; others face as their lane runs"""
+    is_directed: Booleans
+
+    def take(self, index: NDArray[np.intp]) -> LaneStart:
+        """That of some copies."""
+        return LaneStart(*(getattr(self, field.name)[index] for field in fields(self)))
+
+    @classmethod
+    def of(cls, start: Floats, lane: Integers) -> LaneStart:
+        """In lanes, facing as they run."""
+        no = np.zeros(len(start), dtype=bool)
+        return cls(start, lane, np.zeros(len(start)), no, no)
+
+
+@dataclass(frozen=True, eq=False)
+class WrittenPlace:
+    """The options of the placement as columns (R,): `heading` and `offset`; `side` and `facing`
+    are words, "" where nothing is said."""
+
+    heading: Floats
+    offset: Floats
+    side: NDArray[np.str_]
+    facing: NDArray[np.str_]
+
+    @classmethod
+    def of(cls, actor: ScenarioActor, copies: CopyBatch) -> WrittenPlace:
+        """What the statement says for its copies."""
+        heading, offset = (number_option(actor, name, copies) for name in ("heading", "offset"))
+        side, facing = (word_option(actor, name, copies) for name in ("side", "facing"))
+        return cls(heading, offset, side, facing)
+
+    def take(self, index: NDArray[np.intp]) -> WrittenPlace:
+        """What is said of some copies."""
+        return WrittenPlace(*(getattr(self, field.name)[index] for field in fields(self)))
+
+
+def option_value(actor: ScenarioActor, name: str, copies: CopyBatch) -> Any:
+    """An option for these copies, None where it is not written."""
+    value = actor.options.get(name)
+    return None if value is None else evaluate(value, copies, element_of(actor))
+
+
+def number_option(actor: ScenarioActor, name: str, copies: CopyBatch) -> Floats:
+    """(R,) an option, 0 where it is not written."""
+    value = option_value(actor, name, copies)
+    return np.zeros(copies.count) if value is None else column(value, copies)
+
+
+def word_option(actor: ScenarioActor, name: str, copies: CopyBatch) -> NDArray[np.str_]:
+    """(R,) a word, "" where none is written."""
+    value = option_value(actor, name, copies)
+    if isinstance(value, np.ndarray):
+        words = np.array([str(item) for item in value.reshape(-1)])
+        return np.broadcast_to(words, (copies.count,))
+    return np.full(copies.count, "" if value is None else str(scalar(value)))
+
+
+def poses_on_road(
+    name: str,
+    actor: ScenarioActor,
+    candidates: CandidateBatch,
+    rows: NDArray[np.intp],
+    begin: LaneStart,
+    said: WrittenPlace,
+    sizes: tuple[Floats, Floats],
+) -> Poses:
+    """Where copies (R,) stand on a road, those at `rows` (R,) of the candidates; `sizes` are their
+    lengths and widths, in meters. Raises RL613."""
+    place = places_along(name, candidates, rows, begin.start)
+    lanes = lane_places(name, actor, candidates, rows, place, begin.lane)
+    across = _across(said.heading, *sizes)
+    offset = _offsets(lanes, begin, said, across)
+    backward = np.where(begin.is_directed, begin.backward, lanes.backward)
+    backward = np.where(said.facing == "", backward, said.facing == "back")
+    heading = place.heading + np.where(backward, math.pi, 0.0) + said.heading
+    directions = place.heading.tolist()
+    sine = np.array([math.sin(direction) for direction in directions])
+    cosine = np.array([math.cos(direction) for direction in directions])
+    return Poses(
+        place.x - offset * sine,
+        place.y + offset * cosine,
+        np.array([math.remainder(angle, 2 * math.pi) for angle in heading.tolist()]),
+        begin.start,
+        offset,
+        begin.lane,
+        backward,
+        np.full(len(rows), NO_ROAD),
+        np.zeros(len(rows)),
+    )
+
+
+def _across(turned: Floats, lengths: Floats, widths: Floats) -> Floats:
+    """(R,) meters that things take across the road, turned against it."""
+    sine = np.array([abs(math.sin(angle)) for angle in turned.tolist()])
+    cosine = np.array([abs(math.cos(angle)) for angle in turned.tolist()])
+    return np.asarray(lengths * sine + widths * cosine)
+
+
+def _offsets(lanes: LanePlaces, begin: LaneStart, said: WrittenPlace, across: Floats) -> Floats:
+    """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
+
+    Beside the road it is the near side of the thing that stands `offset` from the edge.
+    """
+    in_lane = lanes.middle + said.offset
+    outward = said.offset + across / 2
+    found = np.where(begin.lane == 0, said.offset, in_lane)
+    found = np.where(said.side == "left", lanes.left + outward, found)
+    found = np.where(said.side == "right", lanes.right - outward, found)
+    return found + np.where(begin.lane == 0, begin.offset, 0.0)
