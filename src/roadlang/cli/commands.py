@@ -17,6 +17,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "schema": ("schema", "Print a JSON Schema of an output format or of a kind's options."),
     "run": ("run", "Drive scenes in a simulator and evaluate their expectations."),
     "falsify": ("falsify", "Search for scenes that violate an expectation."),
+    "report": ("report", "Make one page of the results of `run` or `falsify`."),
     "extract": ("extract", "Extract the roads of an image."),
     "monitor": ("monitor", "Evaluate an STL formula on recorded traces."),
     "mine": ("mine", "Find the tightest parameters with which a formula holds on traces."),

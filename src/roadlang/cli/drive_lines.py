@@ -27,7 +27,7 @@ def print_drive(drive: Drive, run: str, in_full: bool) -> None:
 
 def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
     """In how many scenes all expectations hold; of several scenes also the worst."""
-    from ..session.drives import badness
+    from ..judging.badness import badness
 
     text = holding(sum(satisfied), len(satisfied))
     judged = [row for row in rows if row.get("worst") and row.get(row["worst"]) is not None]

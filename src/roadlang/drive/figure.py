@@ -11,6 +11,8 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
 
+COLOR_STEPS = 8
+"""Shades of robustness on each side of 0."""
 _SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
 _SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
 _ROAD, _GROUND, _INK, _OTHER = "#757b83", "#f4f2ec", "#23272b", "#1c7ed6"
@@ -91,15 +93,23 @@ def _polyline(line: Floats, color: str, width: float) -> str:
 
 def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
     """Runs of samples of one color."""
-    largest = float(np.max(np.abs(robustness[np.isfinite(robustness)]), initial=1e-9))
-    shares = np.round(np.clip(np.nan_to_num(robustness, nan=0.0) / largest, -1.0, 1.0) * 8) / 8
+    shares = color_shares(robustness)
     edges = np.flatnonzero(np.diff(shares)) + 1
     for run in np.split(np.arange(len(shares)), edges):
         last = min(int(run[-1]) + 2, len(line))
-        yield _polyline(line[run[0] : last], _color(float(shares[run[0]])), width)
+        yield _polyline(line[run[0] : last], robustness_color(float(shares[run[0]])), width)
 
 
-def _color(share: float) -> str:
+def color_shares(robustness: Floats) -> Floats:
+    """(T,) robustness in parts of the largest of its sign, from -1 to 1 in steps of 1/8."""
+    values = np.nan_to_num(robustness, nan=0.0)
+    finite = values[np.isfinite(values)]
+    largest = np.max(finite, initial=1e-9), np.max(-finite, initial=1e-9)
+    shares = np.clip(values / np.where(values > 0.0, *largest), -1.0, 1.0)
+    return np.asarray(np.sign(shares) * np.ceil(np.abs(shares) * COLOR_STEPS) / COLOR_STEPS)
+
+
+def robustness_color(share: float) -> str:
     """Green at 1, yellow at 0, red from -1/8 on."""
     end = _SAFE if share >= 0 else _FAILED
     weight = abs(share) ** 0.5 if share >= 0 else 1.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,12 +57,19 @@ def clopper_pearson(
 
 def coverage(outcomes: Sequence[Outcome], parts: int = 10) -> dict[str, Coverage]:
     """Of each measure that any outcome has."""
-    names = dict.fromkeys(name for outcome in outcomes for name in outcome.measures)
+    return measure_coverage([(o.measures, o.is_failure) for o in outcomes], parts)
+
+
+def measure_coverage(
+    drives: Sequence[tuple[Mapping[str, float | None], bool]], parts: int = 10
+) -> dict[str, Coverage]:
+    """The same of the measures of each drive, and whether it is a failure."""
+    names = dict.fromkeys(name for measures, _ in drives for name in measures)
     found = {}
     for name in names:
-        seen = [o for o in outcomes if o.measures.get(name) is not None]
-        values = np.array([o.measures[name] for o in seen], dtype=float)
-        failing = np.array([o.is_failure for o in seen], dtype=bool)
+        seen = [(m[name], failed) for m, failed in drives if m.get(name) is not None]
+        values = np.array([value for value, _ in seen], dtype=float)
+        failing = np.array([failed for _, failed in seen], dtype=bool)
         if not len(values):
             continue
         low, high = float(values.min()), float(values.max())

@@ -42,6 +42,16 @@ class JournalFile:
             raise _unwritable(self.path, error) from error
 
 
+def read_lines(path: Path) -> list[bytes]:
+    """The finished lines of a journal, whatever its key. Raises `OSError`, and `ValueError` for a
+    file that is no journal."""
+    first, *lines = path.read_bytes().split(b"\n")
+    header = json.loads(first)
+    if not isinstance(header, dict) or header.get("schema") != SCHEMA:
+        raise ValueError("it is no journal of roadlang")
+    return [line for line in lines[:-1] if _is_json(line)]
+
+
 def _finished(path: Path, header: bytes) -> list[bytes]:
     """The finished lines below the header. Only a line without its end is cut off: it would run
     into the next one."""

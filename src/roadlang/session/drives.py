@@ -14,6 +14,7 @@ from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.standing import without_still
 from ..drive.trace_files import COLUMNS, to_csv, to_json
+from ..judging.badness import badness
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
 from ..judging.robustness_series import robustness_series
 from ..search.worker_pool import Executor, WorkerPool
@@ -215,12 +216,6 @@ class DriveSet(Sequence[Drive]):
     def to_dict(self) -> dict[str, list[Any]]:
         """`rows` as columns for `pandas.DataFrame`."""
         return columns_of(self.rows())
-
-
-def badness(satisfied: bool | None, robustness: float | None) -> tuple[bool, bool, float]:
-    """What the worst expectation, or scene, has least of."""
-    rho = math.inf if robustness is None else robustness
-    return satisfied is not False, satisfied is True and rho == 0.0, rho
 
 
 def _worst_columns(drive: Drive) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from ..falsification.deadline import deadline
 from ..falsification.evaluator import Evaluator, Proposal, Task
 from ..falsification.journal import Journal, NoJournal, SearchJournal
 from ..falsification.outcome import Outcome
+from ..falsification.outcome_rows import row_of
 from ..falsification.plan import Plan
 from ..falsification.search_key import search_key
 from ..falsification.search_loop import SearchResult, search_failures
@@ -182,7 +183,8 @@ class Falsification:
     def rows(self, outcomes: Sequence[Outcome] | None = None) -> list[dict[str, Any]]:
         """A row for each driven candidate: evaluation, params, draws, coordinates of what a pass
         draws for itself, robustness, and the moment that decides a violated expectation."""
-        return [self._row(outcome) for outcome in (self.driven if outcomes is None else outcomes)]
+        axes = self.evaluator.task.axes
+        return [row_of(found, axes) for found in (self.driven if outcomes is None else outcomes)]
 
     def to_dict(self) -> dict[str, list[Any]]:
         """`rows` as columns for `pandas.DataFrame`."""
@@ -193,18 +195,6 @@ class Falsification:
         from .falsification_files import write_falsification
 
         write_falsification(self, Path(folder))
-
-    def _row(self, outcome: Outcome) -> dict[str, Any]:
-        axes = self.evaluator.task.axes
-        passes = {k: v for k, v in zip(axes, outcome.point, strict=True) if k not in outcome.draws}
-        row: dict[str, Any] = {"evaluation": outcome.index, "random": outcome.is_random}
-        row |= {**outcome.draws, **passes, **outcome.expectations}
-        row["violated"] = " ".join(outcome.violated)
-        if outcome.is_failure:
-            moment = outcome.moment
-            for name in ("time", "agent", "x", "y", "station", "partner"):
-                row[f"worst {name}"] = None if moment is None else getattr(moment, name)
-        return row
 
 
 def falsified(

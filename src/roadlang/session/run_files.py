@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..falsification.descriptors import measures, protagonist
 from ..files.journal import JournalFile
 from ..files.writing import write_all, write_file
 from ..ir.results_record import RESULTS_FILE
@@ -46,7 +47,7 @@ class RunFolder:
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
         write_all(self._folder, files)
         entries = [
-            {"row": row, "record": record_of(drive)}
+            {"row": row, "record": record_of(drive), "measures": _measures(drive)}
             for row, drive in zip(drives.rows(), drives, strict=True)
         ]
         self._journal.append([json.dumps(entry).encode() for entry in entries])
@@ -75,6 +76,12 @@ def record_of(drive: Drive) -> dict[str, Any]:
             for v in drive.verdicts.values()
         ],
     }
+
+
+def _measures(drive: Drive) -> dict[str, float | None]:
+    """What coverage is counted of."""
+    scene = drive.scene.record
+    return measures(scene, drive.trace, protagonist(scene, list(drive.verdicts)))
 
 
 def verdicts_json(drive: Drive) -> str:

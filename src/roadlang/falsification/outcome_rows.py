@@ -1,0 +1,22 @@
+"""Outcomes as rows of tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from .outcome import Outcome
+
+
+def row_of(outcome: Outcome, axes: Sequence[str]) -> dict[str, Any]:
+    """Evaluation, params, draws, coordinates of what a pass draws for itself, robustness, and the
+    moment that decides a violated expectation. `axes` names the coordinates."""
+    passes = {k: v for k, v in zip(axes, outcome.point, strict=True) if k not in outcome.draws}
+    row: dict[str, Any] = {"evaluation": outcome.index, "random": outcome.is_random}
+    row |= {**outcome.draws, **passes, **outcome.expectations}
+    row["violated"] = " ".join(outcome.violated)
+    if outcome.is_failure:
+        moment = outcome.moment
+        for name in ("time", "agent", "x", "y", "station", "partner"):
+            row[f"worst {name}"] = None if moment is None else getattr(moment, name)
+    return row

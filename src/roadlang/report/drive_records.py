@@ -1,0 +1,184 @@
+"""A drive for the page: what its viewer draws, in few characters."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import DiagnosticError
+from ..drive.figure import COLOR_STEPS, color_shares
+from ..falsification.descriptors import protagonist
+from ..geometry.arrays import Floats, Integers
+from ..ir.scene import Verdict
+from ..judging.badness import badness
+from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
+from ..judging.robustness_series import robustness_series
+from ..plugins.registry import Registry
+from .decimation import deltas, samples_of
+from .numbers import quantity
+from .outlines import CENTIMETERS, outlines
+from .results import ShownDrive
+from .units import robustness_unit
+
+_SAMPLES_OF_ALL, _FEWEST, _MOST = 120_000, 40, 240
+"""Samples of all agents of all drives together, and of a drive."""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """An expectation along a drive. `series` (T,) is None where it cannot be computed."""
+
+    verdict: Verdict
+    unit: str
+    series: Floats | None
+
+
+@dataclass(frozen=True)
+class DriveView:
+    """A drive with what is computed of it once. `worst` is None where nothing is judged."""
+
+    drive: ShownDrive
+    judged: tuple[Judged, ...]
+    worst: Judged | None
+    moment: DecidingMoment | None
+    agent: str
+    """the agent that plots along the road are about"""
+
+    @property
+    def place(self) -> str:
+        """`7.4 s, s = 135 m`: when and where it goes wrong, or comes nearest to that."""
+        if self.moment is None or not self.moment.actors:
+            return ""
+        at, actor = self.moment.sample, self.moment.actors[0]
+        station = float(actor.station[at])
+        time = f"{float(actor.time[at]):.1f}\N{NO-BREAK SPACE}s"
+        return (
+            time if np.isnan(station) else f"{time}, s\N{NO-BREAK SPACE}= {quantity(station, 'm')}"
+        )
+
+
+def view(drive: ShownDrive, registry: Registry) -> DriveView:
+    """Judge a drive along its time."""
+    judged = tuple(
+        Judged(v, robustness_unit(v, registry), _series(v, drive, registry)) for v in drive.verdicts
+    )
+    ranked = [j for j in judged if j.verdict.satisfied is not None]
+    worst = min(ranked, key=_badness, default=None)
+    moment = None if worst is None else _moment(worst.verdict, drive, registry)
+    agent = protagonist(drive.scene, [verdict.name for verdict in drive.verdicts])
+    if moment is not None and moment.actors:
+        agent = moment.actors[0].name
+    return DriveView(drive, judged, worst, moment, agent)
+
+
+def samples_per_drive(views: Sequence[DriveView]) -> int:
+    """As many samples of each drive as keep the page small."""
+    agents = sum(len(view.drive.trace.agents) for view in views)
+    return int(np.clip(_SAMPLES_OF_ALL / max(agents, 1), _FEWEST, _MOST))
+
+
+def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
+    """The members that the viewer reads. `roads`: all outlines of the page so far and their
+    numbers, to which those of this drive are added."""
+    drive, trace = view.drive, view.drive.trace
+    series = [judged.series for judged in view.judged if judged.series is not None]
+    at = [view.moment.sample] if view.moment is not None else []
+    kept = samples_of(len(trace.time), samples, series, at)
+    still = {thing.name for thing in drive.scene.objects}
+    moving = [agent for agent in trace.agents.values() if agent.name not in still]
+    ego = trace.agents.get(view.agent)
+    return {
+        "name": drive.name,
+        "label": drive.label,
+        "row": drive.row,
+        "failed": drive.has_failed,
+        "roads": [_number(roads, outline.record()) for outline in outlines(drive.scene)],
+        "objects": [
+            [
+                thing.name,
+                thing.kind.rpartition(".")[2],
+                *_rounded(thing.x, thing.y, thing.heading, thing.length, thing.width),
+            ]
+            for thing in drive.scene.objects
+        ],
+        "time": deltas(trace.time[kept], 1000.0),
+        "agents": [_agent(agent, kept) for agent in moving if np.isfinite(agent.x).any()],
+        "agent": view.agent,
+        "speed": [] if ego is None else deltas(ego.speed[kept], CENTIMETERS),
+        "station": [] if ego is None else deltas(ego.station[kept], CENTIMETERS),
+        "verdicts": [_verdict(judged, kept) for judged in view.judged],
+        "worst": None if view.worst is None else view.worst.verdict.name,
+        "shades": _shades(view.worst, kept),
+        "moment": None if view.moment is None else int(np.searchsorted(kept, view.moment.sample)),
+        "place": view.place,
+        "shrunk": drive.shrunk,
+        "explanation": drive.explanation,
+    }
+
+
+def _agent(agent: Any, kept: Integers) -> dict[str, Any]:
+    return {
+        "name": agent.name,
+        "size": _rounded(agent.length, agent.width),
+        "x": deltas(agent.x[kept], CENTIMETERS),
+        "y": deltas(agent.y[kept], CENTIMETERS),
+        "heading": deltas(np.unwrap(np.nan_to_num(agent.heading))[kept], 1000.0),
+    }
+
+
+def _verdict(judged: Judged, kept: Integers) -> Mapping[str, Any]:
+    verdict, series = judged.verdict, judged.series
+    return {
+        "name": verdict.name,
+        "text": verdict.text,
+        "unit": judged.unit,
+        "robustness": verdict.robustness,
+        "satisfied": verdict.satisfied,
+        "series": None if series is None else [_short(value) for value in series[kept].tolist()],
+    }
+
+
+def _shades(worst: Judged | None, kept: Integers) -> list[int]:
+    """(K,) the color of the path at each sample: from 0, violated, over 8 to 16, safe."""
+    if worst is None or worst.series is None:
+        return []
+    shades = color_shares(worst.series)[kept] * COLOR_STEPS + COLOR_STEPS
+    found: list[int] = shades.astype(int).tolist()
+    return found
+
+
+def _series(verdict: Verdict, drive: ShownDrive, registry: Registry) -> Floats | None:
+    try:
+        return robustness_series(verdict, drive.trace, registry)
+    except DiagnosticError:  # a plugin that is not installed here, or what was not recorded
+        return None
+
+
+def _moment(verdict: Verdict, drive: ShownDrive, registry: Registry) -> DecidingMoment | None:
+    find = first_violation if verdict.satisfied is False else deciding_moment
+    try:
+        return find(verdict, drive.trace, registry)
+    except DiagnosticError:
+        return None
+
+
+def _badness(judged: Judged) -> tuple[bool, bool, float]:
+    verdict = judged.verdict
+    return badness(verdict.satisfied, verdict.robustness)
+
+
+def _number(roads: dict[str, int], record: dict[str, Any]) -> int:
+    text = json.dumps(record, separators=(",", ":"))
+    return roads.setdefault(text, len(roads))
+
+
+def _rounded(*values: float) -> list[float]:
+    return [round(value, 3) for value in values]
+
+
+def _short(value: float) -> float | None:
+    return float(f"{value:.4g}") if np.isfinite(value) else None

@@ -1,0 +1,84 @@
+"""The files of results, read with diagnostics that name the file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..drive.standing import with_still
+from ..drive.trace_files import from_json
+from ..files.journal import read_lines
+from ..files.reading import UnreadableFile, read_file
+from ..ir.encoding import scene_from_json
+from ..ir.results_record import RESULTS_FILE, RESULTS_SCHEMA, ResultsRecord
+from ..ir.scene import Scene
+from ..ir.trace import Trace
+
+T = TypeVar("T")
+JOURNAL = "journal.jsonl"
+
+
+def read_record(folder: Path) -> ResultsRecord:
+    """What the results in a folder were made from.
+
+    Raises `DiagnosticError` RL720 where the folder has none.
+    """
+    path = folder / RESULTS_FILE
+    if not path.is_file():
+        reason = "it is no folder" if not folder.is_dir() else f"there is no {RESULTS_FILE}"
+        raise DiagnosticError(diagnose(Code.NO_RESULTS, path=str(folder), reason=reason))
+    return parsed(path, _record)
+
+
+def read_drive(stem: Path) -> tuple[Scene, Trace]:
+    """The scene `STEM.json` and its trace, with the objects that stand. Raises RL721."""
+    scene = parsed(stem.with_name(f"{stem.name}.json"), scene_from_json)
+    trace = parsed(stem.with_name(f"{stem.name}.trace.json"), from_json)
+    return scene, with_still(trace, scene)
+
+
+def read_journal(folder: Path) -> list[bytes]:
+    """The lines of the journal. Raises RL721."""
+    path = folder / JOURNAL
+    try:
+        return read_lines(path)
+    except (OSError, ValueError) as error:
+        raise broken(path, str(error)) from error
+
+
+def read_typed(path: Path, kind: type[T]) -> T:
+    """A JSON file as a dataclass; other members are left out. Raises RL721."""
+    return parsed(path, lambda text: msgspec.json.decode(text, type=kind))
+
+
+def optional_json(path: Path) -> Any | None:
+    """A JSON file, None where there is none. Raises RL721."""
+    return parsed(path, json.loads) if path.is_file() else None
+
+
+def parsed(path: Path, parse: Callable[[str], T]) -> T:
+    """What `parse` makes of the text of a file. Raises RL721 for what it refuses."""
+    try:
+        return parse(read_file(path).decode("utf-8"))
+    except UnreadableFile as error:
+        raise broken(path, error.reason) from error
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        reason = f"`{error}` is missing" if isinstance(error, KeyError) else str(error)
+        raise broken(path, reason) from error
+
+
+def broken(path: Path, reason: str) -> DiagnosticError:
+    """RL721, to be raised."""
+    return DiagnosticError(diagnose(Code.BROKEN_RESULTS, path=str(path), reason=reason))
+
+
+def _record(text: str) -> ResultsRecord:
+    record = msgspec.json.decode(text, type=ResultsRecord)
+    if record.schema != RESULTS_SCHEMA:
+        raise ValueError(f"its schema is {record.schema!r}, not {RESULTS_SCHEMA!r}")
+    return record

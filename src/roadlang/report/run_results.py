@@ -1,0 +1,126 @@
+"""The folder of `roadlang run`, with the folders of its runs where there are several."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..falsification.statistics import FailureRate, clopper_pearson, measure_coverage
+from ..ir.results_record import RESULTS_FILE, ResultsRecord
+from ..judging.badness import badness
+from ..plugins.registry import Registry
+from .reading import broken, read_journal, read_record
+from .results import ResultRow, Results, ShownDrive
+from .shown_drives import MOST_FAILING, MOST_SAFE, shown_drive
+
+_RUN = "run-[0-9]*"
+
+
+def results_folder(folder: Path) -> Path:
+    """The folder whose `provenance.json` stands for all: that of the first run of several."""
+    if (folder / RESULTS_FILE).exists():
+        return folder
+    return next(iter(_runs(folder)), folder)
+
+
+def read_run(folder: Path, record: ResultsRecord, registry: Registry) -> Results:
+    """The results of a run, or of all runs of a list of params. Raises `DiagnosticError` RL721."""
+    runs = [folder] if (folder / RESULTS_FILE).exists() else _runs(folder)
+    entries = [entry for run in runs for entry in _entries(run, "" if run == folder else run.name)]
+    rows = [entry.result_row(number) for number, entry in enumerate(entries)]
+    failing, safe = _chosen(entries, rows)
+    drives = [
+        _shown(folder, entries[row.number], row, registry)
+        for row in (*failing[:MOST_FAILING], *safe)
+    ]
+    return Results(
+        record,
+        tuple(dict.fromkeys(name for row in rows for name in row.robustness)),
+        rows,
+        drives,
+        measure_coverage([(e.measures, r.has_failed) for e, r in zip(entries, rows, strict=True)]),
+        _rate(runs, rows),
+        more_failing=max(len(failing) - MOST_FAILING, 0),
+    )
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """A line of the journal of a run."""
+
+    run: str
+    row: Mapping[str, Any]
+    expectations: Sequence[Mapping[str, Any]]
+    measures: Mapping[str, float | None]
+
+    @property
+    def stem(self) -> str:
+        """The name of its files."""
+        name = f"scene-{self.row['scene']:04d}"
+        return f"{self.run}/{name}" if self.run else name
+
+    @property
+    def badness(self) -> tuple[bool, bool, float]:
+        """What the worst of the drives has least of."""
+        found = [badness(item["satisfied"], item["robustness"]) for item in self.expectations]
+        return min(found, default=(True, True, math.inf))
+
+    def result_row(self, number: int) -> ResultRow:
+        robustness = {str(item["name"]): item["robustness"] for item in self.expectations}
+        has_failed = any(item["satisfied"] is False for item in self.expectations)
+        values = {"run": self.run, **self.row} if self.run else self.row
+        columns = list(self.row)
+        end = min(
+            (columns.index(name) for name in [*robustness, "worst"] if name in columns),
+            default=len(columns),
+        )
+        return ResultRow(number, has_failed, values, robustness, tuple(columns[1:end]))
+
+
+def _runs(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.glob(_RUN) if (path / RESULTS_FILE).is_file())
+
+
+def _entries(folder: Path, run: str) -> Iterator[_Entry]:
+    latest: dict[int, _Entry] = {}
+    for line in read_journal(folder):
+        try:
+            found = json.loads(line)
+            scene = int(found["row"]["scene"])
+            measures = found.get("measures", {})
+            latest[scene] = _Entry(run, found["row"], found["record"]["expectations"], measures)
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
+            reason = f"{type(error).__name__}: {error}"
+            raise broken(folder / "journal.jsonl", reason) from error
+    return iter([latest[scene] for scene in sorted(latest)])
+
+
+def _chosen(
+    entries: Sequence[_Entry], rows: Sequence[ResultRow]
+) -> tuple[list[ResultRow], list[ResultRow]]:
+    """The failing drives, the worst first, and of the others some, the nearest to failing first."""
+    ordered = sorted(rows, key=lambda row: (entries[row.number].badness, row.number))
+    failing = [row for row in ordered if row.has_failed]
+    safe = [row for row in ordered if not row.has_failed]
+    count = min(MOST_SAFE, len(safe))
+    return failing, [safe[step * (len(safe) - 1) // max(count - 1, 1)] for step in range(count)]
+
+
+def _shown(folder: Path, entry: _Entry, row: ResultRow, registry: Registry) -> ShownDrive:
+    run = f"{entry.run}, " if entry.run else ""
+    label = f"{run}scene {entry.row['scene']}"
+    shown = label[0].upper() + label[1:]
+    return shown_drive(folder, entry.stem, shown, row.number, row.has_failed, registry)
+
+
+def _rate(runs: Sequence[Path], rows: Sequence[ResultRow]) -> FailureRate | None:
+    """The rate of failures, where scenes were drawn at random and from one distribution."""
+    record = read_record(runs[0])
+    if len(runs) > 1 or record.sampler.rpartition(".")[2] != "random" or record.seed is None:
+        return None
+    failures = sum(row.has_failed for row in rows)
+    return FailureRate(failures, len(rows), *clopper_pearson(failures, len(rows)))

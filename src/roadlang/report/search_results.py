@@ -1,0 +1,113 @@
+"""The folder of `roadlang falsify`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from ..falsification.outcome import Outcome
+from ..falsification.outcome_rows import row_of
+from ..falsification.statistics import best_so_far, coverage, failure_rate
+from ..ir.results_record import ResultsRecord
+from ..plugins.registry import Registry
+from .reading import broken, optional_json, read_journal, read_typed
+from .results import ResultRow, Results, ShownDrive
+from .shown_drives import MOST_FAILING, shown_drive
+
+SUMMARY, FAILURES, SAFE, INDEX = "summary.json", "failures", "safe", "index.json"
+
+
+@dataclass(frozen=True)
+class _Summary:
+    """What is read of `summary.json`."""
+
+    evaluations: int
+
+
+@dataclass(frozen=True)
+class _Item:
+    """A scene of an index."""
+
+    scene: str
+    evaluation: int
+
+    @property
+    def stem(self) -> str:
+        return self.scene.removesuffix(".json")
+
+
+@dataclass(frozen=True)
+class _Failures:
+    """What is read of `failures/index.json`."""
+
+    axes: tuple[str, ...]
+    failures: tuple[_Item, ...]
+
+
+@dataclass(frozen=True)
+class _Safe:
+    """What is read of `safe/index.json`."""
+
+    safe: tuple[_Item, ...]
+
+
+def read_search(folder: Path, record: ResultsRecord, registry: Registry) -> Results:
+    """The results of a search. Raises `DiagnosticError` RL721."""
+    evaluations = read_typed(folder / SUMMARY, _Summary).evaluations
+    index = read_typed(folder / FAILURES / INDEX, _Failures)
+    failures, axes = index.failures, index.axes
+    outcomes = _outcomes(folder, evaluations)
+    driven = [outcome for outcome in outcomes if outcome.is_valid]
+    rows = [_row(outcome, axes) for outcome in driven]
+    drives = [*_failures(folder, failures, registry), *_safe(folder, registry)]
+    rate = failure_rate(outcomes)
+    return Results(
+        record,
+        record.expects,
+        rows,
+        drives,
+        coverage(outcomes),
+        rate if rate.scenes else None,
+        len(outcomes),
+        len(failures),
+        {name: best_so_far(outcomes, name) for name in record.expects},
+        max(len(failures) - MOST_FAILING, 0),
+    )
+
+
+def _outcomes(folder: Path, evaluations: int) -> Sequence[Outcome]:
+    decoder = msgspec.json.Decoder(Outcome)
+    try:
+        found = [decoder.decode(line) for line in read_journal(folder)]
+    except msgspec.MsgspecError as error:
+        raise broken(folder / "journal.jsonl", str(error)) from error
+    latest = {outcome.index: outcome for outcome in found if outcome.index < evaluations}
+    return [latest[number] for number in sorted(latest)]
+
+
+def _row(outcome: Outcome, axes: Sequence[str]) -> ResultRow:
+    draws = tuple(dict.fromkeys([*outcome.draws, *axes]))
+    values = row_of(outcome, axes)
+    named = tuple(name for name in draws if name in values)
+    return ResultRow(outcome.index, outcome.is_failure, values, outcome.expectations, named)
+
+
+def _failures(folder: Path, failures: Sequence[_Item], registry: Registry) -> Iterator[ShownDrive]:
+    for rank, item in enumerate(failures[:MOST_FAILING], 1):
+        path = folder / FAILURES / item.stem
+        shrunk = optional_json(path.with_name(f"{item.stem}.shrunk.json"))
+        explanation = optional_json(path.with_name(f"{item.stem}.explanation.json"))
+        draws = shrunk.get("draws") if isinstance(shrunk, dict) else None
+        name, label = f"{FAILURES}/{item.stem}", f"Failure {rank}"
+        yield shown_drive(folder, name, label, item.evaluation, True, registry, draws, explanation)
+
+
+def _safe(folder: Path, registry: Registry) -> Iterator[ShownDrive]:
+    path = folder / SAFE / INDEX
+    listed = read_typed(path, _Safe).safe if path.is_file() else ()
+    for rank, item in enumerate(listed, 1):
+        name, label = f"{SAFE}/{item.stem}", f"Safe {rank}"
+        yield shown_drive(folder, name, label, item.evaluation, False, registry)

@@ -1,0 +1,1 @@
+"""The report: its numbers, its page, and the page in a browser."""

@@ -1,0 +1,193 @@
+"""`roadlang report`: what is in the page, and what happens without results."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roadlang.cli.main import run
+from roadlang.diagnostics import DiagnosticError
+from roadlang.report.page_text import embedded
+from roadlang.session.reports import write_report
+from tests.report.made_results import BEND, made
+
+
+def data_of(page: Path) -> Any:
+    text = page.read_text(encoding="utf-8")
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.DOTALL)
+    assert found is not None
+    return json.loads(found[1])
+
+
+@pytest.fixture(scope="module")
+def search(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return made("falsify", tmp_path_factory.mktemp("search"))
+
+
+@pytest.fixture
+def copy(search: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(search, tmp_path / "copy"))
+
+
+def test_the_table_has_every_draw_of_every_drive(search: Path) -> None:
+    table = data_of(write_report(search))["table"]
+    names = [column["name"] for column in table["columns"]]
+    rows = []
+    for name in ("failing.csv", "safe.csv"):
+        with (search / name).open(newline="") as file:
+            rows += list(csv.DictReader(file))
+    assert len(table["rows"]) == len(rows)
+    assert set(names) == {name for row in rows for name in row}
+    assert {c["name"]: c["unit"] for c in table["columns"]}["ego/drive 1/speed"] == "m/s"
+    by_number = {row[names.index("evaluation")]: row for row, _, _ in table["rows"]}
+    for row in rows:
+        for name in ("slow", "apart", "ego/drive 1/speed", "oak/offset"):
+            shown = by_number[int(row["evaluation"])][names.index(name)]
+            assert shown == pytest.approx(float(row[name]), rel=1e-4)
+
+
+def test_the_summary_has_the_numbers_of_the_search(search: Path) -> None:
+    summary = json.loads((search / "summary.json").read_text())
+    text = write_report(search).read_text()
+    facts = dict(re.findall(r"<dt>([^<]+)</dt><dd>([^<]+)</dd>", text))
+    assert facts["Evaluations"] == str(summary["evaluations"])
+    assert facts["Failing"] == str(summary["failing"])
+    assert facts["Distinct"] == str(summary["distinct"])
+    assert facts["First failure"] == str(summary["first_failure"])
+    low, high = (100 * summary["failure_rate"][end] for end in ("low", "high"))
+    space = "\N{NO-BREAK SPACE}"
+    assert facts["Failure rate at random"] == f"{low:.3g}{space}% to {high:.3g}{space}%"
+    assert f"{summary['distinct']} distinct failures" in text
+
+
+def test_every_failure_and_safe_scene_can_be_stepped_through(search: Path) -> None:
+    drives = data_of(write_report(search))["drives"]
+    failures = json.loads((search / "failures/index.json").read_text())["failures"]
+    safe = json.loads((search / "safe/index.json").read_text())["safe"]
+    names = [f"failures/{item['scene'].removesuffix('.json')}" for item in failures]
+    names += [f"safe/{item['scene'].removesuffix('.json')}" for item in safe]
+    assert [drive["name"] for drive in drives] == names
+    for drive, item in zip(drives, [*failures, *safe], strict=True):
+        found = {verdict["name"]: verdict["robustness"] for verdict in drive["verdicts"]}
+        assert found == pytest.approx(item["robustness"])
+        assert {verdict["unit"] for verdict in drive["verdicts"]} == {"m", "m/s"}
+        assert [agent["name"] for agent in drive["agents"]] == ["ego", "lead"]
+        assert drive["objects"][0][:2] == ["oak", "tree"]
+
+
+def test_a_path_is_where_the_trace_has_it(search: Path) -> None:
+    drive = data_of(write_report(search))["drives"][0]
+    trace = json.loads((search / f"{drive['name']}.trace.json").read_text())
+    agent = drive["agents"][0]
+    time, x = sum(drive["time"]) / 1000, sum(agent["x"]) / 100
+    assert time == pytest.approx(trace["time"][-1], abs=1e-3)
+    assert x == pytest.approx(trace["agents"]["ego"]["x"][-1], abs=0.01)
+
+
+def test_the_same_results_give_the_same_bytes(copy: Path, search: Path) -> None:
+    assert write_report(copy).read_bytes() == write_report(search).read_bytes()
+
+
+def test_it_names_no_address_and_no_file(search: Path) -> None:
+    text = write_report(search).read_text()
+    addresses = re.findall(r"(?:https?:)?//[\w.]+/[\w./]*", text)
+    assert set(addresses) <= {"http://www.w3.org/2000/svg"}
+    assert "src=" not in text
+    assert "@import" not in text
+    assert "url(" not in text
+
+
+def test_a_run_with_several_params_is_one_page(tmp_path: Path) -> None:
+    text = BEND.replace("6m/s..16m/s", "(top / 2)..top").replace(
+        "road main", "param top = 9m/s\nroad main"
+    )
+    (tmp_path / "values.yaml").write_text("[{top: 9m/s}, {top: 20m/s}]")
+    folder = made(
+        "run", tmp_path, "-n", "2", "--params", str(tmp_path / "values.yaml"), text=text
+    )  # fmt: skip
+    data = data_of(write_report(folder))
+    names = [drive["name"] for drive in data["drives"]]
+    assert sorted(names) == [f"run-00{run}/scene-000{n}" for run in (0, 1) for n in (0, 1)]
+    assert data["table"]["columns"][0]["name"] == "run"
+
+
+def test_a_scene_that_was_driven_alone_has_a_page(search: Path, tmp_path: Path) -> None:
+    run(["run", str(search / "failures/0001.json"), "-o", str(tmp_path / "again")])
+    page = write_report(tmp_path / "again").read_text()
+    assert "One scene, driven" in page
+    assert "Failure rate" not in page
+
+
+def test_from_the_command_line(
+    search: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = tmp_path / "page.html"
+    assert run(["report", str(search), "-o", str(target)]) == 0
+    assert str(target) in capsys.readouterr().out
+    assert target.read_text().startswith("<!doctype html>")
+
+
+@pytest.mark.parametrize("kind", ["nothing", "file", "empty"])
+def test_without_results_there_is_a_diagnostic(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "out"
+    if kind == "file":
+        folder.write_text("mine")
+    elif kind == "empty":
+        folder.mkdir()
+    assert run(["report", str(folder)]) == 2
+    assert "RL720" in capsys.readouterr().err
+    assert not (folder / "report.html").exists()
+
+
+NAMES = (
+    "provenance.json", "summary.json", "journal.jsonl", "failures/index.json", "safe/index.json",
+    "failures/0001.json", "failures/0001.trace.json",
+)  # fmt: skip
+CONTENTS = ("", "{", "[]", "{}", "null", '{"schema": "roadlang.journal/1"}\n{"index": "x"}\n')
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("content", CONTENTS)
+def test_a_file_that_was_changed_is_named(
+    name: str, content: str, copy: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (copy / name).write_text(content)
+    assert run(["report", str(copy)]) == 1
+    error = capsys.readouterr().err
+    assert "RL721" in error
+    assert Path(name).name in error
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in NAMES if "provenance" not in name and "safe" not in name]
+)
+def test_a_file_that_is_missing_is_named(
+    name: str, copy: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (copy / name).unlink()
+    assert run(["report", str(copy)]) == 1
+    error = capsys.readouterr().err
+    assert "RL721" in error
+    assert Path(name).name in error
+
+
+def test_a_page_that_cannot_be_written_leaves_nothing(copy: Path, tmp_path: Path) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("mine")
+    with pytest.raises(DiagnosticError, match="RL460"):
+        write_report(copy, blocked / "page.html")
+
+
+def test_data_never_ends_its_element() -> None:
+    value = {"name": "</script><!-- <script> ]]> & \u2028", "list": [1.5, None, True]}
+    written = embedded(value)
+    assert json.loads(written) == value
+    assert not set("<>&\u2028\u2029") & set(written)
