@@ -51,6 +51,30 @@ def test_contrast_keeps_the_mean_and_scales_what_differs_from_it() -> None:
     assert len(np.unique(adjusted(Contrast(0.0)))) == 1
 
 
+@pytest.mark.parametrize("adjuster", [Contrast(3.0), Brightness(1.7), Noise(0.02), Sharpness(5.0)])
+def test_what_is_white_or_black_stays_within_a_byte(adjuster: Any) -> None:
+    """Nothing wraps round: where it is brighter than white it is white."""
+    board = np.kron([[0, 255], [255, 0]], np.ones((20, 20)))[..., None].repeat(3, axis=2)
+    changed = adjusted(adjuster, board.astype(np.uint8)).astype(int)
+    assert changed[:18, 22:].min() > 100
+    assert changed[:18, :18].max() < 100
+
+
+def test_contrast_is_scaled_about_the_mean() -> None:
+    """Of 50 and 150, whose mean is 100, a factor of 1.5 makes 25 and 175."""
+    halves = np.full((2, 2, 3), 50, np.uint8)
+    halves[1] = 150
+    assert adjusted(Contrast(1.5), halves)[:, 0, 0].tolist() == [25, 175]
+
+
+def test_sharpness_is_by_the_mean_of_nine_pixels() -> None:
+    """A dot of 90 on black has 10 in all nine pixels when smoothed; sharpened it has 90 + 80."""
+    dot = np.zeros((5, 5, 3), np.uint8)
+    dot[2, 2] = 90
+    assert adjusted(Sharpness(0.0), dot)[1:4, 1:4].tolist() == [[[10] * 3] * 3] * 3
+    assert adjusted(Sharpness(2.0), dot)[2, 2, 0] == 170
+
+
 def step() -> np.ndarray:
     """Dark to the left, light to the right."""
     pixels = np.full((40, 80, 3), 60, np.uint8)
@@ -100,3 +124,44 @@ def test_shadows_darken_patches_and_leave_the_rest(darkness: float) -> None:
 def test_soft_shadows_have_shades_between() -> None:
     gray = np.full((300, 300, 3), 200, np.uint8)
     assert len(np.unique(adjusted(Shadows(3, 25.0, 0.5, 0.5), gray))) > 10
+
+
+def draws_of(seed: int, width: int, height: int) -> tuple[float, float, float, float, float]:
+    """Center x and y, the two half axes as factors of the size, and the angle in degrees."""
+    stream = random(seed)
+    x, y = stream.uniform(0, width), stream.uniform(0, height)
+    first, second = stream.uniform(0.5, 1.5, 2)
+    return x, y, float(first), float(second), stream.uniform(0.0, 180.0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_shadow_is_an_ellipse_where_and_as_large_as_it_is_drawn(seed: int) -> None:
+    gray = np.full((400, 600, 3), 200, np.uint8)
+    dark = adjusted(Shadows(1, 30.0, 1.0, 0.0), gray, seed)[..., 0] == 0
+    x, y, first, second, angle = draws_of(seed, 600, 400)
+    rows, columns = np.mgrid[:400, :600]
+    turn = np.radians(angle)
+    along = (columns - x) * np.cos(turn) + (rows - y) * np.sin(turn)
+    across = (rows - y) * np.cos(turn) - (columns - x) * np.sin(turn)
+    level = np.hypot(along / (30 * first), across / (30 * second))
+    assert dark[level < 0.93].all()
+    assert not dark[level > 1.07].any()
+
+
+def test_the_soft_edge_of_a_shadow_is_as_wide_as_its_share_of_the_size() -> None:
+    """Blurred with a deviation of 0.1 x 80 px: from 16 % to 84 % over twice that."""
+    all_draws = (draws_of(seed, 600, 600) for seed in range(99))
+    central = (min(d[2:4]) > 1 and abs(d[0] - 300) < 60 and abs(d[1] - 300) < 60 for d in all_draws)
+    seed = list(central).index(True)
+    x, y = (round(value) for value in draws_of(seed, 600, 600)[:2])
+    white = np.full((600, 600, 3), 255, np.uint8)
+    light = adjusted(Shadows(1, 80.0, 1.0, 0.1), white, seed)[y, :, 0]
+    left = light[:x].astype(float)[::-1] / 255
+    width = np.interp(0.84, left, range(len(left))) - np.interp(0.16, left, range(len(left)))
+    assert width == pytest.approx(16, rel=0.25)
+
+
+def test_half_dark_shadows_are_half_as_bright_and_do_not_add_up() -> None:
+    gray = np.full((50, 50, 3), 200, np.uint8)
+    shaded = adjusted(Shadows(60, 60.0), gray)
+    assert shaded[25, 25, 0] == 100
