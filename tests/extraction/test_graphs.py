@@ -1,0 +1,382 @@
+"""What is done to the graph of a skeleton, on graphs drawn by hand."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.chains import chains, direction
+from roadlang_standard.extraction.clean import (
+    at_border,
+    components,
+    contract,
+    drop_crumbs,
+    drop_loops,
+    extend_to_border,
+    join,
+    prune,
+)
+from roadlang_standard.extraction.continuing import carry_on
+from roadlang_standard.extraction.graph import Graph, Line, trace
+from roadlang_standard.extraction.grid import roads_of_cells
+from roadlang_standard.extraction.linking import attach, dead_ends, link
+from roadlang_standard.extraction.worth import (
+    drop_unworthy,
+    mean_evidence,
+    prune_by_worth,
+    worth,
+)
+from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, surface
+
+
+def picture(text: str) -> np.ndarray:
+    return np.array([[c == "#" for c in row.strip()] for row in text.strip().splitlines()])
+
+
+def test_a_line_is_traced_from_pixel_to_pixel() -> None:
+    (line,) = trace(picture("......\n.####.\n......")).lines
+    assert line.points.tolist() == [[1, 1], [2, 1], [3, 1], [4, 1]]
+    assert line.length == 3
+
+
+def test_a_line_goes_round_corners_by_sides_first() -> None:
+    (line,) = trace(picture("##...\n.#...\n.#...\n.####")).lines
+    ends = sorted(map(tuple, line.points[[0, -1]].tolist()))
+    assert ends == [(0, 0), (4, 3)]
+    assert line.length == 7
+
+
+def test_three_branches_meet_in_a_node() -> None:
+    graph = trace(picture("...#...\n...#...\n...#...\n#######\n......."))
+    degrees = graph.degree()
+    (knot,) = [node for node, count in degrees.items() if count == 3]
+    assert sorted(degrees.values()) == [1, 1, 1, 3]
+    assert graph.nodes[knot] == pytest.approx([3, 2.75], abs=0.3)
+    tips = sorted(tuple(graph.nodes[node]) for node, count in degrees.items() if count == 1)
+    assert tips == [(0, 3), (3, 0), (6, 3)]
+
+
+def test_a_ring_is_traced_once_round() -> None:
+    ring = np.zeros((9, 9), bool)
+    ring[1, 2:7] = ring[7, 2:7] = ring[2:7, 1] = ring[2:7, 7] = True
+    (line,) = trace(ring).lines
+    assert line.closed
+    assert len({tuple(point) for point in line.points.tolist()}) == 20
+    assert line.length == pytest.approx(16 + 4 * np.sqrt(2))
+
+
+def test_a_lonely_pixel_is_no_line() -> None:
+    assert trace(picture("...\n.#.\n...")).lines == []
+
+
+def test_the_direction_of_an_end_is_seen_over_some_length() -> None:
+    """A hook of 3 px at the start does not count: from 0.35 to 1 times 20 px it goes east."""
+    line = Line(1, 2, dense((0, 3), (0, 0), (60, 0)))
+    assert direction(line, 0, 20.0) == pytest.approx([1, 0])
+    assert direction(line, 1, 20.0) == pytest.approx([-1, 0])
+    assert direction(Line(1, 2, np.array([[0.0, 0], [0, 2]])), 0, 20.0) == pytest.approx([0, 1])
+
+
+@pytest.mark.parametrize(("degrees", "count"), [(37, 1), (39, 2)])
+def test_lines_are_one_chain_where_they_bend_by_less_than_38_degrees(
+    degrees: float, count: int
+) -> None:
+    turn = np.radians(degrees)
+    tip = (50 + 40 * np.cos(turn), 40 * np.sin(turn))
+    found = chains(graph_of(((0, 0), (50, 0)), ((50, 0), tip)), 10.0)
+    assert len(found) == count
+
+
+def test_the_straightest_go_on_in_each_other_at_a_crossing() -> None:
+    """West to east is straight; the line from the north ends there."""
+    graph = graph_of(((50, 0), (0, 0)), ((50, 0), (90, 0)), ((50, 0), (50, 30)))
+    longest, other = chains(graph, 10.0)
+    assert longest.length == 90
+    assert other.length == 30
+    assert longest.nodes in ([2, 1, 3], [3, 1, 2], [1, 0, 2], [2, 0, 1])
+    points = [line.points if ahead else line.points[::-1] for line, ahead in longest.parts]
+    assert points[0][-1].tolist() == points[1][0].tolist() == [50, 0]
+
+
+def test_a_chain_runs_through_all_its_lines_in_order() -> None:
+    """Three lines, drawn in different directions, the middle one longest."""
+    graph = graph_of(((30, 0), (0, 0)), ((30, 0), (90, 0)), ((110, 0), (90, 0)))
+    (chain,) = chains(graph, 10.0)
+    points = np.vstack([line.points if ahead else line.points[::-1] for line, ahead in chain.parts])
+    assert (np.diff(points[:, 0]) >= 0).all()
+    assert (points[0, 0], points[-1, 0], chain.length) == (0, 110, 110)
+    assert len(chain.nodes) == 4
+
+
+def test_junctions_nearer_than_a_distance_become_one_in_the_middle() -> None:
+    arms: list[tuple[Point, ...]] = [((0, 0), (-30, 20)), ((0, 0), (-30, -20)),
+                                     ((8, 0), (40, 20)), ((8, 0), (40, -20))]  # fmt: skip
+    for distance, nodes in ((8.1, 5), (8.0, 6)):
+        graph = graph_of(*arms, ((0, 0), (8, 0)))
+        contract(graph, distance)
+        assert len(graph.nodes) == nodes
+    graph = graph_of(*arms, ((0, 0), (8, 0)))
+    contract(graph, 9.0)
+    (knot,) = [node for node, count in graph.degree().items() if count == 4]
+    assert graph.nodes[knot].tolist() == [4, 0]
+    assert all([4.0, 0.0] in line.points[[0, -1]].tolist() for line in graph.lines)
+
+
+def test_a_dead_end_is_no_bridge_between_junctions() -> None:
+    graph = graph_of(((0, 0), (30, 0)), ((0, 0), (-30, 0)), ((0, 0), (0, 5)))
+    contract(graph, 9.0)
+    assert len(graph.lines) == 3
+
+
+@pytest.mark.parametrize(("least", "left"), [(10.0, [10, 80]), (10.5, [80])])
+def test_dead_ends_below_a_length_are_cut(least: float, left: list[float]) -> None:
+    graph = graph_of(((0, 20), (40, 20)), ((80, 20), (40, 20)), ((40, 20), (40, 30)))
+    prune(graph, least)
+    total = lengths(graph)
+    assert (total == [80]) if left == [80] else (total == [10, 40, 40])
+    assert all(graph.degree().values())
+
+
+def test_dead_ends_at_the_border_stay() -> None:
+    roads: tuple[tuple[Point, ...], ...] = (
+        ((20, 50), (60, 50)),
+        ((60, 50), (99, 50)),
+        ((60, 50), (60, 55)),
+    )
+    for tall, count in ((60, 3), (90, 1)):
+        graph = graph_of(*roads)
+        prune(graph, 20.0, (tall, 120), 5.0)
+        assert len(graph.lines) == count
+
+
+def test_a_line_alone_is_not_cut_however_short() -> None:
+    graph = graph_of(((0, 0), (5, 0)))
+    prune(graph, 50.0)
+    assert lengths(graph) == [5]
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "inside"), [(4, 20, False), (3.9, 20, True), (50, 3.9, True), (95, 20, False),
+                           (95.1, 20, True), (50, 45, True), (50, 44, False)],
+)  # fmt: skip
+def test_the_border_of_a_picture_is_a_margin_wide(x: float, y: float, inside: bool) -> None:
+    """Of a picture of 100 x 49 pixels, the last centers are at 99 and 48: 4 px from there."""
+    assert at_border(np.array([x, y]), (49, 100), 4.0) == inside
+
+
+def test_nothing_is_at_the_border_of_a_picture_of_unknown_size() -> None:
+    assert not at_border(np.array([0.0, 0.0]), None, 4.0)
+
+
+@pytest.mark.parametrize(("least", "count"), [(62.0, 2), (64.0, 1)])
+def test_loops_at_a_junction_go_below_a_length(least: float, count: int) -> None:
+    angle = np.linspace(0, 2 * np.pi, 361)
+    ring = np.column_stack([10 * np.cos(angle) - 10, 10 * np.sin(angle)])
+    graph = graph_of(((0, 0), (50, 0)))
+    graph.lines.append(Line(graph.lines[0].start, graph.lines[0].start, ring))
+    drop_loops(graph, least)
+    assert len(graph.lines) == count
+
+
+def test_a_ring_by_itself_is_no_loop_at_a_junction() -> None:
+    angle = np.linspace(0, 2 * np.pi, 61)
+    ring = Line(0, 0, np.column_stack([np.cos(angle), np.sin(angle)]))
+    graph = Graph({0: np.array([1.0, 0.0])}, [ring])
+    drop_loops(graph, 100.0)
+    assert graph.lines == [ring]
+
+
+def test_two_lines_that_meet_alone_are_one() -> None:
+    """What was bridged of each counts by its length: 0.3 of 40 px and none of 60 are 0.12."""
+    graph = graph_of(((40, 0), (0, 0)), ((100, 0), (40, 0)))
+    graph.lines[0].linked = 0.3
+    join(graph)
+    (line,) = graph.lines
+    assert line.length == 100
+    assert line.linked == pytest.approx(0.12)
+    assert sorted(line.points[[0, -1], 0].tolist()) == [0, 100]
+    assert len(graph.nodes) == 2
+
+
+def test_three_lines_that_meet_stay_three() -> None:
+    graph = graph_of(((0, 0), (40, 0)), ((40, 0), (80, 0)), ((40, 0), (40, 40)))
+    join(graph)
+    assert len(graph.lines) == 3
+
+
+@pytest.mark.parametrize(("corners", "goal"), [
+    (((50, 40), (50, 8)), (50, -0.5)), (((50, 40), (8, 40)), (-0.5, 40)),
+    (((50, 40), (93, 40)), (99.5, 40)), (((50, 40), (50, 73)), (50, 79.5)),
+])  # fmt: skip
+def test_a_road_that_ends_near_the_border_goes_straight_on_to_it(
+    corners: tuple[Point, Point], goal: Point
+) -> None:
+    graph = graph_of(corners)
+    extend_to_border(graph, (80, 100), 10.0)
+    assert graph.nodes[graph.lines[0].end] == pytest.approx(goal)
+    assert graph.lines[0].points[-1] == pytest.approx(goal)
+    assert graph.lines[0].points[0].tolist() == [50, 40]
+
+
+def test_a_hook_at_the_border_is_cut_before_the_road_goes_on() -> None:
+    """The skeleton of a wide road turns to a corner of its mask: 6 px to the side at the end."""
+    graph = graph_of(((50, 70), (50, 10), (44, 4)))
+    extend_to_border(graph, (80, 100), 10.0)
+    assert graph.nodes[graph.lines[0].end] == pytest.approx([50, -0.5], abs=1.0)
+
+
+def test_a_road_that_ends_within_the_picture_stays() -> None:
+    graph = graph_of(((50, 60), (50, 20)))
+    extend_to_border(graph, (80, 100), 10.0)
+    assert graph.lines[0].points[-1].tolist() == [50, 20]
+
+
+def test_a_road_along_the_border_does_not_leave_far_away() -> None:
+    """It would leave 57 px ahead, more than 3.5 times the 10 px."""
+    graph = graph_of(((10, 5), (43, 5)))
+    extend_to_border(graph, (80, 100), 10.0)
+    assert graph.lines[0].points[-1, 0] <= 43
+
+
+def test_parts_that_do_not_touch_are_counted_apart() -> None:
+    graph = graph_of(((0, 0), (9, 0)), ((9, 0), (9, 9)), ((50, 0), (60, 0)))
+    assert sorted(len(part) for part in components(graph)) == [1, 2]
+    drop_crumbs(graph, 18.0)
+    assert lengths(graph) == [9, 9]
+    assert len(graph.nodes) == 3
+    drop_crumbs(graph, 18.1)
+    assert graph.lines == []
+
+
+def test_a_line_is_met_at_its_end_if_that_is_near() -> None:
+    for x, new in ((97.0, False), (50.0, True), (95.0, True)):
+        graph = graph_of(((0, 0), (100, 0)))
+        node = attach(graph, graph.lines[0], np.array([x, 3.0]))
+        assert (len(graph.lines) == 2) == new
+        assert graph.nodes[node].tolist() == ([x, 0] if new else [100, 0])
+        if new:
+            assert lengths(graph) == sorted([x, 100 - x])
+
+
+def test_dead_ends_look_ahead_and_those_at_the_border_are_none() -> None:
+    graph = graph_of(((30, 40), (99, 40)))
+    (end,) = dead_ends(graph, (80, 100))
+    assert (end.place.tolist(), end.side, end.line) == ([30, 40], 0, 0)
+    assert end.ahead == pytest.approx([-1, 0])
+
+
+# Evidence: how sure each pixel is road.
+
+
+def lit(value: float, *bands: tuple[slice, slice]) -> np.ndarray:
+    return surface(100, 200, *bands) * np.float32(value)
+
+
+def test_the_evidence_of_a_line_is_its_mean() -> None:
+    score = lit(0.8, (slice(0, 100), slice(0, 100)))
+    line = Line(0, 1, dense((60, 50), (139.0, 50)))
+    assert mean_evidence(line, score) == pytest.approx(0.4, abs=0.02)
+    # (0.4 - 0.2) / (1 - 0.2) of its 79 px
+    assert worth(line, score, 0.2) == pytest.approx(79 / 4, abs=1.5)
+    assert worth(line, score, 0.5) == 0.0
+
+
+@pytest.mark.parametrize(("least", "count"), [(14.0, 3), (16.0, 1)])
+def test_dead_ends_go_by_what_they_are_worth(least: float, count: int) -> None:
+    """30 px of evidence 0.6 above a floor of 0.2 are worth 15 px."""
+    score = lit(0.6, (slice(0, 100), slice(0, 200)))
+    graph = graph_of(((20, 40), (100, 40)), ((100, 40), (180, 40)), ((100, 40), (100, 70)))
+    prune_by_worth(graph, score, least, 0.2)
+    assert len(graph.lines) == count
+
+
+@pytest.mark.parametrize(("least", "count"), [(29.0, 3), (31.0, 1)])
+def test_a_dead_end_at_the_border_needs_half_as_much(least: float, count: int) -> None:
+    score = lit(0.6, (slice(0, 100), slice(0, 200)))
+    graph = graph_of(((20, 66), (100, 66)), ((100, 66), (180, 66)), ((100, 66), (100, 96)))
+    prune_by_worth(graph, score, least, 0.2)
+    assert len(graph.lines) == count
+
+
+@pytest.mark.parametrize(
+    ("corners", "least", "count"),
+    [(((20, 50), (100, 50)), 39.0, 1), (((20, 50), (100, 50)), 41.0, 0),
+     (((50, 2), (50, 98)), 95.0, 1), (((50, 2), (50, 98)), 97.0, 0),
+     (((50, 2), (50, 82)), 41.0, 0)],
+)  # fmt: skip
+def test_parts_go_by_what_they_are_worth_and_half_will_do_across_the_picture(
+    corners: tuple[Point, Point], least: float, count: int
+) -> None:
+    """Evidence of 0.6 above a floor of 0.2 is worth half of each pixel."""
+    graph = graph_of(corners)
+    drop_unworthy(graph, lit(0.6, (slice(0, 100), slice(0, 200))), least, 0.2)
+    assert len(graph.lines) == count
+
+
+@pytest.mark.parametrize(("gap", "joined"), [(40, True), (56, False)])
+def test_a_gap_is_bridged_up_to_a_distance(gap: int, joined: bool) -> None:
+    graph = graph_of(((0, 50), (70, 50)), ((70 + gap, 50), (199, 50)))
+    link(graph, np.full((100, 200), 0.3, np.float32), 50.0, 0.8)
+    assert (len(graph.lines) == 1) == joined
+    if joined:
+        assert graph.lines[0].linked == pytest.approx(gap / 199, abs=0.02)
+
+
+@pytest.mark.parametrize(("worst", "joined"), [(0.19, True), (0.17, False)])
+def test_a_bridge_between_ends_in_one_line_costs_15_percent(worst: float, joined: bool) -> None:
+    """Evidence of 0.3 costs -ln 0.3 + 0.05 = 1.25 a pixel, of which 0.15 count: 0.19.
+
+    Half a cell at either end lies on the roads, so that a little less is counted.
+    """
+    graph = graph_of(((0, 50), (70, 50)), ((100, 50), (199, 50)))
+    link(graph, np.full((100, 200), 0.3, np.float32), 50.0, worst)
+    assert (len(graph.lines) == 1) == joined
+
+
+def test_a_dead_end_joins_the_road_that_it_runs_into() -> None:
+    graph = graph_of(((100, 2), (100, 97)), ((20, 50), (75, 50)))
+    score = lit(0.9, (slice(45, 55), slice(0, 200)))
+    link(graph, score, 50.0, 0.8)
+    assert sorted(graph.degree().values()) == [1, 1, 1, 3]
+    knot = next(node for node, count in graph.degree().items() if count == 3)
+    assert graph.nodes[knot] == pytest.approx([100, 50], abs=2.0)
+
+
+def test_the_nearest_fainter_line_goes_on() -> None:
+    """Two faint bits in a row, 12 px and 8 px apart: the road takes both."""
+    score = lit(0.95, (slice(47, 54), slice(0, 80)))
+    for columns in (slice(92, 120), slice(128, 170)):
+        score[47:54, columns] = 0.5
+    graph = graph_of(((0, 50), (77, 50)))
+    carry_on(graph, score, (0.4, 0.27), 7.0, 20.0)
+    (line,) = graph.lines
+    assert line.points[:, 0].max() > 160
+    assert 0.1 < line.linked < 0.3
+    short = graph_of(((0, 50), (77, 50)))
+    carry_on(short, score, (0.4, 0.27), 7.0, 10.0)
+    assert short.lines[0].points[:, 0].max() == 77
+
+
+def test_cells_that_touch_by_their_sides_are_roads() -> None:
+    """A T of cells: three roads from its middle, of 2, 2 and 2 cells' length."""
+    found = roads_of_cells(picture("#####\n..#..\n..#.."), 3.0)
+    assert sorted(road.length for road in found.roads) == [2, 2, 2]
+    assert all(road.widths.tolist() == [3.0] * 3 for road in found.roads)
+    ends = {tuple(found.nodes[node]) for road in found.roads for node in (road.start, road.end)}
+    assert ends == {(0, 0), (4, 0), (2, 2), (2, 0)}
+
+
+@pytest.mark.parametrize("text", [".#.\n#.#\n.#.", "##\n##"])
+def test_rings_of_cells_are_closed_roads(text: str) -> None:
+    (road,) = roads_of_cells(picture(text)).roads
+    assert road.closed
+    assert len(road.points) == 5
+
+
+def test_two_rings_of_cells_are_two_roads() -> None:
+    found = roads_of_cells(picture("##..##\n##..##"))
+    assert [road.closed for road in found.roads] == [True, True]
+
+
+def test_a_cell_alone_is_no_road() -> None:
+    assert roads_of_cells(picture("...\n.#.")).roads == ()
