@@ -1,0 +1,393 @@
+"""What is measured on surfaces and pictures, on some that are drawn by hand."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.contour import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.drafting import usual_width_of
+from roadlang_standard.extraction.drawing import between_lines, likeness, roads_of_drawing
+from roadlang_standard.extraction.edges import (
+    Sides,
+    normals,
+    recentered,
+    sides,
+    usual_width,
+    widths,
+)
+from roadlang_standard.extraction.hints import leave_out, paint, ways_through
+from roadlang_standard.extraction.hysteresis import hysteresis
+from roadlang_standard.extraction.masks import roads_of_surface
+from roadlang_standard.extraction.picture_kind import picture_kind
+from roadlang_standard.extraction.smoothing import (
+    curvature,
+    resample,
+    smooth,
+    smooth_values,
+    stations,
+)
+from roadlang_standard.extraction.tones import away_from, flatness, layer, thinned, tones
+from tests.extraction.graph_drawings import dense, graph_of, surface
+
+EVERYTHING = slice(None)
+
+
+def band(top: int, bottom: int, height: int = 100, width: int = 200) -> np.ndarray:
+    """A road across the picture between two rows."""
+    return surface(height, width, (slice(top, bottom), EVERYTHING))
+
+
+def two_lines() -> np.ndarray:
+    """The edges of a road, rows 30 to 32 and 60 to 62."""
+    return np.asarray(band(30, 33, width=400) + band(60, 63, width=400))
+
+
+def painted(mask: np.ndarray, road: int = 90, ground: int = 230) -> np.ndarray:
+    return np.where(mask[..., None] > 0.5, road, ground).repeat(3, axis=2).astype(np.uint8)
+
+
+# Widths and middles: a band of rows 40 to 59 has its middle at 49.5 and is 20 px wide.
+
+
+def test_the_edges_of_a_road_are_where_the_surface_falls_through_one_half() -> None:
+    """A line at row 47 is 7.5 px from the upper edge and 12.5 px from the lower one."""
+    seen = sides(dense((20, 47), (180, 47)), band(40, 60), 20.0)
+    assert seen.left == pytest.approx(np.full(161, 12.5), abs=0.15)
+    assert seen.right == pytest.approx(np.full(161, 7.5), abs=0.15)
+    assert usual_width(seen) == pytest.approx(20, abs=0.1)
+    assert seen.seen.all()
+
+
+def test_an_edge_beyond_the_radius_or_a_line_beside_the_road_is_not_seen() -> None:
+    near = sides(dense((20, 47), (180, 47)), band(40, 60), 10.0)
+    assert np.isnan(near.left).all()
+    assert np.isfinite(near.right).all()
+    beside = sides(dense((20, 20), (180, 20)), band(40, 60), 50.0)
+    assert not beside.seen.any()
+    assert np.isnan(usual_width(beside))
+
+
+def test_the_level_of_an_edge_may_be_set() -> None:
+    """A slope from 1 at row 50 down to 0 at row 70: 0.25 is at row 65."""
+    slope = np.clip((70 - np.arange(100.0)) / 20, 0, 1)[:, None].repeat(200, axis=1)
+    for level, distance in ((0.25, 15), (0.75, 5)):
+        seen = sides(dense((50, 50), (150, 50)), slope.astype(np.float32), 30.0, level)
+        assert seen.left[50] == pytest.approx(distance, abs=0.2)
+
+
+def test_normals_are_to_the_right_of_east_in_a_picture() -> None:
+    """y runs down: the normal of a line to the right points down."""
+    assert normals(dense((0, 0), (9, 0)))[4] == pytest.approx([0, 1])
+    assert normals(dense((0, 0), (0, 9)))[4] == pytest.approx([-1, 0])
+
+
+def both(left: float, right: float, count: int = 200) -> Sides:
+    return Sides(np.full(count, left), np.full(count, right))
+
+
+def test_a_line_moves_to_the_middle_and_held_ends_stay() -> None:
+    """12.5 px to the left and 7.5 px to the right: 2.5 px to the left, within 15 px of an end."""
+    line = dense((0, 47), (199, 47))
+    moved = recentered(line, both(12.5, 7.5), 30.0, closed=False)
+    assert moved[20:180, 1] == pytest.approx(np.full(160, 49.5), abs=0.01)
+    assert moved[[0, -1], 1].tolist() == [47, 47]
+    assert moved[6, 1] == pytest.approx(47 + 2.5 * 6 / 15, abs=0.01)
+    free = recentered(line, both(12.5, 7.5), 30.0, closed=False, held=(False, True))
+    assert (free[0, 1], free[-1, 1]) == (pytest.approx(49.5, abs=0.01), 47)
+
+
+def test_a_line_moves_by_at_most_a_third_of_the_width() -> None:
+    line = dense((0, 47), (199, 47))
+    moved = recentered(line, both(20.0, 0.0), 30.0, closed=True)
+    assert moved[:, 1] == pytest.approx(np.full(200, 47 + 0.35 * 20), abs=0.01)
+
+
+def test_a_line_whose_edges_are_hardly_seen_stays() -> None:
+    line = dense((0, 47), (199, 47))
+    hardly = both(12.5, 7.5).where(np.arange(200) < 15)
+    assert recentered(line, hardly, 30.0, closed=False) is line
+    assert recentered(line, both(12.5, 7.5).where(np.arange(200) < 25), 30.0, False) is not line
+
+
+def test_widths_leave_out_what_is_far_from_the_usual() -> None:
+    found = both(10.0, 10.0)
+    found.left[50:60] = 45.0  # a lay-by of 55 px
+    wide, spread = widths(found, 7.0, 40.0, closed=False)
+    assert wide == pytest.approx(np.full(200, 20.0), abs=0.1)
+    assert spread == pytest.approx(0, abs=0.05)
+
+
+def test_the_spread_of_widths_is_their_standard_deviation() -> None:
+    noise = np.random.default_rng(1).normal(0, 1.0, 4000)
+    _, spread = widths(Sides(10 + noise, np.full(4000, 10.0)), 7.0, 400.0, closed=False)
+    assert spread == pytest.approx(1.0, rel=0.06)
+
+
+def test_unseen_widths_are_the_fallback() -> None:
+    nothing = Sides(np.full(5, np.nan), np.full(5, np.nan))
+    wide, spread = widths(nothing, 7.0, 40.0, closed=False)
+    assert wide.tolist() == [7.0] * 5
+    assert np.isnan(spread)
+
+
+def test_the_usual_width_is_that_of_the_mask_along_the_lines() -> None:
+    """Twice the distance from row 49.5 to the edge, 10.5 px to the first pixel outside, less 1."""
+    graph = graph_of(((10, 49), (190, 49)))
+    assert usual_width_of(graph, band(40, 60) > 0) == pytest.approx(19.5, abs=1.0)
+    assert usual_width_of(graph_of(), band(40, 60) > 0) == 1.0
+
+
+def test_a_straight_road_is_found_where_it_lies_from_edge_to_edge() -> None:
+    found = roads_of_surface(band(40, 60), "by hand")
+    (road,) = found.roads
+    assert road.points[:, 1] == pytest.approx(np.full(len(road.points), 49.5), abs=0.15)
+    assert sorted(road.points[[0, -1], 0]) == pytest.approx([-0.5, 199.5], abs=0.6)
+    assert road.widths == pytest.approx(np.full(len(road.points), 20.0), abs=0.3)
+    assert found.method == "by hand"
+    assert road.confidence > 0.95
+
+
+def test_a_width_that_is_given_is_not_measured() -> None:
+    (road,) = roads_of_surface(band(40, 60), "", width=17.0).roads
+    assert set(road.widths) == {17.0}
+    assert road.width_error == 0.0
+
+
+def test_specks_and_holes_are_left_out() -> None:
+    """A stain of 3 x 3 px beside the road and a hole of 3 x 3 px in it."""
+    mask = band(40, 60)
+    mask[5:8, 5:8], mask[48:51, 90:93] = 1.0, 0.0
+    found = roads_of_surface(mask, "", specks=10.0)
+    assert len(found.roads) == 1
+    assert not found.mask[6, 6] or len(found.roads) == 1
+    assert len(roads_of_surface(mask, "", specks=9.0).roads) > 1
+
+
+def test_stubs_shorter_than_the_least_length_go() -> None:
+    mask = band(46, 54)
+    mask[20:50, 96:104] = 1.0
+    assert len(roads_of_surface(mask, "").roads) == 3
+    assert len(roads_of_surface(mask, "", least=60.0).roads) == 1
+
+
+# Masks
+
+
+def test_weak_evidence_counts_where_strong_evidence_touches_it() -> None:
+    score = np.zeros((10, 30), np.float32)
+    score[4, 2:12] = score[8, 2:12] = 0.5
+    score[4, 5] = 0.9
+    mask = hysteresis(score, 0.8, 0.4)
+    assert np.argwhere(mask).tolist() == [[4, x] for x in range(2, 12)]
+    assert not hysteresis(score, 0.9, 0.4).any()
+    assert hysteresis(score, 0.8, 0.5).sum() == 1
+
+
+# Hints
+
+
+def test_a_box_is_left_out_with_its_edges() -> None:
+    score = np.ones((20, 30), np.float32)
+    leave_out([score], (((12.0, 4.0), (5.0, 9.0)),))
+    assert np.argwhere(score == 0).min(axis=0).tolist() == [4, 5]
+    assert np.argwhere(score == 0).max(axis=0).tolist() == [9, 12]
+    leave_out([score], (((-50.0, -50.0), (-5.0, -5.0)),))
+    assert (score == 0).sum() == 6 * 8
+
+
+def test_a_way_follows_the_evidence_and_goes_straight_without() -> None:
+    """A road along three sides of a rectangle; without it 100 px straight ahead."""
+    score = np.full((120, 200), 0.02, np.float32)
+    for rows, columns in ((slice(26, 35), slice(46, 155)), (slice(26, 95), slice(46, 55)),
+                          (slice(26, 95), slice(146, 155))):  # fmt: skip
+        score[rows, columns] = 0.95
+    ends = np.array([[50.0, 90.0], [150.0, 90.0]])
+    (way,) = ways_through(score, ends)
+    assert way[[0, -1]].tolist() == ends.tolist()
+    assert way[:, 1].min() == pytest.approx(30, abs=4)
+    (straight,) = ways_through(np.full((120, 200), 0.5, np.float32), ends)
+    assert np.abs(straight[:, 1] - 90).max() < 0.5
+    assert len(ways_through(score, np.vstack([ends, [[20.0, 20.0]]]))) == 2
+
+
+def test_a_way_is_painted_as_wide_as_a_road() -> None:
+    surface_, score = np.zeros((40, 80), np.float32), np.full((40, 80), 0.3, np.float32)
+    paint(surface_, score, dense((10, 20), (70, 20)), 7.0)
+    assert 7 <= surface_[:, 40].sum() < 10  # its soft edges lie outside
+    assert (surface_[20, 40], score[20, 40], score[5, 40]) == pytest.approx((1, 1, 0.3))
+
+
+# Lines
+
+
+def test_a_line_is_resampled_evenly_with_its_ends() -> None:
+    line = resample(np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]]), 2.0)
+    assert stations(line)[-1] == pytest.approx(11, abs=0.1)
+    assert len(line) == 7
+    assert line[[0, -1]].tolist() == [[0, 0], [3, 10]]
+    assert len(resample(np.array([[0.0, 0.0], [0.1, 0.0]]))) == 2
+
+
+def test_the_curvature_of_a_circle_is_one_over_its_radius() -> None:
+    angle = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    circle = 50 * np.column_stack([np.cos(angle), np.sin(angle)])
+    assert curvature(circle, closed=True) == pytest.approx(np.full(400, 0.02), rel=1e-3)
+
+
+@pytest.mark.parametrize(("wave", "share"), [(20.0, 0.06), (40.0, 0.5), (80.0, 0.94)])
+def test_waves_below_the_wavelength_are_taken_out(wave: float, share: float) -> None:
+    """At the wavelength itself half of a wave is left: 1 / (1 + (40 / wave)^4)."""
+    values = np.sin(2 * np.pi * np.arange(800) / wave)
+    left = smooth_values(values, 40.0)[200:600]
+    assert np.abs(left).max() == pytest.approx(share, abs=0.02)
+    around = smooth_values(values, 40.0, closed=True)
+    assert np.abs(around).max() == pytest.approx(share, abs=0.02)
+
+
+def test_ends_stay_unless_they_are_free() -> None:
+    line = dense((0, 0), (100, 0)) + np.outer(np.r_[8.0, np.zeros(100)], [0, 1])
+    held = smooth(line, 60.0, 50.0)
+    free = smooth(line, 60.0, 50.0, free=(True, False))
+    assert held[0].tolist() == [0, 8]
+    assert 0 < free[0, 1] < 4
+    assert held[-1].tolist() == free[-1].tolist() == [100, 0]
+
+
+# Tones
+
+
+def plan(*shares: tuple[tuple[int, int, int], int]) -> np.ndarray:
+    """Columns of colors, each of so many columns of a hundred."""
+    columns = [color for color, count in shares for _ in range(count)]
+    return np.array([columns] * 60, np.uint8)
+
+
+def test_the_tones_of_a_drawing_by_their_shares() -> None:
+    found = tones(plan(((255, 255, 255), 70), ((40, 40, 40), 25), ((0, 0, 250), 5)))
+    assert found.colors.tolist() == [[255, 255, 255], [40, 40, 40], [0, 0, 250]]
+    assert found.shares == pytest.approx([0.7, 0.25, 0.05])
+    assert found.paper == 0
+    assert found.covered == pytest.approx(1.0)
+
+
+def test_the_paper_is_what_lies_at_the_rim() -> None:
+    """60 % of the picture are dark, but all of its rim is white."""
+    image = np.full((100, 100, 3), 255, np.uint8)
+    image[11:89, 11:89] = 20
+    assert tones(image).colors[tones(image).paper].tolist() == [255, 255, 255]
+
+
+def test_rare_tones_are_left_out() -> None:
+    found = tones(plan(((255, 255, 255), 99), ((0, 0, 0), 1)), least=0.02)
+    assert len(found.colors) == 1
+    assert len(tones(plan(((255, 255, 255), 99), ((0, 0, 0), 1)), most=1).colors) == 1
+
+
+def test_the_worst_channel_says_how_far_a_color_is() -> None:
+    image = np.array([[[10, 200, 30]]], np.uint8)
+    assert away_from(image, np.array([20.0, 150.0, 30.4])).tolist() == [[50]]
+
+
+def test_a_picture_is_thinned_to_about_so_many_pixels() -> None:
+    assert thinned(np.zeros((100, 100, 3), np.uint8), 2500).shape == (50, 50, 3)
+    assert thinned(np.zeros((100, 100, 3), np.uint8), 10_000).shape == (100, 100, 3)
+
+
+def test_a_drawing_is_flat_but_for_its_edges() -> None:
+    """At each of two edges, two columns of a hundred see both tones in their 3 x 3 pixels."""
+    image = plan(((255, 255, 255), 40), ((0, 0, 0), 20), ((255, 255, 255), 40))
+    assert flatness(image) == pytest.approx(0.96)
+    left = np.zeros((60, 100), bool)
+    left[:, :30] = True
+    assert flatness(image, left) == 1.0
+    noisy = np.random.default_rng(1).integers(0, 255, (60, 100, 3), dtype=np.uint8)
+    assert flatness(noisy) < 0.01
+
+
+def test_on_an_edge_between_tones_a_pixel_has_its_share() -> None:
+    black, white = np.zeros(3), np.full(3, 255.0)
+    image = np.array([[[0] * 3, [51] * 3, [204] * 3, [255] * 3]], np.uint8)
+    assert layer(image, black, white[None])[0] == pytest.approx([1, 0.8, 0.2, 0], abs=1e-6)
+
+
+# Drawings
+
+
+def test_a_road_drawn_by_two_lines_reaches_to_their_middles() -> None:
+    """Lines of rows 30 to 32 and 60 to 62: from 31 to 61, 30 px wide about row 46."""
+    ink = two_lines() > 0
+    between = between_lines(ink)
+    assert between is not None
+    (road,) = roads_of_surface(between, "").roads
+    assert road.points[:, 1] == pytest.approx(np.full(len(road.points), 46.0), abs=0.3)
+    assert np.median(road.widths) == pytest.approx(30, abs=1.0)
+
+
+def test_lines_with_gaps_are_closed() -> None:
+    ink = two_lines() > 0
+    ink[30:33, 100:105] = False
+    assert between_lines(ink) is not None
+    ink[30:33, 100:160] = False
+    assert between_lines(ink) is None
+
+
+def test_two_filled_roads_are_no_edge_lines() -> None:
+    ink = np.zeros((100, 400), bool)
+    ink[20:40], ink[60:80] = True, True
+    assert between_lines(ink) is None
+
+
+def test_a_long_even_band_looks_more_like_a_road_than_a_blot() -> None:
+    blot = np.zeros((100, 200), np.float32)
+    cv2.circle(blot, (100, 50), 40, 1.0, -1)
+    short = surface(100, 200, (slice(46, 54), slice(90, 110)))
+    assert likeness(band(46, 54)) > 3 * likeness(blot)
+    assert likeness(band(46, 54)) > 3 * likeness(short)
+    assert likeness(np.zeros((100, 200), np.float32)) == 0.0
+
+
+def test_a_filled_road_is_found_whatever_its_color() -> None:
+    for road, ground in ((90, 230), (230, 90)):
+        found = roads_of_drawing(painted(band(40, 60), road, ground))
+        assert found.method == "filled road"
+        assert found.roads[0].points[:, 1].mean() == pytest.approx(49.5, abs=0.3)
+    assert roads_of_drawing(np.full((50, 50, 3), 9, np.uint8)).remarks == (
+        "the picture has one color",
+    )
+
+
+@pytest.mark.parametrize(("road", "rows"), [("dark", 49.5), ("light", None), ("auto", 49.5)])
+def test_the_side_of_the_threshold_that_is_road(road: str, rows: float | None) -> None:
+    """A dark band on light ground: as the light side, the ground is taken for two roads."""
+    found = roads_by_contour(painted(band(40, 60)), ContourSteps(road=road))
+    if rows is None:
+        assert len(found.roads) != 1
+    else:
+        assert found.roads[0].points[:, 1].mean() == pytest.approx(rows, abs=0.3)
+
+
+def test_a_threshold_is_found_between_the_tones_or_given() -> None:
+    image = painted(band(40, 60))
+    assert 90 < 255 * roads_by_contour(image, ContourSteps()).scores["threshold"] < 230
+    assert roads_by_contour(image, ContourSteps(threshold=0.5)).scores["threshold"] == 0.5
+    one = roads_by_contour(image, ContourSteps(threshold=0.1))
+    assert one.remarks == ("the picture has one tone",)
+
+
+@pytest.mark.parametrize(
+    ("image", "name"),
+    [
+        (painted(band(40, 60), 255, 0), "mask"),
+        (painted(band(40, 60), 90, 230), "filled drawing"),
+        (painted(two_lines(), 0, 255), "edge-line drawing"),
+        (plan(((255, 255, 255), 40), ((0, 0, 250), 20), ((250, 0, 0), 20), ((0, 250, 0), 20)),
+         "color map"),
+        (np.random.default_rng(1).integers(0, 255, (100, 200, 3), dtype=np.uint8), "photo"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)  # fmt: skip
+def test_kinds_of_pictures(image: np.ndarray, name: str) -> None:
+    assert picture_kind(image).name == name
+    assert picture_kind(image).drawn == (name != "photo")
