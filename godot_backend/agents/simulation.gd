@@ -12,6 +12,7 @@ const Vehicle := preload("res://agents/vehicle.gd")
 const Signals := preload("res://agents/signals.gd")
 const Telemetry := preload("res://agents/telemetry.gd")
 const Weather := preload("res://build/weather.gd")
+const TrafficSignals := preload("res://build/signals.gd")
 
 const DEFAULT_FRICTION := 0.9
 const END_BRAKING := 4.0
@@ -30,6 +31,7 @@ var tick := 0
 var _server: Server
 var _stages: Dictionary
 var _cast: Array[Array] = []
+var _traffic_signals: Array[TrafficSignals] = []
 var _last_tick := 0
 var _every := 1
 var _stop_at_end := false
@@ -106,6 +108,9 @@ func stop(reason: String, more: Dictionary = {}) -> void:
 func step(dt: float) -> void:
 	if mode == Mode.IDLE:
 		return
+	for lights in _traffic_signals:
+		if is_instance_valid(lights):
+			lights.show_at(tick * dt)
 	for part in _cast:
 		var agent: Agent = part[1]
 		agent.follow(part[3].path(agent.path_id))
@@ -162,6 +167,7 @@ func agent(world: int, id: int) -> Agent:
 
 func _gather() -> void:
 	_cast.clear()
+	_traffic_signals.clear()
 	var worlds: Array = _stages.keys()
 	worlds.sort()
 	for world: int in worlds:
@@ -169,6 +175,8 @@ func _gather() -> void:
 		var agents := stage.agents()
 		var signals := Signals.new(agents)
 		var friction := DEFAULT_FRICTION
+		for lights in stage.all(Protocol.SIGNALS):
+			_traffic_signals.append(lights as TrafficSignals)
 		for weather in stage.all(Protocol.WORLD):
 			friction = (weather as Weather).friction
 		for one in agents:

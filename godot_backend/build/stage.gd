@@ -6,6 +6,8 @@ const Reader := preload("res://net/reader.gd")
 const Thing := preload("res://build/thing.gd")
 const Segment := preload("res://build/segment.gd")
 const Patch := preload("res://build/patch.gd")
+const Paint := preload("res://build/paint.gd")
+const Signals := preload("res://build/signals.gd")
 const Tiles := preload("res://build/tiles.gd")
 const Objects := preload("res://build/objects.gd")
 const PathPiece := preload("res://build/path_piece.gd")
@@ -129,6 +131,10 @@ func _make(kind: int) -> Thing:
 			return Segment.new()
 		Protocol.PATCH:
 			return Patch.new()
+		Protocol.PAINT:
+			return Paint.new()
+		Protocol.SIGNALS:
+			return Signals.new()
 		Protocol.TILES:
 			return Tiles.new()
 		Protocol.OBJECTS:

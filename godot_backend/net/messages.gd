@@ -98,7 +98,7 @@ func _put(type: int, reader: Reader) -> String:
 	var wrong := stage.put(type, id, revision, reader)
 	if wrong.is_empty():
 		_view.scene_changed()
-		if type == Protocol.AGENT or type == Protocol.WORLD:
+		if type in [Protocol.AGENT, Protocol.WORLD, Protocol.SIGNALS]:
 			_simulation.refresh()
 	return wrong
 

@@ -31,6 +31,8 @@ const PATH := 0x15
 const AGENT := 0x16
 const WORLD := 0x17
 const REMOVE := 0x18
+const PAINT := 0x19
+const SIGNALS := 0x1A
 
 ## Proof.
 const COMMIT := 0x20
@@ -57,4 +59,4 @@ const NOTE := 0x44
 
 
 static func is_thing(type: int) -> bool:
-	return type >= SEGMENT and type <= WORLD
+	return type >= SEGMENT and type <= SIGNALS and type != REMOVE

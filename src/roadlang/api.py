@@ -139,6 +139,8 @@ if TYPE_CHECKING:
     from .ir.surroundings import LanePlace, LanePlaces, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
+    from .scenes.junction_paint import PaintedShape, junction_paint
+    from .scenes.signal_heads import SignalHead, signal_heads
     from .simulation.bodies import Body
     from .simulation.simulating import EngineSettings, simulate_scenes
 
@@ -165,6 +167,8 @@ _LATER = {
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
+    ".scenes.junction_paint": "PaintedShape junction_paint",
+    ".scenes.signal_heads": "SignalHead signal_heads",
     ".simulation.bodies": "Body",
     ".simulation.simulating": "EngineSettings simulate_scenes",
 }
@@ -173,24 +177,25 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURVATURE", "FORCE", "FREQUENCY", "JERK",
     "LENGTH", "MASS", "PIXELS", "PURE", "SCALE", "SPEED", "TIME", "Acceleration", "Adjuster",
-    "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis",
-    "Backend", "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames",
-    "Control", "ControlBatch", "Controller", "Curvature", "Diagnostic", "DiagnosticError",
-    "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration",
-    "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
-    "ImageName", "Jerk", "JunctionControl", "Kind", "Label", "LaneKind", "LanePlace",
-    "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Neighbor",
-    "Neighbors", "Number", "ObjectKind", "Observation", "ObservationBatch", "Perturber",
-    "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position", "Profile",
-    "Provenance", "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber",
-    "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale",
-    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
-    "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode",
-    "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector",
-    "Signal", "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace", "Verdict",
+    "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
+    "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames", "Control",
+    "ControlBatch", "Controller", "Curvature", "Diagnostic", "DiagnosticError", "Dimension",
+    "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration", "EngineSettings",
+    "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "ImageName", "Jerk",
+    "JunctionControl", "Kind", "Label", "LaneKind", "LanePlace", "LanePlaces", "Length",
+    "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Neighbor", "Neighbors", "Number",
+    "ObjectKind", "Observation", "ObservationBatch", "PaintedShape", "Perturber", "Picture",
+    "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position", "Profile", "Provenance",
+    "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork",
+    "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene",
+    "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction",
+    "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad",
+    "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead",
+    "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace", "Verdict",
     "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
-    "hookimpl", "kind_of", "list_of", "map_of", "one_of", "option", "quantity", "read_image",
-    "read_input", "record_of", "scene_from_json", "simulate_scenes", "to_json",
+    "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "quantity",
+    "read_image", "read_input", "record_of", "scene_from_json", "signal_heads", "simulate_scenes",
+    "to_json",
 ]  # fmt: skip
 
 

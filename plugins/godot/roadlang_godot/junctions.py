@@ -86,7 +86,7 @@ def area_patch(
         points = points[:: -(-len(points) // _MOST_POINTS)]
     corners = frame.ground(points)
     # Clockwise seen from above, which is the front in the engine.
-    return _patch(corners, triangulated(points)[:, ::-1], id, label)
+    return triangles_thing(Message.PATCH, corners, triangulated(points)[:, ::-1], id, label)
 
 
 def patch(arms: list[Arm], cut: list[float], id: int, frame: SceneOrigin, label: str) -> ScenePart:
@@ -105,14 +105,17 @@ def patch(arms: list[Arm], cut: list[float], id: int, frame: SceneOrigin, label:
     spokes = np.arange(count)
     # Clockwise seen from above, which is the front in the engine.
     triangles = np.stack([np.zeros(count, int), (spokes + 1) % count + 1, spokes + 1], axis=-1)
-    return _patch(corners, triangles, id, label)
+    return triangles_thing(Message.PATCH, corners, triangles, id, label)
 
 
-def _patch(corners: Any, triangles: NDArray[np.int64], id: int, label: str) -> ScenePart:
+def triangles_thing(
+    kind: Message, corners: Any, triangles: NDArray[np.int64], id: int, label: str
+) -> ScenePart:
+    """A flat shape: corners (n, 3) in the engine's coordinates, and which make a triangle."""
     head = struct.pack("<HH", len(corners), len(triangles))
     body = head + corners.tobytes() + triangles.astype("<u2").tobytes()
     content = corners.tobytes() + triangles.astype("<i4").tobytes()
-    return ScenePart(Message.PATCH, id, body, content, label)
+    return ScenePart(kind, id, body, content, label)
 
 
 def _rounded(

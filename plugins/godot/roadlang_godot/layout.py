@@ -14,6 +14,7 @@ from .conditions import engine_condition
 from .drives import IN_ENGINE, option_values, plain_name
 from .faults import fault
 from .frame import SceneOrigin, frame_around
+from .junction_things import paint_things, signal_things
 from .junctions import Arm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
@@ -23,7 +24,7 @@ from .sky import world_settings
 from .thing import ScenePart
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, SceneActor, SceneNetwork
+    from roadlang.api import Scene, SceneActor, SceneJunction, SceneNetwork
 
 BESIDE = 150.0
 """Flat ground around everything, meters."""
@@ -124,9 +125,12 @@ def _meshes(
         for name in built
     }
     things: list[ScenePart] = []
+    places: list[SceneJunction] = []
     for network in scene.networks:
         if network.junctions:
-            things += _areas(network, trims, len(things) + 1, frame)
+            here = _junctions_between(network, trims)
+            things += _areas(network, here, len(things) + 1, frame)
+            places += here
             continue
         for node in network.nodes:  # of a scene of an earlier version
             arms = order(_arms(np.array([node.x, node.y]), node.roads, trims, lines))
@@ -144,18 +148,21 @@ def _meshes(
             pieces = road_things(lines[name], first, frame, start, end)
             things += pieces
             first += len(pieces)
-    return things
+    return [*things, *paint_things(scene, places, frame), *signal_things(places, frame)]
 
 
-def _areas(
-    network: SceneNetwork, built: Mapping[str, Any], first: int, frame: SceneOrigin
-) -> list[ScenePart]:
+def _junctions_between(network: SceneNetwork, built: Mapping[str, Any]) -> list[SceneJunction]:
     """The junctions all of whose roads are built."""
-    places = [
+    return [
         junction
         for junction in network.junctions
         if all(arm.road in built for arm in junction.arms)
     ]
+
+
+def _areas(
+    network: SceneNetwork, places: Iterable[SceneJunction], first: int, frame: SceneOrigin
+) -> list[ScenePart]:
     return [
         area_patch(place.area, id, frame, f"junction {place.id} of {network.name}")
         for id, place in enumerate(places, start=first)

@@ -41,6 +41,8 @@ class Message(IntEnum):
     AGENT = 0x16
     WORLD = 0x17
     REMOVE = 0x18
+    PAINT = 0x19
+    SIGNALS = 0x1A
     COMMIT = 0x20
     BUILT = 0x21
     LIST = 0x22

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 ControlRule = Literal["right_first", "yield", "stop", "all_way_stop", "signals"]
+Light = Literal["green", "yellow", "red"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +117,24 @@ class SceneControl:
     """of signals, in order and again from the first"""
     offset: float = 0.0
     """seconds of the first phase that have passed when the drive begins"""
+
+    @property
+    def cycle(self) -> float:
+        """Seconds of all phases."""
+        return sum(phase.green + phase.yellow + phase.all_red for phase in self.phases)
+
+    def light(self, connection: int, time: float) -> Light:
+        """What the signals show a connection, `time` seconds into the drive."""
+        left = (time + self.offset) % self.cycle if self.phases else 0.0
+        for phase in self.phases:
+            colors: tuple[tuple[Light, float], ...] = (
+                ("green", phase.green), ("yellow", phase.yellow), ("red", phase.all_red),
+            )  # fmt: skip
+            for color, seconds in colors:
+                if left < seconds:
+                    return color if connection in phase.connections else "red"
+                left -= seconds
+        return "red"
 
 
 @dataclass(frozen=True, slots=True)

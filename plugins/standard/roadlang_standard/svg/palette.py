@@ -7,6 +7,7 @@ GROUND_EDGE = "#d9d5c9"
 CASING = "#3f454c"
 SURFACE = "#757b83"
 MARKING = "#fbfaf5"
+FAINT_MARKING = "#b9bcbf"
 CURB = "#dedace"
 LANES = {
     "bus": "#7d7470",

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from . import palette
-from .junctions import curbs, paint, shown_junctions, signal_heads, surface
+from .junctions import curbs, heads, paint, shown_junctions, surface
 from .lanes import bands, lane_lines
 from .markup import element, group, path_data
 
@@ -47,7 +47,7 @@ def roads(
             group(curb, class_="curbs"),
             group(_markings(marked, viewport), class_="markings"),
             group(paint(scene, places, viewport), class_="paint"),
-            group(signal_heads(places, viewport), class_="signals"),
+            group(heads(places, viewport), class_="signals"),
         ],
         class_="roads",
     )

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from roadlang.geometry import Floats
+import numpy as np
+
+from ..geometry.arrays import Floats
 
 _SHAPES = {
     "straight": ([(-1.6, 0.0), (1.0, 0.0)], (1.0, 0.0), 0.0),
@@ -20,7 +20,6 @@ _HEAD = [(0.0, 0.35), (0.9, 0.0), (0.0, -0.35)]
 
 def arrow(turns: Collection[str], x: float, y: float, heading: float) -> list[tuple[Floats, bool]]:
     """Lines (False) and filled heads (True) of an arrow at (x, y), meters."""
-    import numpy as np
 
     def placed(points: Floats) -> Floats:
         return np.asarray(points @ _turned(heading) + (x, y))
@@ -34,6 +33,4 @@ def arrow(turns: Collection[str], x: float, y: float, heading: float) -> list[tu
 
 
 def _turned(angle: float) -> Floats:
-    import numpy as np
-
     return np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])

@@ -1,0 +1,8 @@
+extends "res://build/triangles.gd"
+## What is painted on the road: stop lines, arrows, zebra crossings. Nothing touches it.
+
+const Looks := preload("res://build/looks.gd")
+
+
+func look() -> Material:
+	return Looks.plain(Color(0.82, 0.82, 0.8), 0.8)

@@ -1,0 +1,112 @@
+"""What stands and is painted at junctions: stop lines, arrows, zebra crossings, signals."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.api import junction_paint, signal_heads
+from roadlang.geometry import Floats
+
+from .frame import SceneOrigin
+from .junctions import triangles_thing
+from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
+from .thing import ScenePart
+
+if TYPE_CHECKING:
+    from roadlang.api import PaintedShape, Scene, SceneJunction
+
+PAINT_HEIGHT = 0.015
+"""Meters above the road, so that neither shines through the other."""
+_LARGEST = BULK_DATAGRAM - HEADER_BYTES - 16
+_CORNER_BYTES, _TRIANGLE_BYTES = 12, 6
+
+
+def paint_things(
+    scene: Scene, junctions: Sequence[SceneJunction], frame: SceneOrigin
+) -> list[ScenePart]:
+    """The paint of all junctions, as much in one thing as a datagram holds."""
+    things: list[ScenePart] = []
+    batch: list[Floats] = []
+    for ring in _rings(junction_paint(scene, junctions)):
+        if batch and sum(map(_size, (*batch, ring))) > _LARGEST:
+            things.append(_paint(batch, len(things) + 1, frame))
+            batch = []
+        batch.append(ring)
+    return [*things, _paint(batch, len(things) + 1, frame)] if batch else things
+
+
+def signal_things(junctions: Iterable[SceneJunction], frame: SceneOrigin) -> list[ScenePart]:
+    """The signals of each junction that has some."""
+    things: list[ScenePart] = []
+    for junction in junctions:
+        heads, control = list(signal_heads(junction)), junction.control
+        if not heads:
+            continue
+        places = np.empty((len(heads), 4), dtype="<f4")
+        places[:, :3] = frame.ground(np.array([[head.x, head.y] for head in heads]))
+        places[:, 3] = [head.heading for head in heads]
+        seconds = np.array([(p.green, p.yellow, p.all_red) for p in control.phases], dtype="<f4")
+        green = bytes(
+            head.connections[0] in phase.connections for head in heads for phase in control.phases
+        )
+        begun = control.offset % control.cycle
+        head = struct.pack("<BBf", len(heads), len(control.phases), begun)
+        body = head + seconds.tobytes() + places.tobytes() + green
+        content = places[:, :3].tobytes() + seconds.tobytes() + green
+        label = f"signals of junction {junction.id}"
+        things.append(ScenePart(Message.SIGNALS, len(things) + 1, body, content, label))
+    return things
+
+
+def _rings(shapes: Iterable[PaintedShape]) -> Iterator[Floats]:
+    """Convex rings (n, 2), counter-clockwise."""
+    for shape in shapes:
+        if not shape.width:
+            yield shape.points if _area(shape.points) > 0.0 else shape.points[::-1]
+            continue
+        for start, stop in zip(shape.points[:-1], shape.points[1:], strict=True):
+            yield from _strokes(start, stop, shape.width, shape.dashes)
+
+
+def _strokes(
+    start: Floats, stop: Floats, width: float, dashes: tuple[float, float] | None
+) -> Iterator[Floats]:
+    """Rectangles along a line."""
+    along = stop - start
+    length = float(np.hypot(*along))
+    if length < 1e-6:
+        return
+    along = along / length
+    beside = 0.5 * width * np.array([-along[1], along[0]])
+    on, off = dashes or (length, 0.0)
+    s = 0.0
+    while s < length - 1e-6:
+        first, last = start + s * along, start + min(s + on, length) * along
+        yield np.array([first - beside, last - beside, last + beside, first + beside])
+        s += on + off
+
+
+def _area(ring: Floats) -> float:
+    x, y = ring.T
+    return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+def _size(ring: Floats) -> int:
+    return len(ring) * _CORNER_BYTES + (len(ring) - 2) * _TRIANGLE_BYTES
+
+
+def _paint(rings: Sequence[Floats], id: int, frame: SceneOrigin) -> ScenePart:
+    corners = frame.ground(np.concatenate(rings), PAINT_HEIGHT)
+    fans: list[NDArray[np.int64]] = []
+    first = 0
+    for ring in rings:
+        last = np.arange(first + 2, first + len(ring))
+        # Clockwise seen from above, which is the front in the engine.
+        fans.append(np.stack([np.full(len(last), first), last, last - 1], axis=-1))
+        first += len(ring)
+    return triangles_thing(Message.PAINT, corners, np.concatenate(fans), id, f"paint {id}")

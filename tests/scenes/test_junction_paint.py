@@ -1,0 +1,115 @@
+"""What is painted at junctions, and where signals stand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from roadlang.ir.scene import Scene
+from roadlang.ir.scene_junctions import SceneControl, SceneJunction, SignalPhase
+from roadlang.scenes.junction_paint import PaintedShape, junction_paint
+from roadlang.scenes.sampling import SamplingResult
+from roadlang.scenes.signal_heads import signal_heads
+
+Sample = Callable[..., SamplingResult]
+CROSSING = '''
+image plan from """
+....#....
+....#....
+#########
+....#....
+....#....
+""" { scale: 30m/px, legend: { "#": road } }
+WORLD
+network town from plan { LANES }
+'''
+SIDEWALKS = "left: [drive(3.5m), sidewalk(2m)]\nright: [drive(3.5m), sidewalk(2m)]\n"
+
+
+def crossing(sample: Sample, lanes: str, world: str = "") -> tuple[Scene, SceneJunction]:
+    source = CROSSING.replace("LANES", lanes).replace("WORLD", world)
+    scene = sample(source).scenes[0]
+    (junction,) = scene.networks[0].junctions
+    return scene, junction
+
+
+def painted(scene: Scene, junction: SceneJunction, kind: str) -> list[PaintedShape]:
+    return [shape for shape in junction_paint(scene, [junction]) if shape.kind == kind]
+
+
+def test_people_cross_between_sidewalks(sample: Sample) -> None:
+    """Stripes of half a meter with gaps of half a meter, across both lanes of each of the roads."""
+    scene, junction = crossing(sample, SIDEWALKS)
+    stripes = painted(scene, junction, "crossing")
+    driven = sum(lane.width[0] for lane in scene.roads[0].lane_list if lane.drivable)
+    assert len(stripes) == 4 * int((driven + 0.5) // 1.0)
+    for stripe in stripes:
+        sides = np.hypot(*(np.roll(stripe.points, -1, axis=0) - stripe.points).T)
+        assert sides == pytest.approx([0.5, 3.0, 0.5, 3.0])
+
+
+def test_stripes_lie_inside_the_area_beyond_the_stop_line(sample: Sample) -> None:
+    scene, junction = crossing(sample, SIDEWALKS + "control with all_way_stop")
+    lines = [shape.points.mean(axis=0) for shape in painted(scene, junction, "stop_line")]
+    middle = np.mean(junction.area, axis=0)
+    for stripe in painted(scene, junction, "crossing"):
+        farthest = max(np.hypot(*(point - middle)) for point in lines)
+        assert np.hypot(*(stripe.points - middle).T).max() < 1.5 * farthest
+        near = min(np.hypot(*(stripe.points - line).T).min() for line in lines)
+        assert near > 0.5
+
+
+def test_without_sidewalks_nobody_crosses(sample: Sample) -> None:
+    scene, junction = crossing(sample, "lanes: 2")
+    assert not painted(scene, junction, "crossing")
+
+
+def test_signals_stand_beside_the_lane_that_they_are_for(sample: Sample) -> None:
+    _, junction = crossing(sample, "lanes: 2\ncontrol with signals")
+    heads = list(signal_heads(junction))
+    assert len(heads) == 4
+    starts = {c.id: c for c in junction.connections}
+    for head in heads:
+        connection = starts[head.connections[0]]
+        right = np.array(connection.stop_line[1])
+        across = np.array([math.sin(head.heading), -math.cos(head.heading)])
+        assert np.array([head.x, head.y]) == pytest.approx(right + 0.8 * across)
+
+
+def test_in_left_hand_traffic_signals_stand_on_the_left(sample: Sample) -> None:
+    _, junction = crossing(
+        sample, "lanes: 2\ncontrol with signals", world="world { traffic: left }"
+    )
+    starts = {c.id: c for c in junction.connections}
+    heads = list(signal_heads(junction))
+    assert len(heads) == 4
+    for head in heads:
+        left = np.array(starts[head.connections[0]].stop_line[0])
+        across = np.array([-math.sin(head.heading), math.cos(head.heading)])
+        assert np.array([head.x, head.y]) == pytest.approx(left + 0.8 * across)
+
+
+@pytest.mark.parametrize(
+    ("time", "first", "second"),
+    [
+        (0.0, "green", "red"),
+        (7.9, "green", "red"),
+        (8.0, "yellow", "red"),
+        (11.0, "red", "red"),
+        (12.5, "red", "green"),
+        (21.9, "red", "green"),
+        (22.0, "red", "yellow"),
+        (25.0, "red", "red"),
+        (27.0, "green", "red"),
+        (37.1, "yellow", "red"),
+    ],
+)
+def test_phases_follow_one_another(time: float, first: str, second: str) -> None:
+    """10 s green, 3 s yellow, 1.5 s red for all, in turn; two seconds have passed at the start."""
+    phases = (SignalPhase((0,), 10.0, 3.0, 1.5), SignalPhase((1,), 9.5, 3.0, 2.0))
+    control = SceneControl("signals", (), phases, offset=2.0)
+    assert control.cycle == 29.0
+    assert (control.light(0, time), control.light(1, time)) == (first, second)
