@@ -17,9 +17,9 @@ from roadlang.ir.scene_junctions import (
     SceneLaneEnd,
     SignalPhase,
 )
+from roadlang.scenes.turn_arrows import arrow
 from roadlang_standard.svg import actors, palette, shapes
-from roadlang_standard.svg.arrows import arrow
-from roadlang_standard.svg.junctions import curbs, light, paint, signal_heads
+from roadlang_standard.svg.junctions import curbs, heads, paint
 from tests.backends.handmade_scenes import actor, bend
 from tests.backends.svg_shapes import PAGE, Shape, ends, numbers, of, points, straight, written
 
@@ -338,18 +338,17 @@ PHASES = (SignalPhase((1,), 10.0, 3.0, 2.0), SignalPhase((2,), 5.0, 3.0, 2.0))
     ],
 )  # fmt: skip
 def test_lights_follow_their_phases(time: float, first: str, second: str) -> None:
-    place = junction(connection(1), connection(2), control=SceneControl("signals", (), PHASES))
-    assert (light(place, 1, time), light(place, 2, time)) == (first, second)
-    later = replace(place, control=replace(place.control, offset=4.0))
-    assert light(later, 1, time) == light(place, 1, time + 4.0)
+    control = SceneControl("signals", (), PHASES)
+    assert (control.light(1, time), control.light(2, time)) == (first, second)
+    assert replace(control, offset=4.0).light(1, time) == control.light(1, time + 4.0)
 
 
-def test_a_signal_stands_at_the_right_end_of_its_stop_line() -> None:
+def test_a_signal_stands_80_cm_to_the_right_of_its_stop_line() -> None:
     place = junction(connection(1), control=SceneControl("signals", (), PHASES))
-    (head,) = of(signal_heads([place], PAGE), "circle")
-    assert numbers(head, "cx", "cy", "r", "stroke-width") == near(800, 290, 5.5, 1.925)
+    (head,) = of(heads([place], PAGE), "circle")
+    assert numbers(head, "cx", "cy", "r", "stroke-width") == near(800, 298, 5.5, 1.925)
     assert head.get("fill") == palette.LIGHTS["green"]
-    assert not of(signal_heads([replace(place, control=SceneControl("signals"))], PAGE), "circle")
+    assert not of(heads([replace(place, control=SceneControl("signals"))], PAGE), "circle")
 
 
 def test_a_curb_runs_inside_the_area_but_not_where_a_road_begins() -> None:
