@@ -64,6 +64,7 @@ from .plugins.annotations import (
     list_of,
     map_of,
     one_of,
+    pair_of,
     quantity,
     record_of,
 )
@@ -193,9 +194,9 @@ __all__ = [
     "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead",
     "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace", "Verdict",
     "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
-    "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "quantity",
-    "read_image", "read_input", "record_of", "scene_from_json", "signal_heads", "simulate_scenes",
-    "to_json",
+    "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
+    "quantity", "read_image", "read_input", "record_of", "scene_from_json", "signal_heads",
+    "simulate_scenes", "to_json",
 ]  # fmt: skip
 
 

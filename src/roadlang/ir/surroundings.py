@@ -31,6 +31,8 @@ class LanePlace:
     """m/s"""
     direction: float = math.nan
     """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none"""
+    road_direction: float = 1.0
+    """of the agent: 1 along its road, -1 against it"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +44,7 @@ class LanePlaces:
     width: Floats
     speed_limit: Floats
     direction: Floats
+    road_direction: Floats
 
     @classmethod
     def of_one(cls, place: LanePlace) -> LanePlaces:
@@ -50,18 +53,17 @@ class LanePlaces:
 
         return cls(
             np.array([place.lane], dtype=np.int64),
-            *(
-                np.array([value], dtype=np.float64)
-                for value in (place.offset, place.width, place.speed_limit, place.direction)
-            ),
+            *(np.array([getattr(place, name)], dtype=np.float64) for name in _NUMBERS),
         )
 
     def single(self, row: int) -> LanePlace:
         """That of one agent."""
         return LanePlace(
-            int(self.lane[row]), float(self.offset[row]), float(self.width[row]),
-            float(self.speed_limit[row]), float(self.direction[row]),
-        )  # fmt: skip
+            int(self.lane[row]), *(float(getattr(self, name)[row]) for name in _NUMBERS)
+        )
+
+
+_NUMBERS = ("offset", "width", "speed_limit", "direction", "road_direction")
 
 
 @dataclass(frozen=True, slots=True)

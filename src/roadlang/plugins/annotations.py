@@ -92,6 +92,14 @@ def quantity(dimension: Dimension) -> Any:
     return Annotated[float, QuantityType(dimension)]
 
 
+def pair_of(first: Dimension, second: Dimension) -> Any:
+    """Two numbers of two dimensions, `(80m, 20km/h)`.
+
+    For a type checker: `Annotated[tuple[float, float], pair_of(LENGTH, SPEED)]`.
+    """
+    return Annotated[tuple[float, float], PointType(first, second)]
+
+
 def list_of(item: Any, at_least: int = 0) -> Any:
     """A list of `item`, which is an annotation too.
 

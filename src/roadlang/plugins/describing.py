@@ -59,8 +59,10 @@ def value_text(value: Any, type_: OptionType) -> str:
     if isinstance(value, int | float):
         return _quantity_text(float(value), type_)
     if isinstance(value, tuple | list):
-        inner = ", ".join(value_text(item, _item_type(type_)) for item in value)
-        return f"({inner})" if isinstance(type_, types.PointType) else f"[{inner}]"
+        if isinstance(type_, types.PointType):
+            pair = zip(value, type_.parts, strict=True)
+            return f"({', '.join(value_text(item, part) for item, part in pair)})"
+        return f"[{', '.join(value_text(item, _item_type(type_)) for item in value)}]"
     return str(value)
 
 
@@ -90,8 +92,6 @@ def _unit(type_: OptionType) -> str:
 def _item_type(type_: OptionType) -> OptionType:
     if isinstance(type_, types.ListType | types.IntervalType):
         return type_.item
-    if isinstance(type_, types.PointType):
-        return types.QuantityType(type_.dimension)
     return type_
 
 
@@ -130,7 +130,11 @@ _WORDS: dict[type, Callable[[Any], str]] = {
     types.WordType: lambda t: "word",
     types.ListType: lambda t: f"list of {_plural(t.item)}",
     types.IntervalType: lambda t: f"interval [a, b] of {_plural(t.item)}",
-    types.PointType: lambda t: f"point ({t.dimension.unit})",
+    types.PointType: lambda t: (
+        f"point ({t.dimension.unit})"
+        if t.second is None
+        else f"pair ({t.dimension.unit}, {t.second.unit})"
+    ),
     types.EntityType: lambda t: "name of " + " or ".join(map(with_article, t.roles)),
     types.NamesType: lambda t: (
         ("name of an expectation" if t.word else "name of a requirement or expectation")

@@ -58,9 +58,15 @@ class IntervalType:
 
 @dataclass(frozen=True, slots=True)
 class PointType:
-    """`(x, y)`."""
+    """`(x, y)`; or a pair of two dimensions, such as `(80m, 20km/h)`."""
 
     dimension: Dimension
+    second: Dimension | None = None
+
+    @property
+    def parts(self) -> tuple[QuantityType, QuantityType]:
+        """The types of its two numbers."""
+        return QuantityType(self.dimension), QuantityType(self.second or self.dimension)
 
 
 @dataclass(frozen=True, slots=True)

@@ -151,7 +151,7 @@ def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
 def _grouped(
     world: World, controllers: Sequence[Mapping[str, Controller]]
 ) -> tuple[list[Group], list[PlacedCall]]:
-    """Groups by place in the list, kind, and options that are not numbers; all calls."""
+    """Groups by place in the list, kind, and options that are no numbers; all calls."""
     members: dict[Any, list[tuple[int, GuardedController]]] = {}
     calls = []
     for row, actor in enumerate(world.actors):
@@ -175,9 +175,9 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
     if not first.in_batches:
         return Group(place, first, rows, {}, None, [controller for _, controller in members])
     columns = {
-        name: np.array([controller.options[name] for _, controller in members], dtype=np.float64)
-        if _is_number(value)
-        else value
+        name: value
+        if _shape(value) is None
+        else np.array([controller.options[name] for _, controller in members], dtype=np.float64)
         for name, value in first.options.items()
     }
     state = first.first_state(first.built(columns), len(rows))
@@ -185,13 +185,23 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
 
 
 def _words(options: Mapping[str, Any]) -> str:
-    """The options that are not numbers, as one text."""
-    words = {name: value for name, value in options.items() if not _is_number(value)}
+    """The options that are not numbers, as one text; of numbers their shape."""
+    shapes = {name: _shape(value) for name, value in options.items()}
+    words = {
+        name: options[name] if shape is None else shape
+        for name, shape in shapes.items()
+        if shape != ()
+    }
     return json.dumps(words, sort_keys=True) if words else ""
 
 
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+def _shape(value: Any) -> tuple[int, ...] | None:
+    """() of a number, (2,) of a pair, (3, 2) of three pairs; None of what is not numbers alone."""
+    if isinstance(value, list | tuple):
+        parts = {_shape(item) for item in value}
+        part = parts.pop() if len(parts) == 1 else None
+        return None if part is None else (len(value), *part)
+    return () if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
 def _part(columns: Mapping[str, Any], rows: Integers) -> dict[str, Any]:

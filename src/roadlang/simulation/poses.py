@@ -44,3 +44,20 @@ def line_points(track: Track, cell: Any, rest: Floats) -> tuple[Floats, Floats]:
     slope_y = (lines.y[beyond] - y) * track.per_meter
     bulge = 0.5 * lines.curvature[cell] * rest * (rest - track.spacing)
     return x + slope_x * rest - slope_y * bulge, y + slope_y * rest + slope_x * bulge
+
+
+def foot_points(track: Track, x: Floats, y: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
+    """(N,) arc lengths of the foot points of places on lines, found from `along`, which is nearly
+    that; the distances left of the lines, and the headings of the lines there."""
+    offset = np.zeros(len(along))
+    for _ in range(2):
+        cell, rest = track.cell(along)
+        line_x, line_y = line_points(track, cell, rest)
+        curvature = track.lines.curvature[cell]
+        heading = track.lines.heading[cell] + curvature * rest
+        off_x, off_y = x - line_x, y - line_y
+        offset = np.cos(heading) * off_y - np.sin(heading) * off_x
+        ahead = np.cos(heading) * off_x + np.sin(heading) * off_y
+        along = along + ahead / np.maximum(1.0 - offset * curvature, 0.5)
+    cell, rest = track.cell(along)
+    return along, offset, track.lines.heading[cell] + track.lines.curvature[cell] * rest

@@ -125,6 +125,7 @@ class LanesHere:
             np.where(found, _of(width, index), math.nan),
             np.where(found, _of(self.limit, index), math.inf),
             np.where(found, _of(self.direction, index), math.nan),
+            np.where(self.backward, -1.0, 1.0),
         )
 
     def choose(self, which: LaneChoice | Floats | Integers, offset: Floats) -> Integers:

@@ -111,8 +111,9 @@ def _drive_block(
         decision = crew.decide(world, poses)
         steps = min(held, last - world.tick)
         samples = range(sampled - world.tick % sampled, steps, sampled)
+        pose = None if decision.pose is None else (decision.pose, held)
         passed = world.step(
-            decision.steering, decision.acceleration, decision.heading, steps, samples
+            decision.steering, decision.acceleration, decision.heading, steps, samples, pose
         )
         poses = world.poses
         touched = contacts.watch(world, poses, steps * dt)

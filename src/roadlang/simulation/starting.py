@@ -10,7 +10,7 @@ import numpy as np
 from ..geometry.arrays import Booleans
 from ..ir.scene import SceneActor, SceneRoad
 from .motion import Motion, Track
-from .poses import line_points
+from .poses import foot_points
 
 
 def start_of(
@@ -24,19 +24,8 @@ def start_of(
     for row, one in enumerate(actors):
         if one.route is not None:  # its line begins with its first step
             along[row] = abs(station[row] - one.route.steps[0].start)
-    offset = np.zeros(len(actors))
-    heading = np.zeros(len(actors))
-    for _ in range(2):  # the foot point of the pose; the station of the scene is nearly that
-        cell, rest = track.cell(along)
-        x, y = line_points(track, cell, rest)
-        curvature = track.lines.curvature[cell]
-        heading = track.lines.heading[cell] + curvature * rest
-        off_x, off_y = pose[:, 0] - x, pose[:, 1] - y
-        offset = np.cos(heading) * off_y - np.sin(heading) * off_x
-        ahead = np.cos(heading) * off_x + np.sin(heading) * off_y
-        along = along + ahead / np.maximum(1.0 - offset * curvature, 0.5)
-    cell, rest = track.cell(along)
-    heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
+    # The station of the scene is nearly that of the foot point of the pose.
+    along, offset, heading = foot_points(track, pose[:, 0], pose[:, 1], along)
     error = pose[:, 2] - heading
     zero = np.zeros(len(actors))
     return Motion(

@@ -15,6 +15,7 @@ from ..ir.scene import Scene, SceneActor
 from .bodies import Bodies
 from .line_moves import LineMoves
 from .motion import Advance, Motion, Track, advance
+from .placing import Placing
 from .poses import Poses, poses_of
 from .route_table import Place, RouteTable
 
@@ -63,6 +64,10 @@ class World:
     pace: tuple[Floats, Floats]
     """along and to the left of the lines, in the last step"""
     tick: int = 0
+    placing: Placing | None = None
+    """agents that go by recordings, in the last step"""
+    placed_at: int = 0
+    """the tick at which that began"""
     advance: Advance = advance
     """the equations of motion"""
 
@@ -74,7 +79,10 @@ class World:
     @property
     def poses(self) -> Poses:
         """Where all agents are."""
-        return poses_of(self.motion, self.track)
+        poses = poses_of(self.motion, self.track)
+        if self.placing is None:
+            return poses
+        return self.placing.poses(poses, self.tick - self.placed_at, self.halted)
 
     def reset(self) -> None:
         """All agents back to the start."""
@@ -85,14 +93,17 @@ class World:
         zero = np.zeros(len(self.present))
         self.pace = (zero, zero)
         self.moves = LineMoves.at_rest(self.moves.start)
+        self.placing = None
         self.tick = 0
 
     def step(
         self, steering: Floats, acceleration: Floats, heading: Floats | None,
-        steps: int, stops: Sequence[int] = (),
+        steps: int, stops: Sequence[int] = (), pose: tuple[Floats, int] | None = None,
     ) -> list[World]:  # fmt: skip
         """Move on by `steps` steps of `dt` seconds, in which agents hold what they are to do.
 
+        `pose`: (N, 4) x, y, heading and speed of those who are there after a number of steps, NaN
+        for the others.
         Returns the world as it is after each number of steps in `stops`, ascending and below
         `steps`. Stops change nothing of the motion, not even in the last bit.
         """
@@ -104,6 +115,8 @@ class World:
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
         held = (np.tan(angle), acceleration)
+        self.placing = self._placing(pose)
+        self.placed_at = self.tick
         before = (motion.along, motion.offset)
         passed = []
         for begin, end in pairwise((0, *stops, steps)):
@@ -116,8 +129,16 @@ class World:
         self._arrive(before, steps)
         return passed
 
+    def _placing(self, wanted: tuple[Floats, int] | None) -> Placing | None:
+        if wanted is None:
+            return None
+        poses, steps = wanted
+        return Placing.of(self.poses, self.motion, poses, ~self.halted, steps)
+
     def _arrive(self, before: tuple[Floats, Floats], steps: int) -> None:
         """The motion is `steps` steps on; `before`: along and offset then."""
+        if self.placing is not None:
+            self.placing.put(self.motion, self.track, steps, steps * self.dt)
         moved = self.motion.along - before[0]
         seconds = steps * self.dt
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
@@ -206,6 +227,7 @@ class World:
             motion=self.motion.take(agents),
             moves=self.moves.take(agents),
             pace=(self.pace[0][agents], self.pace[1][agents]),
+            placing=None,
             **{name: getattr(self, name)[agents] for name in _COLUMNS},
         )
 

@@ -56,8 +56,8 @@ def _checked(
             return _word(checker, typed, limits, what)
         case opt.NamesType():
             return _names(checker, typed, expected, what)
-        case opt.PointType(dimension):
-            return _point(checker, typed, dimension, what)
+        case opt.PointType():
+            return _point(checker, typed, expected, what)
         case opt.MapType(item):
             return _map(checker, typed, item, limits, what)
         case _ if matches(typed, expected):
@@ -261,15 +261,17 @@ def _names(
 
 
 def _point(
-    checker: Checker, typed: TypedExpression, dimension: object, what: str
+    checker: Checker, typed: TypedExpression, expected: opt.PointType, what: str
 ) -> TypedExpression | None:
-    expected = opt.PointType(dimension)  # type: ignore[arg-type]
     if not isinstance(typed.type, ty.CoordinatesType):
         return _mismatch(checker, typed, expected, Constraints(), what)
     if typed.items and len(typed.items) != 2:
         return _count(checker, typed, what, "two", len(typed.items))
-    part = opt.QuantityType(expected.dimension)
-    items = [_checked(checker, item, part, Constraints(), "a coordinate") for item in typed.items]
+    name = "a coordinate" if expected.second is None else f"a number of {what}"
+    items = [
+        _checked(checker, item, part, Constraints(), name)
+        for item, part in zip(typed.items, expected.parts, strict=False)
+    ]
     fitted = [item for item in items if item is not None]
     return _with_items(typed, fitted) if len(fitted) == len(items) else None
 

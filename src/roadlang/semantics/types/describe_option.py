@@ -42,6 +42,8 @@ def _describe(expected: opt.OptionType) -> str:
             return f"a list in which each item is {_describe(item)}"
         case opt.IntervalType():
             return "an interval `[low, high]`"
+        case opt.PointType(dimension, second) if second is not None:
+            return f"a pair `(a, b)` in {dimension.unit} and {second.unit}"
         case opt.PointType(dimension):
             return f"a point `(x, y)` in {dimension.unit or 'dimensionless numbers'}"
         case opt.EntityType(roles):

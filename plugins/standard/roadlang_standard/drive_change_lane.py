@@ -1,0 +1,135 @@
+"""`drive with change_lane`: move to another lane, where it is free."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from roadlang.api import Controller, Duration, Flag, Length, Whole, option
+
+from .lane_traffic import has_room, lane_traffic
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.geometry import Booleans, Floats
+
+SIGHT = 200.0
+"""Meters in which others are looked for."""
+SLOWEST = 1.0
+"""m/s: a change begins no slower."""
+WAITING, MOVING, DONE = 0.0, 1.0, 2.0
+_PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME = range(5)
+STILL_FREE = 0.4
+"""Share of the room to begin a change that must remain on the first half of it."""
+
+
+@dataclass(frozen=True)
+class ChangeLane(Controller):
+    """Change to another lane as soon as there is room for it, and stay there; the controller before
+    steers and keeps its distance. It turns back if the room is taken on the first half."""
+
+    name: ClassVar[str] = "change_lane"
+    to: Whole = option(
+        words=("left", "right"),
+        minimum=-32,
+        maximum=32,
+        help="the lane: `left` or `right`, the next one there whose traffic goes the same way; or "
+        "the id of a lane, also of oncoming traffic",
+        example="left",
+    )
+    duration: Duration = option(4.0, above=0, maximum=60, help="time that the change takes")
+    distance: Length = option(
+        None,
+        above=0,
+        maximum=1000,
+        help="distance over which it changes, at the speed with which it begins; it replaces "
+        "`duration`",
+        example="50m",
+    )
+    force: Flag = option(False, help="change without looking whether there is room")
+
+    def start(self, count: int) -> NDArray[np.float64]:
+        """Of each agent: phase, offsets of the new and of the old lane, time since the change has
+        begun, and time that it takes."""
+        import numpy as np
+
+        return np.zeros((count, 5))
+
+    def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        seen = observations
+        line = np.full(len(seen.x), np.nan)
+        time = np.ones(len(line))
+        if (state[:, _PHASE] != DONE).any():
+            near = None if self.force else seen.nearby(SIGHT)
+            self._turn_back(seen, near, state, line)
+            self._begin(seen, near, state, line)
+            time = state[:, _TIME].copy()
+            state[:, _CLOCK] += seen.step
+            over = (state[:, _PHASE] == MOVING) & (state[:, _CLOCK] >= state[:, _TIME])
+            state[over, _PHASE] = DONE
+        open_ = np.full(len(line), np.nan)
+        return ControlBatch(open_, open_, line_offset=line, line_time=time)
+
+    def _begin(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
+        """Those who wait and have room."""
+        import numpy as np
+
+        target = self._target(seen)
+        time = self._time(seen)
+        fits = (state[:, _PHASE] == WAITING) & np.isfinite(target) & (seen.speed > SLOWEST)
+        if near is not None:
+            fits &= self._is_free(seen, near, target, time, 1.0)
+        now = seen.road_offset - seen.cross_track_error
+        for column, value in (
+            (_PHASE, MOVING), (_TARGET, target), (_ORIGIN, now), (_CLOCK, 0.0), (_TIME, time)
+        ):  # fmt: skip
+            state[:, column] = np.where(fits, value, state[:, column])
+        line[fits] = target[fits]
+
+    def _turn_back(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
+        """Those on the first half whose room is taken."""
+        import numpy as np
+
+        if near is None:
+            return
+        target, origin = state[:, _TARGET], state[:, _ORIGIN]
+        early = np.abs(seen.road_offset - origin) < 0.5 * np.abs(target - origin)
+        moving = (state[:, _PHASE] == MOVING) & early
+        if moving.any():
+            rest = np.maximum(state[:, _TIME] - state[:, _CLOCK], 0.0)
+            back = moving & ~self._is_free(seen, near, target, rest, STILL_FREE)
+            state[back, _PHASE] = WAITING
+            line[back] = origin[back]
+
+    def _is_free(
+        self, seen: ObservationBatch, near: Any, target: Floats, time: Floats, share: float
+    ) -> Booleans:
+        import numpy as np
+
+        middle = np.where(np.isfinite(target), target, 0.0)
+        return has_room(seen, lane_traffic(seen, middle, near), time, share)
+
+    def _target(self, seen: ObservationBatch) -> Floats:
+        """(N,) where the middle of the lane is, NaN where there is none to change to."""
+        import numpy as np
+
+        middle = seen.offset_of_lane(self.to)
+        if isinstance(self.to, str) and not self.force:
+            against = seen.direction_of_lane(self.to) < 0.0
+            middle = np.where(against, np.nan, middle)
+        return middle
+
+    def _time(self, seen: ObservationBatch) -> Floats:
+        """(N,) seconds."""
+        import numpy as np
+
+        if self.distance is not None:
+            return np.asarray(self.distance / np.maximum(seen.speed, SLOWEST))
+        return np.zeros(len(seen.x)) + self.duration

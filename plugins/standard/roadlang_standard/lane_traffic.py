@@ -1,0 +1,104 @@
+"""Who is in a lane, and whether there is room for one more: what several maneuvers share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from roadlang.api import Neighbors, ObservationBatch
+    from roadlang.geometry import Booleans, Floats
+
+SIDE = 0.4
+"""Meters between the sides of two vehicles that pass each other, at least."""
+DRIFT_TIME = 1.0
+"""Seconds for which others go on sideways as they do now, to foresee who comes into a lane."""
+STANDSTILL_GAP = 1.5
+"""Meters that remain between two vehicles, at least."""
+REACTION = 0.3
+"""Seconds of the speed of the one behind that are added to the gap."""
+BRAKING = 4.0
+"""m/s^2 with which the one behind adapts its speed to the one ahead."""
+MEETING = 2.0
+"""Seconds that remain until one meets oncoming traffic, at least."""
+
+
+@dataclass(frozen=True)
+class LaneTraffic:
+    """Who is in the lanes of N agents, (N, K): whether, and the gap from bumper to bumper, negative
+    where they are beside each other."""
+
+    there: Booleans
+    ahead: Booleans
+    """whether its center is ahead"""
+    gap: Floats
+    pace: Floats
+    length: Floats
+
+    def nearest_ahead(self) -> tuple[Floats, Floats]:
+        """(N,) gap to the next one ahead, infinite for none, and its pace."""
+        import numpy as np
+
+        gap = np.where(self.there & self.ahead, self.gap, np.inf)
+        first = gap.argmin(axis=1)[:, None] if gap.shape[1] else None
+        if first is None:
+            return np.full(len(gap), np.inf), np.zeros(len(gap))
+        least = np.take_along_axis(gap, first, axis=1)[:, 0]
+        pace = np.take_along_axis(self.pace, first, axis=1)[:, 0]
+        return least, np.where(np.isfinite(least), pace, 0.0)
+
+
+def lane_traffic(seen: ObservationBatch, middle: Floats, near: Neighbors) -> LaneTraffic:
+    """Who is, or will be within a second, in a lane with its middle `middle` left of the tabled
+    line."""
+    import numpy as np
+
+    now = seen.road_offset[:, None] + near.left
+    soon = now + near.drift * DRIFT_TIME
+    half = 0.5 * (seen.width[:, None] + near.width) + SIDE
+    away, later = now - middle[:, None], soon - middle[:, None]
+    inside = np.minimum(np.abs(away), np.abs(later)) < half
+    inside |= (away < 0.0) != (later < 0.0)  # it crosses the lane
+    gap = np.abs(near.ahead) - 0.5 * (seen.length[:, None] + near.length)
+    there = near.there & inside
+    return LaneTraffic(there, near.ahead >= 0.0, gap, near.pace, near.length)
+
+
+def has_room(
+    seen: ObservationBatch, lane: LaneTraffic, time: Floats, share: float = 1.0
+) -> Booleans:
+    """(N,) whether an agent can be in a lane within `time` seconds without forcing anybody to brake
+    harder than `BRAKING`: the gap that the one behind needs is
+    `STANDSTILL_GAP + REACTION v + (difference in speed)^2 / (2 BRAKING)`, times `share`; oncoming
+    traffic must be farther away than both go until then and `MEETING` seconds more."""
+    import numpy as np
+
+    own = seen.speed[:, None]
+    behind = np.where(lane.ahead, own, lane.pace)
+    closing = np.maximum(np.where(lane.ahead, own - lane.pace, lane.pace - own), 0.0)
+    needed = STANDSTILL_GAP + REACTION * np.maximum(behind, 0.0)
+    needed = needed + closing * closing / (2.0 * BRAKING)
+    oncoming = lane.ahead & (lane.pace < -1.0)
+    meeting = STANDSTILL_GAP + closing * (time[:, None] + MEETING)
+    needed = np.where(oncoming, meeting, needed)
+    return np.asarray((~lane.there | (lane.gap > needed * share)).all(axis=1))
+
+
+def target_among(near: Neighbors, name: str) -> tuple[Booleans, Floats, Floats, Floats, Floats]:
+    """(N,) of the agent called `name`, or the nearest member of that group: whether it is near, how
+    far ahead it is from center to center, how far to the left, its pace and its length."""
+    import numpy as np
+
+    count, width = near.there.shape
+    if not width:
+        nothing = np.zeros(count)
+        return nothing > 0.0, nothing, nothing, nothing, nothing
+    names = near.name.astype(str)
+    mine = near.there & ((names == name) | np.char.startswith(names, f"{name}["))
+    away = np.where(mine, np.abs(near.ahead), np.inf)
+    first = away.argmin(axis=1)[:, None]
+
+    def of(column: Floats) -> Floats:
+        return np.asarray(np.take_along_axis(column, first, axis=1)[:, 0])
+
+    return mine.any(axis=1), of(near.ahead), of(near.left), of(near.pace), of(near.length)
