@@ -55,17 +55,17 @@ class Placing:
             found = foot_points(part.of_rows(lost), now[lost, 0], now[lost, 1], near)
             along[lost], offset[lost], line[lost] = found
         error = now[:, 2] - line
-        changes = {
-            "along": along,
-            "offset": offset,
-            "line_heading": line,
-            "cosine": np.cos(error),
-            "sine": np.sin(error),
-            "speed": now[:, 3],
-            "slide": np.zeros(len(rows)),
-            "yaw_rate": (now[:, 2] - self.start[:, 2]) / seconds,
-            "acceleration": (now[:, 3] - self.start[:, 3]) / seconds,
-        }
+        changes = dict(
+            along=along,
+            offset=offset,
+            line_heading=line,
+            cosine=np.cos(error),
+            sine=np.sin(error),
+            speed=now[:, 3],
+            slide=np.zeros(len(rows)),
+            yaw_rate=(now[:, 2] - self.start[:, 2]) / seconds,
+            acceleration=(now[:, 3] - self.start[:, 3]) / seconds,
+        )
         for name, values in changes.items():
             column = getattr(motion, name).copy()
             column[rows] = values
