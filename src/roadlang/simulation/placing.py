@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -55,21 +55,22 @@ class Placing:
             found = foot_points(part.of_rows(lost), now[lost, 0], now[lost, 1], near)
             along[lost], offset[lost], line[lost] = found
         error = now[:, 2] - line
-        changes = dict(
+        there = Motion(
             along=along,
             offset=offset,
             line_heading=line,
             cosine=np.cos(error),
             sine=np.sin(error),
+            tangent=motion.tangent[rows],
             speed=now[:, 3],
             slide=np.zeros(len(rows)),
             yaw_rate=(now[:, 2] - self.start[:, 2]) / seconds,
             acceleration=(now[:, 3] - self.start[:, 3]) / seconds,
         )
-        for name, values in changes.items():
-            column = getattr(motion, name).copy()
-            column[rows] = values
-            setattr(motion, name, column)
+        for one in fields(Motion):
+            column = getattr(motion, one.name).copy()
+            column[rows] = getattr(there, one.name)
+            setattr(motion, one.name, column)
 
     def poses(self, poses: Poses, steps: int, halted: Booleans) -> Poses:
         """Those of all agents, with those of who goes by a recording, and is not halted, exact."""
