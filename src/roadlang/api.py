@@ -204,10 +204,13 @@ _RENAMED = {"Stretch": "ViolatedSegment"}
 
 
 def __getattr__(name: str) -> Any:
-    name = current_name(__name__, name, _RENAMED)
-    if name not in _HOME:
+    current = current_name(__name__, name, _RENAMED)
+    if current not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(_HOME[name], __package__), name)
+    found = getattr(import_module(_HOME[current], __package__), current)
+    if current == name:  # found at once from now on: controllers import it in every step
+        globals()[name] = found
+    return found
 
 
 def __dir__() -> list[str]:

@@ -144,10 +144,19 @@ def test_compiled_it_drives_to_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(compiled, "is_installed", lambda: False)
     plain = [bytes_of(trace) for trace in drives(scenes)]
     monkeypatch.setattr(compiled, "is_installed", lambda: True)
-    monkeypatch.setattr(simulating, "WORTH_COMPILING", 0.0)
+    monkeypatch.setattr(compiled, "LOADING", 0.0)
     ran = []
     monkeypatch.setattr(
         compiled, "advance", lambda *a, original=compiled.advance: ran.append(original(*a))
     )
     assert [bytes_of(trace) for trace in drives(scenes)] == plain
     assert ran, "the compiled motion was used"
+
+
+def test_many_short_drives_load_the_compiled_motion_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("numba")
+    monkeypatch.setattr(compiled, "_worked", [0.0])
+    monkeypatch.setattr(compiled, "is_loaded", lambda: False)
+    answers = [compiled.pays(3000, 40) for _ in range(8)]
+    assert not answers[0]
+    assert answers[-1]

@@ -4,8 +4,6 @@ else."""
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stdout
 from types import TracebackType
 
 from .termination import Terminated, raise_if_terminated
@@ -20,22 +18,31 @@ class Reason(TypeError):
     """Why something of a plugin cannot be used; its text needs no class or place in addition."""
 
 
-@contextmanager
-def attributed() -> Iterator[None]:
+class attributed:
     """Around code of plugins. Raises `PluginFault` for whatever it raises.
 
     Ctrl-C and SIGTERM pass through. What the code prints goes to standard error: standard output is
     for the results of commands.
     """
-    try:
-        with redirect_stdout(sys.stderr):
-            yield
+
+    __slots__ = ("_output",)
+
+    def __enter__(self) -> None:
+        self._output = sys.stdout
+        sys.stdout = sys.stderr
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        sys.stdout = self._output
+        if isinstance(error, KeyboardInterrupt | Terminated):
+            return
         raise_if_terminated()
-    except (KeyboardInterrupt, Terminated):
-        raise
-    except BaseException as error:  # a plugin may even call sys.exit
-        raise_if_terminated()
-        raise PluginFault(reason_of(error)) from error
+        if error is not None:  # a plugin may even call sys.exit
+            raise PluginFault(reason_of(error)) from error
 
 
 def reason_of(error: BaseException) -> str:

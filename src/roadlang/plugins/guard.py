@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
+from types import TracebackType
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..geometry.errors import GeometryError
@@ -13,19 +12,33 @@ from .kinds import base_of
 from .registry import KindEntry
 
 
-@contextmanager
-def plugin_guard(entry: KindEntry, span: Span | None) -> Iterator[None]:
+class plugin_guard(attributed):
     """Turn whatever a kind raises into RL470; its own diagnostics pass, at this place."""
-    try:
-        with attributed():
-            yield
-    except PluginFault as fault:
-        cause = fault.__cause__
+
+    __slots__ = ("_entry", "_span")
+
+    def __init__(self, entry: KindEntry, span: Span | None) -> None:
+        self._entry = entry
+        self._span = span
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        try:
+            super().__exit__(kind, error, trace)
+        except PluginFault as fault:
+            raise self._diagnosed(fault) from fault.__cause__
+
+    def _diagnosed(self, fault: PluginFault) -> DiagnosticError:
+        entry, cause = self._entry, fault.__cause__
         if isinstance(cause, DiagnosticError):
-            raise DiagnosticError(*(_at(d, span) for d in cause.diagnostics)) from cause
+            return DiagnosticError(*(_at(d, self._span) for d in cause.diagnostics))
         if isinstance(cause, GeometryError) and base_of(entry.verb).geometry_is_user_input:
-            raise DiagnosticError(_impossible(entry, span, cause)) from cause
-        raise DiagnosticError(_failed(entry, span, fault)) from cause
+            return DiagnosticError(_impossible(entry, self._span, cause))
+        return DiagnosticError(_failed(entry, self._span, fault))
 
 
 def _impossible(entry: KindEntry, span: Span | None, error: GeometryError) -> Diagnostic:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -89,13 +90,18 @@ class Bodies:
         values["walks"] = values["walks"] > 0.5
         return cls(**values)
 
-    @property
+    @cached_property
     def columns(self) -> tuple[Floats, ...]:
         """What `vehicle.driven` has to know of a car."""
         return (
             self.half_base, self.friction, self.front_slope, self.rear_slope, self.slow,
             self.power, self.grip, self.transfer, self.inertia, self.drag, self.rolling,
         )  # fmt: skip
+
+    @cached_property
+    def stacked(self) -> Floats:
+        """(13, N) what the compiled motion has to know of a car."""
+        return np.stack((*self.columns, self.lag, self.rate))
 
     def take(self, rows: Any) -> Bodies:
         """Those of some agents."""

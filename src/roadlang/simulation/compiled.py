@@ -24,25 +24,42 @@ def advance(
     motion: Motion, car: Bodies, track: Track, wanted: tuple[Floats, Floats], steps: int, dt: float
 ) -> None:
     """What `motion.advance` does, to the last bit."""
-    state = np.stack(
-        (
-            motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate,
-            motion.cosine, motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
-        )
+    before = (
+        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
+        motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
     )  # fmt: skip
-    columns = np.stack((*car.columns, car.lag, car.rate, *wanted))
-    places = np.stack((track.last, track.origin, track.spacing, track.per_meter))
+    after = np.empty((len(before), len(motion.along)))
     lines = (track.lines.heading, track.lines.curvature)
-    kernel()(state, columns, places, track.first, car.walks, lines, steps, dt)
+    places = (track.first, track.places)
+    kernel()((before, after), car.stacked, car.walks, wanted, places, lines, steps, dt)
     (
-        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate,
-        motion.cosine, motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
-    ) = state  # fmt: skip
+        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
+        motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
+    ) = after  # fmt: skip
+
+
+LOADING = 1.0
+"""Seconds of processor time that it takes about to load the compiled motion; to compile it, once
+after an installation, takes longer."""
+PER_STEP, PER_AGENT = 8e-5, 1e-7
+"""Seconds of processor time that a step takes about without it, and with each agent more."""
+_worked = [0.0]
+"""Estimated seconds of this process: it decides which of two motions is used, which are the same to
+the last bit."""
 
 
 def is_loaded() -> bool:
     """Whether the compiled loop is there already."""
     return kernel.cache_info().currsize > 0
+
+
+def pays(steps: float, agents: int) -> bool:
+    """Whether to use the compiled motion for that many steps more: once the work of this process,
+    with this, would have paid for loading it."""
+    if not is_installed():
+        return False
+    _worked[0] += steps * (PER_STEP + PER_AGENT * agents)
+    return is_loaded() or _worked[0] > LOADING
 
 
 @cache
@@ -62,27 +79,32 @@ def kernel() -> Any:
 
 
 def _advanced(
-    state: Any, columns: Any, places: Any, first: Any, walks: Any, lines: Any, steps: Any, dt: Any
-) -> None:
-    """Change `state` (10, N) in place."""
+    motions: Any, columns: Any, walks: Any, wanted: Any, places: Any, lines: Any, steps: Any,
+    dt: Any,
+) -> None:  # fmt: skip
+    """Fill the second of `motions`, (10, N), from the first, 10 columns."""
+    before, after = motions
     headings, curvatures = lines
-    for i in range(state.shape[1]):
-        s, n, speed, slide, yaw_rate, cosine, sine, tangent, line, before = state[:, i]
+    first, numbers = places
+    for i in range(after.shape[1]):
+        s, n, speed = before[0][i], before[1][i], before[2][i]
+        slide, yaw_rate, cosine, sine = before[3][i], before[4][i], before[5][i], before[6][i]
+        tangent, line, acceleration = before[7][i], before[8][i], before[9][i]
         c = columns[:, i]
         car = (c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10])
-        last, origin, spacing, per_meter = places[:, i]
+        last, origin, spacing, per_meter = numbers[:, i]
         gone = s - origin
         cell = int(np.minimum(np.maximum(gone * per_meter, 0.0), last))
         curvature = curvatures[first[i] + cell]
         for _ in range(steps):
-            tangent = vehicle.steered(tangent, c[13], c[11], c[12])
+            tangent = vehicle.steered(tangent, wanted[0][i], c[11], c[12])
             motion = (speed, slide, yaw_rate)
             if walks[i]:
-                after = vehicle.walked(motion, tangent, c[14], c[0], dt)
+                found = vehicle.walked(motion, tangent, wanted[1][i], c[0], dt)
             else:
-                after = vehicle.driven(motion, tangent, before, c[14], car, dt)
-            speeds = (speed, after[0], after[1])
-            speed, slide, yaw_rate, before = after
+                found = vehicle.driven(motion, tangent, acceleration, wanted[1][i], car, dt)
+            speeds = (speed, found[0], found[1])
+            speed, slide, yaw_rate, acceleration = found
             s, n = vehicle.moved((s, n), speeds, (cosine, sine), curvature, dt)
             gone = s - origin
             cell = int(np.minimum(np.maximum(gone * per_meter, 0.0), last))
@@ -91,6 +113,6 @@ def _advanced(
             angle = yaw_rate * dt - (heading - line)
             cosine, sine = vehicle.turned(cosine, sine, angle)
             line = heading
-        state[0, i], state[1, i], state[2, i], state[3, i] = s, n, speed, slide
-        state[4, i], state[5, i], state[6, i], state[7, i] = yaw_rate, cosine, sine, tangent
-        state[8, i], state[9, i] = line, before
+        after[0, i], after[1, i], after[2, i], after[3, i] = s, n, speed, slide
+        after[4, i], after[5, i], after[6, i], after[7, i] = yaw_rate, cosine, sine, tangent
+        after[8, i], after[9, i] = line, acceleration

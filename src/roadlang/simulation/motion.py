@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -93,6 +94,11 @@ class Track:
             closed,
             bool(closed.any()),
         )
+
+    @cached_property
+    def places(self) -> Floats:
+        """(4, N) what the compiled motion has to know of the lines."""
+        return np.stack((self.last, self.origin, self.spacing, self.per_meter))
 
     def of_rows(self, rows: Any) -> Track:
         """That of some agents."""

@@ -22,8 +22,6 @@ from .world_building import world_of
 
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""
-WORTH_COMPILING = 1e6
-"""Steps of agents from which on it is worth to load the compiled motion, or even to compile it."""
 LEFT_OUT = 0.25
 """Share of the scenes of a block that are over when it is made smaller."""
 
@@ -62,10 +60,10 @@ def simulate_scenes(
     for scene in scenes:
         if not scene.agents:
             raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name))
-    work = sum(len(scene.agents) for scene in scenes) * settings.duration / settings.vehicle_step
-    is_worth_it = compiled.is_loaded() or work > WORTH_COMPILING
-    advance = compiled.advance if is_worth_it and compiled.is_installed() else motion.advance
     for start, stop in _blocks(scenes):
+        agents = sum(len(scene.agents) for scene in scenes[start:stop])
+        pays = compiled.pays(settings.ticks(settings.duration), agents)
+        advance = compiled.advance if pays else motion.advance
         yield from _drive_block(scenes[start:stop], controllers[start:stop], settings, advance)
 
 
