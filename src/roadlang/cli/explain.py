@@ -1,4 +1,4 @@
-"""`roadlang explain CODE`: the catalog page of a diagnostic."""
+"""`roadlang explain CODE`: the catalog page of a diagnostic; `explain FAILURE.json`: a failure."""
 
 from __future__ import annotations
 
@@ -30,13 +30,23 @@ def _complete(
 
 
 @click.command("explain")
-@click.argument("code", required=False, shell_complete=_complete)
-def command(code: str | None) -> None:
-    """Explain a diagnostic, or a statement of the language and its options.
+@click.argument("code", required=False, shell_complete=_complete, metavar="[CODE|FAILURE.json]")
+@click.option(
+    "--file", "scene_file", metavar="FILE", help="Scene file of a failure, if it was moved."
+)
+def command(code: str | None, scene_file: str | None) -> None:
+    """Explain a diagnostic, a statement of the language and its options, or a failure.
 
     CODE is a code or the name of a diagnostic (RL206, 206, wrong-type), or a statement (world,
-    road). Without CODE, list all diagnostics.
+    road). Without CODE, list all diagnostics. FAILURE.json is a scene that `roadlang falsify` wrote
+    (failures/0001.json), or one of `roadlang run` that violates an expectation: which random values
+    matter for that, one at a time and in pairs, and the moment at which it goes wrong.
     """
+    if code is not None and code.endswith(".json"):
+        from .explain_failure import explain_failure
+
+        explain_failure(code, scene_file)
+        return
     if code is None:
         for known in codes():
             echo(f"{style(known, bold=True)} {page(known).name}: {page(known).title}")

@@ -219,6 +219,8 @@ class Code:
     NOTHING_TO_SEARCH: Final = "RL705"
     NO_RESULTS: Final = "RL720"
     BROKEN_RESULTS: Final = "RL721"
+    NOT_A_FAILURE: Final = "RL722"
+    OTHER_SCENE: Final = "RL723"
     INTERNAL_ERROR: Final = "RL900"
     UNREADABLE_FILE: Final = "RL920"
     FOLDER_INSTEAD_OF_FILE: Final = "RL921"

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import msgspec
 
@@ -54,11 +53,6 @@ def read_journal(folder: Path) -> list[bytes]:
 def read_typed(path: Path, kind: type[T]) -> T:
     """A JSON file as a dataclass; other members are left out. Raises RL721."""
     return parsed(path, lambda text: msgspec.json.decode(text, type=kind))
-
-
-def optional_json(path: Path) -> Any | None:
-    """A JSON file, None where there is none. Raises RL721."""
-    return parsed(path, json.loads) if path.is_file() else None
 
 
 def parsed(path: Path, parse: Callable[[str], T]) -> T:

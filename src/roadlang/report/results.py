@@ -27,7 +27,7 @@ class ShownDrive:
     has_failed: bool
     """whether an expectation is violated"""
     shrunk: Mapping[str, Any] | None = None
-    """the draws of the simplest scene that still fails, where `roadlang shrink` made it"""
+    """the simplest scene that still fails, where `roadlang shrink` made it"""
     explanation: Mapping[str, Any] | None = None
     """what `roadlang explain` found"""
 

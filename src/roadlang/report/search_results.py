@@ -13,7 +13,7 @@ from ..falsification.outcome_rows import row_of
 from ..falsification.statistics import best_so_far, coverage, failure_rate
 from ..ir.results_record import ResultsRecord
 from ..plugins.registry import Registry
-from .reading import broken, optional_json, read_journal, read_typed
+from .reading import broken, read_journal, read_typed
 from .results import ResultRow, Results, ShownDrive
 from .shown_drives import MOST_FAILING, shown_drive
 
@@ -97,12 +97,8 @@ def _row(outcome: Outcome, axes: Sequence[str]) -> ResultRow:
 
 def _failures(folder: Path, failures: Sequence[_Item], registry: Registry) -> Iterator[ShownDrive]:
     for rank, item in enumerate(failures[:MOST_FAILING], 1):
-        path = folder / FAILURES / item.stem
-        shrunk = optional_json(path.with_name(f"{item.stem}.shrunk.json"))
-        explanation = optional_json(path.with_name(f"{item.stem}.explanation.json"))
-        draws = shrunk.get("draws") if isinstance(shrunk, dict) else None
         name, label = f"{FAILURES}/{item.stem}", f"Failure {rank}"
-        yield shown_drive(folder, name, label, item.evaluation, True, registry, draws, explanation)
+        yield shown_drive(folder, name, label, item.evaluation, True, registry)
 
 
 def _safe(folder: Path, registry: Registry) -> Iterator[ShownDrive]:

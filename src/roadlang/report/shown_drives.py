@@ -2,30 +2,91 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..ir.encoding import scene_from_json
+from ..ir.scene import Scene
 from ..judging.drives import judge
 from ..plugins.registry import Registry
-from .reading import read_drive
+from .numbers import shown_unit
+from .reading import parsed, read_drive, read_typed
 from .results import ShownDrive
 
 MOST_FAILING, MOST_SAFE = 100, 12
 """Drives that are shown in full."""
+MOST_INFLUENCES = 8
+"""Random values, and pairs of them, that are listed with a failure."""
+
+
+@dataclass(frozen=True)
+class Influence:
+    """The robustness with some draws at their medians; None where that is no valid scene."""
+
+    draws: tuple[str, ...]
+    robustness: float | None
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """What is read of what `roadlang explain` wrote."""
+
+    expectation: str
+    unit: str
+    medians: tuple[Influence, ...]
 
 
 def shown_drive(
-    folder: Path,
-    name: str,
-    label: str,
-    row: int,
-    has_failed: bool,
-    registry: Registry,
-    shrunk: Mapping[str, Any] | None = None,
-    explanation: Mapping[str, Any] | None = None,
+    folder: Path, name: str, label: str, row: int, has_failed: bool, registry: Registry
 ) -> ShownDrive:
     """The drive with the files `folder/name.*`. Raises `DiagnosticError` RL721."""
-    scene, trace = read_drive(folder / name)
+    stem = folder / name
+    scene, trace = read_drive(stem)
     verdicts = judge(scene, trace, registry).verdicts
-    return ShownDrive(name, label, row, scene, trace, verdicts, has_failed, shrunk, explanation)
+    return ShownDrive(
+        name, label, row, scene, trace, verdicts, has_failed, _shrunk(stem, scene), _explained(stem)
+    )
+
+
+def _shrunk(stem: Path, scene: Scene) -> dict[str, Any] | None:
+    """Of the simplest scene that still fails: the draws that are as they were, with their units,
+    and how many are not."""
+    path = stem.with_name(f"{stem.name}.shrunk.json")
+    if not path.is_file():
+        return None
+    simple = parsed(path, scene_from_json)
+    same = [name for name, value in simple.draws.items() if scene.draws.get(name) == value]
+    return {
+        "draws": [[name, *_shown(simple.draws[name], scene.units.get(name, ""))] for name in same],
+        "others": len(simple.draws) - len(same),
+    }
+
+
+def _explained(stem: Path) -> dict[str, Any] | None:
+    path = stem.with_name(f"{stem.name}.explanation.json")
+    if not path.is_file():
+        return None
+    found = read_typed(path, Explanation)
+    singles = [item for item in found.medians if len(item.draws) == 1]
+    holding = {name for item in singles if _holds(item) for name in item.draws}
+    pairs = [
+        item
+        for item in found.medians
+        if len(item.draws) > 1 and _holds(item) and not holding & {*item.draws}
+    ]
+    listed = [*singles[:MOST_INFLUENCES], *pairs[:MOST_INFLUENCES]]
+    return {
+        "expectation": found.expectation,
+        "unit": found.unit,
+        "medians": [[" + ".join(item.draws), item.robustness] for item in listed],
+    }
+
+
+def _holds(item: Influence) -> bool:
+    return item.robustness is not None and item.robustness > 0.0
+
+
+def _shown(value: Any, unit: str) -> tuple[Any, str]:
+    factor, text = shown_unit(unit)
+    return (value * factor if isinstance(value, float) else value), text

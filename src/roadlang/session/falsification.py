@@ -75,6 +75,11 @@ class Failure:
         return f"<failure {self.rank}: {', '.join(self.outcome.violated)} in {self.scene!r}>"
 
     @property
+    def axes(self) -> tuple[str, ...]:
+        """The random values that its coordinates are of."""
+        return self._search.evaluator.task.axes
+
+    @property
     def robustness(self) -> Mapping[str, float | None]:
         """Of each expectation of the search."""
         return self.outcome.expectations
@@ -98,9 +103,9 @@ class Failure:
     @property
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
-        found = self._search.failures[self.rank - 1]
-        if found.outcome == self.outcome:
-            return self._search.failure_drives[self.rank - 1]
+        for place, found in enumerate(self._search.failures):
+            if found.outcome == self.outcome:
+                return self._search.failure_drives[place]
         return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 
 

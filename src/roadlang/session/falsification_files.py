@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 from ..files.writing import write_all, write_set
 from ..ir.results_record import RESULTS_FILE
 from ..version import __version__
+from .failure_findings import FINDINGS
 from .results_record import record_of_search
 from .tables import columns_of, to_csv
 
@@ -31,7 +32,7 @@ INDEX = "index.json"
 INDEX_SCHEMA = "roadlang.failures/1"
 SAFE_SCHEMA = "roadlang.safe/1"
 SUMMARY_SCHEMA = "roadlang.falsification/1"
-_ENDINGS = (".json", ".trace.csv", ".trace.json", ".svg", ".shrunk.json", ".explanation.json")
+_ENDINGS = (".json", ".trace.csv", ".trace.json", ".svg")
 
 
 def write_falsification(search: Falsification, folder: Path) -> None:
@@ -96,7 +97,7 @@ def _write_safe(search: Falsification, folder: Path) -> None:
 
 def _drive_files(number: int, drive: Drive) -> dict[str, str]:
     contents = drive.scene.to_json(), drive.to_csv(), drive.to_json(), drive.svg()
-    return {f"{number:04d}{end}": text for end, text in zip(_ENDINGS, contents, strict=False)}
+    return {f"{number:04d}{end}": text for end, text in zip(_ENDINGS, contents, strict=True)}
 
 
 def _record(failure: Failure) -> dict[str, Any]:
@@ -122,7 +123,7 @@ def _files_of(marker: Path) -> Iterable[str]:
         stems = [str(item["scene"]).removesuffix(".json") for item in listed]
     except (OSError, ValueError, KeyError, TypeError):
         return []
-    names = [f"{stem}{ending}" for stem in stems for ending in _ENDINGS]
+    names = [f"{stem}{ending}" for stem in stems for ending in (*_ENDINGS, *FINDINGS)]
     return [name for name in names if (marker.parent / name).exists()]
 
 

@@ -12,6 +12,7 @@ from ..files.journal import JournalFile
 from ..files.writing import write_all, write_file
 from ..ir.results_record import RESULTS_FILE
 from .drives import Drive
+from .failure_findings import FINDINGS
 
 if TYPE_CHECKING:
     from .drives import DriveSet
@@ -45,6 +46,8 @@ class RunFolder:
             contents = *traces, verdicts_json(drive), drive.svg()
             stem = _stem(drive.scene.index)
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
+            for ending in FINDINGS:  # of an earlier drive
+                (self._folder / (stem + ending)).unlink(missing_ok=True)
         write_all(self._folder, files)
         entries = [
             {"row": row, "record": record_of(drive), "measures": _measures(drive)}

@@ -244,8 +244,25 @@ function car(agent) {
 }
 
 // What `roadlang shrink` and `roadlang explain` found of the drive.
-function foundByCommands(drive) {
-  return [];
+function foundByCommands({ name, shrunk, explanation }) {
+  const parts = [];
+  if (shrunk) {
+    const rows = shrunk.draws.map(([draw, value, unit]) => [draw, typeof value === "number" ? shown(value, unit) : String(value)]);
+    const count = `${shrunk.others} of ${shrunk.others + rows.length} random values are at their medians; it needs:`;
+    parts.push(make("h3", {}, "The simplest scene that still fails"), make("p", {}, count), list(rows));
+    parts.push(make("p", {}, make("code", {}, `roadlang run ${name}.shrunk.json`)));
+  }
+  if (explanation) {
+    const rows = explanation.medians.map(([draws, value]) => [draws, value === null ? "no scene" : shown(value, explanation.unit), value > 0 ? "holds" : ""]);
+    parts.push(make("h3", {}, "Which random values matter"));
+    parts.push(make("p", {}, `Robustness of ${explanation.expectation} with these at their medians, the others as they are:`), list(rows));
+  }
+  return parts;
+}
+
+function list(rows) {
+  const lines = rows.map((cells) => make("tr", {}, ...cells.map((words, index) => make("td", { class: index === 1 ? "number" : words === "holds" ? "holds" : "" }, words))));
+  return make("div", { class: "scroll" }, make("table", {}, make("tbody", {}, ...lines)));
 }
 
 const viewer = DATA.drives.length ? new Viewer() : null;

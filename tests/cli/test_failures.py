@@ -1,0 +1,171 @@
+"""`roadlang shrink` and `roadlang explain` on failures on disk, and both in the report."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from roadlang.cli.main import run
+
+TEXT = """
+road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (90m, 25m), (90m, 80m)] }, width: 7m }
+agent ego is car on main at 5m..9m { drive with pure_pursuit { speed: 6m/s..15m/s, lookahead: 5m..9m } }
+object oak is tree on main at 50m { side: right, offset: 2m..4m }
+expect slow: always (ego.speed < 11m/s)
+simulate with builtin { duration: 6s }
+falsify with random { evaluations: 20, random: 0% }
+"""  # noqa: E501
+DRAWS = ["ego/at", "ego/drive 1/speed", "ego/drive 1/lookahead", "oak/offset"]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("bend.rl").write_text(TEXT)
+    return tmp_path
+
+
+@pytest.fixture
+def failure() -> Path:
+    assert run(["falsify", "bend.rl", "-o", "out", "--seed", "2"]) == 4
+    return Path("out/failures/0001.json")
+
+
+def test_the_simplest_scene_needs_its_speed_alone(
+    failure: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    capsys.readouterr()
+    assert run(["shrink", str(failure)]) == 0
+    printed = capsys.readouterr().out
+    assert "3 of 4 random values are at their medians; it needs" in printed
+    before, after = (json.loads(path.read_text()) for path in (failure, shrunk_of(failure)))
+    same = [name for name in DRAWS if before["draws"][name] == after["draws"][name]]
+    assert same == ["ego/drive 1/speed"]
+    assert f"  {same[0]} = {before['draws'][same[0]]:.3g}\N{NO-BREAK SPACE}m/s" in printed
+    assert after["draws"]["ego/at"] == pytest.approx(7.0)
+    assert after["draws"]["oak/offset"] == pytest.approx(3.0)
+
+
+def test_a_scene_may_fail_without_any_of_its_draws(
+    failure: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("bend.rl").write_text(TEXT.replace("15m/s", "40m/s"))
+    run(["falsify", "bend.rl", "-o", "out"])
+    capsys.readouterr()
+    run(["shrink", str(failure)])
+    assert "it fails with all of its 4 random values at their medians" in capsys.readouterr().out
+
+
+def shrunk_of(failure: Path) -> Path:
+    return failure.with_name("0001.shrunk.json")
+
+
+def test_the_simplest_scene_fails_when_it_is_driven(failure: Path) -> None:
+    run(["shrink", str(failure)])
+    assert run(["run", str(shrunk_of(failure)), "-o", "again"]) == 4
+    assert failure.with_name("0001.shrunk.svg").read_text().startswith("<svg")
+
+
+def test_the_scene_goes_where_the_option_says(failure: Path) -> None:
+    run(["shrink", str(failure), "-o", "simple/scene.json"])
+    assert run(["run", "simple/scene.json", "-o", "again"]) == 4
+    assert not shrunk_of(failure).exists()
+
+
+def test_an_explanation_names_the_moment_and_what_matters(
+    failure: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    capsys.readouterr()
+    assert run(["explain", str(failure)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    record = json.loads(failure.with_name("0001.explanation.json").read_text())
+    index = json.loads(failure.with_name("index.json").read_text())["failures"][0]
+    assert record["moment"] == index["moment"]
+    assert record["robustness"] == index["robustness"]["slow"]
+    assert record["unit"] == "m/s"
+    assert lines[0].startswith("violated  slow: always (ego.speed < 11m/s)  robustness")
+    assert lines[1].startswith(f"goes wrong at {index['moment']['time']:.1f} s, s = ")
+    singles = {i["draws"][0]: i["robustness"] for i in record["medians"] if len(i["draws"]) == 1}
+    assert sorted(singles) == sorted(DRAWS)
+    assert next(iter(singles)) == "ego/drive 1/speed"
+    assert singles["ego/drive 1/lookahead"] < 0
+    assert len(record["medians"]) == 4 + 6
+
+
+def test_a_failing_scene_of_a_run_is_taken_as_well(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["run", "bend.rl", "-n", "6", "-o", "drives", "--seed", "4"]) == 4
+    failing = [
+        path
+        for path in sorted(Path("drives").glob("scene-????.json"))
+        if '"satisfied": false' in path.with_name(f"{path.stem}.verdicts.json").read_text()
+    ]
+    assert 0 < len(failing) < 6
+    for path in failing:
+        assert run(["shrink", str(path)]) == 0
+        assert run(["explain", str(path)]) == 0
+        verdict = json.loads(path.with_name(f"{path.stem}.verdicts.json").read_text())
+        record = json.loads(path.with_name(f"{path.stem}.explanation.json").read_text())
+        assert record["robustness"] == verdict["expectations"][0]["robustness"]
+
+
+def test_what_was_found_is_in_the_report_and_goes_with_the_failure(failure: Path) -> None:
+    run(["shrink", str(failure)])
+    run(["explain", str(failure)])
+    assert run(["report", "out"]) == 0
+    data = Path("out/report.html").read_text().partition('id="data">')[2].partition("</script>")[0]
+    first, *others = json.loads(data)["drives"]
+    assert first["shrunk"]["others"] == 3
+    assert [row[0] for row in first["shrunk"]["draws"]] == ["ego/drive 1/speed"]
+    assert first["explanation"]["medians"][0][0] == "ego/drive 1/speed"
+    assert all(drive["shrunk"] is None for drive in others)
+    run(["falsify", "bend.rl", "-o", "out", "--seed", "3"])
+    assert not list(failure.parent.glob("*.shrunk.*"))
+    assert not list(failure.parent.glob("*.explanation.json"))
+
+
+@pytest.mark.parametrize("command", ["shrink", "explain"])
+class TestRefused:
+    def refused(self, *words: str, code: str, capsys: pytest.CaptureFixture[str]) -> int:
+        capsys.readouterr()
+        result = run([*words])
+        assert code in capsys.readouterr().err
+        return result
+
+    def test_a_file_that_is_not_there(
+        self, command: str, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        assert self.refused(command, "no.json", code="RL920", capsys=capsys) == 2
+
+    def test_a_scene_without_results(
+        self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        shutil.copy(failure, "alone.json")
+        assert self.refused(command, "alone.json", code="RL722", capsys=capsys) == 2
+
+    def test_a_safe_scene(
+        self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        words = (command, "out/safe/0001.json")
+        assert self.refused(*words, code="RL722", capsys=capsys) == 2
+
+    def test_a_scene_file_that_has_changed(
+        self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        Path("bend.rl").write_text(TEXT.replace("25m", "30m"))
+        assert self.refused(command, str(failure), code="RL723", capsys=capsys) == 1
+
+    def test_a_scene_file_with_other_random_values(
+        self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        Path("bend.rl").write_text(TEXT.replace("5m..9m {", "6m {"))
+        assert self.refused(command, str(failure), code="RL723", capsys=capsys) == 1
+
+    def test_a_scene_file_that_was_moved(
+        self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        Path("bend.rl").rename("moved.rl")
+        assert self.refused(command, str(failure), code="RL920", capsys=capsys) == 2
+        assert run([command, str(failure), "--file", "moved.rl"]) == 0
