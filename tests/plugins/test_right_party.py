@@ -297,6 +297,30 @@ def test_complex_values_of_other_kinds() -> None:
         assert "complex numbers" in found.message
 
 
+@pytest.mark.parametrize(
+    "odd", [lambda n, d: np.zeros((n, d + 1)), lambda n, d: np.zeros((n + 1, d)),
+            lambda n, d: np.zeros(n * d), lambda n, d: np.full((n, d), 1.01),
+            lambda n, d: np.full((n, d), -0.01)],
+    ids=["a column more", "a row more", "flat", "above 1", "below 0"],
+)  # fmt: skip
+def test_points_of_a_sampler_are_a_row_for_each_index_within_the_unit_cube(odd: Any) -> None:
+    @dataclass(frozen=True)
+    class OddSampler(Sampler):
+        """Points where none can be."""
+
+        name: ClassVar[str] = "odd"
+
+        def points(self, indices: Any, draws: Any, seed: Any) -> Any:
+            return odd(len(indices), len(draws))
+
+    text = STRAIGHT + (
+        "road bent from main { perturb with sine { amplitude: 0m..1m, wavelength: 80m } }\n"
+    )
+    found = fault(text + "sample with odd\n", OddSampler)
+    assert found.code == Code.WRONG_PLUGIN_RESULT
+    assert "gave points of shape" in found.message
+
+
 def emitted(odd: type[Backend], folder: Path) -> Diagnostic:
     scenes = testing.sample(STRAIGHT + "emit odd\n", kinds=[odd])
     with pytest.raises(DiagnosticError) as caught:

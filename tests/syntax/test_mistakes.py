@@ -245,3 +245,25 @@ def test_what_is_missing_at_the_end_of_a_statement_is_not_said_of_the_file() -> 
     assert found.message.endswith("found the end of the statement")
     _, (found,) = parse(Source("p.rl", "road b from c\nroad a from\n"))
     assert found.message.endswith("found the end of the file")
+
+
+@pytest.mark.parametrize(
+    ("text", "missing", "found"),
+    [
+        ("param a 3m", "=", "3m"),
+        ("agent ego car on main at 5m", "is", "car"),
+        ("object oak tree at 5m", "is", "tree"),
+        ("road b main", "from", "main"),
+        ("network t plan", "from", "plan"),
+        ("require r always p", ":", "always"),
+        ("road b from main { width 7m }", ":", "7m"),
+        ("road b from main  width: 7m }", "{", "width"),
+        ("let a = f b)", "(", "b"),
+    ],
+)
+def test_a_missing_sign_is_named_and_the_rest_is_read_as_if_it_were_there(
+    text: str, missing: str, found: str
+) -> None:
+    tree, errors = parse(Source("a.rl", f"{text}\nlet after = 1m\n"))
+    assert [error.message for error in errors] == [f"expected `{missing}`, found `{found}`"]
+    assert len(tree.statements) == 2

@@ -104,6 +104,18 @@ def test_sidewalks_lie_on_either_side_of_counted_lanes(sample: Sample) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("lanes", "marking"), [("lanes: 2", "broken"), ("lanes: 4", "double"), ("lanes: 1", "curb")]
+)
+def test_a_curb_beside_the_reference_line_is_where_a_sidewalk_begins(
+    sample: Sample, lanes: str, marking: str
+) -> None:
+    """With lanes to both sides the line between them is that of traffic."""
+    main = road(sample, f"road main {{ {lanes}, oneway: {str(lanes == 'lanes: 1').lower()}, "
+                f"sidewalks: 1.5m, width: 6m, {DRAW} }}")  # fmt: skip
+    assert main.center_marking == marking
+
+
 def test_a_thing_beside_the_road_stands_beyond_the_sidewalk(sample: Sample) -> None:
     text = "road main { sidewalks: 2m, width: 6m, " + DRAW + "}\n"
     found = scene(sample, text + "object post is box on main at 5m { side: left, offset: 1m }")

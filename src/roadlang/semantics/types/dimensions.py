@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from functools import cache
 
@@ -54,11 +55,13 @@ def _unit(checker: Checker, number: ast.NumberLiteral) -> Unit | None:
     try:
         return _parse(number.unit)
     except TwoSlashes:
-        better = _one_slash(number.unit)
-        fixes = [Fix(number.span, number.digits + better)]
-        help_ = f"write `{number.digits}{better}`: everything behind the one `/` divides"
+        better = _one_slash(number)
         checker.report(
-            Code.TWO_SLASHES_IN_UNIT, number.span, unit=number.unit, help=help_, fixes=fixes
+            Code.TWO_SLASHES_IN_UNIT,
+            number.span,
+            unit=number.unit,
+            help=f"write `{better}`",
+            fixes=[Fix(number.span, better)],
         )
     except UnknownUnit as error:
         _report_unknown_unit(checker, number, error.word)
@@ -78,13 +81,11 @@ def _report_unknown_unit(checker: Checker, number: ast.NumberLiteral, word: str)
     checker.report(Code.UNKNOWN_UNIT, number.span, unit=word, meant=better)
 
 
-def _one_slash(text: str) -> str:
-    above, *below = text.split("/")
-    parts: dict[str, int] = {}
-    for part in below:
-        parts[part] = parts.get(part, 0) + 1
-    divisor = "*".join(f"{part}^{n}" if n > 1 else part for part, n in parts.items())
-    return f"{above}/{divisor}"
+def _one_slash(number: ast.NumberLiteral) -> str:
+    """`12m/s/s` as `12m/s^2`, and `12m/s/min`, whose divisors differ, as `12m/s / 1min`."""
+    above, *below = number.unit.split("/")
+    powers = [f"{unit}^{n}" if n > 1 else unit for unit, n in Counter(below).items()]
+    return " / 1".join([f"{number.digits}{above}/{powers[0]}", *powers[1:]])
 
 
 def unit_missing(

@@ -1,0 +1,89 @@
+"""What a scene file need not say, and what that means: readers of older files depend on it."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+
+from roadlang.api import Scene
+from roadlang.ir.encoding import scene_from_json
+from roadlang.ir.scene import SceneActor
+from roadlang.ir.trace import AgentTrace
+
+ROAD = {
+    "name": "main", "stations": [0, 10], "reference_stations": [0, 10], "x": [0, 10], "y": [0, 0],
+    "heading": [0, 0], "curvature": [0, 0], "width": [6, 6], "lanes": 2, "closed": False,
+    "length": 10, "root": "main",
+}  # fmt: skip
+CAR = {
+    "name": "ego", "group": "ego", "kind": "car", "x": 1, "y": 2, "heading": 0.5, "length": 4,
+    "width": 2, "height": 1.5,
+}  # fmt: skip
+LEAST = {
+    "schema": "roadlang.scene/2", "name": "least", "title": "", "index": 0,
+    "provenance": {"roadlang": "0.1.0", "seed": 0, "scene": 0, "attempt": 0},
+    "networks": [{"name": "town", "nodes": [], "roads": ["main"]}],
+    "roads": [ROAD],
+    "agents": [CAR],
+    "requirements": [{"name": "r", "text": "", "domain": "road", "robustness": 1.0,
+                      "satisfied": True}],
+}  # fmt: skip
+
+
+def least() -> Scene:
+    return scene_from_json(json.dumps(LEAST))
+
+
+def test_a_network_is_certain_has_no_mask_and_lies_at_the_origin() -> None:
+    (town,) = least().networks
+    assert (town.confidence, town.mask, town.mask_scale) == (1, None, None)
+    assert (town.mask_origin, town.junctions, town.origin) == ((0, 0), (), None)
+
+
+def test_a_road_is_its_own_reaches_to_its_ends_and_has_a_broken_middle_line() -> None:
+    (road,) = least().roads
+    assert (road.network, road.edge, road.derived, road.trim) == (None, None, False, (0, 0))
+    assert (road.lane_list, road.center_marking, road.center_offset) == ((), "broken", ())
+    assert (road.speed_limit, road.street, road.elevation) == (None, "", ())
+
+
+def test_an_agent_stands_free_looks_forward_and_waits() -> None:
+    (car,) = least().agents
+    assert (car.road, car.start, car.offset, car.lane, car.facing) == (None,) * 4 + ("forward",)
+    assert (dict(car.options), car.drive, car.start_speed, car.route) == ({}, (), None, None)
+
+
+def test_a_verdict_has_no_places() -> None:
+    (verdict,) = least().requirements
+    assert (verdict.violated, verdict.formula, verdict.profiles, verdict.tightest) == (
+        (), None, (), None
+    )  # fmt: skip
+
+
+def test_a_scene_draws_nothing_and_is_driven_nowhere() -> None:
+    scene = least()
+    assert (dict(scene.values), dict(scene.draws), dict(scene.units), dict(scene.world)) == (
+        {}, {}, {}, {}
+    )  # fmt: skip
+    assert (scene.objects, scene.signals, scene.expectations, scene.simulate) == ((), (), (), None)
+    assert (dict(scene.provenance.inputs), scene.provenance.source) == ({}, "")
+    assert (dict(scene.provenance.plugins), dict(scene.provenance.overrides)) == ({}, {})
+
+
+def test_what_stands_still_is_where_the_scene_has_it_at_all_times() -> None:
+    """A thing beside all roads has no station: 0, as has its distance from a center line."""
+    time = np.array([0.0, 0.5, 1.0])
+    free = SceneActor("ego", "ego", "car", 1.0, 2.0, 0.5, 4.0, 2.0, 1.5)
+    placed = SceneActor("ego", "ego", "car", 1.0, 2.0, 0.5, 4.0, 2.0, 1.5, "main", 7.0, -1.5)
+    for actor, station, offset in ((free, 0.0, 0.0), (placed, 7.0, -1.5)):
+        trace = AgentTrace.still(actor, time)
+        for column, value in (
+            (trace.x, 1.0), (trace.y, 2.0), (trace.heading, 0.5), (trace.station, station),
+            (trace.cross_track_error, offset), (trace.speed, 0.0), (trace.acceleration, 0.0),
+            (trace.steering, 0.0), (trace.progress, 0.0), (trace.contacts, 0.0),
+        ):  # fmt: skip
+            assert column.tolist() == [value] * 3
+        assert (trace.length, trace.width) == (4.0, 2.0)
+        assert math.isclose(trace.time[-1], 1.0)
