@@ -17,7 +17,9 @@ WORDS = {
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
     "options of controllers that say how fast an agent begins": "lateral_acceleration",
     "users of lanes": "pedestrian",
-    "rules of junctions, and turns at them": "all_way_stop right_first stop straight yield",
+    "junctions, their rules, and turns at them": (
+        "all_way_stop junction right_first stop straight yield"
+    ),
     "types of JSON Schema": "integer",
 }
 """Names of kinds that mean something else wherever the core has them in quotes. The rule cannot

@@ -55,6 +55,7 @@ _KINDS = {
     "position ahead_of": "positions:AheadOf",
     "position behind": "positions:Behind",
     "position beside": "positions:Beside",
+    "position junction": "positions:AtJunction",
     "number confidence": "number_confidence:Confidence",
     "number length": "number_length:Length",
     "number sup_distance": "number_sup_distance:SupDistance",

@@ -1,15 +1,19 @@
 """Positions by another agent or object: `ahead_of(ego, 20m)`, `behind(ego, 15m)`,
-`beside(ego, left)`."""
+`beside(ego, left)`; and in a network: `junction(3)`."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import AgentOrObject, Length, Position, Standing, Word, option
+from roadlang.api import AgentOrObject, Length, Position, Standing, Whole, Word, geometry, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
+
+
+_ROOM = 12.0
+"""Meters of a lane behind its stop line, where there are lanes that long"""
 
 
 def _along(other: Any, length: Floats, gap: Floats | float, ahead: bool) -> Standing:
@@ -69,3 +73,36 @@ class Beside(Position):
         is_in_lane = self.other.lane != 0
         lane = np.where(is_in_lane, lane, 0)
         return Standing(self.other.start, lane, offset, self.other.backward)
+
+
+@dataclass(frozen=True)
+class AtJunction(Position):
+    """Before a junction of the network: in a lane that leads into it, at its stop line."""
+
+    name: ClassVar[str] = "junction"
+    id: Whole = option(minimum=0, help="id of the junction")
+    road: Whole = option(None, minimum=0, help="id of the road; by default any that leads there")
+    before: Length = option(0.0, minimum=0, help="how far before the stop line")
+
+    def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.LanePlace]:
+        """One in each lane, as far before its end as the lane is long enough."""
+        turns = enumerate(lanes.turns)
+        leading = [lane for lane, out in turns if any(turn.junction == self.id for turn in out)]
+        if not leading:
+            known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
+            names = ", ".join(map(str, known)) or "none"
+            raise geometry.GeometryError(f"no lane leads to junction {self.id}; there are {names}")
+        chosen = [lane for lane in leading if self.road in (None, lanes.lanes[lane].edge)]
+        if not chosen:
+            roads = ", ".join(map(str, sorted({lanes.lanes[lane].edge for lane in leading})))
+            raise geometry.GeometryError(
+                f"road {self.road} does not lead into junction {self.id}; its roads are {roads}"
+            )
+        return [_before(lanes, lane, self.before) for lane in chosen]
+
+
+def _before(lanes: geometry.LaneGraph, lane: int, distance: float) -> geometry.LanePlace:
+    length, end = lanes.length(lane), lanes.end[lane]
+    away = min(distance, length)
+    too_short = max(distance + _ROOM - length, 0.0)
+    return geometry.LanePlace(lane, end - away if lanes.forward(lane) else end + away, too_short)

@@ -14,6 +14,7 @@ Nothing is imported until a name is used.
   `anchored_nodes`, `junction_window`
 - junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`,
   `minor_roads`; triangles of their areas: `triangulated`
+- lanes of a network, and how one leads into others: `LaneGraph`, `LanePlace`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
@@ -73,6 +74,8 @@ if TYPE_CHECKING:
     from .polylines import network_of_polylines as network_of_polylines
     from .profile import OffsetProfile as OffsetProfile
     from .road import Road as Road
+    from .routes.lane_graph import LaneGraph as LaneGraph
+    from .routes.shortest import LanePlace as LanePlace
     from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
     from .segments import Chain as Chain
@@ -125,6 +128,8 @@ _HOMES = {
     "plan_junctions": "junctions.plan",
     "signal_phases": "junctions.phases",
     "minor_roads": "junctions.priority",
+    "LaneGraph": "routes.lane_graph",
+    "LanePlace": "routes.shortest",
     "Node": "network",
     "Edge": "network",
     "RoadNetwork": "network",

@@ -20,12 +20,13 @@ from .annotations import (
     Word,
 )
 from .lane_options import LaneOptions
-from .option_types import KindNameType, ListType, PointType, QuantityType, UnionType
+from .option_types import CallType, KindNameType, ListType, PointType, QuantityType, UnionType
 from .options import OptionSchema, option, schema_of
 
 JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, whole=True), KindNameType("lane")))]
-RoutePoints = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
+_RoutePoint = UnionType((PointType(LENGTH), CallType("position")))
+RoutePoints = Annotated[Any, ListType(_RoutePoint, at_least=1)]
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
 
 

@@ -10,18 +10,19 @@ from ..geometry.routes.shortest import Leg, PlannedRoute
 from ..ir.scenario import ScenarioActor
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from ..world.lane_graphs import lanes_of_network
+from ..world.placement import placed_routes
 from ..world.road_places import from_root
-from ..world.routes import routes_of
+from ..world.routes import has_route
 
 _FIRST = np.zeros(2, np.intp)
 
 
 def scene_routes(actor: ScenarioActor, candidates: CandidateBatch) -> list[SceneRoute | None]:
     """The route of each copy of an agent of a single candidate; empty where none has one."""
-    if "route" not in actor.options:
+    if not has_route(actor, candidates):
         return []
     lanes = lanes_of_network(candidates.scenario.networks[str(actor.on)], candidates)
-    found = routes_of(actor, candidates)[0].tolist()
+    found = placed_routes(actor, candidates)[0].tolist()
     return [
         None if route is None else _route(route, str(actor.on), lanes, candidates)
         for route in found

@@ -7,11 +7,15 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
+from ..geometry.arrays import Floats
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
+from ..world.bends import bends_of_route
 from ..world.copies import element_of
 from ..world.named_roads import name_of_road, named_road
+from ..world.placement import placed_routes
+from ..world.routes import has_route
 
 _STRAIGHT = 1e-6
 
@@ -59,6 +63,10 @@ def _wanted(
     start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
     road = name_of_road(actor, int(where.road[0, copy]))
     limit = _fastest(str(road), start, backward, float(lateral), float(braking), candidates)
+    if has_route(actor, candidates):
+        route = placed_routes(actor, candidates)[0, copy]
+        ahead, curvature = bends_of_route(route, str(actor.on), candidates)
+        limit = _slowest(ahead, curvature, float(lateral), float(braking))
     return min(float(speed), limit)
 
 
@@ -77,6 +85,10 @@ def _fastest(
     ahead = start - arc if backward else arc - start
     if road.closed:
         ahead = np.mod(ahead, float(road.length[0, 0]))
-    curvature = np.maximum(np.abs(road.curvature[0]), _STRAIGHT)
-    squares = lateral / curvature + 2.0 * braking * ahead
+    return _slowest(ahead, road.curvature[0], lateral, braking)
+
+
+def _slowest(ahead: Floats, curvature: Floats, lateral: float, braking: float) -> float:
+    """Where bends of a curvature (n,) begin `ahead` (n,) meters; those behind do not count."""
+    squares = lateral / np.maximum(np.abs(curvature), _STRAIGHT) + 2.0 * braking * ahead
     return float(np.sqrt(squares[ahead >= 0.0].min(initial=np.inf)))

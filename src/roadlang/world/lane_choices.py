@@ -43,6 +43,13 @@ def _choice(item: Any, facing: str) -> LaneChoice | None:
     return (item if isinstance(item, str) else round(item)), facing
 
 
+def is_for_vehicles(choice: LaneChoice, lanes: LaneGraph) -> bool:
+    """Whether a choice is about lanes for vehicles, not a kind such as `parking`."""
+    if isinstance(choice[0], int) or choice[0] in ("any", "outer"):
+        return True
+    return any(_kind(lanes, number) == choice[0] for number in range(len(lanes.lanes)))
+
+
 def allowed_lanes(
     actor: ScenarioActor, lanes: LaneGraph, choice: LaneChoice, copies: CopyBatch
 ) -> frozenset[int]:

@@ -1,12 +1,12 @@
-"""Where in a network copies begin: at random, near a point, or where their route does."""
+"""Where in a network copies begin: at random, near a point, where their route does, by another."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
@@ -15,31 +15,21 @@ from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
 from ..geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
 from ..ir.scenario import ScenarioActor
+from ..ir.values import PassCall
 from .copies import element_of
-from .lane_choices import LaneChoice, allowed_lanes, lane_choices
+from .lane_choices import LaneChoice, allowed_lanes, is_for_vehicles, lane_choices
 from .lane_graphs import lanes_of_network
 from .lane_places import lanes_by_word
-from .positions import Others, column
+from .network_walks import LaneWalks
+from .positions import Others, column, names_another, row_distances
 from .road_places import from_root
 from .road_poses import LaneStart, WrittenPlace
-from .route_points import FARTHEST, route_points
+from .route_points import FARTHEST, RoutePoints, route_points
+from .route_positions import lane_places_of
+from .spots import UNREACHED, Spots
 
 _ROOM = 12.0
 """Meters of a lane that is long enough to begin in at random, where there are such"""
-UNREACHED = 1.0
-"""What is lacking where no way leads through the points of a route, as if in meters"""
-
-
-@dataclass(frozen=True, eq=False)
-class _Spots:
-    """Where copies (R,) begin: arc lengths of the root; `lane` 0 for none."""
-
-    road: Integers
-    station: Floats
-    lane: Integers
-    backward: NDArray[np.bool_]
-    lacking: Floats
-    """meters beyond `FARTHEST` that a point is from every lane, or `UNREACHED`; else 0"""
 
 
 def begins_in_network(
@@ -54,66 +44,93 @@ def begins_in_network(
     network = copies.scenario.networks[str(actor.on)]
     lanes = lanes_of_network(network, copies.candidates)
     choices = lane_choices(actor, copies, said)
-    finder = _Finder(actor, copies, lanes, lengths)
-    found = _Spots(
-        np.zeros(copies.count, np.int64),
-        np.zeros(copies.count),
-        np.zeros(copies.count, np.int64),
-        np.zeros(copies.count, dtype=bool),
-        np.zeros(copies.count),
-    )
-    for choice in dict.fromkeys(choices):
-        index = np.flatnonzero([other == choice for other in choices])
-        finder.place(choice, index, said, found)
-    start = np.empty(copies.count)
-    for road in np.unique(found.road).tolist():
-        chosen = np.flatnonzero(found.road == road)
-        name, rows = f"{actor.on}/{road}", copies.rows[chosen]
-        start[chosen] = from_root(name, copies.candidates, rows, found.station[chosen])
-    is_directed = found.lane != 0
-    begin = LaneStart(start, found.lane, np.zeros(copies.count), found.backward, is_directed)
+    found = Spots.of(copies.count, lanes.lanes[0].edge if lanes.lanes else 0)
+    if names_another(actor, copies.scenario):
+        walks = LaneWalks(actor, copies, lanes, lengths)
+        walks.by_another(_written_lanes(actor, choices), others, found)
+    else:
+        first = copies
+        if "spacing" in actor.options:
+            first = copies.numbered(np.ones(copies.count, np.int64))
+        finder = _Finder(actor, copies, first, lanes, lengths)
+        for choice in dict.fromkeys(choices):
+            index = np.flatnonzero([other == choice for other in choices])
+            finder.place(choice, index, said, found)
+    begin = LaneStart(found.start, found.lane, found.offset, found.backward, found.is_directed)
     return found.road, begin, found.lacking
+
+
+def _written_lanes(actor: ScenarioActor, choices: list[LaneChoice | None]) -> list[int | None]:
+    """The lanes that the statement itself says, by number or none; None for that of the other."""
+    if "side" in actor.options:
+        return [0] * len(choices)
+    if "lane" not in actor.options:
+        return [None] * len(choices)
+    ids = (0 if choice is None else choice[0] for choice in choices)
+    return [id if isinstance(id, int) else None for id in ids]
 
 
 @dataclass(frozen=True, eq=False)
 class _Finder:
-    """Finds places in the network for copies of one statement."""
+    """Finds places in the network for copies of one statement; those of a row by its `first`."""
 
     actor: ScenarioActor
     copies: CopyBatch
+    first: CopyBatch
     lanes: LaneGraph
     lengths: Floats
 
     def place(
-        self, choice: LaneChoice | None, index: Integers, said: WrittenPlace, into: _Spots
+        self, choice: LaneChoice | None, index: Integers, said: WrittenPlace, into: Spots
     ) -> None:
         """Fill in where the copies at `index` are, whose lane is chosen so."""
-        in_graph = choice is not None and self._has_lanes(choice)
-        if choice is None or not in_graph:
+        if choice is None or not is_for_vehicles(choice, self.lanes):
             self._on_roads(choice, index, said, into)
             return
         allowed = allowed_lanes(self.actor, self.lanes, choice, self.copies)
         options: list[tuple[LanePlace, ...]]
         if self.actor.at_fraction:
             options = [(place,) for place in self._at_shares(sorted(allowed), index)]
+        elif isinstance(self.actor.at, PassCall):
+            call, first = self.actor.at, self.first
+            options = [
+                lane_places_of(self.actor, call, first, row, self.lanes, allowed)
+                for row in index.tolist()
+            ]
         else:
             options = self._near_points(allowed, index, into)
-        vias = route_points(self.actor, self.copies)
         for row, stage in zip(index.tolist(), options, strict=True):
-            self._settle(row, tuple(self._inside(place, row) for place in stage), vias, into)
+            self._settle(row, tuple(self._inside(place, row) for place in stage), into)
 
-    def _settle(self, row: int, stage: Any, vias: Any, into: _Spots) -> None:
-        chosen = min(stage, key=lambda place: place.penalty)
-        if vias is not None:
-            found = shortest_route(self.lanes, [stage, *vias.stages(self.lanes, row)])
+    @cached_property
+    def _vias(self) -> RoutePoints | None:
+        return route_points(self.actor, self.copies, self.lanes)
+
+    @cached_property
+    def _rows(self) -> list[list[float]]:
+        return row_distances(self.actor, self.copies)
+
+    def _settle(self, row: int, stage: tuple[LanePlace, ...], into: Spots) -> None:
+        chosen, route = min(stage, key=lambda place: place.penalty), None
+        if self._vias is not None:
+            found = shortest_route(self.lanes, [stage, *self._vias.stages(row)])
             if isinstance(found, PlannedRoute):
-                chosen = LanePlace(found.legs[0].lane, found.legs[0].start)
+                route, chosen = found, LanePlace(found.legs[0].lane, found.legs[0].start)
             else:
                 into.lacking[row] = max(into.lacking[row], UNREACHED)
-            into.lacking[row] = max(into.lacking[row], vias.beyond(self.lanes, row))
+            into.lacking[row] = max(into.lacking[row], self._vias.beyond(row))
         lane = self.lanes.lanes[chosen.lane]
-        into.road[row], into.station[row] = lane.edge, chosen.station
-        into.lane[row], into.backward[row] = lane.lane, lane.backward
+        if self.first is not self.copies:
+            lacking, walks = into.lacking[row], self._walks
+            walks.row_behind_first(row, chosen, route, self._rows[row], into)
+            into.lacking[row] = max(into.lacking[row], lacking)
+            return
+        start = self._from_root(lane.edge, np.array([row]), np.array([chosen.station]))
+        into.stand(row, lane.edge, float(start[0]), lane.lane, 0.0, lane.backward)
+
+    @cached_property
+    def _walks(self) -> LaneWalks:
+        return LaneWalks(self.actor, self.copies, self.lanes, self.lengths)
 
     def _inside(self, place: LanePlace, row: int) -> LanePlace:
         """With both bumpers in the lane, as far as it is long enough."""
@@ -121,15 +138,6 @@ class _Finder:
         half = min(self.lengths[row], abs(ends[1] - ends[0])) / 2.0
         station = min(max(place.station, min(ends) + half), max(ends) - half)
         return LanePlace(place.lane, station, place.penalty)
-
-    def _has_lanes(self, choice: LaneChoice) -> bool:
-        """Whether it is about lanes for vehicles, not a kind such as `parking`."""
-        if isinstance(choice[0], int) or choice[0] in ("any", "outer"):
-            return True
-        graph = self.lanes
-        return any(
-            graph.sections[lane.edge].lane(lane.lane).kind == choice[0] for lane in graph.lanes
-        )
 
     def _at_shares(self, allowed: list[int], index: Integers) -> list[LanePlace]:
         """A share of the length of all lanes together."""
@@ -141,15 +149,15 @@ class _Finder:
         ]
 
     def _shares(self) -> Floats:
-        return column(evaluate(self.actor.at, self.copies, element_of(self.actor)), self.copies)
+        return column(evaluate(self.actor.at, self.first, element_of(self.actor)), self.first)
 
     def _points(self) -> Floats:
         """(R, 2) meters."""
-        parts = evaluate(self.actor.at, self.copies, element_of(self.actor))
-        return np.stack([column(part, self.copies) for part in parts], axis=-1)
+        parts = evaluate(self.actor.at, self.first, element_of(self.actor))
+        return np.stack([column(part, self.first) for part in parts], axis=-1)
 
     def _near_points(
-        self, allowed: frozenset[int], index: Integers, into: _Spots
+        self, allowed: frozenset[int], index: Integers, into: Spots
     ) -> list[tuple[LanePlace, ...]]:
         points, which = np.unique(self._points()[index], axis=0, return_inverse=True)
         near = near_roads(self.lanes, points)
@@ -162,7 +170,7 @@ class _Finder:
         return [found[number] for number in which.ravel().tolist()]
 
     def _on_roads(
-        self, choice: LaneChoice | None, index: Integers, said: WrittenPlace, into: _Spots
+        self, choice: LaneChoice | None, index: Integers, said: WrittenPlace, into: Spots
     ) -> None:
         """On roads rather than in lanes for vehicles: beside, astride, or in a lane of a kind."""
         graph = self.lanes
@@ -170,31 +178,34 @@ class _Finder:
         if choice is not None:
             kinds = {edge: [lane.kind for lane in graph.sections[edge].lanes] for edge in edges}
             edges = [edge for edge in edges if choice[0] in kinds[edge]] or edges
+        lanes = [graph.of_edge[edge][0] for edge in edges]
+        ends = [sorted((graph.begin[lane], graph.end[lane])) for lane in lanes]
         if self.actor.at_fraction:
-            lanes = [graph.of_edge[edge][0] for edge in edges]
-            ends = [sorted((graph.begin[lane], graph.end[lane])) for lane in lanes]
-            numbers, into.station[index] = _at_share(self._shares()[index], ends)
-            into.road[index] = np.array(edges)[numbers]
+            numbers, station = _at_share(self._shares()[index], ends)
         else:
             near = near_roads(graph, self._points()[index])
             rows = [near.edges.index(edge) for edge in edges]
             numbers = np.argmin(near.distance[rows], axis=0)
             each = np.arange(len(index))
-            into.road[index] = np.array(edges)[numbers]
-            into.station[index] = near.station[rows][numbers, each]
+            station = near.station[rows][numbers, each]
             beyond = near.distance[rows][numbers, each] - FARTHEST
             into.lacking[index] = np.maximum(beyond, 0.0)
-        if choice is not None:
-            self._in_lanes_of_kind(str(choice[0]), index, said, into)
-
-    def _in_lanes_of_kind(
-        self, kind: str, index: Integers, said: WrittenPlace, into: _Spots
-    ) -> None:
+        into.road[index] = np.array(edges)[numbers]
         for road in np.unique(into.road[index]).tolist():
-            chosen = index[into.road[index] == road]
-            part, against = self.copies.chosen(chosen), said.facing[chosen] == "back"
-            name = f"{self.actor.on}/{road}"
-            into.lane[chosen] = lanes_by_word(name, self.actor, part, kind, against)
+            chosen = into.road[index] == road
+            into.start[index[chosen]] = self._from_root(road, index[chosen], station[chosen])
+            if choice is not None:
+                part, against = self.copies.chosen(index[chosen]), said.facing[index[chosen]]
+                name, kind = f"{self.actor.on}/{road}", str(choice[0])
+                ids = lanes_by_word(name, self.actor, part, kind, against == "back")
+                into.lane[index[chosen]] = ids
+        if self.first is not self.copies:
+            away = np.array([self._rows[row][-1] for row in index.tolist()])
+            into.start[index] += away
+
+    def _from_root(self, road: int, index: Integers, station: Floats) -> Floats:
+        name, rows = f"{self.actor.on}/{road}", self.copies.rows[index]
+        return from_root(name, self.copies.candidates, rows, station)
 
 
 def _at_share(shares: Floats, ends: Any) -> tuple[Integers, Floats]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
@@ -14,6 +17,7 @@ from .copies import counts, is_group, most_copies
 from .placement_order import can_be_placed_again
 from .positions import starts_of
 from .roads import road_batch
+from .routes import routes_of
 
 FAR = 1e9
 """Meters to the end of a road that nothing can be beyond"""
@@ -22,6 +26,11 @@ FAR = 1e9
 def placed(actor: ScenarioActor, candidates: CandidateBatch) -> PlacedBatch:
     """Where every copy of an agent or object is."""
     return _arrangement(candidates).batch(actor)
+
+
+def placed_routes(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[Any]:
+    """(V, N) the routes of an agent: see `routes_of`."""
+    return routes_of(actor, candidates, _arrangement(candidates).batch)
 
 
 def _arrangement(candidates: CandidateBatch) -> Arrangement:

@@ -10,7 +10,8 @@ import numpy as np
 
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build, evaluate
-from ..geometry.arrays import Floats
+from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Entity, PassCall
@@ -66,6 +67,58 @@ def standing_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Stan
     return found
 
 
+def names_another(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
+    """Whether its position is by another agent or object."""
+    return isinstance(actor.at, PassCall) and _other(actor, scenario) is not None
+
+
+def standing_beside(
+    actor: ScenarioActor, copies: CopyBatch, others: Others
+) -> tuple[PlacedBatch, Standing]:
+    """The other that copies (R,) are placed by, and where they stand on its road: arrays (R, 1).
+    Those of a row have what their first has."""
+    spaced = "spacing" in actor.options
+    first = copies.numbered(np.ones(copies.count, np.int64)) if spaced else copies
+    other = _other(actor, copies.scenario)
+    assert other is not None
+    return _of_copies(other, first, others(other)), standing_of(actor, first, others)
+
+
+def other_of_copies(
+    actor: ScenarioActor, copies: CopyBatch, counts: int
+) -> tuple[ScenarioActor, Integers]:
+    """The agent or object that copies are placed by, and which of its `counts` copies each."""
+    other = _other(actor, copies.scenario)
+    assert other is not None
+    is_alone = not is_group(other) or "spacing" in actor.options
+    numbers = np.zeros(copies.count, np.int64) if is_alone else copies.copies - 1
+    return other, np.minimum(numbers, counts - 1)
+
+
+def _other(actor: ScenarioActor, scenario: IndexedScenario) -> ScenarioActor | None:
+    named = [entity.name for entity in scenario.dependencies.entities(actor.at)]
+    return next((scenario.actors[name] for name in named if name in scenario.actors), None)
+
+
+def row_distances(actor: ScenarioActor, copies: CopyBatch) -> list[list[float]]:
+    """(R) how far behind or ahead of the first of its row each copy stands, after all of those
+    between; of a copy in no row, 0."""
+    value = actor.options.get("spacing")
+    if value is None:
+        return [[0.0]] * copies.count
+    if not copies.scenario.dependencies.draws(value):
+        steps = column(evaluate(value, copies, element_of(actor)), copies).tolist()
+        numbers = copies.copies.tolist()
+        return [
+            [step * k for k in range(number)] for step, number in zip(steps, numbers, strict=True)
+        ]
+    ends, which = _row_ends(actor, copies)
+    return [
+        ends[group, :number].tolist()
+        for group, number in zip(which.tolist(), copies.copies.tolist(), strict=True)
+    ]
+
+
 def column(value: Any, copies: CopyBatch) -> Floats:
     """A value of the copies as numbers (R,)."""
     return np.broadcast_to(np.asarray(value, dtype=np.float64).reshape(-1), (copies.count,))
@@ -88,6 +141,13 @@ def _behind_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
     value = actor.options["spacing"]
     if not copies.scenario.dependencies.draws(value):
         return (copies.copies - 1) * column(evaluate(value, copies, element_of(actor)), copies)
+    ends, which = _row_ends(actor, copies)
+    return np.asarray(ends[which, copies.copies - 1])
+
+
+def _row_ends(actor: ScenarioActor, copies: CopyBatch) -> tuple[Floats, Integers]:
+    """Arc lengths (G, N) from the first copy of each row to all, and the row of each copy (R,)."""
+    value = actor.options["spacing"]
     most = int(copies.copies.max(initial=1))
     rows, which = np.unique(np.stack([copies.rows, copies.tries]), axis=1, return_inverse=True)
     every = CopyBatch(
@@ -98,7 +158,7 @@ def _behind_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
     )
     steps = column(evaluate(value, every, element_of(actor)), every).reshape(-1, most)
     ends = np.cumsum(steps, axis=1) - steps[:, :1]
-    return np.asarray(ends[which.reshape(-1), copies.copies - 1])
+    return ends, which.reshape(-1)
 
 
 def _of_rows(columns: Floats, copies: CopyBatch) -> Floats:

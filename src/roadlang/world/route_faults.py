@@ -7,18 +7,13 @@ import numpy as np
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
-from ..evaluate.evaluation import evaluate
-from ..geometry.arrays import Floats
 from ..geometry.routes.lane_graph import LaneGraph
-from ..geometry.routes.nearest_lanes import near_roads
 from ..geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
 from ..ir.scenario import ScenarioActor
-from .copies import element_of
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
-from .positions import column
 from .road_poses import WrittenPlace
-from .route_points import FARTHEST, route_points
+from .route_points import FARTHEST, NamedPlaces, NearPoints, route_parts
 
 
 def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic | None:
@@ -27,35 +22,23 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     network = candidates.scenario.networks[str(actor.on)]
     lanes = lanes_of_network(network, candidates)
     copies = CopyBatch(candidates, np.zeros(1, np.intp), np.ones(1, np.int64))
-    points = _points(actor, copies)
-    near = near_roads(lanes, points)
-    distances = near.distance.min(axis=0)
-    far = np.flatnonzero(distances > FARTHEST)
-    if len(far):
-        return _far(actor, points[far[0]], float(distances[far[0]]))
-    vias = route_points(actor, copies)
-    if vias is None:
-        return None
+    parts = route_parts(actor, copies, lanes)
+    for part in parts:
+        if isinstance(part, NearPoints) and part.distance(0) > FARTHEST:
+            return _far(actor, part.point(0), part.distance(0))
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
-    assert choice is not None
+    if len(parts) == 1 or choice is None:
+        return None
     allowed = allowed_lanes(actor, lanes, choice, copies)
-    stages = [near.options(lanes, number, lambda _: True) for number in range(len(points))]
-    begins = near.options(lanes, 0, allowed.__contains__)
+    stages = [part.places(0) for part in parts]
+    begins = tuple(place for place in stages[0] if place.lane in allowed)
     found = shortest_route(lanes, [begins, *stages[1:]]) if begins else 1
     if isinstance(found, PlannedRoute):
         return None
-    return _no_way(actor, points[found], stages, found, lanes)
+    return _no_way(actor, parts[found], stages, found, lanes)
 
 
-def _points(actor: ScenarioActor, copies: CopyBatch) -> Floats:
-    """(K, 2) the start and the points after it."""
-    first = [column(part, copies) for part in evaluate(actor.at, copies, element_of(actor))]
-    vias = route_points(actor, copies)
-    rest = np.zeros((0, 2)) if vias is None else vias.points[0]
-    return np.concatenate([np.stack(first, axis=-1), rest])
-
-
-def _far(actor: ScenarioActor, point: Floats, distance: float) -> Diagnostic:
+def _far(actor: ScenarioActor, point: tuple[float, float], distance: float) -> Diagnostic:
     return diagnose(
         Code.FAR_FROM_LANES,
         actor.span,
@@ -71,7 +54,7 @@ def _far(actor: ScenarioActor, point: Floats, distance: float) -> Diagnostic:
 
 def _no_way(
     actor: ScenarioActor,
-    point: Floats,
+    goal: NearPoints | NamedPlaces,
     stages: list[tuple[LanePlace, ...]],
     failed: int,
     lanes: LaneGraph,
@@ -89,9 +72,15 @@ def _no_way(
     return diagnose(
         Code.NO_WAY,
         actor.span,
-        x=f"{point[0]:g}m",
-        y=f"{point[1]:g}m",
+        goal=_written(goal),
         network=actor.on,
         name=actor.name,
         help=help_,
     )
+
+
+def _written(goal: NearPoints | NamedPlaces) -> str:
+    if isinstance(goal, NearPoints):
+        x, y = goal.point(0)
+        return f"({x:g}m, {y:g}m)"
+    return f"`{goal.call.kind.rpartition('.')[2]}(...)`"

@@ -1,4 +1,4 @@
-"""The points of the routes of copies, and the places in lanes near them."""
+"""The points of the routes of copies, and the places in lanes that they stand for."""
 
 from __future__ import annotations
 
@@ -13,48 +13,73 @@ from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
 from ..geometry.routes.shortest import LanePlace
 from ..ir.scenario import ScenarioActor
-from ..ir.values import Items
+from ..ir.values import PassCall
 from .copies import element_of
 from .positions import column
+from .route_positions import lane_places_of
 
 FARTHEST = 15.0
 """Meters from the nearest lane that a point of a route may be"""
 
 
-@dataclass(eq=False)
-class RoutePoints:
-    """The points (R, K, 2) that copies pass, in order, after their start."""
+@dataclass(frozen=True, eq=False)
+class NearPoints:
+    """One point of the routes of copies: points that differ (n,), and which each copy (R,) has."""
 
     points: Floats
-    _near: list[tuple[NearRoads, Integers]] = field(default_factory=list)
-    _stages: dict[tuple[int, ...], list[tuple[LanePlace, ...]]] = field(default_factory=dict)
+    which: Integers
+    near: NearRoads
+    lanes: LaneGraph
+    _places: dict[int, tuple[LanePlace, ...]] = field(default_factory=dict)
 
-    def stages(self, lanes: LaneGraph, row: int) -> list[tuple[LanePlace, ...]]:
-        """The places in lanes near the points of a copy."""
-        key = tuple(int(which[row]) for _, which in self._found(lanes))
-        if key not in self._stages:
-            self._stages[key] = [
-                near.options(lanes, number, lambda _: True)
-                for number, (near, _) in zip(key, self._near, strict=True)
-            ]
-        return self._stages[key]
+    def places(self, row: int) -> tuple[LanePlace, ...]:
+        """In the lanes near the point of a copy."""
+        number = int(self.which[row])
+        if number not in self._places:
+            self._places[number] = self.near.options(self.lanes, number, lambda _: True)
+        return self._places[number]
 
-    def beyond(self, lanes: LaneGraph, row: int) -> float:
+    def point(self, row: int) -> tuple[float, float]:
+        """x and y, meters."""
+        x, y = self.points[int(self.which[row])].tolist()
+        return x, y
+
+    def distance(self, row: int) -> float:
+        """Meters from the nearest lane."""
+        return float(self.near.distance[:, int(self.which[row])].min())
+
+
+@dataclass(frozen=True, eq=False)
+class NamedPlaces:
+    """A position such as `junction(3)` in the routes of copies."""
+
+    actor: ScenarioActor
+    call: PassCall
+    copies: CopyBatch
+    lanes: LaneGraph
+
+    def places(self, row: int) -> tuple[LanePlace, ...]:
+        """Those that it stands for."""
+        return lane_places_of(self.actor, self.call, self.copies, row, self.lanes)
+
+
+@dataclass(frozen=True, eq=False)
+class RoutePoints:
+    """What the routes of copies pass, in order, after their start."""
+
+    parts: tuple[NearPoints | NamedPlaces, ...]
+
+    def stages(self, row: int) -> list[tuple[LanePlace, ...]]:
+        """The places in lanes that a copy passes one of each."""
+        return [part.places(row) for part in self.parts]
+
+    def beyond(self, row: int) -> float:
         """Meters beyond `FARTHEST` that the worst point of a copy is from every lane."""
-        distances = [
-            float(near.distance[:, which[row]].min()) for near, which in self._found(lanes)
-        ]
-        return max(0.0, max(distances, default=0.0) - FARTHEST)
-
-    def _found(self, lanes: LaneGraph) -> list[tuple[NearRoads, Integers]]:
-        if not self._near:
-            for number in range(self.points.shape[1]):
-                single, which = np.unique(self.points[:, number], axis=0, return_inverse=True)
-                self._near.append((near_roads(lanes, single), which.reshape(-1)))
-        return self._near
+        points = (part for part in self.parts if isinstance(part, NearPoints))
+        return max((point.distance(row) - FARTHEST for point in points), default=0.0)
 
 
-def route_points(actor: ScenarioActor, copies: CopyBatch) -> RoutePoints | None:
+def route_points(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph) -> RoutePoints | None:
     """The points of the routes of copies; None where the route is random, or there is none.
 
     They are drawn once, however often a copy is placed again.
@@ -65,11 +90,30 @@ def route_points(actor: ScenarioActor, copies: CopyBatch) -> RoutePoints | None:
     value = None if route is None else evaluate(route, first, element_of(actor))
     if not isinstance(value, tuple):
         return None
-    columns = [[column(part, copies) for part in point] for point in value]
-    points = [np.stack(point, axis=-1) for point in columns]
-    return RoutePoints(np.stack(points, axis=1))
+    parts: list[NearPoints | NamedPlaces] = []
+    for item in value:
+        if isinstance(item, PassCall):
+            parts.append(NamedPlaces(actor, item, first, lanes))
+        else:
+            parts.append(_near(np.stack([column(part, first) for part in item], axis=-1), lanes))
+    return RoutePoints(tuple(parts))
 
 
-def has_points(actor: ScenarioActor) -> bool:
-    """Whether the route of an agent leads through points."""
-    return isinstance(actor.options.get("route"), Items)
+def route_parts(
+    actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph
+) -> tuple[NearPoints | NamedPlaces, ...]:
+    """Where copies begin, if that is a point or position of the network, and what they pass."""
+    at = evaluate(actor.at, copies, element_of(actor))
+    vias = route_points(actor, copies, lanes)
+    rest = () if vias is None else vias.parts
+    if isinstance(at, PassCall):
+        return (NamedPlaces(actor, at, copies, lanes), *rest)
+    if isinstance(at, tuple):
+        points = np.stack([column(part, copies) for part in at], axis=-1)
+        return (_near(points, lanes), *rest)
+    return rest
+
+
+def _near(points: Floats, lanes: LaneGraph) -> NearPoints:
+    single, which = np.unique(points, axis=0, return_inverse=True)
+    return NearPoints(single, which.reshape(-1), near_roads(lanes, single), lanes)

@@ -12,12 +12,13 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
 from ..geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
+from ..geometry.routes.walking import following_legs, straight_route
 from ..geometry.routes.wandering import random_route
+from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import element_of
 from .lane_graphs import lanes_of_network
-from .placement import placed
-from .positions import column
+from .positions import Others, column, names_another, other_of_copies
 from .road_places import to_root
 from .route_points import route_points
 
@@ -25,45 +26,90 @@ USUAL_LENGTH = 2_000.0
 """Meters of a random route whose length is not said"""
 
 
-def routes_of(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[Any]:
+def has_route(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
+    """Whether an agent has a route: a written or random one, or, where it drives and is placed by
+    another, the way of that."""
+    scenario = candidates.scenario
+    if actor.on not in scenario.networks or actor.name not in scenario.agents:
+        return False
+    return "route" in actor.options or (bool(actor.drive) and names_another(actor, scenario))
+
+
+def routes_of(actor: ScenarioActor, candidates: CandidateBatch, others: Others) -> NDArray[Any]:
     """(V, N) the `PlannedRoute` of every copy of an agent, by arc lengths of the roots of its
-    roads; None of a copy without route."""
-    make = candidates.once
-    return make(("routes", actor.name), lambda: _routes(actor, candidates), inherited=False)
+    roads; None of a copy without route. `others` says where agents and objects were placed."""
 
-
-def _routes(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[Any]:
-    where = placed(actor, candidates)
-    found = np.full(where.x.shape, None, dtype=object)
-    if "route" not in actor.options or where.x.size == 0:
+    def make() -> NDArray[Any]:
+        where = others(actor)
+        found = np.full(where.x.shape, None, dtype=object)
+        if has_route(actor, candidates) and where.x.size:
+            _plan(actor, candidates, others, found)
         return found
-    network = candidates.scenario.networks[str(actor.on)]
-    lanes = lanes_of_network(network, candidates)
-    copies = CopyBatch.every(candidates, where.x.shape[1])
-    starts = _starts(actor, candidates, lanes, copies)
-    points = route_points(actor, copies)
-    numbers = None if points is not None else _number(actor, "route", copies, 0.0)
-    lengths = _number(actor, "route_length", copies, USUAL_LENGTH)
-    if candidates.record is not None:
-        copies.record_in(candidates.record)
-    present = where.present.reshape(-1)
-    for row in np.flatnonzero(present).tolist():
-        start, route = starts[row], None
-        if start is not None and points is not None:
-            stages = [(start,), *points.stages(lanes, row)]
-            planned = shortest_route(lanes, stages)
-            route = planned if isinstance(planned, PlannedRoute) else None
-        elif start is not None and numbers is not None:
-            route = random_route(lanes, start, float(lengths[row]), float(numbers[row]))
-        found.reshape(-1)[row] = route
+
+    return candidates.once(("routes", actor.name), make, inherited=False)
+
+
+def leading_routes(
+    actor: ScenarioActor, copies: CopyBatch, others: Others
+) -> list[PlannedRoute | None] | None:
+    """(R) the routes of the agent that copies are placed by; None where it has none."""
+    other, _ = other_of_copies(actor, copies, 1)
+    if not has_route(other, copies.candidates):
+        return None
+    routes = routes_of(other, copies.candidates, others)
+    if routes.shape[1] == 0:
+        return None
+    _, numbers = other_of_copies(actor, copies, routes.shape[1])
+    found: list[PlannedRoute | None] = routes[copies.rows, numbers].tolist()
     return found
 
 
+def _plan(
+    actor: ScenarioActor, candidates: CandidateBatch, others: Others, into: NDArray[Any]
+) -> None:
+    network = candidates.scenario.networks[str(actor.on)]
+    lanes, where = lanes_of_network(network, candidates), others(actor)
+    copies = CopyBatch.every(candidates, where.x.shape[1])
+    starts = _starts(actor, where, lanes, copies)
+    points = route_points(actor, copies, lanes)
+    numbers = _number(actor, "route", copies, 0.0) if points is None else None
+    lengths = _number(actor, "route_length", copies, USUAL_LENGTH)
+    leads = leading_routes(actor, copies, others) if "route" not in actor.options else None
+    if candidates.record is not None:
+        copies.record_in(candidates.record)
+    present = where.present.astype(bool).reshape(-1)
+    for row in np.flatnonzero(present).tolist():
+        start = starts[row]
+        if start is None:
+            continue
+        route: PlannedRoute | int | None
+        if points is not None:
+            route = shortest_route(lanes, [(start,), *points.stages(row)])
+        elif "route" in actor.options:
+            assert numbers is not None
+            route = random_route(lanes, start, float(lengths[row]), float(numbers[row]))
+        else:
+            lead = leads[row] if leads is not None else None
+            route = _after(lanes, start, lead)
+        into.reshape(-1)[row] = route if isinstance(route, PlannedRoute) else None
+
+
+def _after(lanes: LaneGraph, start: LanePlace, lead: PlannedRoute | None) -> PlannedRoute:
+    """The way of another from one's own place; straight on, where it has none."""
+    if lead is not None:
+        legs = following_legs(lanes, start, lead)
+        passed = [(LanePlace(leg.lane, leg.stop),) for leg in legs if leg.turn is not None]
+        last = (LanePlace(legs[-1].lane, legs[-1].stop),)
+        found = shortest_route(lanes, [(start,), *passed, last])
+        if isinstance(found, PlannedRoute):
+            return found
+    return straight_route(lanes, start, USUAL_LENGTH)
+
+
 def _starts(
-    actor: ScenarioActor, candidates: CandidateBatch, lanes: LaneGraph, copies: CopyBatch
+    actor: ScenarioActor, where: PlacedBatch, lanes: LaneGraph, copies: CopyBatch
 ) -> list[LanePlace | None]:
     """(R) where copies stand, by arc length of the root; None of one in no lane."""
-    where = placed(actor, candidates)
     road, lane, backward = (
         getattr(where, name).reshape(-1).tolist() for name in ("road", "lane", "backward")
     )
@@ -71,7 +117,7 @@ def _starts(
     for edge in set(road):
         chosen = np.flatnonzero(np.array(road) == edge)
         name, rows = f"{actor.on}/{edge}", copies.rows[chosen]
-        station[chosen] = to_root(name, candidates, rows, start[chosen])
+        station[chosen] = to_root(name, copies.candidates, rows, start[chosen])
     numbers = {lane: number for number, lane in enumerate(lanes.lanes)}
     keys = (TravelLane(*parts) for parts in zip(road, lane, backward, strict=True))
     return [

@@ -103,6 +103,15 @@ class LaneGraph:
         return tuple(reversed(path))
 
     @cached_property
+    def sources(self) -> tuple[tuple[tuple[int, Turn], ...], ...]:
+        """By lane, the lanes that lead into it, and by which turn."""
+        found: list[list[tuple[int, Turn]]] = [[] for _ in self.lanes]
+        for lane, turns in enumerate(self.turns):
+            for turn in turns:
+                found[turn.target].append((lane, turn))
+        return tuple(map(tuple, found))
+
+    @cached_property
     def of_edge(self) -> Mapping[int, tuple[int, ...]]:
         """The lanes of each edge that has some."""
         found: dict[int, list[int]] = {}

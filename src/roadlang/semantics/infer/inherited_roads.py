@@ -14,12 +14,12 @@ def road_of(checker: Checker, statement: ast.Actor) -> ast.Expression | None:
     found: ast.Actor | None = statement
     while found is not None and found.on is None and found.name.text not in seen:
         seen.add(found.name.text)
-        found = _named_in_position(checker, found)
+        found = named_in_position(checker, found)
     return None if found is None else found.on
 
 
-def _named_in_position(checker: Checker, statement: ast.Actor) -> ast.Actor | None:
-    """The agent or object that the position of another names."""
+def named_in_position(checker: Checker, statement: ast.Actor) -> ast.Actor | None:
+    """The agent or object that a position is by (`ahead_of(ego, 20m)`), None of other positions."""
     call = statement.at
     if not isinstance(call, ast.CallExpression):
         return None

@@ -43,8 +43,8 @@ def place_of(
     typed = checker.infer(statement.at, inner)
     if typed.is_unknown:
         return None
-    if isinstance(typed.type, KindCallType) and typed.type.verb == "position" and network is None:
-        return _by_another(checker, statement, typed)
+    if isinstance(typed.type, KindCallType) and typed.type.verb == "position":
+        return _by_another(checker, statement, typed, network)
     if isinstance(typed.type, CoordinatesType):
         return _point(checker, statement, typed, network)
     if network is not None:
@@ -92,7 +92,9 @@ def _begin_of_route(
     if network is not None and isinstance(route, RandomValue):
         return _anywhere(checker, statement, name, context)
     if network is not None and isinstance(route, Items) and len(route.items) > 1:
-        return TypedExpression(name.span, CoordinatesType(), route.items[0])
+        first = route.items[0]
+        kind = KindCallType("position") if isinstance(first, PassCall) else CoordinatesType()
+        return TypedExpression(name.span, kind, first)
     if network is not None and route is not None:
         help_ = "write `at` and where it begins, or a second point in its route"
     elif network is not None:
@@ -130,10 +132,14 @@ def drawn_share(checker: Checker, place: ast.SyntaxNode, context: Context) -> Ra
 
 
 def _by_another(
-    checker: Checker, statement: ast.Actor, typed: TypedExpression
+    checker: Checker, statement: ast.Actor, typed: TypedExpression, network: str | None
 ) -> TypedExpression | None:
-    """A position by another agent or object, which is on the same road."""
+    """A position by another agent or object, which is on the same road, or a place in a network."""
     assert isinstance(typed.value, PassCall)
+    if network is None and not is_by_another(typed.value):
+        expected, found = "a length or a share of the road", "a place in a network"
+        checker.report(Code.WRONG_TYPE, typed.span, what="`at`", expected=expected, found=found)
+        return None
     for value in typed.value.options.values():
         if isinstance(value, Entity) and value.role in ("agent", "object"):
             other = checker.program.declarations[value.name].statement
@@ -155,6 +161,12 @@ def _by_another(
                 )
                 return None
     return typed
+
+
+def is_by_another(call: PassCall) -> bool:
+    """Whether a position is by another agent or object."""
+    named = (value for value in call.options.values() if isinstance(value, Entity))
+    return any(value.role in ("agent", "object") for value in named)
 
 
 def _point(

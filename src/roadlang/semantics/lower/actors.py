@@ -38,12 +38,6 @@ def lower_actor(
     drive = lower_passes(checker, spec, statement.block, context)
     if on is not False and placement is not None:
         placement = with_route(checker, statement, context, network, placement, bool(drive))
-        if network is not None and "spacing" in (placement or {}):
-            help_ = f"choose a road: `road street from {network}`"
-            checker.report(
-                Code.OPTION_NEEDS_ROAD, statement.name.span, name=name, option="spacing", help=help_
-            )
-            placement = None
     route = None if placement is None else placement.get("route")
     unknown_route = placement is None and statement.at is None
     at = None if unknown_route else place_of(checker, statement, context, network, route)

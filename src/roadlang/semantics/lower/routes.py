@@ -6,11 +6,12 @@ from dataclasses import replace
 
 from ...diagnostics import Code
 from ...ir.read_only import FrozenDict
-from ...ir.values import Items, Options, Reference, TextValue, Value
+from ...ir.values import Items, Options, PassCall, Reference, TextValue, Value
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from .actor_places import drawn_share
+from ..infer.inherited_roads import named_in_position
+from .actor_places import drawn_share, is_by_another
 
 _NOT_IN_A_LANE = {"side": None, "lane": TextValue("none")}
 
@@ -39,9 +40,15 @@ def with_route(
         )  # fmt: skip
         return None
     route = _resolved(checker, options.get("route"))
-    if route is None and not (drives and network is not None and clash is None):
+    follows = named_in_position(checker, statement) is not None
+    if route is None and not (drives and network is not None and clash is None and not follows):
         return options
     if isinstance(route, Items):
+        if any(isinstance(item, PassCall) and is_by_another(item) for item in route.items):
+            expected, found = "points, or places in the network", "a position by another"
+            span = written["route"].value.span
+            checker.report(Code.WRONG_TYPE, span, what="`route`", expected=expected, found=found)
+            return None
         if "route_length" in options:
             checker.report(
                 Code.ROUTE_DISAGREES, written["route_length"].span, name=statement.name.text,

@@ -1,0 +1,102 @@
+"""Copies in a network that are placed along lanes: by another one, or in a row."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..evaluate.copies import CopyBatch
+from ..geometry.arrays import Floats
+from ..geometry.routes.lane_graph import LaneGraph, TravelLane
+from ..geometry.routes.shortest import LanePlace, PlannedRoute
+from ..geometry.routes.walking import WalkPart, parts_ahead, parts_behind, walked
+from ..ir.scenario import ScenarioActor
+from .positions import Others, row_distances, standing_beside
+from .road_places import from_root, to_root
+from .routes import leading_routes
+from .spots import FAR_AWAY, Spots
+
+
+@dataclass(frozen=True, eq=False)
+class LaneWalks:
+    """Walks along the lanes of a network for the copies of one statement."""
+
+    actor: ScenarioActor
+    copies: CopyBatch
+    lanes: LaneGraph
+    lengths: Floats
+
+    def by_another(self, lane_ids: Sequence[int | None], others: Others, into: Spots) -> None:
+        """Ahead of, behind or beside another, in its lane or in that of `lane_ids`."""
+        other, standing = standing_beside(self.actor, self.copies, others)
+        routes = leading_routes(self.actor, self.copies, others)
+        rows = row_distances(self.actor, self.copies)
+        numbers = {lane: number for number, lane in enumerate(self.lanes.lanes)}
+        for row, written in enumerate(lane_ids):
+            road, backward = int(other.road[row, 0]), bool(standing.backward[row, 0])
+            if road < 0:
+                into.lacking[row] = FAR_AWAY
+                continue
+            lane = int(standing.lane[row, 0]) if written is None else written
+            start, target = float(other.start[row, 0]), float(standing.start[row, 0])
+            number = numbers.get(TravelLane(road, lane, backward))
+            if number is None:
+                into.stand(row, road, target, lane, float(standing.offset[row, 0]), backward)
+                into.lacking[row] = self._beyond(row, road, target)
+                continue
+            place = LanePlace(number, self._to_root(row, number, start))
+            away = start - target if backward else target - start
+            route = routes[row] if routes is not None else None
+            self._walk(row, place, away, rows[row], route, into)
+
+    def row_behind_first(self, row: int, place: LanePlace, route: PlannedRoute | None,
+                         distances: Sequence[float], into: Spots) -> None:  # fmt: skip
+        """One of a row (`spacing`) whose first stands at a place."""
+        self._walk(row, place, 0.0, distances, route, into)
+
+    def _walk(
+        self,
+        row: int,
+        place: LanePlace,
+        away: float,
+        distances: Sequence[float],
+        route: PlannedRoute | None,
+        into: Spots,
+    ) -> None:
+        ahead = away >= 0.0
+        parts: Iterator[WalkPart]
+        parts = parts_ahead(self.lanes, place, route) if ahead else parts_behind(self.lanes, place)
+
+        def measure(lane: int, start: float, stop: float) -> float:
+            ends = self._from_root(row, lane, (start, stop))
+            return abs(ends[1] - ends[0])
+
+        steps = [abs(away) + distance for distance in distances]
+        found = walked(parts, steps, float(self.lengths[row]) / 2.0, measure)
+        lane = self.lanes.lanes[found.part.lane]
+        begin = self._from_root(row, found.part.lane, (found.part.start,))[0]
+        forward = lane.backward != ahead
+        at = begin + found.along if forward else begin - found.along
+        into.stand(row, lane.edge, at, lane.lane, 0.0, lane.backward)
+        into.lacking[row] = found.lacking
+
+    def _beyond(self, row: int, road: int, start: float) -> float:
+        """Meters beyond the ends of a road outside the junctions."""
+        lane = self.lanes.of_edge[road][0]
+        ends = self._from_root(row, lane, (self.lanes.begin[lane], self.lanes.end[lane]))
+        return max(min(ends) - start, start - max(ends), 0.0)
+
+    def _from_root(self, row: int, lane: int, stations: Sequence[float]) -> list[float]:
+        name = f"{self.actor.on}/{self.lanes.lanes[lane].edge}"
+        which = np.full(len(stations), self.copies.rows[row])
+        found: list[float] = from_root(
+            name, self.copies.candidates, which, np.array(stations)
+        ).tolist()
+        return found
+
+    def _to_root(self, row: int, lane: int, at: float) -> float:
+        name = f"{self.actor.on}/{self.lanes.lanes[lane].edge}"
+        which = self.copies.rows[row : row + 1]
+        return float(to_root(name, self.copies.candidates, which, np.array([at]))[0])
