@@ -9,7 +9,7 @@ from tests.architecture.house import House, dotted
 WORDS = {
     "columns of traces, fields of scenes and networks": (
         "acceleration confidence contacts cross_track_error curvature gap heading length progress"
-        " speed start station steering width x y"
+        " speed start station steering width x y yaw_rate"
     ),
     "words of the language, its units and its near misses": (
         "auto behind drive pixels random road route scale signals time"

@@ -10,7 +10,7 @@ from roadlang.api import Duration, Simulator, option
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
-    from roadlang.api import Controller, Scene, Trace
+    from roadlang.api import Controller, EngineSettings, Scene, Trace
 
 
 @dataclass(frozen=True)
@@ -36,11 +36,17 @@ class Builtin(Simulator):
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
     ) -> Iterable[Trace]:
-        from roadlang.api import EngineSettings, simulate_scenes
+        from roadlang.api import simulate_scenes
+
+        yield from simulate_scenes(scenes, controllers, self.settings)
+
+    @property
+    def settings(self) -> EngineSettings:
+        """Those of the engine, which environments step themselves."""
+        from roadlang.api import EngineSettings
 
         from .engine_tables import BODIES
 
-        settings = EngineSettings(
+        return EngineSettings(
             self.duration, self.step, self.control_step, self.vehicle_step, BODIES
         )
-        yield from simulate_scenes(scenes, controllers, settings)

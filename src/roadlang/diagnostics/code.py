@@ -221,6 +221,8 @@ class Code:
     BROKEN_RESULTS: Final = "RL721"
     NOT_A_FAILURE: Final = "RL722"
     OTHER_SCENE: Final = "RL723"
+    NOT_A_REWARD: Final = "RL730"
+    NO_SUCH_AGENT: Final = "RL731"
     INTERNAL_ERROR: Final = "RL900"
     UNREADABLE_FILE: Final = "RL920"
     FOLDER_INSTEAD_OF_FILE: Final = "RL921"

@@ -15,6 +15,7 @@ from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Simulator
 from ..plugins.registry import KindEntry, Registry
+from ..simulation.simulating import EngineSettings
 from .controllers import python_controllers
 
 
@@ -51,6 +52,18 @@ def _first_engine(registry: Registry) -> str:
         help_ = registry.hints or ("`--no-plugin` may have left it out",)
         raise DiagnosticError(diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name="simulate", help=help_))
     return first.qualified
+
+
+def engine_settings(registry: Registry) -> EngineSettings:
+    """How the embedded engine drives, for who steps it.
+
+    Raises `DiagnosticError` RL930 where no installed simulator is the embedded engine."""
+    for entry in registry.defaults("simulate"):
+        with plugin_guard(entry, None):
+            settings = getattr(entry.load()(), "settings", None)
+        if isinstance(settings, EngineSettings):
+            return settings
+    raise DiagnosticError(diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name="simulate"))
 
 
 def drive_scenes(

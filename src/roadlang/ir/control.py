@@ -8,7 +8,15 @@ from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING
 
 from .read_only import Frozen
-from .surroundings import LaneChoice, LanePlace, LanePlaces, Neighbor, Neighbors
+from .surroundings import (
+    LaneChoice,
+    LanePlace,
+    LanePlaces,
+    Neighbor,
+    Neighbors,
+    nearest_of,
+    points_ahead,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -161,6 +169,10 @@ class ObservationBatch:
     speed_limit_ahead: Callable[[Floats | float, Floats | float], Floats]
     stop_ahead: Callable[[], Floats]
     nearby: Callable[[float], Neighbors]
+    path_ahead: Callable[[Floats], tuple[Floats, Floats]]
+    """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
+    nearest: Callable[[int], tuple[Floats, Floats, Floats, Floats]]
+    """`nearest(n)`: (N, n) x, y, heading and speed of the nearest others; NaN: no more of them"""
 
     @property
     def lane(self) -> Integers:
@@ -226,6 +238,8 @@ class ObservationBatch:
             ),
             stop_ahead=lambda: column(seen.stop_ahead()),
             nearby=lambda range: Neighbors.of_one(seen.nearby(range)),
+            path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
+            nearest=lambda count: nearest_of(seen, seen.others, count),
         )
 
 
@@ -248,8 +262,7 @@ class ControlBatch:
     """seconds in which the line moves there, smoothly; None or 0: at once. Where it is on its way
     there already, nothing changes."""
     pose: Floats | None = None
-    """(N, 4) x, y, heading and speed with which the agent is there one step later, whatever the
-    equations of motion say; NaN: left to them"""
+    """(N, 4) x, y, heading and speed one step later; NaN: left to the equations of motion"""
 
     def single(self, row: int) -> Control:
         """That of one agent."""

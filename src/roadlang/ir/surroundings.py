@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     import numpy as np
@@ -139,3 +140,43 @@ _MEMBERS = (
     "name", "kind", "x", "y", "heading", "speed", "length", "width", "ahead", "left", "pace",
     "drift",
 )  # fmt: skip
+
+
+def points_ahead(
+    line_ahead: Callable[[float], tuple[float, float, float, float]], distances: Floats
+) -> tuple[Floats, Floats]:
+    """(K, 1) x and y of the line of one agent, `distances` (K,) ahead."""
+    import numpy as np
+
+    points = np.array([line_ahead(float(one))[:2] for one in distances])
+    return points[:, :1], points[:, 1:]
+
+
+class _Placed(Protocol):
+    """Where an agent is: an `Observation`."""
+
+    @property
+    def agent(self) -> str: ...
+    @property
+    def x(self) -> float: ...
+    @property
+    def y(self) -> float: ...
+    @property
+    def heading(self) -> float: ...
+    @property
+    def speed(self) -> float: ...
+
+
+def nearest_of(
+    seen: _Placed, everyone: Mapping[str, _Placed], count: int
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """(1, count) x, y, heading and speed of those others that are nearest to an agent; NaN where
+    there are no more."""
+    import numpy as np
+
+    others = [one for name, one in everyone.items() if name != seen.agent]
+    others.sort(key=lambda one: (one.x - seen.x) ** 2 + (one.y - seen.y) ** 2)
+    out = np.full((4, 1, count), math.nan)
+    for number, one in enumerate(others[:count]):
+        out[:, 0, number] = one.x, one.y, one.heading, one.speed
+    return out[0], out[1], out[2], out[3]

@@ -53,8 +53,8 @@ class Condition:
             case stl.Truth(truth):
                 return np.full(self._count, truth)
             case stl.Comparison(op, left, right):
-                found = _COMPARE[op](self._number(left, value), self._number(right, value))
-                return np.asarray(found)
+                sides = [term_values(side, value, self._count) for side in (left, right)]
+                return np.asarray(_COMPARE[op](*sides))
             case stl.TemporalOperator() if not formula.past:
                 raise unsupported(formula.word)
         # Every part is evaluated at every step: what lies in the past is remembered there.
@@ -92,23 +92,25 @@ class Condition:
         join = np.logical_and if formula.least else np.logical_or
         return np.asarray(join.reduce([np.full(self._count, formula.least), *inside]))
 
-    def _number(self, term: stl.Term, value: Signal) -> Floats:
-        match term:
-            case stl.Constant(number):
-                return np.full(self._count, float(number))
-            case stl.Variable(name):
-                return value(name)
-        parts = [self._number(part, value) for part in term.parts]
-        match term:
-            case stl.Negate():
-                return -parts[0]
-            case stl.Arithmetic("/"):
-                return _quotient(parts[0], parts[1])
-            case stl.Arithmetic(op) if op in _ARITHMETIC:
-                return np.asarray(_ARITHMETIC[op](parts[0], parts[1]))
-            case stl.Apply(function) if function in _FUNCTIONS:
-                return np.asarray(_FUNCTIONS[function](parts))
-        raise unsupported(str(term))
+
+def term_values(term: stl.Term, value: Signal, count: int) -> Floats:
+    """(R,) a term of a formula, of R agents. Raises RL513 for what is not known step by step."""
+    match term:
+        case stl.Constant(number):
+            return np.full(count, float(number))
+        case stl.Variable(name):
+            return value(name)
+    parts = [term_values(part, value, count) for part in term.parts]
+    match term:
+        case stl.Negate():
+            return -parts[0]
+        case stl.Arithmetic("/"):
+            return _quotient(parts[0], parts[1])
+        case stl.Arithmetic(op) if op in _ARITHMETIC:
+            return np.asarray(_ARITHMETIC[op](parts[0], parts[1]))
+        case stl.Apply(function) if function in _FUNCTIONS:
+            return np.asarray(_FUNCTIONS[function](parts))
+    raise unsupported(str(term))
 
 
 def _since(past: deque[tuple[float, Booleans, Booleans]], latest: float, count: int) -> Booleans:

@@ -66,6 +66,14 @@ class Contacts:
         """Agents were moved to where they touched something."""
         self._before = poses
 
+    def restart(self, agents: Integers, poses: Poses) -> None:
+        """Some agents are back at the start; `poses`: of all, now."""
+        back = np.zeros(len(self._gone), dtype=bool)
+        back[agents] = True
+        self._gone[agents] = 0.0
+        self._due[back[self._near[0]]] = 0.0
+        self._before = poses
+
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
         place = np.full(count, -1)

@@ -32,6 +32,10 @@ class GuardedController(Controller):
         self._single: Controller | None = None
         self._state: Any = None
 
+    def anew(self) -> GuardedController:
+        """The same controller, which remembers nothing."""
+        return GuardedController(self.kind, self.options, self.entry)
+
     @property
     def in_batches(self) -> bool:
         """Whether it decides for many agents at once."""

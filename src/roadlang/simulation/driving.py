@@ -35,6 +35,17 @@ class Group:
     singles: list[GuardedController]
     """one for each agent, where the kind decides for one alone"""
 
+    def restart(self, agents: Integers) -> None:
+        """Controllers of some agents remember nothing."""
+        if self.state is None and not self.singles:
+            return
+        again = np.flatnonzero(np.isin(self.rows, agents))
+        if self.state is not None:
+            first = self.controller.first_state(self.controller.built(self.columns), len(self.rows))
+            self.state[again] = first[again]
+        for row in again if self.singles else ():
+            self.singles[row] = self.singles[row].anew()
+
     def take(self, place: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
         kept = np.flatnonzero(place[self.rows] >= 0)
@@ -73,6 +84,11 @@ class Crew:
                     _move_lines(world, group.rows[chosen], found)
         self._ask_earlier(in_charge, view, out)
         return out.closed()
+
+    def restart(self, agents: Integers) -> None:
+        """Some agents are back at the start. Conditions are not: none of theirs may have any."""
+        for group in self._groups:
+            group.restart(agents)
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""

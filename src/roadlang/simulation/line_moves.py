@@ -41,6 +41,14 @@ class LineMoves:
             offset, offset.copy(), np.ones(count), np.ones(count), powers, offset.copy()
         )  # fmt: skip
 
+    def restart(self, agents: Integers) -> None:
+        """Those of some agents are as at the start of the drive."""
+        rest = LineMoves.at_rest(self.start[agents])
+        for name in ("target", "time", "share", "powers", "offset"):
+            column = getattr(self, name).copy()
+            column[..., agents] = getattr(rest, name)
+            setattr(self, name, column)
+
     def take(self, rows: Integers) -> LineMoves:
         """Those of some agents."""
         return LineMoves(

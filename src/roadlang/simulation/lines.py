@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -125,6 +126,16 @@ class Lines:
             heading.ravel(), curvature.ravel(), _averaged(heading, spacing).ravel(),
             x.ravel(), y.ravel(), width.ravel(),
         )  # fmt: skip
+
+    @cached_property
+    def cell_rows(self) -> Floats:
+        """(L M, 5) of each cell, side by side in memory: x and y where it begins, and what they,
+        and the heading, change by for each meter of it."""
+        slopes = np.zeros((2, len(self.x)))
+        per_meter = np.repeat(1.0 / self.spacing, self.cells)[:-1]
+        slopes[0, :-1] = (self.x[1:] - self.x[:-1]) * per_meter
+        slopes[1, :-1] = (self.y[1:] - self.y[:-1]) * per_meter
+        return np.stack((self.x, self.y, slopes[0], slopes[1], self.curvature), axis=1)
 
     def column(self, values: Floats) -> Floats:
         """(L, M) of a flat column."""

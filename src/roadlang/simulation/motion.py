@@ -42,11 +42,11 @@ class Motion:
         """That of some agents, in separate arrays."""
         return Motion(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
 
-    def copy_agent(self, agent: int, other: Motion) -> None:
-        """An agent moves as it does in `other`."""
+    def put(self, rows: Any, other: Motion) -> None:
+        """Some agents move as they do in `other`."""
         for field in fields(self):
             column = getattr(self, field.name).copy()
-            column[agent] = getattr(other, field.name)[agent]
+            column[rows] = getattr(other, field.name)[rows]
             setattr(self, field.name, column)
 
     def face(self, who: Booleans, heading: Floats) -> None:

@@ -14,6 +14,7 @@ from ..ir.control import Observation, ObservationBatch
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .leaders import leaders
+from .nearest import nearest
 from .neighbors import Nearby, StandingObjects
 from .poses import Poses, line_points
 from .road_lanes import LanesHere, RoadLanes, lane_values
@@ -96,7 +97,7 @@ class View:
         motion = world.motion
         error = np.arctan2(motion.sine[rows], motion.cosine[rows])
         return ObservationBatch(
-            time=np.full(len(chosen), world.time),
+            time=world.age[rows],
             step=self.step,
             agent=world.names[rows],
             x=poses.x[rows],
@@ -125,6 +126,8 @@ class View:
             speed_limit_ahead=lambda braking, on: self.speed_limit_ahead(chosen, braking, on),
             stop_ahead=lambda: np.full(len(chosen), math.inf),
             nearby=lambda distance: self.nearby(chosen, distance),
+            path_ahead=lambda distances: self.path_ahead(rows, distances),
+            nearest=lambda count: nearest(world, poses, chosen, count),
         )
 
     def line_ahead(
@@ -145,6 +148,23 @@ class View:
             heading = np.where(moving, heading + np.arctan(slope), heading)
             curvature = np.where(moving, curvature + bend, curvature)
         return x, y, heading, curvature
+
+    def path_ahead(self, rows: Any, distances: Floats) -> tuple[Floats, Floats]:
+        """(K, N) x and y of the lines to follow, some distances (K,) on. The same points as those
+        of `line_ahead`, but for rounding and `(curvature * cell)^2 / 8` of the offset."""
+        world = self.world
+        track = world.track.of_rows(rows)
+        along = track.wrapped(world.motion.along[rows] + distances[:, None])
+        cell, rest = track.cell(along)
+        found = track.lines.cell_rows.take(cell, axis=0)
+        x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
+        bend = curvature * rest
+        bulge = 0.5 * bend * (rest - track.spacing)
+        left = world.moves.ahead(rows, distances[:, None], world.motion.speed[rows])[0]
+        # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
+        ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
+        across = bulge + left
+        return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
 
     def vehicle_ahead(self, rows: Any) -> tuple[Floats, Floats]:
         """(N,) gap to the next agent in the lane, and its speed along it."""

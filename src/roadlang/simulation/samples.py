@@ -25,9 +25,11 @@ class Samples:
     Columns are (K, N) over samples and agents, the last row is now.
     """
 
-    def __init__(self, depth: float) -> None:
+    def __init__(self, depth: float, spacing: float | None = None) -> None:
+        """`spacing`: seconds from one sample to the next, if time is counted from now."""
         longest = None if math.isinf(depth) else int(depth)
         self._depth = depth
+        self._spacing = spacing
         self._times: deque[float] = deque(maxlen=None if longest is None else longest + 1)
         self._past: deque[dict[str, Floats]] = deque(maxlen=longest)
         self._now: dict[str, Floats] = {}
@@ -43,6 +45,15 @@ class Samples:
         if self._depth != 0:  # the world goes on from here
             self._now = {name: self._present(name) for name in COLUMNS}
 
+    def restart(self, agents: Integers, world: World, poses: Poses) -> None:
+        """Some agents are back at the start: there was nothing before now."""
+        if self._depth == 0:
+            return
+        for name, column in COLUMNS.items():
+            now = column(world, poses)
+            for values in (*(past[name] for past in self._past), self._now[name]):
+                values[agents] = now[agents]
+
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         for number, past in enumerate(self._past):
@@ -51,6 +62,9 @@ class Samples:
 
     def time(self, depth: int) -> Floats:
         """(K,) seconds, of now and of at most `depth` samples before."""
+        if self._spacing is not None:
+            count = min(len(self._times), depth + 1)
+            return np.arange(1 - count, 1, dtype=np.float64) * self._spacing
         return np.array(self._times)[-depth - 1 :]
 
     def column(self, name: str, agents: Integers, depth: int) -> Floats:

@@ -130,6 +130,6 @@ def _halt_touched(between: World, world: World, touched: Sequence[Contact]) -> N
     for contact in touched:
         if contact.time <= between.time:
             agent = contact.agent
-            between.motion.copy_agent(agent, world.motion)
+            between.motion.put(agent, world.motion)
             between.traveled[agent] = world.traveled[agent]
             between.contacts[agent] = world.contacts[agent]

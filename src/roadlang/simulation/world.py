@@ -63,6 +63,8 @@ class World:
     """arc length since the start"""
     pace: tuple[Floats, Floats]
     """along and to the left of the lines, in the last step"""
+    began: Integers
+    """the tick at which the drive of each agent began"""
     tick: int = 0
     placing: Placing | None = None
     """agents that go by recordings, in the last step"""
@@ -75,6 +77,11 @@ class World:
     def time(self) -> float:
         """Seconds since the start."""
         return self.tick * self.dt
+
+    @property
+    def age(self) -> Floats:
+        """(N,) seconds since the drive of each agent began."""
+        return np.asarray((self.tick - self.began) * self.dt, dtype=np.float64)
 
     @property
     def poses(self) -> Poses:
@@ -91,10 +98,20 @@ class World:
         self.contacts = np.zeros(len(self.present))
         self.traveled = np.zeros(len(self.present))
         zero = np.zeros(len(self.present))
-        self.pace = (zero, zero)
+        self.pace = (zero, zero.copy())
+        self.began = np.zeros(len(self.present), dtype=np.int64)
         self.moves = LineMoves.at_rest(self.moves.start)
         self.placing = None
         self.tick = 0
+
+    def restart(self, agents: Integers) -> None:
+        """Some agents back to the start, now; all of a scene."""
+        self.motion.put(agents, self.start)
+        self.halted[agents] = ~self.present[agents]
+        for column in (self.contacts, self.traveled, *self.pace):
+            column[agents] = 0.0
+        self.moves.restart(agents)
+        self.began[agents] = self.tick
 
     def step(
         self, steering: Floats, acceleration: Floats, heading: Floats | None,
@@ -242,5 +259,5 @@ class World:
 
 _COLUMNS = (
     "present", "names", "has_road", "has_route", "backward", "road", "halted",
-    "contacts", "traveled",
+    "contacts", "traveled", "began",
 )  # fmt: skip

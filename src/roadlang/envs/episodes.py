@@ -1,0 +1,190 @@
+"""Scenes in which one agent waits for actions, side by side in the embedded engine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..drive.controllers import python_controllers
+from ..drive.simulators import engine_settings
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..simulation.contacts import Contacts
+from ..simulation.decision import Decision
+from ..simulation.driving import Crew
+from ..simulation.observing import Surroundings, View
+from ..simulation.samples import Samples
+from ..simulation.world import World
+from ..simulation.world_building import world_of
+from .margins import Margins
+from .rewards import Transition
+from .scene_pool import ScenePool
+from .settings import EnvSettings
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+IDLE_BRAKING = 4.0
+"""m/s^2, of agents that nobody drives."""
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Why episodes end, as columns (N,)."""
+
+    collided: Booleans
+    off_road: Booleans
+    arrived: Booleans
+    violated: Booleans
+    late: Booleans
+    """the time is over"""
+
+    @property
+    def terminated(self) -> Booleans:
+        """Over for another reason than time."""
+        return self.collided | self.off_road | self.arrived | self.violated
+
+    @property
+    def reasons(self) -> dict[str, Booleans]:
+        """What `info` says of it."""
+        names = ("collided", "off_road", "arrived", "violated")
+        return {name: getattr(self, name) for name in names}
+
+
+class Episodes:
+    """The scenes `chosen` of a pool, each driven from its start whenever it is `restart`ed."""
+
+    def __init__(self, pool: ScenePool, chosen: Sequence[int], settings: EnvSettings) -> None:
+        self._settings = settings
+        scenes = [pool.scenes[one] for one in chosen]
+        engine = engine_settings(pool.registry)
+        self._world = world = world_of(scenes, engine.bodies, settings.dt, settings.step)
+        driven = [pool.driven[one] for one in chosen]
+        self._agents = np.arange(len(scenes)) * world.slots + np.array(driven, dtype=np.int64)
+        self._vector = settings.vector
+        self._surroundings = Surroundings(world)
+        self._crew = _crew(world, pool, settings)
+        self._contacts = Contacts(world)
+        poses = world.poses
+        self._contacts.watch(world, poses, 0.0)
+        self._poses = world.poses
+        self._at_start = (world.halted.copy(), world.contacts.copy())
+        self._margins = [Margins(name, world, pool.registry) for name in pool.margins]
+        self._before = np.zeros((len(scenes), 2))
+        depth = max((one.looks_back for one in self._margins), default=0)
+        self._samples = Samples(depth, settings.step)
+        self._samples.add(world, self._poses)
+
+    def restart(self, rows: Integers) -> None:
+        """Some scenes begin again."""
+        world = self._world
+        agents = (rows[:, None] * world.slots + np.arange(world.slots)).ravel()
+        world.restart(agents)
+        for column, first in zip((world.halted, world.contacts), self._at_start, strict=True):
+            column[agents] = first[agents]
+        self._poses = world.poses
+        self._contacts.restart(agents, self._poses)
+        if self._crew is not None:
+            self._crew.restart(agents)
+        self._samples.restart(agents, world, self._poses)
+        self._before[rows] = 0.0
+
+    def observe(self, rows: Integers) -> NDArray[np.float32]:
+        """(R, F) what the driven agents of some scenes see."""
+        view = View(self._world, self._poses, self._settings.step, self._surroundings)
+        return self._vector.of(view.of(self._agents[rows]))
+
+    def step(self, rows: Integers, actions: Floats) -> tuple[Transition, Ends]:
+        """Drive on, with `actions` (R, 2) in the scenes `rows`; the others go on as they like."""
+        world, settings = self._world, self._settings
+        decision = self._decided(rows, actions)
+        along = world.traveled[self._agents[rows]]
+        world.step(decision.steering, decision.acceleration, decision.heading, settings.substeps)
+        poses = world.poses
+        if self._contacts.watch(world, poses, settings.substeps * settings.dt):
+            poses = world.poses
+            self._contacts.seen(poses)
+        self._poses = poses
+        made = world.traveled[self._agents[rows]] - along
+        transition = self._transition(rows, actions, made)
+        self._before[rows] = actions
+        return transition, self._ends(rows, transition)
+
+    def _decided(self, rows: Integers, actions: Floats) -> Decision:
+        world, settings = self._world, self._settings
+        count = len(world.present)
+        if self._crew is None:
+            decision = Decision(np.zeros(count), np.full(count, -IDLE_BRAKING))
+        else:
+            decision = self._crew.decide(world, self._poses)
+        agents = self._agents[rows]
+        decision.steering[agents] = actions[:, 0] * world.bodies.max_steering[agents]
+        scale = np.where(actions[:, 1] < 0.0, settings.deceleration, settings.acceleration)
+        decision.acceleration[agents] = actions[:, 1] * scale
+        return decision
+
+    def _transition(self, rows: Integers, actions: Floats, moved: Floats) -> Transition:
+        world, poses, agents = self._world, self._poses, self._selected(rows)
+        motion = world.motion
+        self._samples.add(world, poses)
+        margins = {one.name: one.values(self._samples)[rows] for one in self._margins}
+        beside = np.abs(motion.offset[agents]) > 0.5 * poses.road_width[agents]
+        return Transition(
+            margins=margins,
+            moved=moved,
+            time=world.age[agents],
+            x=poses.x[agents],
+            y=poses.y[agents],
+            heading=poses.heading[agents],
+            speed=motion.speed[agents],
+            acceleration=motion.acceleration[agents],
+            yaw_rate=motion.yaw_rate[agents],
+            steering=np.arctan(motion.tangent[agents]),
+            cross_track_error=world.cross_track_error[agents],
+            action=actions,
+            previous_action=self._before[rows],
+            collided=world.contacts[agents] > 0.0,
+            off_road=world.has_road[agents] & beside,
+            arrived=world.at_end[agents],
+        )
+
+    def _selected(self, rows: Integers) -> Any:
+        """The driven agents of some scenes, as an index that copies nothing where it can."""
+        return slice(None) if len(rows) == len(self._world.present) else self._agents[rows]
+
+    def _ends(self, rows: Integers, after: Transition) -> Ends:
+        settings, world = self._settings, self._world
+        none = np.zeros(len(rows), dtype=bool)
+        violated = none.copy()
+        if settings.violation_ends:
+            for margin in after.margins.values():
+                violated |= margin < 0.0
+        ticks = world.tick - world.began[self._selected(rows)]
+        return Ends(
+            after.collided,
+            after.off_road if settings.off_road_ends else none,
+            after.arrived,
+            violated,
+            ticks >= settings.limit * settings.substeps,
+        )
+
+
+def can_restart(pool: ScenePool) -> bool:
+    """Whether scenes can begin again while others go on: where no controller waits for a condition
+    and no junction gives way."""
+    return not any(
+        call.when is not None or call.during is not None
+        for scene in pool.scenes
+        for actor in scene.agents
+        for call in actor.drive
+    ) and not any(network.junctions for scene in pool.scenes for network in scene.networks)
+
+
+def _crew(world: World, pool: ScenePool, settings: EnvSettings) -> Crew | None:
+    """What drives the other agents; None where there are none that anything drives."""
+    if not any(actor.drive for scene in world.scenes for actor in scene.agents):
+        return None
+    controllers = [python_controllers(scene, pool.registry) for scene in world.scenes]
+    return Crew(world, controllers, settings.step)

@@ -1,0 +1,80 @@
+"""One scene at a time as an environment of gymnasium."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import gymnasium
+import numpy as np
+from numpy.typing import NDArray
+
+from .episode_rewards import reward_function
+from .episodes import Episodes
+from .scene_pool import Source, pool_of
+from .settings import EnvSettings
+from .spaces import ACTIONS, checked_actions, observations
+
+_ONLY = np.zeros(1, dtype=np.int64)
+
+
+class SceneEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
+    """An agent of a scene, driven by actions in the embedded engine; all others drive themselves.
+
+    `source`: a scene file, what `roadlang.load` gave, a scene or a list of them. Settings are those
+    of `EnvSettings`, as keywords. Of a file, `scenes` scenes are sampled at the start, and each
+    reset draws one of them. Observations are as `ObservationVector` says (`names`: of its numbers).
+    Actions are steering (1: as far to the left as the agent can) and acceleration (1:
+    `acceleration`, -1: brakes with `deceleration`). `info` has the number of the `scene`, the
+    `margins` of the expectations, and how the episode ended. Raises DiagnosticError for what is
+    wrong with the scenes, the agent (RL731) or the reward (RL730).
+    """
+
+    metadata: dict[str, Any] = {"render_modes": []}  # noqa: RUF012 - as gymnasium has it
+
+    def __init__(self, source: Source, settings: EnvSettings | None = None, **changes: Any) -> None:
+        self.settings = replace(settings or EnvSettings(), **changes)
+        self.pool = pool_of(source, self.settings)
+        self.names = self.settings.vector.names
+        self.observation_space = observations(self.settings.vector)
+        self.action_space = ACTIONS
+        self._reward = reward_function(self.settings.reward, self.pool)
+        self._episodes: Episodes | None = None
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[NDArray[np.float32], dict[str, Any]]:
+        """Begin one of the scenes; `options={"scene": 3}` says which, by its place in the list."""
+        super().reset(seed=seed)
+        scene = int(self.np_random.integers(len(self.pool.scenes)))
+        if options is not None and "scene" in options:
+            scene = _number(options["scene"], len(self.pool.scenes))
+        self._episodes = Episodes(self.pool, [scene], self.settings)
+        index = self.pool.scenes[scene].index
+        return self._episodes.observe(_ONLY)[0], {"scene": index}
+
+    def step(
+        self, action: NDArray[np.float32]
+    ) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+        """Hold an action for `step` seconds."""
+        if self._episodes is None:
+            raise RuntimeError("reset() comes before the first step()")
+        actions = checked_actions(np.asarray(action)[None], 1)
+        happened, ends = self._episodes.step(_ONLY, actions)
+        terminated = bool(ends.terminated[0])
+        return (
+            self._episodes.observe(_ONLY)[0],
+            float(self._reward(happened)[0]),
+            terminated,
+            bool(ends.late[0]) and not terminated,
+            {
+                "margins": {name: float(one[0]) for name, one in happened.margins.items()},
+                **{name: bool(column[0]) for name, column in ends.reasons.items()},
+            },
+        )
+
+
+def _number(value: Any, count: int) -> int:
+    if not isinstance(value, int | np.integer) or not 0 <= value < count:
+        raise ValueError(f"there is no scene {value!r}: there are {count}, from 0")
+    return int(value)

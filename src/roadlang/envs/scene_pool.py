@@ -1,0 +1,111 @@
+"""The scenes that episodes are drawn from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..ir.scene import Scene as SceneRecord
+from ..plugins.registry import Registry
+from ..session.loading import LoadedScenario, load
+from ..session.scene import Scene, installed
+from .margins import margin_formula
+from .settings import EnvSettings
+
+Source = str | Path | LoadedScenario | Scene | Sequence[Scene] | Sequence[SceneRecord]
+FORMULA = "reward"
+"""The name of the expectation that is made of a formula."""
+
+
+@dataclass(frozen=True)
+class ScenePool:
+    """Scenes in which `driven` (a place in the list of agents of each) waits for actions."""
+
+    scenes: tuple[SceneRecord, ...]
+    driven: tuple[int, ...]
+    registry: Registry
+    margins: tuple[str, ...]
+    """the expectations that have a margin at each step"""
+    reward: tuple[str, ...]
+    """those of them whose least margin is the reward; none: the meters made"""
+
+
+def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
+    """The scenes of a file, of a loaded scenario, or scenes as they are.
+
+    Raises DiagnosticError: what loading and sampling raise, RL700 where a scene has no agent, RL731
+    for an unknown agent, RL730 for a reward that cannot be evaluated step by step.
+    """
+    records, registry, reward = _records(source, settings)
+    if not records:
+        raise ValueError("an environment needs at least one scene")
+    places = tuple(_place(scene, settings.agent) for scene in records)
+    scenes = tuple(_waiting(scene, place) for scene, place in zip(records, places, strict=True))
+    verdicts = {verdict.name: verdict for verdict in scenes[0].expectations}
+    margins = tuple(
+        name for name, one in verdicts.items() if margin_formula(one, registry) is not None
+    )
+    if reward is not None and reward not in margins:
+        raise _no_reward(reward, verdicts)
+    chosen = margins if reward is None else (reward,)
+    return ScenePool(scenes, places, registry, margins, chosen)
+
+
+def _records(
+    source: Source, settings: EnvSettings
+) -> tuple[tuple[SceneRecord, ...], Registry, str | None]:
+    """The scenes as sampled; the kinds; the name of the expectation that is the reward."""
+    text = settings.reward if isinstance(settings.reward, str) else None
+    if isinstance(source, str | Path):
+        source = load(source)
+    if isinstance(source, LoadedScenario):
+        loaded = source
+        known = {expectation.name for expectation in loaded.scenario.expectations}
+        if text is not None and text not in known and not text.strip().isidentifier():
+            loaded = loaded.with_text(f"{loaded.text}\nexpect {FORMULA}: {text}\n")
+            text = FORMULA
+        found = loaded.sample(settings.scenes, seed=settings.scene_seed)
+        return tuple(scene.record for scene in found), loaded.registry, text
+    every: Iterable[Any] = [source] if isinstance(source, Scene) else source
+    records: list[SceneRecord] = []
+    registry: Registry | None = None
+    for scene in every:
+        is_facade = isinstance(scene, Scene)
+        records.append(scene.record if is_facade else scene)
+        registry = scene.registry if is_facade and registry is None else registry
+    return tuple(records), registry or installed(), text
+
+
+def _place(scene: SceneRecord, name: str | None) -> int:
+    names = [actor.name for actor in scene.agents]
+    if not names:
+        raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name))
+    if name is None:
+        return 0
+    if name not in names:
+        help_ = did_you_mean(name, names) or f"its agents are {', '.join(names)}"
+        raise DiagnosticError(diagnose(Code.NO_SUCH_AGENT, name=name, scene=scene.name, help=help_))
+    return names.index(name)
+
+
+def _waiting(scene: SceneRecord, place: int) -> SceneRecord:
+    """A scene whose agent at a place has no controllers of its own."""
+    agents = list(scene.agents)
+    agents[place] = replace(agents[place], drive=())
+    return replace(scene, agents=tuple(agents))
+
+
+def _no_reward(name: str, verdicts: dict[str, Any]) -> DiagnosticError:
+    if name in verdicts:
+        reason = (
+            "its value is not known step by step: inside `always` or `eventually` there may be no"
+            " further temporal operator, no `time`, no monitor"
+        )
+        return DiagnosticError(diagnose(Code.NOT_A_REWARD, name=name, reason=reason))
+    known = list(verdicts)
+    reason = "the scenes have no `expect` of this name"
+    help_ = did_you_mean(name, known) or f"their expectations are {', '.join(known) or 'none'}"
+    return DiagnosticError(diagnose(Code.NOT_A_REWARD, name=name, reason=reason, help=help_))

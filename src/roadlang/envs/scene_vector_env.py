@@ -1,0 +1,163 @@
+"""Many scenes side by side as a vector environment of gymnasium."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from gymnasium.utils import seeding
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+from numpy.typing import NDArray
+
+from ..geometry.arrays import Booleans
+from .episode_rewards import reward_function
+from .rows import Rows, rows_of
+from .scene_pool import Source, pool_of
+from .settings import EnvSettings
+from .spaces import ACTIONS, checked_actions, observations
+
+Array = NDArray[Any]
+
+
+class SceneVectorEnv(VectorEnv[Array, Array, Array]):
+    """`num_envs` of what `SceneEnv` is, driven side by side: thousands in little more time than
+    one.
+
+    Source and settings are those of `SceneEnv`, and so is what each does: the one at place i with
+    the seed s is to the last bit a `SceneEnv` with this seed, for its first `scenes_each` episodes;
+    then it begins with its first scene again, until the next `reset`, which draws others. (Scenes
+    in which another agent waits for a condition, or that have junctions, are driven one by one:
+    that is as slow as `num_envs` times `SceneEnv`.)
+
+    `autoreset_mode`: what happens after the end of an episode, as gymnasium defines it: `NEXT_STEP`
+    (the next action is not looked at, and gives the first observation of the next episode and the
+    reward 0), `SAME_STEP` (that observation comes at once, and the last one is in
+    `info["final_obs"]`) or `DISABLED` (`reset(options={"reset_mask": mask})`).
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        num_envs: int,
+        settings: EnvSettings | None = None,
+        *,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        scenes_each: int | None = None,
+        **changes: Any,
+    ) -> None:
+        if num_envs < 1 or (scenes_each is not None and scenes_each < 1):
+            raise ValueError("num_envs and scenes_each must be at least 1")
+        self.settings = replace(settings or EnvSettings(), **changes)
+        self.pool = pool_of(source, self.settings)
+        self.num_envs = num_envs
+        self.names = self.settings.vector.names
+        self.autoreset_mode = AutoresetMode(autoreset_mode)
+        self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
+        self.single_observation_space = observations(self.settings.vector)
+        self.single_action_space = ACTIONS
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(ACTIONS, num_envs)
+        self._each = scenes_each or max(1, 64 // num_envs)
+        self._reward = reward_function(self.settings.reward, self.pool)
+        self._rows: Rows | None = None
+        self._over = np.zeros(num_envs, dtype=bool)
+        self._generators: list[np.random.Generator] = []
+
+    def reset(
+        self,
+        *,
+        seed: int | Sequence[int | None] | None = None,
+        options: dict[str, Any] | None = None,
+    ) -> tuple[Array, dict[str, Any]]:
+        """Begin anew everywhere, or where `options["reset_mask"]` is True.
+
+        `seed`: of the first, and one more for each of the others; or one for each. Without one,
+        the generators go on.
+        """
+        mask = (options or {}).get("reset_mask")
+        if mask is not None:
+            return self._reset_some(_checked_mask(mask, self.num_envs), seed)
+        self._seed(seed)
+        draws = [
+            [int(one.integers(len(self.pool.scenes))) for _ in range(self._each)]
+            for one in self._generators
+        ]
+        self._rows = rows_of(self.pool, draws, self.settings)
+        self._over[:] = False
+        every = np.ones(self.num_envs, dtype=bool)
+        return self._rows.observe(), {"scene": self._rows.scenes, "_scene": every}
+
+    def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
+        """Hold an action for each, (num_envs, 2), for `step` seconds."""
+        rows = self._running()
+        over, mode = self._over, self.autoreset_mode
+        if mode == AutoresetMode.DISABLED and over.any():
+            raise RuntimeError("an episode is over: reset(options={'reset_mask': ...}) it first")
+        happened, ends = rows.step(checked_actions(actions, self.num_envs))
+        rewards = np.array(self._reward(happened), dtype=np.float64)
+        terminated, truncated = ends.terminated, ends.late & ~ends.terminated
+        info: dict[str, Any] = dict(ends.reasons)
+        if mode == AutoresetMode.NEXT_STEP and over.any():
+            rewards[over] = 0.0
+            terminated, truncated = terminated & ~over, truncated & ~over
+            info = {name: column & ~over for name, column in info.items()}
+            rows.advance(np.flatnonzero(over))
+        self._over = terminated | truncated
+        observed = rows.observe()
+        info = _masked(info | {"margins": _masked(dict(happened.margins), ~over)}, ~over)
+        if mode == AutoresetMode.SAME_STEP and self._over.any():
+            observed, info = self._begun(observed, info)
+        return observed, rewards, terminated, truncated, info
+
+    def _begun(self, observed: Array, info: dict[str, Any]) -> tuple[Array, dict[str, Any]]:
+        """Where an episode is over, the next one begins; `info` has how the last one ended."""
+        over = self._over.copy()
+        last = np.full(self.num_envs, None, dtype=object)
+        for row in np.flatnonzero(over):
+            last[row] = observed[row].copy()
+        self._running().advance(np.flatnonzero(over))
+        return self._running().observe(), {
+            **info,
+            **_masked({"final_obs": last, "final_info": dict(info)}, over),
+        }
+
+    def _reset_some(
+        self, mask: Booleans, seed: int | Sequence[int | None] | None
+    ) -> tuple[Array, dict[str, Any]]:
+        if seed is not None:
+            raise ValueError("with a reset_mask there is no seed: each goes on with its scenes")
+        rows = self._running()
+        rows.advance(np.flatnonzero(mask))
+        self._over &= ~mask
+        return rows.observe(), {"scene": rows.scenes, "_scene": mask.copy()}
+
+    def _seed(self, seed: int | Sequence[int | None] | None) -> None:
+        if seed is None and self._generators:
+            return
+        seeds: Sequence[int | None]
+        if seed is None or isinstance(seed, int):
+            seeds = [None if seed is None else seed + i for i in range(self.num_envs)]
+        else:
+            seeds = list(seed)
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
+        self._generators = [seeding.np_random(one)[0] for one in seeds]
+
+    def _running(self) -> Rows:
+        if self._rows is None:
+            raise RuntimeError("reset() comes before the first step()")
+        return self._rows
+
+
+def _masked(info: dict[str, Any], mask: Booleans) -> dict[str, Any]:
+    """Each value with the mask of who has it, as gymnasium keeps `info` of vectors."""
+    return {**info, **{f"_{name}": mask.copy() for name in info}}
+
+
+def _checked_mask(mask: Any, count: int) -> Booleans:
+    if not isinstance(mask, np.ndarray) or mask.shape != (count,) or mask.dtype != np.bool_:
+        raise ValueError(f"reset_mask must be a numpy array of {count} booleans")
+    return mask

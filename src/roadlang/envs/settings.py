@@ -1,0 +1,88 @@
+"""What can be set of an environment."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from ..geometry.arrays import Floats
+from ..simulation.observation_vector import DISTANCES, ObservationVector
+from .rewards import Transition
+
+Reward = str | Callable[[Transition], Floats | float]
+
+
+@dataclass(frozen=True)
+class EnvSettings:
+    """Settings of `SceneEnv` and `SceneVectorEnv`, SI units. Raises ValueError where one makes no
+    sense."""
+
+    agent: str | None = None
+    """the agent that the actions drive; the first of the scene, if None"""
+    reward: Reward | None = None
+    """an `expect` of the file, a formula, or a function of a `Transition`; if None, the least
+    margin of all `expect`s over the drive, or, of a file without any, the meters made"""
+    scenes: int = 100
+    """how many scenes of a file are sampled; each reset draws one of them"""
+    scene_seed: int = 0
+    """the seed that they are sampled with: other seeds, other scenes"""
+    step: float = 0.1
+    """seconds for which an action is held"""
+    vehicle_step: float = 0.05
+    """seconds, of the equations of motion"""
+    duration: float = 60.0
+    """seconds after which an episode is truncated"""
+    acceleration: float = 4.0
+    """m/s^2, of the action 1"""
+    deceleration: float = 8.0
+    """m/s^2, of the action -1"""
+    distances: tuple[float, ...] = DISTANCES
+    """meters ahead at which the path is seen"""
+    agents: int = 4
+    """how many of the nearest other agents are seen"""
+    off_road_ends: bool = True
+    """whether an episode ends where the center of the agent leaves the road"""
+    violation_ends: bool = False
+    """whether an episode ends where the margin of an `expect` is negative"""
+
+    def __post_init__(self) -> None:
+        for name in ("step", "vehicle_step", "duration", "acceleration", "deceleration"):
+            value = getattr(self, name)
+            if not (_is_number(value) and 0.0 < value < math.inf):
+                raise ValueError(f"{name} must be a number above 0, not {value!r}")
+        for name, least in (("scenes", 1), ("scene_seed", 0), ("agents", 0)):
+            value = getattr(self, name)
+            if not isinstance(value, int) or isinstance(value, bool) or value < least:
+                raise ValueError(
+                    f"{name} must be a whole number of at least {least}, not {value!r}"
+                )
+        if self.vehicle_step > 0.05 or self.step > 1.0:
+            raise ValueError("vehicle_step may be at most 0.05 s, and step at most 1 s")
+        if not all(_is_number(one) and 0.0 <= one <= 1000.0 for one in self.distances):
+            raise ValueError(f"distances must be from 0 to 1000 m, not {self.distances!r}")
+
+    @property
+    def substeps(self) -> int:
+        """Steps of the equations of motion for each action."""
+        return max(1, round(self.step / self.vehicle_step))
+
+    @property
+    def dt(self) -> float:
+        """Seconds: `vehicle_step`, or what is next to it and fits into a step."""
+        return self.step / self.substeps
+
+    @property
+    def limit(self) -> int:
+        """Actions after which an episode is truncated."""
+        return max(1, round(self.duration / self.step))
+
+    @property
+    def vector(self) -> ObservationVector:
+        """What is observed."""
+        return ObservationVector(tuple(self.distances), self.agents)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,30 @@
+"""Observation and action spaces, and what is checked of actions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from gymnasium.spaces import Box, Space
+from numpy.typing import NDArray
+
+from ..geometry.arrays import Floats
+from ..simulation.observation_vector import ObservationVector
+
+ACTIONS: Space[NDArray[np.float32]] = Box(-1.0, 1.0, (2,), np.float32)
+"""Steering (1: all the way to the left) and acceleration (-1: brakes)."""
+
+
+def observations(vector: ObservationVector) -> Space[NDArray[np.float32]]:
+    """The space of the vectors."""
+    return Box(vector.low, vector.high, vector.low.shape, np.float32)
+
+
+def checked_actions(actions: Any, count: int) -> Floats:
+    """(N, 2) actions, within -1 and 1. Raises ValueError for another shape, and NaN."""
+    found = np.asarray(actions, dtype=np.float64)
+    if found.shape != (count, 2):
+        raise ValueError(f"actions have the shape {found.shape}, not {(count, 2)}")
+    if np.isnan(found).any():
+        raise ValueError("an action is not a number")
+    return np.minimum(np.maximum(found, -1.0), 1.0)

@@ -1,0 +1,105 @@
+"""Many environments side by side: to the last bit what each would be alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from gymnasium.vector import AutoresetMode
+
+import roadlang
+from roadlang.envs import SceneEnv, SceneVectorEnv
+from tests.envs.scene_texts import ALONE, CUT_IN, FOLLOWED
+
+COUNT, STEPS = 6, 120
+
+
+def actions() -> np.ndarray[Any, np.dtype[np.float32]]:
+    drawn = np.random.default_rng(0).uniform(-1.0, 1.0, (STEPS, COUNT, 2)) * [0.2, 0.5]
+    return np.asarray(drawn + np.array([0.0, 0.4]), dtype=np.float32)
+
+
+def vector(text: str, **settings: Any) -> SceneVectorEnv:
+    return SceneVectorEnv(roadlang.loads(text), COUNT, scenes=8, duration=6.0, **settings)
+
+
+def single(text: str) -> SceneEnv:
+    return SceneEnv(roadlang.loads(text), scenes=8, duration=6.0)
+
+
+@pytest.mark.parametrize("text", [ALONE, FOLLOWED, CUT_IN])
+@pytest.mark.parametrize("mode", list(AutoresetMode))
+def test_each_is_what_it_would_be_alone(text: str, mode: AutoresetMode) -> None:
+    together = vector(text, autoreset_mode=mode, scenes_each=8)
+    alone = [single(text) for _ in range(COUNT)]
+    seen, info = together.reset(seed=11)
+    for i, env in enumerate(alone):
+        first, about = env.reset(seed=11 + i)
+        assert (seen[i] == first).all()
+        assert info["scene"][i] == about["scene"]
+    over = np.zeros(COUNT, dtype=bool)
+    ends = 0
+    for action in actions():
+        if mode is AutoresetMode.DISABLED and over.any():
+            seen, _ = together.reset(options={"reset_mask": over})
+            for i in np.flatnonzero(over).tolist():
+                assert (seen[i] == alone[i].reset()[0]).all()
+        seen, rewards, terminated, truncated, info = together.step(action)
+        for i, env in enumerate(alone):
+            if over[i] and mode is AutoresetMode.NEXT_STEP:
+                expected: tuple[Any, ...] = (env.reset()[0], 0.0, False, False)
+            else:
+                expected = env.step(action[i])[:4]
+            if (expected[2] or expected[3]) and mode is AutoresetMode.SAME_STEP:
+                assert info["_final_obs"][i]
+                assert (info["final_obs"][i] == expected[0]).all()
+                expected = (env.reset()[0], *expected[1:])
+            assert (seen[i] == expected[0]).all()
+            assert (rewards[i], terminated[i], truncated[i]) == expected[1:]
+        over = terminated | truncated
+        ends += int(over.sum())
+    assert ends >= COUNT
+
+
+def test_after_its_scenes_each_begins_with_the_first_again() -> None:
+    env = vector(ALONE, scenes_each=2, autoreset_mode="SameStep")
+    first, _ = env.reset(seed=0)
+    episodes = 0
+    still = np.tile(np.array([0.0, 0.0], dtype=np.float32), (COUNT, 1))
+    while episodes < 2:
+        seen, _, _, truncated, _ = env.step(still)
+        episodes += bool(truncated.all())
+    assert (seen == first).all()
+
+
+def test_another_reset_draws_other_scenes() -> None:
+    env = vector(ALONE, scenes_each=1)
+    _, before = env.reset(seed=0)
+    _, after = env.reset()
+    _, again = env.reset(seed=0)
+    assert (before["scene"] != after["scene"]).any()
+    assert (before["scene"] == again["scene"]).all()
+
+
+def test_spaces_are_those_of_gymnasium() -> None:
+    env = vector(ALONE)
+    seen, _ = env.reset(seed=0)
+    assert env.observation_space.contains(seen)
+    assert env.action_space.contains(env.action_space.sample())
+    assert env.metadata["autoreset_mode"] is AutoresetMode.NEXT_STEP
+
+
+def test_wrong_calls_say_what_is_wrong() -> None:
+    env = vector(ALONE, autoreset_mode="Disabled")
+    with pytest.raises(RuntimeError, match="reset"):
+        env.step(env.action_space.sample())
+    env.reset(seed=0)
+    with pytest.raises(ValueError, match="shape"):
+        env.step(np.zeros((COUNT, 3), dtype=np.float32))
+    with pytest.raises(ValueError, match="reset_mask"):
+        env.reset(options={"reset_mask": [True] * COUNT})
+    for _ in range(60):
+        env.step(np.zeros((COUNT, 2), dtype=np.float32))
+    with pytest.raises(RuntimeError, match="is over"):
+        env.step(np.zeros((COUNT, 2), dtype=np.float32))
