@@ -22,8 +22,10 @@ if TYPE_CHECKING:
     from .session.falsification import Failure, Falsification
     from .session.loading import LoadedScenario, load, loads
     from .session.profiles import Profiles, RoadProfile
+    from .session.reports import write_report
     from .session.scene import RoadArrays, Scene
     from .session.scene_set import NoSceneError, SceneSet
+    from .session.trace_reading import read_drive
 
 _MODULES = {
     ".diagnostics": "Diagnostic DiagnosticError",
@@ -31,8 +33,10 @@ _MODULES = {
     ".session.falsification": "Failure Falsification",
     ".session.loading": "LoadedScenario load loads",
     ".session.profiles": "Profiles RoadProfile",
+    ".session.reports": "write_report",
     ".session.scene": "RoadArrays Scene",
     ".session.scene_set": "NoSceneError SceneSet",
+    ".session.trace_reading": "read_drive",
 }
 _HOME = {name: module for module, names in _MODULES.items() for name in names.split()}
 
@@ -53,6 +57,8 @@ __all__ = [
     "__version__",
     "load",
     "loads",
+    "read_drive",
+    "write_report",
 ]
 
 
