@@ -51,7 +51,7 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     if pixels is None or pixels.size == 0:
         raise _refusal(Code.DAMAGED_IMAGE, span, written, format=header.format)
     scale = scale_in_file(path, content, header.format)
-    return OpenedImage(_as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
+    return OpenedImage(as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:
@@ -121,7 +121,7 @@ def _set_log_level(level: int) -> int:
     return int((old or cv2.utils.logging.setLogLevel)(level))
 
 
-def _as_colors(pixels: NDArray[np.generic]) -> Pixels:
+def as_colors(pixels: NDArray[np.generic]) -> Pixels:
     """Any depth and number of channels to 8-bit BGR; transparent pixels become white."""
     eight = _as_bytes(pixels)
     if eight.ndim == 2:

@@ -122,6 +122,8 @@ def unexpected(place: ErrorPosition) -> Mistake:
     for kind, sign in _MISSING:
         if kind == "COLON" and "COMMA" in expected:
             continue
+        if sign.isalpha() and "NAME" in expected:  # any word may be a name here, as behind a `.`
+            continue
         if kind in expected and place.goes_on(kind) and _closes_later(place, kind):
             edit = Edit(place.index, place.index, (_token(place, kind, sign),))
             break
