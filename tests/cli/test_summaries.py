@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli.compilation import Compilation
-from roadlang.cli.console import holding, violations
+from roadlang.cli.console import holding, report, violations
+from roadlang.diagnostics import Code, Source, diagnose
 from roadlang.session.expectations import Expectation
 from roadlang.session.loading import loads
 
@@ -54,3 +55,18 @@ def test_a_scene_that_violates_two_expectations_counts_once(
     run.report()
     assert "; all expectations hold in 0 of 3 scenes" in capsys.readouterr().out
     assert run.exit_code == 4
+
+
+def test_errors_and_warnings_are_counted_where_they_are_written(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Diagnostics and their count go to standard error; standard output is for results."""
+    source = Source("a.rl", "param a = 3m\n")
+    found = [diagnose(Code.UNUSED_LET, source.span(6, 7), name=name) for name in ("a", "b")]
+    errors = [diagnose(Code.NOT_FINITE, source.span(6, 7), what=f"`{n}`") for n in range(3)]
+    report([*found, *errors])
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.endswith("\n3 errors and 2 warnings\n")
+    report(errors[:1])
+    assert "1 error" not in capsys.readouterr().err

@@ -102,7 +102,7 @@ def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
 
 def color_shares(robustness: Floats) -> Floats:
     """(T,) robustness in parts of the largest of its sign, from -1 to 1 in steps of 1/8."""
-    values = np.nan_to_num(robustness, nan=0.0)
+    values = np.where(np.isnan(robustness), 0.0, robustness)
     finite = values[np.isfinite(values)]
     largest = np.max(finite, initial=1e-9), np.max(-finite, initial=1e-9)
     shares = np.clip(values / np.where(values > 0.0, *largest), -1.0, 1.0)

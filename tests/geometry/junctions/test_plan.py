@@ -140,9 +140,17 @@ def test_left_hand_traffic_is_the_mirror_image() -> None:
     assert [turned[c.turn] for c in only(left).connections] == [
         c.turn for c in only(plan).connections
     ]
-    for arm, image in zip(reversed(only(left).arms), only(plan).arms, strict=True):
+    for image, seen in zip(only(left).connections, only(plan).connections, strict=True):
+        x, y, heading = seen.start
+        assert image.start == pytest.approx((x, -y, -heading))
+        assert image.pieces == tuple((length, -bend) for length, bend in seen.pieces)
+        assert (image.source.lane, image.target.lane) == (-seen.source.lane, -seen.target.lane)
+        (left_x, left_y), (right_x, right_y) = seen.stop_line
+        assert image.stop_line == ((right_x, -right_y), (left_x, -left_y))
+        assert image.widths == seen.widths
+    for arm, other in zip(reversed(only(left).arms), only(plan).arms, strict=True):
         x, y = only(left).area[arm.left]
-        assert (x, -y) == pytest.approx(only(plan).area[image.right])
+        assert (x, -y) == pytest.approx(only(plan).area[other.right])
 
 
 def test_a_plan_does_not_depend_on_the_order_of_the_roads() -> None:

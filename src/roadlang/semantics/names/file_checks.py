@@ -8,18 +8,16 @@ from pathlib import Path
 from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
 from ...files.reading import UnreadableFile, read_start
 
-_MAGIC = {
-    ".png": (b"\x89PNG\r\n\x1a\n",),
-    ".jpg": (b"\xff\xd8\xff",),
-    ".jpeg": (b"\xff\xd8\xff",),
-    ".bmp": (b"BM",),
-    ".tif": (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
-    ".tiff": (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
-    ".pgm": (b"P2", b"P5"),
-    ".ppm": (b"P3", b"P6"),
-    ".webp": (b"RIFF",),
-}
-PICTURE_SUFFIXES = tuple(_MAGIC)
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm", ".webp")
+_SIGNATURES = (
+    b"\x89PNG\r\n\x1a\n",
+    b"\xff\xd8\xff",
+    b"BM",
+    *(b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
+    *(b"P2", b"P3", b"P5", b"P6"),
+    b"RIFF",
+)
+"""First bytes of PNG, JPEG, BMP, TIFF, PNM and WebP files."""
 
 
 def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnostic:
@@ -51,4 +49,4 @@ def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diag
 
 
 def _looks_like_a_picture(head: bytes) -> bool:
-    return any(head.startswith(magic) for magics in _MAGIC.values() for magic in magics)
+    return head.startswith(_SIGNATURES)

@@ -1,0 +1,103 @@
+"""The figure of a drive by hand: 85.2 m across are 852 pixels between margins of 24."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from roadlang.drive.figure import color_shares, drive_figure, robustness_color
+from roadlang.ir.scene import SceneActor
+from roadlang.ir.trace import AgentTrace, Trace
+from tests.backends.handmade_scenes import actor, bend, road
+
+GREEN, YELLOW, RED = "#2f9e44", "#f59f00", "#c92a2a"
+
+
+def moving(name: str, y: float = 0.0, width: float = 2.0) -> AgentTrace:
+    """From x = 0 m to 80 m in 4 s."""
+    time = np.array([0.0, 1.0, 2.0, 3.0, 4.0])
+    still = AgentTrace.still(SceneActor(name, name, "car", 0.0, y, 0.0, 4.0, width, 1.5), time)
+    return replace(still, x=20.0 * time)
+
+
+def figure(robustness: Any = None, at: int | None = None, **changes: Any) -> ElementTree.Element:
+    main = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400)
+    plain = {"roads": (main,), "objects": (actor("hut", "box", 40, 10, length=6.0, width=3.0),)}
+    agents = {"ego": moving("ego"), "other": moving("other", y=-5.0)}
+    trace = Trace(agents["ego"].time, agents)
+    values = None if robustness is None else np.array(robustness, float)
+    text = drive_figure(replace(bend(), **{**plain, **changes}), trace, "ego", values, "a < b", at)
+    return ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
+
+
+def line(shape: ElementTree.Element) -> list[tuple[float, float]]:
+    pairs = (pair.split(",") for pair in (shape.get("points") or "").split())
+    return [(float(x), float(y)) for x, y in pairs]
+
+
+def test_roads_and_paths_are_drawn_to_scale_with_y_up() -> None:
+    """The highest point is the road at y = 0, 34 + 24 px from the top; y = -5 m is 50 px below."""
+    root = figure()
+    main, ego, other = root.findall("polyline")
+    assert (line(main)[0], line(main)[-1]) == ((24, 58), (876, 58))
+    assert (main.get("stroke-width"), ego.get("stroke-width")) == ("80.0", "1.5")
+    assert line(ego) == [(24 + 200 * i, 58) for i in range(5)]
+    assert line(other)[0] == (24, 108)
+    assert (root.get("width"), root.get("height")) == ("900", "132")
+    assert [text.text for text in root.findall("text")] == ["a < b"]
+
+
+def test_objects_are_drawn_in_their_size() -> None:
+    hut = figure().findall("rect")[1]
+    assert [hut.get(key) for key in ("x", "y", "width", "height")] == [
+        "-30.0",
+        "-15.0",
+        "60.0",
+        "30.0",
+    ]
+    assert hut.get("transform") == "translate(424.0 -42.0) rotate(-0.0)"
+
+
+def test_the_path_has_the_color_of_its_robustness() -> None:
+    """Runs of one color, each up to the first point of the next; 0.35 of the agent's 2 m wide."""
+    _, *runs, _ = figure([1.0, 1.0, 0.0, -1.0, -2.0]).findall("polyline")
+    assert [(run.get("stroke"), len(line(run))) for run in runs] == [
+        (GREEN, 3), (YELLOW, 2), (RED, 2), (RED, 1)
+    ]  # fmt: skip
+    assert {run.get("stroke-width") for run in runs} == {"7.0"}
+
+
+def test_the_path_of_a_thin_agent_can_be_seen() -> None:
+    main = road("main", lambda x: 0.0, 8520.0)
+    _, *runs, _ = figure([1.0] * 5, roads=(main,)).findall("polyline")
+    assert [run.get("stroke-width") for run in runs] == ["2.0"]
+
+
+def test_the_moment_that_decides_is_marked() -> None:
+    (mark,) = figure([1.0] * 5, at=2).findall("circle")
+    assert (mark.get("cx"), mark.get("cy")) == ("424.0", "58.0")
+    assert [title.text for title in mark] == ["ego at 2.0 s"]
+    assert not figure([1.0] * 5).findall("circle")
+
+
+def test_only_derived_roads_are_drawn_where_there_are_some() -> None:
+    first = road("main", lambda x: 0.0, 85.2)
+    second = replace(first, name="bent", derived=True)
+    assert len(figure(roads=(first, second)).findall("polyline")) == 3
+
+
+def test_shades_are_eighths_of_the_largest_of_a_sign() -> None:
+    values = np.array([8.0, 4.0, 0.1, 0.0, np.nan, -0.1, -2.0, np.inf, -np.inf])
+    assert color_shares(values).tolist() == [1, 0.5, 0.125, 0, 0, -0.125, -1, 1, -1]
+
+
+@pytest.mark.parametrize(
+    ("share", "color"), [(1.0, GREEN), (0.25, "#929e22"), (0.0, YELLOW), (-0.125, RED), (-1.0, RED)]
+)
+def test_the_color_is_green_yellow_or_red(share: float, color: str) -> None:
+    """At a quarter halfway from yellow (245, 159, 0) to green (47, 158, 68)."""
+    assert robustness_color(share) == color
