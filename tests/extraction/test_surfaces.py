@@ -391,3 +391,17 @@ def test_a_threshold_is_found_between_the_tones_or_given() -> None:
 def test_kinds_of_pictures(image: np.ndarray, name: str) -> None:
     assert picture_kind(image).name == name
     assert picture_kind(image).drawn == (name != "photo")
+
+
+def test_a_ring_road_has_no_seam() -> None:
+    """A circle of 60 px radius and 12 px width, all the way round."""
+    y, x = np.mgrid[:200, :200]
+    away = np.hypot(x - 100.0, y - 100.0)
+    mask = np.clip(0.5 + 6.0 - np.abs(away - 60.0), 0, 1).astype(np.float32)
+    (road,) = roads_of_surface(mask, "").roads
+    assert road.closed
+    assert np.hypot(*(road.points - 100.0).T) == pytest.approx(
+        np.full(len(road.points), 60.0), abs=0.25
+    )
+    assert road.widths == pytest.approx(np.full(len(road.points), 12.0), abs=0.4)
+    assert road.length == pytest.approx(2 * np.pi * 60, rel=0.003)

@@ -49,6 +49,15 @@ def test_a_scene_fits_and_one_with_a_wrong_member_does_not() -> None:
         (("roads", 0, "x", 3), "east"),
         (("agents", 0, "drive", 1, "when", "formula"), {"once": 3}),
         (("agents", 0, "drive", 1, "when", "signals"), ["speed"]),
+        (("agents", 0, "drive", 1, "when", "text"), 3),
+        (("agents", 0, "drive", 1, "when", "numbers"), {"a": "3"}),
+        (("agents", 0, "drive", 1, "when"), {"text": "true"}),
+        (("expectations", 0, "formula", "signals"), {"e1": {"kind": "progress"}}),
+        (("expectations", 0, "formula", "signals"), {"e1": {"kind": 3, "options": {}}}),
+        (("expectations", 0, "satisfied"), "yes"),
+        (("roads", 0, "center_marking"), "dotted"),
+        (("roads", 0, "trim"), [0.0]),
+        (("agents", 0, "lane"), 1.5),
         (("provenance", "seed"), None),
     ]:
         broken = copy.deepcopy(record)
