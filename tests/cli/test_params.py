@@ -13,7 +13,7 @@ import roadlang
 from roadlang.session.param_files import read_params
 from roadlang.session.tables import columns_of, to_csv
 
-from .test_commands import roadlang as command
+from .command_lines import roadlang as command
 
 SCENE = """\
 param reach = 6m

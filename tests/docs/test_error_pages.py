@@ -30,8 +30,8 @@ WITHOUT_EXAMPLE = {
     "RL731": "from Python alone; see tests/envs/test_scene_env.py",
     "RL704": "takes ten seconds without an answer; see tests/falsification/test_cluster.py",
     "RL900": "is a bug of roadlang",
-    "RL933": "takes a machine with little memory; see tests/cli/test_commands.py",
-    "RL934": "takes a process that is killed; see tests/cli/test_commands.py",
+    "RL933": "takes a machine with little memory; see tests/cli/test_endings.py",
+    "RL934": "takes a process that is killed; see tests/cli/test_endings.py",
 }
 """Pages that cannot have a `wrong` example, and why."""
 
