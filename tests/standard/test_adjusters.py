@@ -99,6 +99,13 @@ def test_blur_spreads_an_edge_by_its_radius(radius: float) -> None:
     assert inside == pytest.approx(0.683, abs=0.03)
 
 
+def test_a_radius_below_a_pixel_blurs_too() -> None:
+    """Weights 1, 0.458 and 0.044 at distances 0, 1 and 2: a quarter of the light side of the edge
+    reaches the last dark pixel."""
+    row = adjusted(Blur(0.8), step())[20, :, 0].astype(float)
+    assert row[39:41] == pytest.approx([60 + 30, 180 - 30], abs=1.5)
+
+
 def test_noise_has_the_deviation_of_its_share_of_the_range() -> None:
     gray = np.full((200, 200, 3), 128, np.uint8)
     noisy = adjusted(Noise(0.05), gray).astype(float)
