@@ -143,6 +143,7 @@ if TYPE_CHECKING:
     from .scenes.junction_paint import PaintedShape, junction_paint
     from .scenes.signal_heads import SignalHead, signal_heads
     from .simulation.bodies import Body
+    from .simulation.pose_columns import with_pose_columns
     from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
@@ -171,6 +172,7 @@ _LATER = {
     ".scenes.junction_paint": "PaintedShape junction_paint",
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".simulation.bodies": "Body",
+    ".simulation.pose_columns": "with_pose_columns",
     ".simulation.simulating": "EngineSettings simulate_scenes",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
@@ -196,7 +198,7 @@ __all__ = [
     "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
     "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
     "quantity", "read_image", "read_input", "record_of", "scene_from_json", "signal_heads",
-    "simulate_scenes", "to_json",
+    "simulate_scenes", "to_json", "with_pose_columns",
 ]  # fmt: skip
 
 

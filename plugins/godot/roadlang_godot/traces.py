@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.api import AgentTrace, Trace
+from roadlang.api import AgentTrace, Trace, with_pose_columns
 
 from .layout import Layout
 from .telemetry import Records, of_agent
@@ -27,7 +27,8 @@ def trace_of(records: Records, layout: Layout, scene: Scene, step: float, engine
         agents[name] = _agent(name, actors[name], rows, time, layout)
     for actor in scene.objects:
         agents[actor.name] = AgentTrace.still(actor, time)
-    return Trace(time=time, agents=agents, engine=engine, events=contact_events(agents))
+    found = Trace(time=time, agents=agents, engine=engine, events=contact_events(agents))
+    return with_pose_columns(found, scene)
 
 
 def contact_events(agents: Mapping[str, AgentTrace]) -> tuple[Mapping[str, object], ...]:

@@ -1,12 +1,14 @@
-"""How near two agents come to a collision: `time_to_collision(ego, lead)`, and encroachment."""
+"""How near agents come to a collision: `time_to_collision(ego, lead)`, headway, encroachment, and
+the impact itself."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import AgentOrObject, DriveSignal, geometry, option
+from roadlang.api import AgentName, AgentOrObject, DriveSignal, geometry, option
 
+from .headway import time_headway
 from .separation import footprints, nearest
 
 if TYPE_CHECKING:
@@ -28,6 +30,41 @@ class TimeToCollision(DriveSignal):
 
     def values(self) -> Floats:
         return nearest(self.first, self.second, _time_to_collision)
+
+
+@dataclass(frozen=True)
+class TimeHeadway(DriveSignal):
+    """Time in which the first agent will be where the front of the second is now, along its lane
+    (front to front over its own speed); infinite where the second is not ahead in its lane, or the
+    first stands. For a group, to the nearest ahead.
+
+    On one road stations and lanes say who is ahead; elsewhere, as across a junction, the arc of a
+    circle from the heading of the first to the center of the second, where the second is headed
+    along it."""
+
+    name: ClassVar[str] = "time_headway"
+    unit: ClassVar[str] = "s"
+    looks_back: ClassVar[float] = 1
+    member: ClassVar[bool] = False
+    first: AgentOrObject = option(help="an agent or a group of them")
+    second: AgentOrObject = option(help="another agent, object or group")
+
+    def values(self) -> Floats:
+        return nearest(self.first, self.second, time_headway)
+
+
+@dataclass(frozen=True)
+class Collision(DriveSignal):
+    """Relative speed of the hardest impact of the agent so far; 0 before the first."""
+
+    name: ClassVar[str] = "collision"
+    unit: ClassVar[str] = "m/s"
+    looks_back: ClassVar[float] = 0
+    agent: AgentName = option(help="the agent")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.collision
+        return values
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,14 @@ if TYPE_CHECKING:
 
 _FIRST_SCHEMA = "roadlang.trace/1"
 """The first version has `cross_track` for `cross_track_error`; it is still read."""
+ADDED_COLUMNS = (
+    "road", "lane", "lane_offset", "route_progress", "speed_limit", "off_road", "red_light",
+    "collision",
+)  # fmt: skip
+"""Older files lack them."""
 COLUMNS = (
     "x", "y", "heading", "speed", "acceleration", "steering", "station", "cross_track_error",
-    "progress", "contacts",
+    "progress", "contacts", *ADDED_COLUMNS,
 )  # fmt: skip
 
 
@@ -61,11 +66,27 @@ def from_json(text: str) -> Trace:
             time=time,
             length=values["length"],
             width=values["width"],
-            **{column: np.array(_column(values, column), dtype=float) for column in COLUMNS},
+            **_read(values),
         )
         for name, values in document["agents"].items()
     }
     return Trace(time, agents, document["engine"], tuple(document["events"]))
+
+
+def _read(values: dict[str, Any]) -> dict[str, np.ndarray[Any, Any]]:
+    import numpy as np
+
+    columns = {
+        name: np.array(_column(values, name), dtype=float)
+        for name in COLUMNS
+        if name in values or name not in ADDED_COLUMNS
+    }
+    if "speed_limit" in columns:  # infinity is no JSON: where the road is known, null is no limit
+        limit = columns["speed_limit"]
+        columns["speed_limit"] = np.where(
+            np.isnan(limit) & ~np.isnan(columns["road"]), np.inf, limit
+        )
+    return columns
 
 
 def _column(values: dict[str, Any], name: str) -> list[float | None]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
 from .read_only import Frozen
@@ -13,14 +13,27 @@ if TYPE_CHECKING:
     from .scene import SceneActor
 
 
+def _unknown() -> Floats:
+    import numpy as np
+
+    return np.array(np.nan)
+
+
 @dataclass(frozen=True)
 class AgentTrace(Frozen):
     """One agent (or object) over the T steps of a drive; arrays are (T,), SI units, radians.
 
     `station` is arc length along the agent's own road, `cross_track_error` the signed distance from
     the line it should follow (left positive), `progress` the share of the road driven (0 to 1),
-    `contacts` the number of bodies touched, not counting the ground. What an engine does not report
-    is NaN throughout, and a signal of it is refused with a diagnostic.
+    `contacts` the number of bodies touched, not counting the ground.
+
+    `road` is the number of the road in the scene (-1 inside a junction), `lane` the id of the lane
+    of its center, `lane_offset` the distance from the middle of that lane (left positive, as the
+    agent travels), `route_progress` meters driven along its route, `speed_limit` that of the lane
+    (infinite for none), `off_road` how far the footprint sticks out of the drivable area (negative
+    within), `red_light` the number of stop lines crossed at red so far, `collision` the speed of
+    the hardest impact so far, 0 before the first. What an engine does not report is NaN throughout,
+    and a signal of it is refused with a diagnostic.
     """
 
     name: str
@@ -37,6 +50,23 @@ class AgentTrace(Frozen):
     contacts: Floats
     length: float = 4.5
     width: float = 1.8
+    road: Floats = field(default_factory=_unknown)
+    lane: Floats = field(default_factory=_unknown)
+    lane_offset: Floats = field(default_factory=_unknown)
+    route_progress: Floats = field(default_factory=_unknown)
+    speed_limit: Floats = field(default_factory=_unknown)
+    off_road: Floats = field(default_factory=_unknown)
+    red_light: Floats = field(default_factory=_unknown)
+    collision: Floats = field(default_factory=_unknown)
+
+    def __post_init__(self) -> None:
+        for name in _OPTIONAL:
+            value = getattr(self, name)
+            if getattr(value, "ndim", 0) == 0:
+                import numpy as np
+
+                object.__setattr__(self, name, np.broadcast_to(value, self.time.shape))
+        Frozen.__post_init__(self)
 
     @classmethod
     def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:
@@ -57,9 +87,15 @@ class AgentTrace(Frozen):
             cross_track_error=zero + (actor.offset or 0.0),
             progress=zero,
             contacts=zero,
+            route_progress=zero,
+            red_light=zero,
+            collision=zero,
             length=actor.length,
             width=actor.width,
         )
+
+
+_OPTIONAL = tuple(one.name for one in fields(AgentTrace) if one.default_factory is _unknown)
 
 
 @dataclass(frozen=True)

@@ -41,6 +41,22 @@ class AgentColumns:
     """meters"""
     width: float
     """meters"""
+    road: Column = ()
+    """number of the road in the scene, -1 inside a junction"""
+    lane: Column = ()
+    """id of the lane of its center, in a junction of the lane that it comes from"""
+    lane_offset: Column = ()
+    """meters from the middle of that lane, positive to the left of the agent"""
+    route_progress: Column = ()
+    """meters driven along its route or road"""
+    speed_limit: Column = ()
+    """m/s, of the lane; null where there is none"""
+    off_road: Column = ()
+    """meters by which the footprint sticks out of the drivable area, negative within"""
+    red_light: Column = ()
+    """how many stop lines it has crossed at red so far"""
+    collision: Column = ()
+    """m/s, relative speed of its hardest impact so far, 0 before the first"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,12 @@ COLUMNS: Mapping[str, Column] = {
     "cross_track_error": lambda world, poses: world.cross_track_error,
     "progress": lambda world, poses: world.progress,
     "contacts": lambda world, poses: world.contacts,
+    "route_progress": lambda world, poses: world.traveled,
+    "red_light": lambda world, poses: world.red_lights,
+    "collision": lambda world, poses: world.collision,
+    "along": lambda world, poses: world.motion.along,
+    "offset": lambda world, poses: world.motion.offset,
     "length": lambda world, poses: world.bodies.length,
     "width": lambda world, poses: world.bodies.width,
 }
-"""(N,) by the names of the members of `AgentTrace`."""
+"""(N,) by the names of the members of `AgentTrace`; `along` and `offset` are of the lines."""

@@ -151,6 +151,7 @@ class Contacts:
             for agent, partner, name in zip(both, [other, one], names, strict=False):
                 out.append(Contact(moment, agent, partner, name, speed))
                 world.contacts[agent] += 1.0
+                world.collision[agent] = max(world.collision[agent], speed)
                 stopped.setdefault(agent, share)
         for agent, share in stopped.items():
             world.halt(agent, (1.0 - share) * seconds)

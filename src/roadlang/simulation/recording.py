@@ -11,15 +11,17 @@ from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
 from .columns import COLUMNS
 from .contacts import Contact
+from .lane_columns import LANE_COLUMNS
+from .lane_reader import LaneReader
 from .poses import Poses
 from .world import World
 
 ENGINE = "the embedded engine"
 _RECORDED = (
     "x", "y", "heading", "speed", "steering", "station", "cross_track_error", "progress",
-    "contacts",
+    "contacts", "route_progress", "red_light", "collision", "along", "offset",
 )  # fmt: skip
-"""Those of `COLUMNS` that are not the same all the time, or computed afterwards."""
+"""Those of `COLUMNS` that change, but for the rate of another."""
 
 
 class Recorder:
@@ -27,6 +29,7 @@ class Recorder:
 
     def __init__(self, world: World, poses: Poses) -> None:
         self._scenes = scenes = world.scenes
+        self._lanes = LaneReader(world)
         self._slots = world.slots
         self._heading = poses.heading
         self._times: list[float] = []
@@ -97,9 +100,21 @@ class Recorder:
         times, quantities, _ = samples.shape
         shaped = samples.reshape(times, quantities, len(self._rows), self._slots)
         columns = np.ascontiguousarray(shaped.transpose(2, 3, 1, 0))
+        columns = np.concatenate([columns, self._lane_columns(columns)], axis=2)
         columns.flags.writeable = False
         for row, part in zip(self._rows, columns, strict=True):
             self._parts[int(row)].append(part)
+
+    def _lane_columns(self, columns: Floats) -> Floats:
+        """(scenes, agents, `LANE_COLUMNS`, times) of recorded columns of that form."""
+        scenes, slots, _, times = columns.shape
+        agents = (self._rows[:, None] * slots + np.arange(slots)).ravel()
+        known = {
+            name: columns[:, :, place].reshape(-1, times) for place, name in enumerate(_RECORDED)
+        }
+        found = self._lanes.read(agents, known)
+        shape = (scenes, slots, times)
+        return np.stack([found[name].reshape(shape) for name in LANE_COLUMNS], axis=2)
 
     def _trace(self, row: int, scene: Scene) -> Trace:
         parts = self._parts[row]
@@ -120,7 +135,8 @@ class Recorder:
 
 def _agent(actor: SceneActor, columns: Floats, time: Floats, turns: bool) -> AgentTrace:
     """`turns`: whether the heading may jump by a turn."""
-    values: dict[str, Floats] = dict(zip(_RECORDED, columns, strict=True))
+    values: dict[str, Floats] = dict(zip((*_RECORDED, *LANE_COLUMNS), columns, strict=True))
+    del values["along"], values["offset"]
     heading = values.pop("heading")
     return AgentTrace(
         name=actor.name,

@@ -9,14 +9,17 @@ from dataclasses import fields
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
-from ..ir.scene import SceneActor
 from ..ir.trace import AgentTrace, Trace
 from .columns import COLUMNS
+from .lane_columns import LANE_COLUMNS
+from .lane_reader import LaneReader
 from .poses import Poses
 from .world import World
 
 _SIZES = ("length", "width")
-_MEMBERS = tuple(one.name for one in fields(AgentTrace) if one.name not in ("name", "time"))
+_RECORDED = tuple(
+    one.name for one in fields(AgentTrace) if one.name in COLUMNS and one.name not in _SIZES
+)
 
 
 class Samples:
@@ -34,6 +37,8 @@ class Samples:
         self._past: deque[dict[str, Floats]] = deque(maxlen=longest)
         self._now: dict[str, Floats] = {}
         self._traces: dict[int, Trace] = {}
+        self._reader: LaneReader | None = None
+        self._index = np.zeros(0, dtype=np.int64)
 
     def add(self, world: World, poses: Poses) -> None:
         """The world as it is now."""
@@ -59,6 +64,7 @@ class Samples:
         for number, past in enumerate(self._past):
             self._past[number] = {name: column[agents] for name, column in past.items()}
         self._now = {name: column[agents] for name, column in self._now.items()}
+        self._index = self._index[agents] if self._reader is not None else self._index
 
     def time(self, depth: int) -> Floats:
         """(K,) seconds, of now and of at most `depth` samples before."""
@@ -69,6 +75,8 @@ class Samples:
 
     def column(self, name: str, agents: Integers, depth: int) -> Floats:
         """(K, R) a member of the `AgentTrace` of some agents; sizes are (R,)."""
+        if name in LANE_COLUMNS:
+            return self._lane_columns(agents, depth)[name]
         now = self._present(name)[agents]
         if name in _SIZES:
             return now
@@ -81,8 +89,17 @@ class Samples:
         if scene not in self._traces:
             time = np.array(self._times)
             record, first = self._world.scenes[scene], scene * self._world.slots
+            rows = first + np.arange(len(record.agents))
+            columns = {name: self.column(name, rows, len(time)) for name in _RECORDED}
+            columns |= self._lane_columns(rows, len(time))
             agents = {
-                actor.name: self._agent(actor, first + slot, time)
+                actor.name: AgentTrace(
+                    name=actor.name,
+                    time=time,
+                    length=actor.length,
+                    width=actor.width,
+                    **{name: column[:, slot] for name, column in columns.items()},
+                )
                 for slot, actor in enumerate(record.agents)
             }
             agents |= {actor.name: AgentTrace.still(actor, time) for actor in record.objects}
@@ -94,11 +111,11 @@ class Samples:
             self._now[name] = np.array(COLUMNS[name](self._world, self._poses))
         return self._now[name]
 
-    def _agent(self, actor: SceneActor, agent: int, time: Floats) -> AgentTrace:
-        row = np.array([agent])
-        columns = {
-            name: self.column(name, row, len(time))[:, 0] for name in _MEMBERS if name not in _SIZES
-        }
-        return AgentTrace(
-            name=actor.name, time=time, length=actor.length, width=actor.width, **columns
-        )
+    def _lane_columns(self, agents: Integers, depth: int) -> dict[str, Floats]:
+        """(K, R) of some agents."""
+        if self._reader is None:
+            self._reader = LaneReader(self._world)
+            self._index = np.arange(len(self._world.present))
+        known = {name: self.column(name, agents, depth).T for name in COLUMNS if name not in _SIZES}
+        found = self._reader.read(self._index[agents], known)
+        return {name: values.T for name, values in found.items()}

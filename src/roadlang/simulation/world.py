@@ -18,6 +18,7 @@ from .motion import Advance, Motion, Track, advance
 from .placing import Placing
 from .poses import Poses, poses_of
 from .route_table import Place, RouteTable
+from .stop_lines import crossed_at_red, has_signals
 
 ARRIVED = 0.5
 """Meters before the end of a line from which on an agent has arrived."""
@@ -59,6 +60,10 @@ class World:
     halted: Booleans
     """agents that had a crash: they stand"""
     contacts: Floats
+    collision: Floats
+    """m/s, the fastest impact so far"""
+    red_lights: Floats
+    """how many stop lines were crossed at red"""
     traveled: Floats
     """arc length since the start"""
     pace: tuple[Floats, Floats]
@@ -96,6 +101,8 @@ class World:
         self.motion = self.start.take(np.arange(len(self.present)))
         self.halted = ~self.present
         self.contacts = np.zeros(len(self.present))
+        self.collision = np.zeros(len(self.present))
+        self.red_lights = np.zeros(len(self.present))
         self.traveled = np.zeros(len(self.present))
         zero = np.zeros(len(self.present))
         self.pace = (zero, zero.copy())
@@ -141,6 +148,7 @@ class World:
             if end < steps:
                 between = replace(self, motion=replace(motion), moves=replace(self.moves))
                 between.contacts = self.contacts.copy()
+                between.collision = self.collision.copy()
                 between._arrive(before, end)
                 passed.append(between)
         self._arrive(before, steps)
@@ -161,8 +169,18 @@ class World:
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
         self.moves.advance(self.motion.speed, seconds)
+        if has_signals(self.table):
+            self._count_red_lights(before[0], moved, seconds)
         self._wrap()
         self.tick += steps
+
+    def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
+        rows = np.flatnonzero(self.has_route)
+        front = before[rows] + 0.5 * self.bodies.length[rows]
+        front = np.where(self.closed[rows], front % self.length[rows], front)
+        crossed = crossed_at_red(self.table, rows, front, moved[rows], self.time, seconds)
+        self.red_lights = self.red_lights.copy()
+        self.red_lights[rows] += crossed
 
     @property
     def line_offset(self) -> Floats:
@@ -259,5 +277,5 @@ class World:
 
 _COLUMNS = (
     "present", "names", "has_road", "has_route", "backward", "road", "halted",
-    "contacts", "traveled", "began",
+    "contacts", "collision", "red_lights", "traveled", "began",
 )  # fmt: skip

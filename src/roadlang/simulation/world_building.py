@@ -121,8 +121,8 @@ def _started(
         scenes, slots, dt, present, tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
         has_road, has_route, backward, road, moves, start, start, ~present,
-        np.zeros(count), np.zeros(count), (np.zeros(count), np.zeros(count)),
-        np.zeros(count, dtype=np.int64),
+        np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
+        (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),
     )  # fmt: skip
     world.reset()
     return world
