@@ -32,9 +32,9 @@ def has_signals(table: RouteTable) -> bool:
 
 
 def crossed_at_red(
-    table: RouteTable, rows: Integers, front: Floats, moved: Floats, begin: float, seconds: float
+    table: RouteTable, rows: Integers, front: Floats, moved: Floats, begin: Floats, seconds: float
 ) -> Booleans:
-    """(n,) which of some agents have crossed a stop line at red since the time `begin`.
+    """(n,) which of some agents have crossed a stop line at red since the times `begin` (n,).
 
     `front` (n,): arc lengths of their fronts then, `moved` (n,) how far they have come in the
     `seconds` since. Who is over the line at the start does not cross it.
@@ -43,6 +43,6 @@ def crossed_at_red(
     crosses = (line <= front + moved) & (turn >= 0)
     for i in np.flatnonzero(crosses):
         found = table.turns[turn[i]]
-        time = begin + float((line[i] - front[i]) / moved[i]) * seconds
+        time = float(begin[i]) + float((line[i] - front[i]) / moved[i]) * seconds
         crosses[i] = is_red(found.junction.control, found.connection.id, time)
     return np.asarray(crosses)

@@ -115,7 +115,8 @@ class World:
         """Some agents back to the start, now; all of a scene."""
         self.motion.put(agents, self.start)
         self.halted[agents] = ~self.present[agents]
-        for column in (self.contacts, self.traveled, *self.pace):
+        counted = (self.contacts, self.collision, self.red_lights, self.traveled)
+        for column in (*counted, *self.pace):
             column[agents] = 0.0
         self.moves.restart(agents)
         self.began[agents] = self.tick
@@ -178,7 +179,7 @@ class World:
         rows = np.flatnonzero(self.has_route)
         front = before[rows] + 0.5 * self.bodies.length[rows]
         front = np.where(self.closed[rows], front % self.length[rows], front)
-        crossed = crossed_at_red(self.table, rows, front, moved[rows], self.time, seconds)
+        crossed = crossed_at_red(self.table, rows, front, moved[rows], self.age[rows], seconds)
         self.red_lights = self.red_lights.copy()
         self.red_lights[rows] += crossed
 
