@@ -1,0 +1,58 @@
+"""`emit sbft`: road points for the SBFT tool competition."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Backend, Flag, Length, String, option
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from roadlang.api import Scene, SceneRoad
+
+
+@dataclass(frozen=True)
+class Sbft(Backend):
+    """The road as a list of points `[[x, y], ...]` in meters, as tools of the SBFT tool competition
+    (cyber-physical systems track) give it; `require N with sbft` judges it by the same points."""
+
+    name: ClassVar[str] = "sbft"
+    road: String = option(
+        "", help="name of the road; without one, that of the first agent, or the last road made"
+    )
+    spacing: Length = option(
+        5.0, minimum=1, maximum=50, help="distance between points, to the nearest that fits"
+    )
+    size: Length = option(200.0, minimum=50, maximum=10000, help="width and height of the map")
+    centered: Flag = option(True, help="move the road to the middle of the map")
+
+    def files(self, scene: Scene) -> Mapping[str, str]:
+        import json
+
+        import numpy as np
+
+        from .sbft.road_points import road_points
+
+        road = _road(scene, self.road)
+        points = np.stack((road.x, road.y), axis=-1)[None]
+        heading = np.array(road.heading)[None]
+        ((_, found),) = road_points(points, heading, self.spacing, self.size, self.centered)
+        return {"sbft.json": json.dumps(found[0].tolist()) + "\n"}
+
+
+def _road(scene: Scene, name: str) -> SceneRoad:
+    """The road of a name, of the first agent, or the last that was made."""
+    from roadlang.api import Code, DiagnosticError, diagnose
+
+    roads = {road.name: road for road in scene.roads}
+    if name:
+        if name not in roads:
+            raise DiagnosticError(diagnose(Code.UNKNOWN_NAME, name=name))
+        return roads[name]
+    driven = next((actor.road for actor in scene.agents if actor.road in roads), None)
+    if driven is not None:
+        return roads[driven]
+    made = [road for road in scene.roads if road.derived] or list(scene.roads)
+    return made[-1]
