@@ -144,6 +144,7 @@ if TYPE_CHECKING:
     from .scenes.signal_heads import SignalHead, signal_heads
     from .simulation.bodies import Body
     from .simulation.pose_columns import with_pose_columns
+    from .simulation.route_lines import route_points
     from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
@@ -173,6 +174,7 @@ _LATER = {
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".simulation.bodies": "Body",
     ".simulation.pose_columns": "with_pose_columns",
+    ".simulation.route_lines": "route_points",
     ".simulation.simulating": "EngineSettings simulate_scenes",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
@@ -197,8 +199,8 @@ __all__ = [
     "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace", "Verdict",
     "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
     "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
-    "quantity", "read_image", "read_input", "record_of", "scene_from_json", "signal_heads",
-    "simulate_scenes", "to_json", "with_pose_columns",
+    "quantity", "read_image", "read_input", "record_of", "route_points", "scene_from_json",
+    "signal_heads", "simulate_scenes", "to_json", "with_pose_columns",
 ]  # fmt: skip
 
 

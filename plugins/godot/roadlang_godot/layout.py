@@ -16,7 +16,7 @@ from .faults import fault
 from .frame import SceneOrigin, frame_around
 from .junction_things import paint_things, signal_things
 from .junctions import Arm, area_patch, cuts, order, patch
-from .line import RoadSamples, line_of
+from .line import RoadSamples, line_of, line_of_route
 from .mask_tiles import network_tiles
 from .placed import Placed, agent_thing, object_things, path_things, world_thing
 from .road_mesh import road_things
@@ -70,9 +70,15 @@ def layout_of(scene: Scene, road: str = "mesh", frame: SceneOrigin | None = None
     frame = frame or middle
     tiled = road == "tiles"
     things = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
-    paths = {name: i + 1 for i, name in enumerate(_driven_roads(scene, lines))}
+    ways = {
+        _way(actor): line_of_route(_way(actor), scene, actor.route)
+        for actor in scene.agents
+        if actor.route is not None
+    }
+    followed = _followed(scene, lines | ways)
+    paths = {name: i + 1 for i, name in enumerate(followed)}
     for name, number in paths.items():
-        things += path_things(lines[name], number, frame)
+        things += path_things(followed[name], number, frame)
     agents = {actor.name: i + 1 for i, actor in enumerate(scene.agents)}
     things += [_agent(actor, agents[actor.name], paths, lines, scene, frame)
                for actor in scene.agents]  # fmt: skip
@@ -189,9 +195,18 @@ def _arms(
     return out
 
 
-def _driven_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:
-    names = [actor.road for actor in scene.agents if actor.road in lines]
-    return list(dict.fromkeys(name for name in names if name is not None))
+def _followed(scene: Scene, lines: Mapping[str, RoadSamples]) -> dict[str, RoadSamples]:
+    """The lines that agents follow: their routes, and the roads of those that have none."""
+    names = dict.fromkeys(_path_name(actor) for actor in scene.agents)
+    return {name: lines[name] for name in names if name in lines}
+
+
+def _path_name(actor: SceneActor) -> str:
+    return (actor.road or "") if actor.route is None else _way(actor)
+
+
+def _way(actor: SceneActor) -> str:
+    return f"the route of {actor.name}"
 
 
 def _drives_in_engine(actor: SceneActor) -> bool:
@@ -222,7 +237,9 @@ def _agent(
     for key in ("mass", "wheelbase", "max_steering", "color"):
         if key in options:
             spec[key] = options[key]
-    if actor.road in paths:
+    if actor.route is not None:
+        spec |= {"path": paths[_way(actor)], "start": 0.0, "offset": 0.0, "direction": 1}
+    elif actor.road in paths:
         assert actor.road is not None
         spec |= {
             "path": paths[actor.road],

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.api import geometry
+from roadlang.api import geometry, route_points
 from roadlang.geometry import Floats
 
 if TYPE_CHECKING:
-    from roadlang.api import SceneRoad
+    from roadlang.api import Scene, SceneRoad, SceneRoute
 
 
 @dataclass(frozen=True)
@@ -104,6 +104,15 @@ def line_of(road: SceneRoad) -> RoadSamples:
         road.closed,
         section,
     )
+
+
+def line_of_route(name: str, scene: Scene, route: SceneRoute) -> RoadSamples:
+    """The line of a route, one lane wide."""
+    x, y, heading, width = route_points(scene, route)
+    points = np.stack([x, y], axis=-1)
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    s = np.concatenate([[0.0], np.cumsum(steps)])
+    return RoadSamples(name, s, points, heading, np.array(width), 1, route.closed)
 
 
 def polyline(

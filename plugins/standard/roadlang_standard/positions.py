@@ -84,7 +84,7 @@ class AtJunction(Position):
     road: Whole = option(None, minimum=0, help="id of the road; by default any that leads there")
     before: Length = option(0.0, minimum=0, help="how far before the stop line")
 
-    def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.LanePlace]:
+    def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.RoutePlace]:
         """One in each lane, as far before its end as the lane is long enough."""
         turns = enumerate(lanes.turns)
         leading = [lane for lane, out in turns if any(turn.junction == self.id for turn in out)]
@@ -101,8 +101,8 @@ class AtJunction(Position):
         return [_before(lanes, lane, self.before) for lane in chosen]
 
 
-def _before(lanes: geometry.LaneGraph, lane: int, distance: float) -> geometry.LanePlace:
+def _before(lanes: geometry.LaneGraph, lane: int, distance: float) -> geometry.RoutePlace:
     length, end = lanes.length(lane), lanes.end[lane]
     away = min(distance, length)
     too_short = max(distance + _ROOM - length, 0.0)
-    return geometry.LanePlace(lane, end - away if lanes.forward(lane) else end + away, too_short)
+    return geometry.RoutePlace(lane, end - away if lanes.forward(lane) else end + away, too_short)

@@ -14,7 +14,7 @@ Nothing is imported until a name is used.
   `anchored_nodes`, `junction_window`
 - junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`,
   `minor_roads`; triangles of their areas: `triangulated`
-- lanes of a network, and how one leads into others: `LaneGraph`, `LanePlace`
+- lanes of a network, and how one leads into others: `LaneGraph`, `RoutePlace`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
@@ -75,7 +75,7 @@ if TYPE_CHECKING:
     from .profile import OffsetProfile as OffsetProfile
     from .road import Road as Road
     from .routes.lane_graph import LaneGraph as LaneGraph
-    from .routes.shortest import LanePlace as LanePlace
+    from .routes.shortest import RoutePlace as RoutePlace
     from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
     from .segments import Chain as Chain
@@ -129,7 +129,7 @@ _HOMES = {
     "signal_phases": "junctions.phases",
     "minor_roads": "junctions.priority",
     "LaneGraph": "routes.lane_graph",
-    "LanePlace": "routes.shortest",
+    "RoutePlace": "routes.shortest",
     "Node": "network",
     "Edge": "network",
     "RoadNetwork": "network",

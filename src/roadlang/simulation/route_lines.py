@@ -110,6 +110,14 @@ def route_line(route: SceneRoute, scene: Scene, numbers: Mapping[str, int]) -> R
     return RouteLine(LineSource(along, x, y, np.unwrap(heading), width, route.closed), tuple(legs))
 
 
+def route_points(scene: Scene, route: SceneRoute) -> tuple[Floats, Floats, Floats, Floats]:
+    """x, y, heading and width (n,) along a route of a scene: of the middles of its lanes and of the
+    connections between, as an agent follows them."""
+    numbers = {road.name: number for number, road in enumerate(scene.roads)}
+    source = route_line(route, scene, numbers).source
+    return source.x, source.y, source.heading, np.broadcast_to(source.width, source.x.shape)
+
+
 def speed_limit(road: SceneRoad, lane: int) -> float:
     """That of a lane, m/s: its own, or that of its road; infinite for none."""
     limits = [one.speed_limit for one in road.lane_list if one.id == lane]

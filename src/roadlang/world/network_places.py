@@ -13,7 +13,7 @@ from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
-from ..geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
+from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
@@ -88,7 +88,7 @@ class _Finder:
             self._on_roads(choice, index, said, into)
             return
         allowed = allowed_lanes(self.actor, self.lanes, choice, self.copies)
-        options: list[tuple[LanePlace, ...]]
+        options: list[tuple[RoutePlace, ...]]
         if self.actor.at_fraction:
             options = [(place,) for place in self._at_shares(sorted(allowed), index)]
         elif isinstance(self.actor.at, PassCall):
@@ -110,12 +110,12 @@ class _Finder:
     def _rows(self) -> list[list[float]]:
         return row_distances(self.actor, self.copies)
 
-    def _settle(self, row: int, stage: tuple[LanePlace, ...], into: Spots) -> None:
+    def _settle(self, row: int, stage: tuple[RoutePlace, ...], into: Spots) -> None:
         chosen, route = min(stage, key=lambda place: place.penalty), None
         if self._vias is not None:
             found = shortest_route(self.lanes, [stage, *self._vias.stages(row)])
             if isinstance(found, PlannedRoute):
-                route, chosen = found, LanePlace(found.legs[0].lane, found.legs[0].start)
+                route, chosen = found, RoutePlace(found.legs[0].lane, found.legs[0].start)
             else:
                 into.lacking[row] = max(into.lacking[row], UNREACHED)
             into.lacking[row] = max(into.lacking[row], self._vias.beyond(row))
@@ -132,19 +132,19 @@ class _Finder:
     def _walks(self) -> LaneWalks:
         return LaneWalks(self.actor, self.copies, self.lanes, self.lengths)
 
-    def _inside(self, place: LanePlace, row: int) -> LanePlace:
+    def _inside(self, place: RoutePlace, row: int) -> RoutePlace:
         """With both bumpers in the lane, as far as it is long enough."""
         ends = self.lanes.begin[place.lane], self.lanes.end[place.lane]
         half = min(self.lengths[row], abs(ends[1] - ends[0])) / 2.0
         station = min(max(place.station, min(ends) + half), max(ends) - half)
-        return LanePlace(place.lane, station, place.penalty)
+        return RoutePlace(place.lane, station, place.penalty)
 
-    def _at_shares(self, allowed: list[int], index: Integers) -> list[LanePlace]:
+    def _at_shares(self, allowed: list[int], index: Integers) -> list[RoutePlace]:
         """A share of the length of all lanes together."""
         ends = [(self.lanes.begin[lane], self.lanes.end[lane]) for lane in allowed]
         numbers, stations = _at_share(self._shares()[index], ends)
         return [
-            LanePlace(allowed[number], station)
+            RoutePlace(allowed[number], station)
             for number, station in zip(numbers.tolist(), stations.tolist(), strict=True)
         ]
 
@@ -158,7 +158,7 @@ class _Finder:
 
     def _near_points(
         self, allowed: frozenset[int], index: Integers, into: Spots
-    ) -> list[tuple[LanePlace, ...]]:
+    ) -> list[tuple[RoutePlace, ...]]:
         points, which = np.unique(self._points()[index], axis=0, return_inverse=True)
         near = near_roads(self.lanes, points)
         into.lacking[index] = np.maximum(near.distance.min(axis=0) - FARTHEST, 0.0)[which.ravel()]
@@ -225,10 +225,10 @@ def _at_share(shares: Floats, ends: Any) -> tuple[Integers, Floats]:
 
 def _nearest_allowed(
     near: NearRoads, lanes: LaneGraph, point: int, allowed: frozenset[int]
-) -> tuple[LanePlace, ...]:
+) -> tuple[RoutePlace, ...]:
     """On the nearest road that has such a lane."""
     places = [
-        (float(near.distance[number, point]), LanePlace(lane, float(near.station[number, point])))
+        (float(near.distance[number, point]), RoutePlace(lane, float(near.station[number, point])))
         for number, edge in enumerate(near.edges)
         for lane in lanes.of_edge[edge]
         if lane in allowed

@@ -10,7 +10,7 @@ import numpy as np
 from ..evaluate.copies import CopyBatch
 from ..geometry.arrays import Floats
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
-from ..geometry.routes.shortest import LanePlace, PlannedRoute
+from ..geometry.routes.shortest import PlannedRoute, RoutePlace
 from ..geometry.routes.walking import WalkPart, parts_ahead, parts_behind, walked
 from ..ir.scenario import ScenarioActor
 from .positions import Others, row_distances, standing_beside
@@ -46,12 +46,12 @@ class LaneWalks:
                 into.stand(row, road, target, lane, float(standing.offset[row, 0]), backward)
                 into.lacking[row] = self._beyond(row, road, target)
                 continue
-            place = LanePlace(number, self._to_root(row, number, start))
+            place = RoutePlace(number, self._to_root(row, number, start))
             away = start - target if backward else target - start
             route = routes[row] if routes is not None else None
             self._walk(row, place, away, rows[row], route, into)
 
-    def row_behind_first(self, row: int, place: LanePlace, route: PlannedRoute | None,
+    def row_behind_first(self, row: int, place: RoutePlace, route: PlannedRoute | None,
                          distances: Sequence[float], into: Spots) -> None:  # fmt: skip
         """One of a row (`spacing`) whose first stands at a place."""
         self._walk(row, place, 0.0, distances, route, into)
@@ -59,7 +59,7 @@ class LaneWalks:
     def _walk(
         self,
         row: int,
-        place: LanePlace,
+        place: RoutePlace,
         away: float,
         distances: Sequence[float],
         route: PlannedRoute | None,

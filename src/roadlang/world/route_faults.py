@@ -8,7 +8,7 @@ from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..geometry.routes.lane_graph import LaneGraph
-from ..geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
+from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from ..ir.scenario import ScenarioActor
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
@@ -55,7 +55,7 @@ def _far(actor: ScenarioActor, point: tuple[float, float], distance: float) -> D
 def _no_way(
     actor: ScenarioActor,
     goal: NearPoints | NamedPlaces,
-    stages: list[tuple[LanePlace, ...]],
+    stages: list[tuple[RoutePlace, ...]],
     failed: int,
     lanes: LaneGraph,
 ) -> Diagnostic:

@@ -11,7 +11,7 @@ from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
-from ..geometry.routes.shortest import LanePlace
+from ..geometry.routes.shortest import RoutePlace
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
@@ -30,9 +30,9 @@ class NearPoints:
     which: Integers
     near: NearRoads
     lanes: LaneGraph
-    _places: dict[int, tuple[LanePlace, ...]] = field(default_factory=dict)
+    _places: dict[int, tuple[RoutePlace, ...]] = field(default_factory=dict)
 
-    def places(self, row: int) -> tuple[LanePlace, ...]:
+    def places(self, row: int) -> tuple[RoutePlace, ...]:
         """In the lanes near the point of a copy."""
         number = int(self.which[row])
         if number not in self._places:
@@ -58,7 +58,7 @@ class NamedPlaces:
     copies: CopyBatch
     lanes: LaneGraph
 
-    def places(self, row: int) -> tuple[LanePlace, ...]:
+    def places(self, row: int) -> tuple[RoutePlace, ...]:
         """Those that it stands for."""
         return lane_places_of(self.actor, self.call, self.copies, row, self.lanes)
 
@@ -69,7 +69,7 @@ class RoutePoints:
 
     parts: tuple[NearPoints | NamedPlaces, ...]
 
-    def stages(self, row: int) -> list[tuple[LanePlace, ...]]:
+    def stages(self, row: int) -> list[tuple[RoutePlace, ...]]:
         """The places in lanes that a copy passes one of each."""
         return [part.places(row) for part in self.parts]
 

@@ -10,7 +10,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build
 from ..geometry.routes.lane_graph import LaneGraph
-from ..geometry.routes.shortest import LanePlace
+from ..geometry.routes.shortest import RoutePlace
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
@@ -24,7 +24,7 @@ def lane_places_of(
     row: int,
     lanes: LaneGraph,
     allowed: frozenset[int] | None = None,
-) -> tuple[LanePlace, ...]:
+) -> tuple[RoutePlace, ...]:
     """The places that a position stands for, for one copy; of the `allowed` lanes alone.
 
     Raises RL472 where the network has no such place, RL474 for what is no place of it.
@@ -33,7 +33,7 @@ def lane_places_of(
     built = build(call, single, element_of(actor), single=True)
     with built.guarded:
         found: Any = tuple(built.kind.lane_places(lanes))
-    if not all(isinstance(item, LanePlace) and item.lane < len(lanes.lanes) for item in found):
+    if not all(isinstance(item, RoutePlace) and item.lane < len(lanes.lanes) for item in found):
         raise wrong_result(built.entry, call.span, "gave something that is no place in a lane")
     chosen = tuple(item for item in found if allowed is None or item.lane in allowed)
     if not chosen:

@@ -11,7 +11,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
-from ..geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
+from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from ..geometry.routes.walking import following_legs, straight_route
 from ..geometry.routes.wandering import random_route
 from ..ir.placed_batch import PlacedBatch
@@ -94,12 +94,12 @@ def _plan(
         into.reshape(-1)[row] = route if isinstance(route, PlannedRoute) else None
 
 
-def _after(lanes: LaneGraph, start: LanePlace, lead: PlannedRoute | None) -> PlannedRoute:
+def _after(lanes: LaneGraph, start: RoutePlace, lead: PlannedRoute | None) -> PlannedRoute:
     """The way of another from one's own place; straight on, where it has none."""
     if lead is not None:
         legs = following_legs(lanes, start, lead)
-        passed = [(LanePlace(leg.lane, leg.stop),) for leg in legs if leg.turn is not None]
-        last = (LanePlace(legs[-1].lane, legs[-1].stop),)
+        passed = [(RoutePlace(leg.lane, leg.stop),) for leg in legs if leg.turn is not None]
+        last = (RoutePlace(legs[-1].lane, legs[-1].stop),)
         found = shortest_route(lanes, [(start,), *passed, last])
         if isinstance(found, PlannedRoute):
             return found
@@ -108,7 +108,7 @@ def _after(lanes: LaneGraph, start: LanePlace, lead: PlannedRoute | None) -> Pla
 
 def _starts(
     actor: ScenarioActor, where: PlacedBatch, lanes: LaneGraph, copies: CopyBatch
-) -> list[LanePlace | None]:
+) -> list[RoutePlace | None]:
     """(R) where copies stand, by arc length of the root; None of one in no lane."""
     road, lane, backward = (
         getattr(where, name).reshape(-1).tolist() for name in ("road", "lane", "backward")
@@ -121,7 +121,7 @@ def _starts(
     numbers = {lane: number for number, lane in enumerate(lanes.lanes)}
     keys = (TravelLane(*parts) for parts in zip(road, lane, backward, strict=True))
     return [
-        LanePlace(numbers[key], float(station[row])) if key in numbers else None
+        RoutePlace(numbers[key], float(station[row])) if key in numbers else None
         for row, key in enumerate(keys)
     ]
 

@@ -15,7 +15,7 @@ from roadlang.geometry import RoadNetwork, network_of_polylines
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
 from roadlang.geometry.routes.lane_graph import LANE_CHANGE, LaneGraph, TravelLane, lane_graph
 from roadlang.geometry.routes.nearest_lanes import near_roads
-from roadlang.geometry.routes.shortest import LanePlace, PlannedRoute, shortest_route
+from roadlang.geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from roadlang.geometry.routes.wandering import random_route
 from tests.geometry.junctions.crossings_of_roads import sections_of, star
 
@@ -110,8 +110,8 @@ def test_lanes_are_changed_where_the_turn_needs_another() -> None:
         for turn in graph.turns[lane]
         if turn.turn == "left" and turn not in graph.turns[start]
     )
-    goal = LanePlace(left.target, graph.end[left.target])
-    route = shortest_route(graph, [[LanePlace(start, 95.0)], [goal]])
+    goal = RoutePlace(left.target, graph.end[left.target])
+    route = shortest_route(graph, [[RoutePlace(start, 95.0)], [goal]])
     assert isinstance(route, PlannedRoute)
     assert_drivable(graph, route)
     assert len([leg for leg in route.legs if leg.turn is None]) == 2
@@ -142,7 +142,7 @@ def test_a_closed_road_without_junction_goes_on_over_its_seam() -> None:
     angles = np.linspace(0.0, 2.0 * math.pi, 60, endpoint=False)
     ring = [(50.0 * math.cos(a), 50.0 * math.sin(a)) for a in angles]
     graph = graph_of(network_of_polylines([[*ring, ring[0]]], 7.0))
-    route = random_route(graph, LanePlace(0, 30.0), 700.0, 0.3)
+    route = random_route(graph, RoutePlace(0, 30.0), 700.0, 0.3)
     lengths = sum(abs(leg.stop - leg.start) for leg in route.legs)
     assert lengths == pytest.approx(700.0)
 
@@ -166,23 +166,23 @@ def test_a_random_route_is_drivable(
         return
     lane = int(share * len(graph.lanes))
     middle = (graph.begin[lane] + graph.end[lane]) / 2.0
-    assert_drivable(graph, random_route(graph, LanePlace(lane, middle), 300.0, number))
+    assert_drivable(graph, random_route(graph, RoutePlace(lane, middle), 300.0, number))
 
 
 @given(number=numbers)
 @settings(max_examples=30, deadline=None)
 def test_close_numbers_begin_with_the_same_turns(number: float) -> None:
     graph = graph_of(grid())
-    first = random_route(graph, LanePlace(0, graph.begin[0]), 400.0, number)
+    first = random_route(graph, RoutePlace(0, graph.begin[0]), 400.0, number)
     near = min(number + 1e-9, 1.0 - 1e-9)
-    other = random_route(graph, LanePlace(0, graph.begin[0]), 400.0, near)
+    other = random_route(graph, RoutePlace(0, graph.begin[0]), 400.0, near)
     assert first.legs[0].turn == other.legs[0].turn
 
 
 def test_all_turns_are_equally_likely() -> None:
     graph = graph_of(star(0.0, 90.0, 180.0, 270.0))
     inbound = graph.lanes.index(TravelLane(1, 1, True))
-    start = LanePlace(inbound, graph.begin[inbound])
+    start = RoutePlace(inbound, graph.begin[inbound])
     routes = [random_route(graph, start, 150.0, (k + 0.5) / 300) for k in range(300)]
     chosen = [route.legs[-1].lane for route in routes]
     counts = [chosen.count(lane) for lane in set(chosen)]

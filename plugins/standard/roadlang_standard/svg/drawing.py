@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from . import actors, furniture, ghost, palette, photo, profiles
+from .agent_routes import agent_routes
 from .legend import legend_of
 from .markup import element, group, text, title
 from .ribbon import Ribbon, ribbon_of
@@ -84,6 +85,7 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         violations(scene, ribbons),
         actors.objects(scene, viewport),
         *_stations(scene, selection, ribbons, viewport, style),
+        agent_routes(scene, viewport, style.font),
         actors.agents(scene, viewport),
         tight_places(scene, ribbons, style.font) if style.profiles and style.labels else "",
         actors.labels(scene, viewport, style.font) if style.labels else "",

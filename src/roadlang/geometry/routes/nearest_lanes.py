@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Floats, Integers
 from .lane_graph import LaneGraph
-from .shortest import LanePlace
+from .shortest import RoutePlace
 
 _AT_JUNCTION = 10.0
 """Meters: how much farther than the nearest the other roads of a junction may be for a point in it,
@@ -39,7 +39,7 @@ class NearRoads:
 
     def options(
         self, graph: LaneGraph, point: int, allowed: Callable[[int], bool]
-    ) -> tuple[LanePlace, ...]:
+    ) -> tuple[RoutePlace, ...]:
         """The places of a point: in the lanes of the nearest road, and of a point in a junction in
         those of all its roads. `allowed` says which lanes of the graph count."""
         nearest = int(np.argmin(self.distance[:, point]))
@@ -48,7 +48,7 @@ class NearRoads:
             close = self.distance[:, point] <= self.distance[nearest, point] + _AT_JUNCTION
             numbers = np.flatnonzero(close & (self.beyond[:, point] > 1e-6)).tolist()
         return tuple(
-            LanePlace(lane, float(self.station[number, point]), _OTHER_SIDE * float(across))
+            RoutePlace(lane, float(self.station[number, point]), _OTHER_SIDE * float(across))
             for number in numbers
             for lane, across in zip(
                 graph.of_edge[self.edges[number]], self.across[number][:, point], strict=True

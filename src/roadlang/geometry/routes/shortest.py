@@ -13,7 +13,7 @@ CHANGE_COST = 30.0
 
 
 @dataclass(frozen=True, slots=True)
-class LanePlace:
+class RoutePlace:
     """A place in a lane of a graph: an arc length of the edge; `penalty` is what it costs to choose
     it among others, in meters."""
 
@@ -64,12 +64,12 @@ class _Way:
 
 @dataclass(frozen=True, slots=True)
 class _Reached:
-    place: LanePlace
+    place: RoutePlace
     cost: float
     legs: tuple[Leg, ...]
 
 
-def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[LanePlace]]) -> PlannedRoute | int:
+def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[RoutePlace]]) -> PlannedRoute | int:
     """The cheapest route that passes one place of each stage, in order.
 
     Where there is none, the number of the first stage that cannot be reached.
@@ -90,7 +90,7 @@ def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[LanePlace]]) -> P
     return PlannedRoute(legs, best.cost, closed)
 
 
-def _nearest(graph: LaneGraph, reached: Sequence[_Reached], place: LanePlace) -> _Reached | None:
+def _nearest(graph: LaneGraph, reached: Sequence[_Reached], place: RoutePlace) -> _Reached | None:
     best: tuple[float, _Reached, _Way] | None = None
     for item in reached:
         way = _way(graph, item.place, place)
@@ -103,7 +103,7 @@ def _nearest(graph: LaneGraph, reached: Sequence[_Reached], place: LanePlace) ->
     return _Reached(place, cost + place.penalty, legs)
 
 
-def _way(graph: LaneGraph, origin: LanePlace, goal: LanePlace) -> _Way | None:
+def _way(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace) -> _Way | None:
     """The cheapest way between two places."""
     best: _Way | None = None
     direct = _within_road(graph, origin.lane, origin.station, goal)
@@ -122,7 +122,7 @@ def _way(graph: LaneGraph, origin: LanePlace, goal: LanePlace) -> _Way | None:
     return best
 
 
-def _within_road(graph: LaneGraph, lane: int, station: float, goal: LanePlace) -> float | None:
+def _within_road(graph: LaneGraph, lane: int, station: float, goal: RoutePlace) -> float | None:
     """The cost from a place to a goal ahead on the same road; None where it is not."""
     if goal.lane not in graph.changes[lane]:
         return None
@@ -160,7 +160,7 @@ def _searched(graph: LaneGraph, source: int) -> _Tree:
     return _Tree(cost, before)
 
 
-def _legs(graph: LaneGraph, origin: LanePlace, goal: LanePlace, way: _Way) -> tuple[Leg, ...]:
+def _legs(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace, way: _Way) -> tuple[Leg, ...]:
     if way.turn is None:
         return lane_legs(graph, origin.lane, goal.lane, origin.station, goal.station, None)
     tree = _tree(graph, way.turn.target)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from .lane_graph import LaneGraph, Turn
-from .shortest import LanePlace, Leg, PlannedRoute
+from .shortest import Leg, PlannedRoute, RoutePlace
 
 MeasureLane = Callable[[int, float, float], float]
 """Meters along a lane of the graph between two arc lengths of its edge, as the road is bent"""
@@ -33,7 +33,7 @@ class Reached:
     lacking: float = 0.0
 
 
-def straight_on(graph: LaneGraph, place: LanePlace) -> Iterator[Leg]:
+def straight_on(graph: LaneGraph, place: RoutePlace) -> Iterator[Leg]:
     """From a place on, straight ahead at junctions where that is possible."""
     lane, station = place.lane, place.station
     for _ in range(_MOST_PARTS):
@@ -44,7 +44,7 @@ def straight_on(graph: LaneGraph, place: LanePlace) -> Iterator[Leg]:
         lane, station = turn.target, graph.begin[turn.target]
 
 
-def straight_route(graph: LaneGraph, place: LanePlace, length: float) -> PlannedRoute:
+def straight_route(graph: LaneGraph, place: RoutePlace, length: float) -> PlannedRoute:
     """Straight on for `length` meters, or until the lanes end."""
     legs: list[Leg] = []
     left = length
@@ -60,7 +60,7 @@ def straight_route(graph: LaneGraph, place: LanePlace, length: float) -> Planned
 
 
 def parts_ahead(
-    graph: LaneGraph, place: LanePlace, route: PlannedRoute | None
+    graph: LaneGraph, place: RoutePlace, route: PlannedRoute | None
 ) -> Iterator[WalkPart]:
     """The way on from a place: in its lane to the end of the road, then as the route leads."""
     lane, station = place.lane, place.station
@@ -72,7 +72,7 @@ def parts_ahead(
         lane, station = turn.target, graph.begin[turn.target]
 
 
-def parts_behind(graph: LaneGraph, place: LanePlace) -> Iterator[WalkPart]:
+def parts_behind(graph: LaneGraph, place: RoutePlace) -> Iterator[WalkPart]:
     """The way back from a place, straight where that is possible."""
     lane, station = place.lane, place.station
     for _ in range(_MOST_PARTS):
@@ -109,7 +109,7 @@ def walked(
 
 
 def _turns_of(
-    graph: LaneGraph, place: LanePlace, route: PlannedRoute | None
+    graph: LaneGraph, place: RoutePlace, route: PlannedRoute | None
 ) -> Iterator[Turn | None]:
     if route is None:
         yield from (leg.turn for leg in straight_on(graph, place))
@@ -118,11 +118,11 @@ def _turns_of(
     yield from (leg.turn for leg in legs if leg.turn is not None)
     last = legs[-1] if legs else None
     if last is None or last.turn is None:
-        goal = place if last is None else LanePlace(last.lane, last.start)
+        goal = place if last is None else RoutePlace(last.lane, last.start)
         yield from (leg.turn for leg in straight_on(graph, goal))
 
 
-def following_legs(graph: LaneGraph, place: LanePlace, route: PlannedRoute) -> tuple[Leg, ...]:
+def following_legs(graph: LaneGraph, place: RoutePlace, route: PlannedRoute) -> tuple[Leg, ...]:
     """The legs of a route from the road of a place on; all of them, if it is on none of them."""
     roads = graph.carriageways[place.lane]
     for number, leg in enumerate(route.legs):

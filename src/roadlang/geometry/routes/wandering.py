@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .lane_graph import Exit, LaneGraph
-from .shortest import LanePlace, Leg, PlannedRoute, lane_legs
+from .shortest import Leg, PlannedRoute, RoutePlace, lane_legs
 
 _TURNS_PER_NUMBER = 12
 _SCRAMBLE = 0.6180339887498949
@@ -13,7 +13,9 @@ _LAST = 20.0
 _MOST_TURNS = 10_000
 
 
-def random_route(graph: LaneGraph, origin: LanePlace, length: float, number: float) -> PlannedRoute:
+def random_route(
+    graph: LaneGraph, origin: RoutePlace, length: float, number: float
+) -> PlannedRoute:
     """From a place on, until `length` meters are driven or the lanes end.
 
     All roads that can be turned into are equally likely. `number` in [0, 1) decides: its leading

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ...geometry.arrays import Booleans, Floats, Integers
     from ...geometry.routes.lane_graph import LaneGraph
-    from ...geometry.routes.shortest import LanePlace
+    from ...geometry.routes.shortest import RoutePlace
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +47,7 @@ class Position(Kind):
         lane that the road does not have is RL613."""
         raise NotImplementedError
 
-    def lane_places(self, lanes: LaneGraph) -> Sequence[LanePlace]:
+    def lane_places(self, lanes: LaneGraph) -> Sequence[RoutePlace]:
         """The places in the lanes of a network that it stands for, of which the one is chosen that
         makes the route the shortest, or, without route, the first with the least penalty. Raises
         GeometryError where the network has none."""
