@@ -8,14 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang.ir.scene import RoadPlace, Verdict, ViolatedSegment
 from roadlang.ir.scene_lane import SceneLane
 from roadlang_standard.svg import ghost, palette
 from roadlang_standard.svg.lanes import bands, lane_lines
 from roadlang_standard.svg.ribbon import ribbon_of, unfolded
 from roadlang_standard.svg.roads import roads
-from roadlang_standard.svg.tightest import tight_places
-from roadlang_standard.svg.violations import violations
 from tests.backends.handmade_scenes import bend, through
 from tests.backends.svg_shapes import (
     PAGE,
@@ -24,7 +21,6 @@ from tests.backends.svg_shapes import (
     numbers,
     of,
     points,
-    shapes,
     straight,
     straight_ribbon,
     written,
@@ -279,82 +275,54 @@ def test_versions_are_outlines_and_dashed_lines_each_in_its_color() -> None:
     assert len(written(drawn)) == 2
 
 
-def judged(*segments: ViolatedSegment, name: str = "calm") -> Verdict:
-    return replace(bend().expectations[0], name=name, violated=segments)
-
-
-def test_violations_are_bands_beside_the_left_edge_one_beyond_the_other() -> None:
-    """4 px each: the first begins 3.6 px outside the edge, the second 7.6 px."""
-    segment = ViolatedSegment("main", 20.0, 30.0)
-    first, second = judged(segment), judged(segment, name="slow")
-    scene = replace(bend(), requirements=(), expectations=(first, second))
-    band, area, other = of(violations(scene, {"main": straight_ribbon()}), "path")
-    assert ends(band) == near(200, 206.4, 300, 206.4)
-    assert ends(other) == near(200, 202.4, 300, 202.4)
-    assert numbers(band, "stroke-width") == near(3.2)
-    assert [band.get("stroke"), other.get("stroke")] == list(palette.VIOLATIONS[:2])
-    assert ends(area) == near(200, 210, 200, 290)
-    hints = [
-        shape.text
-        for shape in shapes(violations(scene, {"main": straight_ribbon()}))
-        if shape.tag == "title"
+def test_a_road_is_painted_in_layers() -> None:
+    """The casing, round at its corners, then lanes beside, the surface, and what is on it."""
+    lanes = (lane(1, "drive", 3.0, marking="solid"), lane(-1, "median", 1.0),
+             lane(-2, "drive", 3.0), lane(-3, "sidewalk", 1.0))  # fmt: skip
+    scene = replace(bend(), roads=(straight(**of_lanes(*lanes)),))
+    drawn = roads(scene, {"main": ribbon_of(scene.roads[0], PAGE)}, ["main"], PAGE)
+    layers = [
+        {key: value for key, value in layer.attrib.items() if key != "font-size"}
+        for layer in of(drawn, "g")
     ]
-    assert hints == [f"{name} violated: 20.0 m to 30.0 m" for name in ("calm", "slow")]
-
-
-def test_a_violation_at_one_place_is_a_dash_of_2_pixels() -> None:
-    scene = replace(bend(), requirements=(),
-                    expectations=(judged(ViolatedSegment("main", 50.0, 50.0)),))  # fmt: skip
-    dash = of(violations(scene, {"main": straight_ribbon()}), "path")[0]
-    assert ends(dash) == near(499, 206.4, 501, 206.4)
-
-
-def test_a_violation_of_a_network_is_marked_on_its_roads() -> None:
-    scene = replace(bend(), requirements=(),
-                    expectations=(judged(ViolatedSegment("town", 20.0, 30.0)),))  # fmt: skip
-    ribbons = {name: straight_ribbon() for name in ("town/1", "town/2", "township/1")}
-    assert len(of(violations(scene, ribbons), "path")) == 4
-
-
-def pins(*places: float, **changes: Any) -> str:
-    verdicts = [
-        replace(bend().requirements[0], name=f"r{index}", tightest=RoadPlace("main", place))
-        for index, place in enumerate(places)
+    assert layers == [
+        {"class": "roads"},
+        {"fill": palette.CASING, "stroke": palette.CASING, "stroke-linejoin": "round"},
+        {"class": "lanes", "stroke": "none"},
+        {"fill": palette.SURFACE, "stroke": "none"},
+        {"class": "lanes", "stroke": "none"},
+        {"class": "markings"},
     ]
-    scene = replace(bend(), requirements=tuple(verdicts), expectations=())
-    return tight_places(scene, {"main": straight_ribbon(**changes)}, FONT)
 
 
-def test_a_pin_stands_at_the_left_edge_with_the_name_beyond() -> None:
-    """Its foot is 3 px outside the edge at 210, its head 11 px further, the name over it."""
-    drawn = pins(50.0)
-    (line,), (foot,) = of(drawn, "line"), of(drawn, "circle")
-    assert numbers(line, "x1", "y1", "x2", "y2") == near(500, 207, 500, 196)
-    assert numbers(foot, "cx", "cy", "r") == near(500, 207, 2.4)
-    assert written(drawn) == [("r0", *near_pair(500, 194.5))]
-    hints = [shape.text for shape in of(drawn, "title")]
-    assert hints == ["r0 is tightest here: \N{GREEK SMALL LETTER RHO} = 4"]
+def painted(drawn: str, tag: str, *names: str) -> list[list[str | None]]:
+    return [[shape.get(name) for name in names] for shape in of(drawn, tag)]
 
 
-def test_pins_nearer_than_34_pixels_share_one() -> None:
-    assert [name for name, _, _ in written(pins(50.0, 53.3))] == ["r0, r1"]
-    assert [name for name, _, _ in written(pins(50.0, 53.5))] == ["r0", "r1"]
+def test_an_original_is_translucent_and_its_lines_are_dashed_in_blue() -> None:
+    looks = ("fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width")
+    assert painted(ghost.ghosts([straight_ribbon()]), "path", *looks) == [
+        [palette.GHOST_FILL, "0.3", palette.GHOST_LINE, "0.75", "0.9"]
+    ]
+    assert painted(ghost.ghost_lines([straight_ribbon()]), "path", *looks) == [
+        ["none", None, palette.GHOST_LINE, "0.85", "1.1"]
+    ]
 
 
-@pytest.mark.parametrize(
-    ("heading", "anchor", "dx", "dy"),
-    [(0.0, "middle", 0, -1.5), (np.pi, "middle", 0, 7.5),
-     (np.pi / 2, "end", -2.5, 3.0), (-np.pi / 2, "start", 2.5, 3.0)],
-)  # fmt: skip
-def test_the_name_of_a_pin_is_on_the_side_away_from_the_road(
-    heading: float, anchor: str, dx: float, dy: float
-) -> None:
-    steps = np.linspace(-20, 20, 400)
-    line = through("main", [(50 + s * np.cos(heading), 25 + s * np.sin(heading)) for s in steps])
-    verdict = replace(bend().requirements[0], tightest=RoadPlace("main", 20.0))
-    scene = replace(bend(), requirements=(verdict,), expectations=())
-    drawn = tight_places(scene, {"main": ribbon_of(line, PAGE)}, FONT)
-    (stem,), (name,) = of(drawn, "line"), of(drawn, "text")
-    assert name.get("text-anchor") == anchor
-    tip, spot = numbers(stem, "x2", "y2"), numbers(name, "x", "y")
-    assert [spot[0] - tip[0], spot[1] - tip[1]] == near(dx, dy)
+def test_versions_and_routes_are_translucent_in_the_colors_of_agents() -> None:
+    looks = ("fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-dasharray")
+    assert painted(ghost.versions([straight_ribbon()], FONT), "path", *looks) == [
+        [palette.AGENTS[0], "0.3", palette.AGENTS[0], None, None],
+        ["none", None, palette.AGENTS[0], None, "7 5"],
+    ]
+    assert painted(ghost.routes([straight_ribbon()], FONT), "path", *looks) == [
+        ["none", None, palette.AGENTS[0], "0.55", None]
+    ]
+    assert painted(ghost.routes([straight_ribbon()], FONT), "path", "stroke-linecap") == [["round"]]
+
+
+def test_names_on_the_map_have_a_halo_of_the_ground() -> None:
+    halo = ("stroke", "paint-order", "text-anchor")
+    assert painted(ghost.end_label(straight_ribbon(), [], FONT, "red"), "text", *halo) == [
+        [palette.GROUND, "stroke", "middle"]
+    ]

@@ -92,3 +92,35 @@ def test_a_second_place_in_another_file_is_shown_with_that_file() -> None:
     )
     assert " --> street.rl:1:6" in render(twice).splitlines()
     assert render(twice).count(" --> ") == 2
+
+
+@pytest.mark.parametrize(
+    ("column", "before", "shown"),
+    [
+        (10, 10, "." * 10 + "<>" + "." * 148),
+        (80, 80, "." * 80 + "<>" + "." * 78),
+        (300, 80, "." * 80 + "<>" + "." * 78),
+        (398, 80, "." * 80 + "<>"),
+    ],
+)
+def test_a_line_of_more_than_160_letters_is_cut_around_its_place(
+    column: int, before: int, shown: str
+) -> None:
+    line = "." * column + "<>" + "." * (398 - column)
+    source = Source("wide.rl", line + "\n")
+    found = Diagnostic("RL001", "error", "wide", source.span(column, column + 2))
+    excerpt, underline = render(found).splitlines()[3:5]
+    assert excerpt == "1 | " + shown
+    assert underline == "  | " + " " * before + "^^"
+
+
+def test_a_line_of_160_letters_is_shown_whole() -> None:
+    source = Source("wide.rl", "." * 158 + "<>\n")
+    found = Diagnostic("RL001", "error", "wide", source.span(158, 160))
+    assert render(found).splitlines()[3] == "1 | " + "." * 158 + "<>"
+
+
+def test_an_underline_ends_with_what_is_shown_of_its_line() -> None:
+    source = Source("wide.rl", "x" * 400 + "\nnext\n")
+    found = Diagnostic("RL001", "error", "wide", source.span(0, 403))
+    assert render(found).splitlines()[4] == "  | " + "^" * 160
