@@ -1,0 +1,69 @@
+"""`check` finds what stands in one place in every scene: cars of 4.5 m on a road of 160 m."""
+
+from __future__ import annotations
+
+import pytest
+
+from roadlang import testing
+
+ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 0m)] }, lanes: 2 }\n"
+
+
+def overlaps(first: str, second: str, *, road: str = ROAD) -> list[str]:
+    text = f"{road}agent a is car on main at {first}\nagent b is car on main at {second}\n"
+    return [found.message for found in testing.check(text) if found.code == "RL616"]
+
+
+ONE_PLACE = ["`b` and `a` stand in one place, or less than they keep apart"]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "said"),
+    [
+        ("20m", "20m", ONE_PLACE),
+        ("20m", "24.9m", ONE_PLACE),                        # 0.4 m between bumpers: 0.5 are kept
+        ("20m", "25.1m", []),
+        ("24.9m", "20m", ONE_PLACE),
+        ("20m { apart: 2m }", "26m", ONE_PLACE),            # 1.5 m between
+        ("20m", "26m { apart: 2m }", ONE_PLACE),
+        ("20m { apart: 1m }", "26m { apart: 1m }", []),
+        ("20m { apart: 0m }", "24.6m { apart: 0m }", []),
+        ("20m { overlap: true }", "20m", []),
+        ("20m", "20m { overlap: true }", []),
+        ("20m", "20m { overlap: false }", ONE_PLACE),
+        ("20m { lane: 1 }", "20m", []),
+        ("20m { lane: -1 }", "20m { lane: -1 }", ONE_PLACE),
+        ("20m { facing: back }", "20m", []),
+        ("20m { facing: back }", "20m { facing: back }", ONE_PLACE),
+        ("20m { offset: 1m }", "20m", []),                  # only the same line is compared
+        ("19m..21m", "20m", []),                            # a draw has a say
+        ("20m { apart: 1m..2m }", "26m", []),
+        ("20m { count: 1 }", "20m", []),
+        ("10%", "16m", []),                                 # known when the road is built
+    ],
+)  # fmt: skip
+def test_two_cars_at_fixed_places(first: str, second: str, said: list[str]) -> None:
+    assert overlaps(first, second) == said
+
+
+def test_a_kind_that_is_drawn_has_no_fixed_length() -> None:
+    text = ROAD + "agent a is choice(car, truck) on main at 20m\nagent b is car on main at 20m\n"
+    assert not [found for found in testing.check(text) if found.code == "RL616"]
+
+
+def test_the_longer_thing_reaches_further() -> None:
+    """A truck of 9 m at 20 m ends at 24.5 m, the car at 27.2 m begins at 24.95 m."""
+    for place, count in ((27.2, 1), (27.3, 0)):
+        text = f"{ROAD}agent a is truck on main at 20m\nagent b is car on main at {place}m\n"
+        assert len([each for each in testing.check(text) if each.code == "RL616"]) == count
+
+
+@pytest.mark.parametrize(
+    ("place", "gap"), [("20m", "they overlap by 4.5m"), ("24.9m", "there are 0.4m between them")]
+)
+def test_the_help_says_how_much_room_there_is(place: str, gap: str) -> None:
+    text = f"{ROAD}agent a is car on main at 20m\nagent b is car on main at {place}\n"
+    (found,) = testing.check(text)
+    assert found.help == (f"{gap}: leave more room, or write `overlap: true` if that is meant",)
+    assert found.span is not None
+    assert found.span.line == 3
