@@ -92,18 +92,8 @@ def line_of(road: SceneRoad) -> RoadSamples:
         points = np.vstack([points, points[:1]])
         heading = np.append(heading, heading[0])
         width = np.append(width, width[0])
-    keep = np.append(True, np.diff(s) > 1e-9)
     section = road.cross_section()
-    return RoadSamples(
-        road.name,
-        s[keep],
-        points[keep],
-        heading[keep],
-        width[keep],
-        road.lanes,
-        road.closed,
-        section,
-    )
+    return RoadSamples(road.name, s, points, heading, width, road.lanes, road.closed, section)
 
 
 def line_of_route(name: str, scene: Scene, route: SceneRoute) -> RoadSamples:

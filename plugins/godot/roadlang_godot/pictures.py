@@ -88,7 +88,7 @@ def build(session: Session, scene: Scene, road: str = "mesh") -> Layout:
 
 def take(session: Session, layout: Layout, shot: Shot) -> bytes:
     """One picture of what stands in the engine now."""
-    session.send_json(Message.VIEW, _view(layout, shot), "the view")
+    session.send_json(Message.VIEW, view_of(layout, shot), "the view")
     session.flush()
     wish = {"width": shot.width, "height": shot.height, "format": shot.format}
     return session.picture(wish)
@@ -101,7 +101,8 @@ def meters_a_pixel(layout: Layout, shot: Shot) -> float:
     return 2 * (layout.extent + MARGIN) / min(shot.width, shot.height)
 
 
-def _view(layout: Layout, shot: Shot) -> dict[str, Any]:
+def view_of(layout: Layout, shot: Shot) -> dict[str, Any]:
+    """What the engine is told of the camera: meters and radians from the origin of the scene."""
     view: dict[str, Any] = {"camera": shot.view}
     if shot.agent is not None and shot.agent in layout.agents:
         view["agent"] = layout.agents[shot.agent]
