@@ -1,0 +1,166 @@
+"""The same table from real processes, also where one is killed, and after an interruption."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import roadlang
+from roadlang import Falsification
+from roadlang.session.cluster import cluster
+
+pytestmark = pytest.mark.slow
+
+TEXT = """
+road main {
+  draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 40m), (240m, 40m), (340m, 0m)] }
+  width: 8m, lanes: 2
+}
+road bent from main { perturb with harmonics { modes: 4, amplitude: 6m } }
+require radius: always (abs(curvature(bent)) < 1 / 14m)
+agent ego is choice(car, van) on bent at 5m..15m {
+  drive with stanley { speed: (14m/s)..(20m/s), lateral_acceleration: 6m/s^2 }
+}
+world { friction: 0.6 }
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
+"""
+FEW: dict[str, Any] = {"evaluations": 240, "batch": 60, "seed": 2}
+
+
+@pytest.fixture(scope="module")
+def alone() -> Falsification:
+    found = roadlang.loads(TEXT).falsify(**FEW)
+    assert found.failures
+    return found
+
+
+def test_two_processes_give_the_table_of_one(alone: Falsification) -> None:
+    found = roadlang.loads(TEXT).falsify(**FEW, jobs=2)
+    assert found.outcomes == alone.outcomes
+    assert [one.outcome for one in found.failures] == [one.outcome for one in alone.failures]
+
+
+def test_a_killed_process_loses_nothing(alone: Falsification) -> None:
+    before = {process.pid for process in multiprocessing.active_children()}
+    killed: list[int] = []
+
+    def kill_one(done: int, wanted: int) -> None:
+        ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
+        if not killed and ours and ours[0] is not None:
+            killed.append(ours[0])
+            os.kill(ours[0], signal.SIGKILL)
+
+    found = roadlang.loads(TEXT).falsify(**FEW, jobs=2, progress=kill_one)
+    assert killed
+    assert found.outcomes == alone.outcomes
+
+
+def test_a_process_killed_at_work_loses_nothing(alone: Falsification) -> None:
+    before = {process.pid for process in multiprocessing.active_children()}
+
+    def kill_one() -> int:
+        while True:  # until there are two workers, then in the middle of what they do
+            ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
+            if len(ours) == 2 and ours[1] is not None:
+                time.sleep(1.0)
+                os.kill(ours[1], signal.SIGKILL)
+                return ours[1]
+            time.sleep(0.02)
+
+    with ThreadPoolExecutor(1) as threads:
+        killing = threads.submit(kill_one)
+        found = roadlang.loads(TEXT).falsify(**FEW, jobs=2)
+        assert killing.done()
+    assert found.outcomes == alone.outcomes
+
+
+@pytest.fixture(scope="module")
+def workers() -> Iterator[Any]:
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as local:
+        yield local
+
+
+def test_a_cluster_that_loses_a_worker_gives_the_same_table(
+    alone: Falsification, workers: Any
+) -> None:
+    killed: list[int] = []
+
+    def kill_one(done: int, wanted: int) -> None:
+        if not killed:
+            (first, *_) = workers.workers.values()
+            killed.append(first.pid)
+            os.kill(first.pid, signal.SIGKILL)
+
+    with cluster(workers.scheduler_address, 1) as (count, executor):
+        found = roadlang.loads(TEXT).falsify(
+            **FEW, jobs=count, executor=executor, progress=kill_one
+        )
+    assert killed
+    assert found.outcomes == alone.outcomes
+
+
+def test_every_failure_replays_alone_to_the_same_bytes(
+    alone: Falsification, tmp_path: Path
+) -> None:
+    for failure in alone.failures:
+        path = failure.scene.save(tmp_path / "failure.json")
+        drive = roadlang.Scene.from_json(path.read_text()).run()
+        assert drive.verdicts["in_lane"].satisfied is False
+        assert drive.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
+        assert drive.to_json() == failure.drive.to_json()
+
+
+@pytest.mark.parametrize(
+    ("command", "tables"),
+    [
+        (["falsify", "--evaluations", "240", "--batch", "40"], ["failing.csv", "safe.csv"]),
+        (["run", "-n", "40"], ["results.csv"]),
+    ],
+    ids=["falsify", "run"],
+)
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_what_was_killed_is_resumed_to_the_same_tables(
+    command: list[str], tables: list[str], jobs: str, tmp_path: Path
+) -> None:
+    (tmp_path / "scene.rl").write_text(TEXT)
+    arguments = [command[0], "scene.rl", *command[1:], "--seed", "2"]
+    assert _roadlang([*arguments, "-o", "whole"], tmp_path).wait() in (0, 4)
+    interrupted = _roadlang([*arguments, "-o", "part", "--jobs", jobs], tmp_path)
+    journal = tmp_path / "part" / "journal.jsonl"
+    _wait_for(lambda: journal.exists() and journal.read_bytes().count(b"\n") > 20)
+    os.killpg(interrupted.pid, signal.SIGKILL)
+    interrupted.wait()
+    resumed = _roadlang([*arguments, "-o", "part", "--jobs", jobs, "--resume"], tmp_path)
+    assert resumed.wait() in (0, 4)
+    for name in tables:
+        assert (tmp_path / "part" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
+
+
+def _roadlang(arguments: list[str], folder: Path) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "roadlang", *arguments],
+        cwd=folder,
+        stdout=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+
+
+def _wait_for(holds: Callable[[], bool]) -> None:
+    for _ in range(1200):
+        if holds():
+            return
+        time.sleep(0.05)
+    raise AssertionError("it has not come in a minute")
