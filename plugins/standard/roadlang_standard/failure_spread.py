@@ -4,84 +4,81 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .failure_model import FailureModel, squares_apart
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
 
-_STEP, _LEAST_STEP, _MOST_STEP = 0.12, 0.02, 0.5
-_GOOD_SHARE = 0.3
-"""Share of failures among moved candidates at which the length of moves stays as it is."""
-_ON_LINE, _CROSSED = 0.5, 0.25
-"""Shares of candidates between two failures and mixed of two; the others move away from one."""
-_JITTER = 0.05
-"""Step that candidates of two failures take as well."""
+_POOL = 40
+"""Children made for each that is chosen."""
+_LEAST_STEP, _MOST_STEP = 0.03, 0.4
+"""Of the normal steps that children take, in parts of each range."""
+_ON_LINE, _CROSSED = 0.3, 0.3
+"""Shares of children on the line between two failures, and mixed of two (uniform crossover)."""
+_APART = 1.3
+"""How far from all failures a child should be: further than 1 is distinct."""
+_ALIKE = 3.0
+"""What a child loses in value that is like a failure; the best value is below 0, the worst 1."""
 
 
 class FailureSpread:
-    """An archive of distinct failures. Those that were used least get offspring: on the line to
-    another, mixed with another (uniform crossover), or moved by normal steps, whose length
-    adapts."""
+    """Distinct failures and their offspring, of which a model of what was evaluated so far chooses
+    those that should fail, each unlike all others (surrogate-assisted illumination: Gaier, Asteroth
+    and Mouret 2018, without the grid of cells: distances of descriptors count)."""
 
     def __init__(self, random: np.random.Generator) -> None:
         self._random = random
         self._parents: list[Floats] = []
         self._descriptors: list[Floats] = []
-        self._offspring: list[int] = []
-        self._step = _STEP
-        self._moved: list[bool] = []
+        self._model = FailureModel()
 
     def __len__(self) -> int:
         return len(self._parents)
 
-    def add(self, vector: Floats, descriptor: Floats) -> None:
-        """Add a failure, unless it is like one that is there."""
+    def tell(self, vectors: Floats, values: Floats, descriptors: Floats) -> None:
+        """What came of candidates, these or others: (n, columns), (n,), (n, D)."""
         import numpy as np
 
-        if self._descriptors:
-            gaps = np.stack(self._descriptors) - descriptor
-            if (gaps * gaps).sum(axis=1).min() <= 1.0:
-                return
-        self._parents.append(vector)
-        self._descriptors.append(descriptor)
-        self._offspring.append(0)
+        self._model.tell(vectors, values, descriptors)
+        for row in np.flatnonzero(values < 0.0):
+            if self._descriptors:
+                gaps = np.stack(self._descriptors) - descriptors[row]
+                if (gaps * gaps).sum(axis=1).min() <= 1.0:
+                    continue
+            self._parents.append(vectors[row])
+            self._descriptors.append(descriptors[row])
 
     def ask(self, count: int) -> Floats:
         """(count, columns) vectors in [0, 1]; there has to be a failure."""
         import numpy as np
 
-        vectors = [self._child() for _ in range(count)]
-        return np.stack(vectors)
+        children = self._children(_POOL * count)
+        values, descriptors = self._model.predicted(children)
+        nearest = squares_apart(descriptors, np.stack(self._descriptors)).min(axis=1)
+        chosen = []
+        for _ in range(count):
+            lacking = np.maximum(_APART - np.sqrt(nearest), 0.0)
+            best = int((values + _ALIKE * lacking).argmin())
+            chosen.append(best)
+            off = squares_apart(descriptors, descriptors[best : best + 1])[:, 0]
+            nearest = np.minimum(nearest, off)
+            values[best] = np.inf
+        return children[chosen]
 
-    def tell(self, values: Floats) -> None:
-        """Take the results of the last vectors; the step length adapts."""
+    def _children(self, count: int) -> Floats:
         import numpy as np
 
-        moved = np.array(self._moved[: len(values)], dtype=bool)
-        if moved.any():
-            share = float((values[moved] < 0.0).mean())
-            self._step *= float(np.exp(0.5 * (share - _GOOD_SHARE)))
-            self._step = min(max(self._step, _LEAST_STEP), _MOST_STEP)
-        self._moved = []
-
-    def _child(self) -> Floats:
-        import numpy as np
-
-        random = self._random
-        least = min(self._offspring)
-        parents = [i for i, count in enumerate(self._offspring) if count <= least]
-        chosen = parents[int(random.integers(len(parents)))]
-        self._offspring[chosen] += 1
-        child = self._parents[chosen].copy()
-        other = self._parents[int(random.integers(len(self._parents)))]
-        way = random.random()
-        if way < _ON_LINE:
-            child = child + random.random() * (other - child)
-        elif way < _ON_LINE + _CROSSED:
-            child = np.where(random.random(len(child)) < 0.5, other, child)
-        is_moved = way >= _ON_LINE + _CROSSED
-        self._moved.append(is_moved)
-        step = self._step if is_moved else _JITTER
-        child = child + step * random.standard_normal(len(child))
+        random, parents = self._random, np.stack(self._parents)
+        child = parents[random.integers(len(parents), size=count)]
+        other = parents[random.integers(len(parents), size=count)]
+        choice = random.random((count, 1))
+        on_line = child + random.random((count, 1)) * (other - child)
+        crossed = np.where(random.random(child.shape) < 0.5, other, child)
+        child = np.where(choice < _ON_LINE, on_line, child)
+        child = np.where((choice >= _ON_LINE) & (choice < _ON_LINE + _CROSSED), crossed, child)
+        step = _LEAST_STEP * (_MOST_STEP / _LEAST_STEP) ** random.random((count, 1))
+        child = child + step * random.standard_normal(child.shape)
         return np.asarray(1.0 - np.abs(np.mod(child, 2.0) - 1.0))

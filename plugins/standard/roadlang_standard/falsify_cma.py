@@ -30,16 +30,16 @@ class Cma(Searcher):
         0.3, above=0, maximum=1, help="initial standard deviation, in parts of each range"
     )
     restart: Number = option(
-        0.25,
+        0.03,
         above=0,
         maximum=1,
         help="share of failures in a generation at which the search starts somewhere else",
     )
     spread: Number = option(
-        0.5,
+        0.85,
         minimum=0,
         maximum=1,
-        help="share of generations near failures that were found, to find others unlike them",
+        help="share of candidates near failures that were found, to find others unlike them",
     )
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
@@ -47,8 +47,9 @@ class Cma(Searcher):
 
 
 class CmaSearch(Search):
-    """Runs of the strategy one after the other, the first from the middle of the cube, others from
-    random points; between them generations of candidates near failures that were found."""
+    """Two runs of the strategy side by side, each with half of the points; the first begins in the
+    middle of the cube, all others at random points. Once failures are known, one run waits, and its
+    half is spread around them. What is over is replaced."""
 
     def __init__(self, axes: Sequence[Axis], seed: int, options: Cma) -> None:
         import numpy as np
@@ -60,44 +61,50 @@ class CmaSearch(Search):
         self._encoding = CubeEncoding(axes)
         self._options = options
         self._failures = FailureSpread(self._random)
-        self._run: _Run | None = None
-        self._is_first = True
-        self._owed = 0.0
-        self._is_spreading = False
-        self._asked: Floats = np.empty((0, self._encoding.columns))
+        self._runs: list[_Run] = []
+        self._started = 0
+        self._population = 0
+        self._asked: list[tuple[_Run | FailureSpread, Floats]] = []
 
     def ask(self, count: int) -> Floats:
-        self._is_spreading = len(self._failures) > 1 and self._owed >= 1.0
-        if self._is_spreading:
-            self._owed -= 1.0
-            self._asked = self._failures.ask(count)
-        else:
-            self._asked = self._of_run(count)
-        self._owed += self._options.spread if len(self._failures) > 1 else 0.0
-        return self._encoding.points(self._asked)
-
-    def tell(self, points: Floats, values: Floats, descriptors: Floats) -> None:
-        import numpy as np
-
-        if self._is_spreading:
-            self._failures.tell(values)
-        elif self._run is not None and self._run.tell(self._asked, values, self._options.restart):
-            self._run = None
-        for row in np.flatnonzero(values < 0.0):
-            self._failures.add(self._asked[row], descriptors[row])
-
-    def _of_run(self, count: int) -> Floats:
-        """The next generation of the run, or of a new one."""
         import numpy as np
 
         columns = self._encoding.columns
+        self._asked = []
         if columns < 2:  # the strategy needs two dimensions
-            return self._random.random((count, columns))
-        if self._run is None:
-            start = np.full(columns, 0.5) if self._is_first else self._random.random(columns)
-            self._is_first = False
-            self._run = _Run(start, self._options.sigma, max(count, _SMALLEST), self._random)
-        return self._run.ask(count)
+            return self._encoding.points(self._random.random((count, columns)))
+        self._population = self._population or max(_SMALLEST, round(0.5 * count))
+        share = round(count * self._options.spread) if len(self._failures) > 1 else 0
+        if share:
+            self._asked.append((self._failures, self._failures.ask(share)))
+            count -= share
+        number = 0
+        while count > 0:
+            if number == len(self._runs):
+                self._runs.append(self._new_run())
+            run = self._runs[number]
+            self._asked.append((run, run.ask(min(count, run.rest))))
+            count -= len(self._asked[-1][1])
+            number += 1
+        return self._encoding.points(np.concatenate([vectors for _, vectors in self._asked]))
+
+    def tell(self, points: Floats, values: Floats, descriptors: Floats) -> None:
+        first = 0
+        for asked, vectors in self._asked:
+            part = slice(first, first + len(vectors))
+            first = part.stop
+            restart = self._options.restart
+            if isinstance(asked, _Run) and asked.tell(vectors, values[part], restart):
+                self._runs.remove(asked)
+            self._failures.tell(vectors, values[part], descriptors[part])
+
+    def _new_run(self) -> _Run:
+        import numpy as np
+
+        columns = self._encoding.columns
+        start = self._random.random(columns) if self._started else np.full(columns, 0.5)
+        self._started += 1
+        return _Run(start, self._options.sigma, self._population, self._random)
 
 
 class _Run:
@@ -111,6 +118,11 @@ class _Run:
         self._told: list[tuple[Floats, float]] = []
         self._best = float("inf")
         self._stale = 0
+
+    @property
+    def rest(self) -> int:
+        """Points that the current generation still lacks."""
+        return self.population - len(self._told)
 
     def ask(self, count: int) -> Floats:
         """Points of the current generation, which may be requested in parts."""

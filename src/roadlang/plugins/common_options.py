@@ -199,7 +199,7 @@ class FalsifyOptions:
         example="10min",
     )
     batch: Whole = option(
-        40, minimum=1, maximum=100_000, help="number of candidates that are evaluated together"
+        80, minimum=1, maximum=100_000, help="number of candidates that are evaluated together"
     )
     islands: Whole = option(
         1, minimum=1, maximum=10_000, help="number of independent searches side by side"

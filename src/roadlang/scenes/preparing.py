@@ -10,6 +10,7 @@ from ..ir.batch import RoadBatch
 from ..world.copies import counts
 from ..world.placement import placed
 from ..world.roads import road_batch
+from .roads import share_equal_roads
 
 
 def prepare_scenes(candidates: CandidateBatch) -> None:
@@ -24,6 +25,7 @@ def prepare_scenes(candidates: CandidateBatch) -> None:
     try:
         for name in scenario.roads:
             _compute(road_batch(name, candidates))
+        share_equal_roads(candidates)
         for actor in scenario.actors.values():
             number = counts(actor, candidates)
             if (number != number[0]).any():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +16,13 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import Edge, WidthProfile
 from ..ir.batch import RoadBatch
+from ..ir.contained_values import values_in
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..ir.scene_section import lane_members
 from ..world.cross_sections import LaneBatch
 from ..world.junction_control import rights_of_way
-from ..world.lane_plan import lane_plan
+from ..world.lane_plan import lane_plan, traffic_side
 from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
 from ..world.road_lanes import lanes_of
 from ..world.road_strips import has_heirs, has_perturbed_heirs
@@ -100,12 +102,35 @@ def scene_road(
     )
 
 
-def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
+def share_equal_roads(candidates: CandidateBatch) -> None:
+    """Make the roads once of which nothing is drawn; every candidate that is taken has them."""
+    for road in candidates.scenario.roads.values():
+        if candidates.count > 1 and _is_equal(road, candidates):
+            made = _declared(road, candidates.take(np.zeros(1, dtype=np.intp)))
+            candidates.once(("scene road", road.name), partial(_same, made))
+
+
+def _same(made: SceneRoad) -> SceneRoad:
+    return made
+
+
+def _is_equal(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
     scenario = candidates.scenario
-    batch = road_batch(road.name, candidates)
-    root = _root_name(road, candidates)
-    lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
-    return scene_road(road.name, root, batch, lanes, limit, not has_heirs(road, scenario))
+    if road_batch(road.name, candidates).variants > 1:
+        return False
+    values = [value for link in scenario.chain(road) for value in values_in(link)]
+    return not scenario.dependencies.draws(*values, traffic_side(scenario))
+
+
+def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
+    def make() -> SceneRoad:
+        batch = road_batch(road.name, candidates)
+        root = _root_name(road, candidates)
+        lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
+        derived = not has_heirs(road, candidates.scenario)
+        return scene_road(road.name, root, batch, lanes, limit, derived)
+
+    return candidates.once(("scene road", road.name), make)
 
 
 def _speed_limit(thing: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch) -> float | None:
