@@ -21,6 +21,7 @@ WORDS = {
     "junctions, their rules, and turns at them": (
         "all_way_stop junction right_first stop straight yield"
     ),
+    "the side of the road, `world { traffic: left }`": "traffic",
     "types of JSON Schema": "integer",
 }
 """Names of kinds that mean something else wherever the core has them in quotes. The rule cannot

@@ -18,6 +18,7 @@ from roadlang.drive.controllers import python_controllers
 from roadlang.ir.scene import Call, Provenance, Scene, SceneActor, SceneRoad
 from roadlang.plugins.discovery import load_registry
 from roadlang.simulation.controllers import Driver
+from roadlang.simulation.leaders import Leaders
 from roadlang.simulation.observing import Surroundings, View
 from roadlang.simulation.world_building import world_of
 from roadlang_godot import engine
@@ -82,7 +83,7 @@ def decided(kind: str, options: dict[str, float], state: tuple[float, ...]) -> l
     world = world_of([one], {}, 0.02, 0.1)
     world.motion.speed[:] = state[3]
     view = View(world, world.poses, 0.1, Surroundings(world))
-    view._ahead = (np.array([state[4]]), np.array([state[5]]))
+    view._ahead = Leaders(np.zeros((1, 1, 1)), np.array([state[4]]), np.array([state[5]]))
     driver = python_controllers(one, load_registry())["ego"]
     assert isinstance(driver, Driver)
     guarded = driver.each[0]

@@ -12,6 +12,9 @@ IN_ENGINE = frozenset(
     {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", "manual"}
 )
 
+EMBEDDED_ONLY = {"traffic": "right of way"}
+"""Controllers that drive in the embedded engine alone, and what they need of it."""
+
 
 def plain_name(kind: str) -> str:
     """`pure_pursuit` of `roadlang.pure_pursuit` or `standard.pure_pursuit`; a stranger's name

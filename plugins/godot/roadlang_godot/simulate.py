@@ -12,6 +12,7 @@ import numpy as np
 from roadlang.api import Code
 
 from . import driving, engine
+from .drives import EMBEDDED_ONLY, plain_name
 from .faults import fault
 from .layout import Layout, layout_of
 from .python_drive import PythonDriver
@@ -128,9 +129,14 @@ def _step_by_step(
 
 
 def _check_controllers(scene: Scene, layout: Layout, controllers: Controllers) -> None:
+    project = "Godot's project"
     for actor in scene.agents:
+        needs = [EMBEDDED_ONLY.get(plain_name(call.kind)) for call in actor.drive]
+        needs.append(None if actor.route is None else "routes")
+        for what in filter(None, needs):
+            raise fault(Code.EMBEDDED_ENGINE_ONLY, agent=actor.name, engine=project, what=what)
         if actor.name in layout.python_driven and actor.name not in controllers:
-            kind, project = actor.drive[-1].kind, "Godot's project"
+            kind = actor.drive[-1].kind
             raise fault(Code.UNSUPPORTED_CONTROLLER, kind=kind, engine=project)
 
 

@@ -35,6 +35,7 @@ _KINDS = {
     "drive stanley": "drive_stanley:Stanley",
     "drive lane_follow": "drive_lane_follow:LaneFollow",
     "drive car_follow": "drive_car_follow:CarFollow",
+    "drive traffic": "drive_traffic:Traffic",
     "drive brake": "drive_brake:Brake",
     "drive crossing": "drive_crossing:Crossing",
     "drive change_lane": "drive_change_lane:ChangeLane",

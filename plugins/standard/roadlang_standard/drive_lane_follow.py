@@ -7,15 +7,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Speed, option
 
-from .steering import bend_speed, difference, toward
+from .steering import along_line, bend_speed, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
-
-PREVIEW_TIME = 0.12
-"""Seconds by which the curvature is looked up ahead."""
-SLOWEST = 3.0
-"""m/s: below it, a cross-track error is corrected as at this speed."""
 
 
 @dataclass(frozen=True)
@@ -31,17 +26,9 @@ class LaneFollow(Controller):
     )
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
-        import numpy as np
-
         from roadlang.api import ControlBatch
 
         seen = observations
-        _, _, _, curvature = seen.line_ahead(PREVIEW_TIME * seen.speed)
-        # A car on a circle points along the circle at its rear axle.
-        _, _, rear_heading, _ = seen.line_ahead(-0.5 * seen.wheelbase)
-        correction = np.arctan(2.0 * seen.cross_track_error / np.maximum(seen.speed, SLOWEST))
-        bend = np.arctan(seen.wheelbase * curvature)
-        steering = bend + difference(seen.heading, rear_heading) - correction
         target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
         acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
-        return ControlBatch(steering, acceleration)
+        return ControlBatch(along_line(seen), acceleration)

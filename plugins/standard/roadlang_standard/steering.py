@@ -14,6 +14,10 @@ SPEED_GAIN = 2.0
 """From a difference in speed to an acceleration, 1/s."""
 PLANNED_SHARE = 0.5
 """Share of the greatest deceleration with which drivers plan to brake before a bend."""
+PREVIEW_TIME = 0.12
+"""Seconds by which the curvature is looked up ahead."""
+SLOWEST = 3.0
+"""m/s: below it, a cross-track error is corrected as at this speed."""
 NEAREST = 0.5
 """Meters: a point to steer to is no nearer."""
 
@@ -51,6 +55,19 @@ def pursuit(seen: ObservationBatch, distance: Column) -> Floats:
     away = np.hypot(to_x, to_y)
     sine_of_bearing = left / np.maximum(away, 1e-9)
     return np.arctan2(2.0 * seen.wheelbase * sine_of_bearing, np.maximum(away, NEAREST))
+
+
+def along_line(seen: ObservationBatch) -> Floats:
+    """(N,) steering angle that keeps to the line: its curvature, looked up ahead, and a correction
+    of the errors in place and heading."""
+    import numpy as np
+
+    _, _, _, curvature = seen.line_ahead(PREVIEW_TIME * seen.speed)
+    # A car on a circle points along the circle at its rear axle.
+    _, _, rear_heading, _ = seen.line_ahead(-0.5 * seen.wheelbase)
+    correction = np.arctan(2.0 * seen.cross_track_error / np.maximum(seen.speed, SLOWEST))
+    bend = np.arctan(seen.wheelbase * curvature)
+    return np.asarray(bend + difference(seen.heading, rear_heading) - correction)
 
 
 def difference(heading: Floats, other: Floats) -> Floats:

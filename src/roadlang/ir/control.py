@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .read_only import Frozen
 from .surroundings import (
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..geometry.arrays import Floats, Integers
+
+_FREE = (math.inf, math.inf, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +82,11 @@ class Observation(Frozen):
     """`speed_limit_ahead(b, d)`: the greatest speed, `d` meters on, from which the speed limits
     ahead can be obeyed by braking with `b`"""
     stop_ahead: Callable[[], float] = lambda: math.inf
-    """`stop_ahead()`: how far ahead right of way or a signal demands a stop; infinite: nowhere"""
+    """`stop_ahead()`: how far before the front right of way, a signal or an object demands a stop;
+    infinite: nowhere. Who asks obeys"""
+    right_of_way: Callable[[float, float], tuple[float, float, float]] = lambda polite, bold: _FREE
+    """`right_of_way(p, a)`: what `stop_ahead` says, and where lanes merge the gap to who goes first
+    there, infinite for nobody, and its speed; politeness and aggression are from 0 to 1"""
     nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
     """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
 
@@ -168,6 +174,7 @@ class ObservationBatch:
     direction_of_lane: Callable[[LaneChoice | Floats], Floats]
     speed_limit_ahead: Callable[[Floats | float, Floats | float], Floats]
     stop_ahead: Callable[[], Floats]
+    right_of_way: Callable[[Floats | float, Floats | float], tuple[Floats, Floats, Floats]]
     nearby: Callable[[float], Neighbors]
     path_ahead: Callable[[Floats], tuple[Floats, Floats]]
     """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
@@ -210,13 +217,8 @@ class ObservationBatch:
         def first(value: Floats | float) -> float:
             return float(np.ravel(value)[0])
 
-        def line_ahead(distance: Floats | float) -> tuple[Floats, Floats, Floats, Floats]:
-            x, y, heading, curvature = seen.line_ahead(first(distance))
-            return column(x), column(y), column(heading), column(curvature)
-
-        def vehicle_ahead() -> tuple[Floats, Floats]:
-            gap, speed = seen.vehicle_ahead()
-            return column(gap), column(speed)
+        def columns(values: tuple[float, ...]) -> Any:
+            return tuple(column(value) for value in values)
 
         def lane(which: LaneChoice | Floats) -> LaneChoice:
             return which if isinstance(which, str | int) else round(first(which))
@@ -225,18 +227,15 @@ class ObservationBatch:
             **{name: column(getattr(seen, name)) for name in cls.number_columns()},
             step=seen.step,
             agent=np.array([seen.agent], dtype=object),
-            line_ahead=line_ahead,
-            speed_for_bends=lambda lateral, braking, on: column(
-                seen.speed_for_bends(first(lateral), first(braking), first(on))
-            ),
-            vehicle_ahead=vehicle_ahead,
+            line_ahead=lambda distance: columns(seen.line_ahead(first(distance))),
+            speed_for_bends=lambda *limits: column(seen.speed_for_bends(*map(first, limits))),
+            vehicle_ahead=lambda: columns(seen.vehicle_ahead()),
             lane_place=lambda: LanePlaces.of_one(seen.lane_place()),
             offset_of_lane=lambda which: column(seen.offset_of_lane(lane(which))),
             direction_of_lane=lambda which: column(seen.direction_of_lane(lane(which))),
-            speed_limit_ahead=lambda braking, on: column(
-                seen.speed_limit_ahead(first(braking), first(on))
-            ),
+            speed_limit_ahead=lambda *at: column(seen.speed_limit_ahead(*map(first, at))),
             stop_ahead=lambda: column(seen.stop_ahead()),
+            right_of_way=lambda *temper: columns(seen.right_of_way(*map(first, temper))),
             nearby=lambda range: Neighbors.of_one(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),

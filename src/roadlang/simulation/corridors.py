@@ -24,9 +24,9 @@ CIRCLES = 5
 """A footprint is as wide circles in a row as these, from its front to its rear."""
 MARGIN = 0.2
 """Meters to each side between two that pass each other."""
-LEAST_VIEW, MOST_VIEW = 30.0, 150.0
+LEAST_VIEW, MOST_VIEW = 50.0, 150.0
 """Meters that agents look ahead, standing and at most."""
-VIEW_TIME = 4.5
+VIEW_TIME = 4.0
 """Seconds of its speed that an agent looks further."""
 AHEAD = 0.5
 """Meters behind the front bumper, at most, from which on something is ahead."""

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..geometry.arrays import Booleans, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import ControlBatch, Observation
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
@@ -34,6 +34,10 @@ class Group:
     state: Any
     singles: list[GuardedController]
     """one for each agent, where the kind decides for one alone"""
+    since: Floats
+    """when each decided last"""
+    held: Floats
+    """(2, N) steering and acceleration then"""
 
     def restart(self, agents: Integers) -> None:
         """Controllers of some agents remember nothing."""
@@ -53,6 +57,7 @@ class Group:
         self.columns = _part(self.columns, kept)
         self.state = None if self.state is None else self.state[kept]
         self.singles = [self.singles[row] for row in kept] if self.singles else []
+        self.since, self.held = self.since[kept], self.held[:, kept]
 
 
 class Crew:
@@ -97,7 +102,7 @@ class Crew:
         for group in self._groups:
             group.take(place)
         self._triggers.take(place, agents)
-        self._surroundings.take(agents, self._slots)
+        self._surroundings.take(agents, count, self._slots)
 
     def _ask_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
         """A controller that does not steer, or does not accelerate, leaves that to the last one
@@ -139,6 +144,26 @@ def _decided(
     by default that of all."""
     if group.singles:
         return _decided_singly(group, chosen, view)
+    interval = group.controller.kind.interval
+    if interval > view.step:
+        return _held(group, chosen, view, interval)
+    return _decided_now(group, chosen, view, lasting)
+
+
+def _held(group: Group, chosen: Integers, view: View, interval: float) -> ControlBatch:
+    """What some agents decided at most `interval` seconds ago."""
+    time = view.world.time
+    old = chosen[time - group.since[chosen] > interval - 0.5 * view.world.dt]
+    if len(old):
+        found = _decided_now(group, old, view)
+        group.since[old] = time
+        group.held[0, old], group.held[1, old] = found.steering, found.acceleration
+    return ControlBatch(group.held[0, chosen], group.held[1, chosen])
+
+
+def _decided_now(
+    group: Group, chosen: Integers, view: View, lasting: Booleans | None = None
+) -> ControlBatch:
     rows = group.rows[chosen]
     everyone = len(chosen) == len(group.rows)
     columns = group.columns if everyone else _part(group.columns, chosen)
@@ -189,7 +214,8 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
     rows = np.array([row for row, _ in members], dtype=np.int64)
     first = members[0][1]
     if not first.in_batches:
-        return Group(place, first, rows, {}, None, [controller for _, controller in members])
+        singles = [controller for _, controller in members]
+        return Group(place, first, rows, {}, None, singles, *_never_decided(len(rows)))
     columns = {
         name: value
         if _shape(value) is None
@@ -197,7 +223,11 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
         for name, value in first.options.items()
     }
     state = first.first_state(first.built(columns), len(rows))
-    return Group(place, first, rows, columns, state, [])
+    return Group(place, first, rows, columns, state, [], *_never_decided(len(rows)))
+
+
+def _never_decided(count: int) -> tuple[Floats, Floats]:
+    return np.full(count, -math.inf), np.zeros((2, count))
 
 
 def _words(options: Mapping[str, Any]) -> str:

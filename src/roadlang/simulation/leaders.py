@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,12 +17,22 @@ SAME_LANE = 2.0
 """Meters: beside each other rather than behind one another, from here on."""
 
 
-def leaders(world: World, poses: Poses) -> tuple[Floats, Floats]:
-    """(N,) the gap to the next agent ahead in the lane of each, infinite for none, and that one's
-    speed along the lane.
+@dataclass(frozen=True)
+class Leaders:
+    """Who is ahead of whom."""
 
-    Of two on one road their stations say it; what else is near is looked for along the line.
-    """
+    gaps: Floats
+    """(S, A, A) from the first to the second along the line of the first, infinite for what is not
+    in its lane ahead"""
+    gap: Floats
+    """(N,) to the next agent"""
+    speed: Floats
+    """(N,) of that one, along the lane"""
+
+
+def leaders(world: World, poses: Poses) -> Leaders:
+    """Who is ahead in the lane of each agent. Of two on one road their stations say it; what else
+    is near is looked for along the line."""
     shape = (len(world.scenes), world.slots)
     there = world.present.reshape(shape)
     itself = np.eye(shape[1], dtype=bool)[None]
@@ -39,7 +50,7 @@ def leaders(world: World, poses: Poses) -> tuple[Floats, Floats]:
     speed = np.take_along_axis(world.motion.speed.reshape(shape), first, axis=1)
     turn = np.take_along_axis(turned, first[:, :, None], axis=2)[:, :, 0]
     along = np.where(np.isfinite(least), speed * np.cos(turn), 0.0)
-    return least.ravel(), along.ravel()
+    return Leaders(gap, least.ravel(), along.ravel())
 
 
 def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:

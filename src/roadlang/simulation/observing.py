@@ -13,11 +13,13 @@ from ..geometry.arrays import Booleans, Floats, Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
-from .leaders import leaders
+from .leaders import Leaders, leaders
 from .nearest import nearest
 from .neighbors import Nearby, StandingObjects
+from .obstacles import Obstacles
 from .poses import Poses, line_points
 from .road_lanes import LanesHere, RoadLanes, lane_values
+from .traffic.right_of_way import RightOfWay
 from .world import World
 
 PROBE = 0.1
@@ -35,11 +37,30 @@ class Surroundings:
         self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
         self._lanes: RoadLanes | None = None
         self._objects: StandingObjects | None = None
+        self._obstacles: Obstacles | None = None
+        self._right_of_way: RightOfWay | None = None
 
-    def take(self, agents: Integers, slots: int) -> None:
-        """From now on the world has these of its agents alone."""
+    def take(self, agents: Integers, count: int, slots: int) -> None:
+        """From now on the world has these of its `count` agents alone."""
         self.bends.take(agents)
-        self._first = self._first[agents[::slots] // slots]
+        scenes = agents[::slots] // slots
+        self._first = self._first[scenes]
+        if self._obstacles is not None:
+            self._obstacles = self._obstacles.take(agents, count)
+        if self._right_of_way is not None:
+            self._right_of_way.take(agents, scenes)
+
+    def obstacles(self, world: World) -> Obstacles:
+        """Objects in the lanes of agents."""
+        if self._obstacles is None:
+            self._obstacles = Obstacles.of(world)
+        return self._obstacles
+
+    def right_of_way(self, world: World) -> RightOfWay:
+        """At the junctions."""
+        if self._right_of_way is None:
+            self._right_of_way = RightOfWay(world)
+        return self._right_of_way
 
     def lanes(self, world: World) -> LanesHere:
         """Of all agents, where they are; on connections there are none."""
@@ -85,7 +106,7 @@ class View:
     poses: Poses
     step: float
     surroundings: Surroundings
-    _ahead: tuple[Floats, Floats] | None = field(default=None)
+    _ahead: Leaders | None = field(default=None)
     _lanes: LanesHere | None = field(default=None)
     _nearby: Nearby | None = field(default=None)
 
@@ -124,7 +145,8 @@ class View:
             offset_of_lane=lambda which: self.of_lane(chosen, which, "middles"),
             direction_of_lane=lambda which: self.of_lane(chosen, which, "direction"),
             speed_limit_ahead=lambda braking, on: self.speed_limit_ahead(chosen, braking, on),
-            stop_ahead=lambda: np.full(len(chosen), math.inf),
+            stop_ahead=lambda: self.right_of_way(chosen)[0],
+            right_of_way=lambda *temper: self.right_of_way(chosen, temper),
             nearby=lambda distance: self.nearby(chosen, distance),
             path_ahead=lambda distances: self.path_ahead(rows, distances),
             nearest=lambda count: nearest(world, poses, chosen, count),
@@ -168,9 +190,23 @@ class View:
 
     def vehicle_ahead(self, rows: Any) -> tuple[Floats, Floats]:
         """(N,) gap to the next agent in the lane, and its speed along it."""
+        ahead = self._leaders()
+        return ahead.gap[rows], ahead.speed[rows]
+
+    def right_of_way(
+        self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None
+    ) -> tuple[Floats, Floats, Floats]:
+        """(N,) where agents have to stop, and the gap to whom they follow where lanes merge, and
+        its speed."""
+        world, surroundings = self.world, self.surroundings
+        right_of_way = surroundings.right_of_way(world)
+        stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, temper)
+        return np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows]), gap, speed
+
+    def _leaders(self) -> Leaders:
         if self._ahead is None:
             self._ahead = leaders(self.world, self.poses)
-        return self._ahead[0][rows], self._ahead[1][rows]
+        return self._ahead
 
     def lane_place(self, rows: Integers) -> LanePlaces:
         """In which lanes agents are."""
@@ -187,13 +223,10 @@ class View:
         self, rows: Integers, braking: Floats | float, on: Floats | float
     ) -> Floats:
         """(N,) the greatest speeds from which the limits ahead can be obeyed."""
-        here = self.lane_place(rows).speed_limit
-        routed = self.world.has_route[rows]
-        if not routed.any():
-            return here
         along = self.world.track.wrapped(self.world.motion.along)[rows]
         ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
-        return np.where(routed, ahead, here)
+        routed = self.world.has_route[rows]
+        return ahead if routed.all() else np.where(routed, ahead, self.lane_place(rows).speed_limit)
 
     def of_lane(self, rows: Integers, which: LaneChoice | Floats, quantity: str) -> Floats:
         """(N,) a quantity of one lane of each agent, NaN where there is none."""
@@ -225,6 +258,10 @@ class View:
             gap, speed = self.vehicle_ahead(rows)
             return float(gap[0]), float(speed[0])
 
+        def right_of_way(politeness: float, aggression: float) -> tuple[float, float, float]:
+            stop, gap, speed = seen.right_of_way(politeness, aggression)
+            return float(stop[0]), float(gap[0]), float(speed[0])
+
         numbers: dict[str, Any] = {
             name: float(getattr(seen, name)[0]) for name in seen.number_columns()
         }
@@ -242,5 +279,6 @@ class View:
             direction_of_lane=lambda which: float(seen.direction_of_lane(which)[0]),
             speed_limit_ahead=lambda braking, on: float(seen.speed_limit_ahead(braking, on)[0]),
             stop_ahead=lambda: float(seen.stop_ahead()[0]),
+            right_of_way=right_of_way,
             nearby=lambda distance: seen.nearby(distance).single(0),
         )

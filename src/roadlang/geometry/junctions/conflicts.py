@@ -12,22 +12,27 @@ from .model import Conflict, Connection
 
 VEHICLE_GAP = 2.3
 """Meters between the middles of two vehicles of 2 m that pass each other with 0.3 m to spare."""
+SWEEP = 2.5
+"""Square meters: in a bend, a car takes this times the curvature more to the outside, where its
+corners are (`l^2 / 8` for a length of 4.5 m)."""
 _FEWEST, _SPACING = 25, 1.6
 _BLOCK = 512
 
 
 def conflicts_of(connections: Sequence[Connection], points: Floats) -> tuple[Conflict, ...]:
     """All pairs whose middle lines, `points` (N, k, 2) at `line_shares`, come closer than
-    `VEHICLE_GAP` (or than their lanes are wide)."""
+    `VEHICLE_GAP` (or than their lanes are wide) and what cars sweep in their bends."""
     if len(connections) < 2:
         return ()
     widths = np.array([max(c.widths) for c in connections])
+    sweeps = SWEEP * np.array([c.curvature for c in connections])
     lengths = np.array([c.length for c in connections])
-    first, second = _near_pairs(points)
+    first, second = _near_pairs(points, sweeps)
     found = []
     for block in range(0, len(first), _BLOCK):
         a, b = first[block : block + _BLOCK], second[block : block + _BLOCK]
         gap = np.minimum(VEHICLE_GAP, 0.45 * (widths[a] + widths[b]))
+        gap = gap + sweeps[a] + sweeps[b]
         away = points[a, :, None] - points[b, None, :]
         close = (away**2).sum(axis=-1) < gap[:, None, None] ** 2
         for row in np.flatnonzero(close.any(axis=(1, 2))).tolist():
@@ -50,9 +55,10 @@ def line_shares(longest: float) -> Floats:
     return np.linspace(0.0, 1.0, max(_FEWEST, int(np.ceil(longest / _SPACING)) + 1))
 
 
-def _near_pairs(points: Floats) -> tuple[Integers, Integers]:
+def _near_pairs(points: Floats, sweeps: Floats) -> tuple[Integers, Integers]:
     """Pairs whose boxes come close."""
-    low, high = points.min(axis=1) - VEHICLE_GAP, points.max(axis=1) + VEHICLE_GAP
+    around = (VEHICLE_GAP + sweeps)[:, None]
+    low, high = points.min(axis=1) - around, points.max(axis=1) + around
     first, second = np.triu_indices(len(points), 1)
     near = ((low[first] <= high[second]) & (low[second] <= high[first])).all(axis=1)
     return first[near], second[near]

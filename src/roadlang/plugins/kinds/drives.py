@@ -22,6 +22,9 @@ class Controller(Kind):
     `control`; one that does not is driven by engines that know it by its name."""
 
     verb: ClassVar[str] = "drive"
+    interval: ClassVar[float] = 0.0
+    """seconds for which steering and acceleration of an agent are held, if that is longer than the
+    step of the simulator: drivers of other cars need not react as fast as the car under test"""
 
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.

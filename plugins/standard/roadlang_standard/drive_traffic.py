@@ -1,0 +1,130 @@
+"""`drive with traffic`: drive as traffic does, by limits, signals and right of way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Controller, Duration, Speed, option
+
+from .steering import SPEED_GAIN, along_line, bend_speed
+
+if TYPE_CHECKING:
+    from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.geometry import Floats
+
+USUAL_SPEED = 50 / 3.6
+"""m/s, where there is no speed limit."""
+STANDING_GAP = 2.0
+"""Meters between two that stand in a row."""
+HARDEST = 8.0
+"""m/s^2: deceleration in an emergency."""
+LATE = 0.7
+"""Share of the comfortable deceleration from which on cars brake evenly for a stop."""
+NEAREST = 0.1
+"""Meters: gaps count as no smaller."""
+
+
+@dataclass(frozen=True)
+class Traffic(Controller):
+    """Drive as traffic does: along its route, by speed limits, signals, stop lines and right of
+    way, at a distance to who is ahead (improved intelligent driver model, Treiber and Kesting)."""
+
+    name: ClassVar[str] = "traffic"
+    interval: ClassVar[float] = 0.1
+    speed: Speed | None = option(
+        None, above=0, maximum=120, help="target speed; by default the speed limit"
+    )
+    speed_factor: float = option(
+        1.0, above=0, maximum=2, help="target speed as a multiple of the limit", example="0.9..1.1"
+    )
+    headway: Duration = option(1.0, above=0, maximum=30, help="time gap to the vehicle ahead")
+    politeness: float = option(
+        0.5, minimum=0, maximum=1, help="how hard it brakes to let in who waits where lanes merge"
+    )
+    aggression: float = option(
+        0.5, minimum=0, maximum=1,
+        help="how hard it accelerates, brakes and takes bends, and how small gaps it accepts",
+    )  # fmt: skip
+
+    def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        seen = observations
+        boldness = np.broadcast_to(np.asarray(self.aggression, dtype=np.float64), seen.speed.shape)
+        most, braking = 1.6 + 2.0 * boldness, 2.0 + 2.0 * boldness
+        target = self._target(seen, braking)
+        follow = Following(seen.speed, target, most, braking, self.headway)
+        ahead = follow.behind(*seen.vehicle_ahead())
+        stop, merging, speed = seen.right_of_way(self.politeness, self.aggression)
+        ahead = np.minimum(ahead, follow.behind(merging, speed))
+        ahead = np.minimum(ahead, follow.to_stop(stop))
+        bends = bend_speed(seen, target, 2.0 + 3.0 * boldness, braking)
+        slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)
+        acceleration = np.minimum(ahead, np.where(bends < target, slower, most))
+        return ControlBatch(along_line(seen), np.maximum(acceleration, -HARDEST))
+
+    def _target(self, seen: ObservationBatch, braking: Floats) -> Floats:
+        """(N,) target speeds: as said, or by the limits from here on."""
+        import numpy as np
+
+        if self.speed is not None:
+            return np.broadcast_to(np.asarray(self.speed, dtype=np.float64), seen.speed.shape)
+        limit = seen.speed_limit_ahead(0.5 * braking, 0.0)
+        limit = np.where(np.isfinite(limit), limit, USUAL_SPEED)
+        return np.asarray(limit * self.speed_factor)
+
+
+@dataclass(frozen=True)
+class Following:
+    """The improved intelligent driver model: (N,) accelerations of agents."""
+
+    speed: Floats
+    target: Floats
+    most: Floats
+    """m/s^2"""
+    braking: Floats
+    """comfortable, m/s^2"""
+    headway: Floats | float
+
+    @cached_property
+    def free(self) -> Floats:
+        """With nobody ahead: toward the target speed."""
+        import numpy as np
+
+        speed = np.maximum(self.speed, NEAREST)
+        share = speed / self.target
+        square = share * share
+        rises = self.most * (1.0 - square * square)
+        power = 4.0 * self.most / self.braking
+        falls = -self.braking * (1.0 - np.exp(-power * np.log(np.maximum(share, 1.0))))
+        return np.where(share <= 1.0, rises, falls)
+
+    def behind(self, gap: Floats, ahead: Floats) -> Floats:
+        """With somebody at a gap ahead (infinite: nobody), at that speed."""
+        import numpy as np
+
+        closing = self.speed * (self.speed - ahead)
+        closing = closing / (2.0 * np.sqrt(self.most * self.braking))
+        wanted = STANDING_GAP + np.maximum(0.0, self.speed * self.headway + closing)
+        need = wanted / np.maximum(gap, NEAREST)
+        free = self.free
+        close = self.most * (1.0 - need * need)
+        rises = np.maximum(free, 1e-3)
+        power = 2.0 * self.most / rises
+        log = np.log(np.maximum(np.minimum(need, 1.0), 1e-9))
+        far = np.where(free > 0.0, rises * (1.0 - np.exp(power * log)), free)
+        over = self.speed > self.target
+        return np.where(need >= 1.0, np.where(over, free + close, close), far)
+
+    def to_stop(self, distance: Floats) -> Floats:
+        """With a place ahead at which to stand, at a distance (infinite: none)."""
+        import numpy as np
+
+        gentle = self.behind(distance + STANDING_GAP, np.zeros_like(distance))
+        even = 0.5 * self.speed * self.speed / np.maximum(distance, 0.05)
+        late = (even > LATE * self.braking) | (distance < 0.0)
+        return np.where(late, np.minimum(gentle, -even), gentle)

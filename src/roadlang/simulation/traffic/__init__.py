@@ -1,0 +1,1 @@
+"""Who goes first at junctions, and who has to wait where."""

@@ -1,0 +1,104 @@
+"""Agents on the way to junctions: how far they are, and what signals demand of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ..crossings import Crossings
+from ..signal_lights import Lights
+from ..world import World
+from .junction_tables import JunctionTables
+
+STOP_GAP = 0.6
+"""Meters before a stop line at which cars stop."""
+COMFORTABLE = 3.2
+"""m/s^2: who would have to brake harder for a yellow light may go on, ..."""
+IN_TIME = 0.85
+"""... if it reaches the line within this share of the time until red; else it brakes, ..."""
+HARDEST = 7.0
+"""... unless it would have to brake harder than this, m/s^2."""
+WARNING = 3.0
+"""Seconds before red from which on cars decide whether to stop, if yellow is shorter."""
+SIGN_SPEED, SIGN_DISTANCE = 0.15, 3.5
+"""Who was slower than this so close to a stop line has stopped there: m/s and meters."""
+FAR = 1e6
+"""Seconds: no signal lasts longer."""
+OVER_LINE = 1.0
+"""Meters over a stop line within which a car may still wait."""
+
+
+@dataclass(frozen=True)
+class Approaches:
+    """Arrays (N, X): the crossings of some agents as they are now."""
+
+    to_line: Floats
+    """meters from the front to the stop line, negative beyond it; infinite for no crossing"""
+    to_leave: Floats
+    """meters until the rear has left the connection, negative beyond"""
+    number: Integers
+    """of the connection, through all junctions"""
+    may_go: Booleans
+    """as far as signals are concerned"""
+    must_stop: Booleans
+    """because of its signal, although it was let go"""
+    is_over: Booleans
+    """the rear has left it, or there is none"""
+    is_behind: Booleans
+    """it is over, or comes only in the next lap"""
+
+    @classmethod
+    def of(
+        cls, world: World, rows: Integers, parts: tuple[Crossings, JunctionTables, Lights]
+    ) -> Approaches:
+        """Of the agents `rows`."""
+        crossings, tables, lights = parts
+        along, half = world.motion.along[rows, None], 0.5 * world.bodies.length[rows, None]
+        to_line = crossings.stop[rows] - along - half
+        to_leave = crossings.exit[rows] - along + half
+        junction = crossings.junction[rows]
+        none = junction < 0
+        is_over = none | (to_leave < 0.0)
+        is_behind = is_over
+        if world.track.has_closed:
+            closed = world.closed[rows, None]
+            lap = np.where(is_over & closed, world.length[rows, None], 0.0)
+            to_line, to_leave = to_line + lap, to_leave + lap
+            is_over = none | (is_over & ~closed)
+            is_behind = is_over | (closed & (to_line > 0.5 * world.length[rows, None]))
+        number = tables.first[junction] + crossings.connection[rows]
+        number = np.where(none, 0, number)
+        green, to_red = lights.at(world.time)
+        speed = world.motion.speed[rows, None]
+        needed = braking_to_stop(speed, to_line - STOP_GAP)
+        left = np.minimum(to_red[number], FAR)
+        ends = ~green[number] | (to_red[number] < WARNING)
+        in_time = (needed > COMFORTABLE) & (to_line < IN_TIME * speed * left)
+        may_go = ~ends | in_time
+        must_stop = ~may_go & (needed < HARDEST) & (to_line >= 0.0)
+        return cls(to_line, to_leave, number, may_go, must_stop, is_over, is_behind)
+
+
+def braking_to_stop(speed: Floats, distance: Floats) -> Floats:
+    """m/s^2 with which to stop within a distance: v^2 / (2 d)."""
+    return np.asarray(0.5 * speed * speed / np.maximum(distance, 0.05))
+
+
+def seconds_for(
+    distance: Floats, speed: Floats, acceleration: float, fastest: Floats | float
+) -> Floats:
+    """How long a distance takes with an acceleration until `fastest`; 0 for what lies behind."""
+    speed = np.maximum(speed, 0.0)
+    top = np.maximum(speed, fastest)
+    span = (top - speed) / acceleration
+    gained = 0.5 * (speed + top) * span
+    distance = np.maximum(distance, 0.0)
+    rising = (np.sqrt(speed * speed + 2.0 * acceleration * distance) - speed) / acceleration
+    return np.asarray(np.where(distance < gained, rising, span + (distance - gained) / top))
+
+
+def horizon(speed: Floats, seconds: Floats | float) -> Floats:
+    """Meters before a junction from which on a car asks to go: it could still stop."""
+    return np.asarray(speed * seconds + speed * speed / 6.0 + 6.0)

@@ -1,0 +1,110 @@
+"""What is known of junctions in advance: conflicts of their connections, rules, rings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ...ir.scene_junctions import SceneJunction
+
+CROSS, MERGE = 1, 2
+RIGHT_FIRST, YIELD, STOP, ALL_WAY_STOP, SIGNALS = range(5)
+_RULES = ("right_first", "yield", "stop", "all_way_stop", "signals")
+
+
+@dataclass(frozen=True)
+class JunctionTables:
+    """Tables of J junctions with C connections in all.
+
+    Connection c of junction j has the number `first[j] + c`; the pair of a and b the place
+    `pair[j] + a * count[j] + b` in the arrays over pairs.
+    """
+
+    first: Integers
+    count: Integers
+    pair: Integers
+    rule: Integers
+    """(J,) one of the constants above"""
+    must_stop: Booleans
+    """(C,) at a stop sign"""
+    yields_any: Booleans
+    """(C,) to traffic of another connection"""
+    target: Integers
+    """(C,) number in its junction of the lane that it enters"""
+    length: Floats
+    """(C,)"""
+    conflict: Integers
+    """over pairs: `CROSS`, `MERGE` or 0"""
+    begin: Floats
+    """over pairs: where along a it is close to b, from ..."""
+    end: Floats
+    """... to"""
+    yields: Booleans
+    """over pairs: a yields to b"""
+
+    @classmethod
+    def of(cls, junctions: Sequence[SceneJunction]) -> JunctionTables:
+        """The tables of some junctions."""
+        counts = np.array([len(junction.connections) for junction in junctions], dtype=np.int64)
+        first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+        pair = np.concatenate([[0], np.cumsum(counts * counts)]).astype(np.int64)
+        conflict = np.zeros(pair[-1], dtype=np.int64)
+        begin, end = np.zeros(pair[-1]), np.zeros(pair[-1])
+        yields = np.zeros(pair[-1], dtype=bool)
+        for number, junction in enumerate(junctions):
+            count = counts[number]
+            view = slice(pair[number], pair[number] + count * count)
+            shaped = [column[view].reshape(count, count) for column in (conflict, begin, end)]
+            _fill_conflicts(junction, shaped)
+            places = _numbers(junction)
+            for one, other in junction.yields:
+                yields[pair[number] + places[one] * count + places[other]] = True
+        every = [one for junction in junctions for one in junction.connections]
+        rules = [_RULES.index(junction.control.kind) for junction in junctions]
+        return cls(
+            first[:-1], counts, pair[:-1], np.array(rules, dtype=np.int64),
+            np.array([stop for junction in junctions for stop in _stops(junction)], dtype=bool),
+            np.array([one for junction in junctions for one in _yielding(junction)], dtype=bool),
+            np.array([one for junction in junctions for one in _targets(junction)], dtype=np.int64),
+            np.array([one.length for one in every], dtype=np.float64),
+            conflict, begin, end, yields,
+        )  # fmt: skip
+
+
+def _numbers(junction: SceneJunction) -> dict[int, int]:
+    return {one.id: place for place, one in enumerate(junction.connections)}
+
+
+def _fill_conflicts(junction: SceneJunction, columns: Sequence[np.ndarray]) -> None:
+    """(C, C) kind, begin and end."""
+    kind, begin, end = columns
+    places = _numbers(junction)
+    for one in junction.conflicts:
+        if one.kind == "diverge":
+            continue
+        a, b = places[one.a], places[one.b]
+        kind[a, b] = kind[b, a] = CROSS if one.kind == "cross" else MERGE
+        begin[a, b], end[a, b] = one.interval_a
+        begin[b, a], end[b, a] = one.interval_b
+
+
+def _stops(junction: SceneJunction) -> list[bool]:
+    control = junction.control
+    if control.kind == "all_way_stop":
+        return [True] * len(junction.connections)
+    minor = control.minor if control.kind == "stop" else ()
+    return [one.source.road in minor for one in junction.connections]
+
+
+def _yielding(junction: SceneJunction) -> list[bool]:
+    yielding = {one for one, _ in junction.yields}
+    return [one.id in yielding for one in junction.connections]
+
+
+def _targets(junction: SceneJunction) -> list[int]:
+    known: dict[tuple[str, str, int], int] = {}
+    lanes = [(c.target.road, c.target.end, c.target.lane) for c in junction.connections]
+    return [known.setdefault(lane, len(known)) for lane in lanes]

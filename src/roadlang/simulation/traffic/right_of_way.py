@@ -1,0 +1,184 @@
+"""Right of way of all agents of a world: who may cross a junction, and where others wait.
+
+At most one agent at a time is let go at each junction. Those let go pass in that order: each waits
+before the place where an earlier one crosses, and follows it where lanes merge. The order is total
+and its first waits for nobody, so nobody waits forever inside a junction.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers
+from ..crossings import crossings_of
+from ..leaders import Leaders
+from ..world import World
+from . import rules
+from .approaches import (
+    OVER_LINE,
+    SIGN_DISTANCE,
+    SIGN_SPEED,
+    STOP_GAP,
+    Approaches,
+    braking_to_stop,
+)
+from .crowd import Crowd, Places
+from .granting import let_go
+from .grants import FIRST, NEVER, Grants
+from .junction_tables import ALL_WAY_STOP
+
+INTERVAL = 0.1
+"""Seconds from one look at the junctions to the next."""
+WAITS_WITHIN, WAITS_SLOWER = 15.0, 1.0
+"""Who is slower so close to a line waits: meters and m/s."""
+MODERATE = 0.5
+"""Politeness and aggression of who does not say, from 0 to 1."""
+UNSTOPPABLE = 4.0
+"""m/s^2: who would have to brake harder before a line, and does not obey, will cross it."""
+
+
+@dataclass(frozen=True)
+class Waits:
+    """Columns (N,): where agents have to stop, and whom they follow where lanes merge."""
+
+    stop: Floats
+    """`World.traveled` of the front at the stop, infinite for none"""
+    leader: Integers
+    """column of who goes first, -1 for none"""
+    distance: Floats
+    """gap to the leader, less its `traveled` and plus the own"""
+
+
+class RightOfWay:
+    """Grants of the agents of a world, brought up to date when they are needed."""
+
+    def __init__(self, world: World) -> None:
+        self._crossings = crossings = crossings_of(world)
+        self._places = Places.of(crossings.junctions, world.scenes)
+        count, scenes = len(world.present), len(world.scenes)
+        self._grants = Grants.none(crossings.stop.shape)
+        self._last_grant = np.full((scenes, max(1, len(crossings.junctions))), -math.inf)
+        self._looked = np.full(scenes, -math.inf)
+        self._asked = np.zeros(count, dtype=bool)
+        self._asking = np.zeros(count, dtype=bool)
+        self._temper = np.full((2, count), MODERATE)
+        self._waits = Waits(
+            np.full(count, math.inf), np.full(count, -1, dtype=np.int64), np.full(count, math.inf)
+        )
+
+    def take(self, agents: Integers, scenes: Integers) -> None:
+        """From now on the world has these of its agents and scenes alone."""
+        place = np.full(len(self._asked) + 1, -1)
+        place[agents] = np.arange(len(agents))
+        self._crossings, self._grants = self._crossings.take(agents), self._grants.take(agents)
+        self._last_grant, self._looked = self._last_grant[scenes], self._looked[scenes]
+        self._temper = self._temper[:, agents]
+        self._asked, self._asking = self._asked[agents], self._asking[agents]
+        waits = self._waits
+        self._waits = Waits(waits.stop[agents], place[waits.leader[agents]], waits.distance[agents])
+
+    def ahead(
+        self,
+        world: World,
+        leaders: Leaders,
+        rows: Integers,
+        temper: tuple[Floats | float, Floats | float] | None = None,
+    ) -> tuple[Floats, Floats, Floats]:
+        """(N,) meters from the fronts of agents to where they have to stop, infinite for no need;
+        the gap to who goes first where lanes merge, as if it were ahead in the lane already,
+        infinite for nobody; and the speed of that one. Who asks obeys from then on. `temper`: their
+        politeness and aggression, each from 0 to 1."""
+        if not self._crossings.junctions:
+            front = world.motion.along[rows] + 0.5 * world.bodies.length[rows]
+            stop = self._crossings.end[rows] - front - STOP_GAP
+            return stop, np.full(len(rows), math.inf), np.zeros(len(rows))
+        if temper is not None:
+            self._temper[0, rows], self._temper[1, rows] = temper
+        self._look(world, leaders, rows)
+        waits, traveled = self._waits, world.traveled
+        leader = waits.leader[rows]
+        gap = waits.distance[rows] + traveled[leader] - traveled[rows]
+        follows = leader >= 0
+        speed = np.where(follows, world.motion.speed[leader], 0.0)
+        return waits.stop[rows] - traveled[rows], np.where(follows, gap, math.inf), speed
+
+    def _look(self, world: World, leaders: Leaders, rows: Integers) -> None:
+        """Bring the scenes of some agents up to date, where that is due. Who has asked since the
+        last time obeys; at first everybody is taken to."""
+        scenes = np.unique(rows // world.slots)
+        due = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
+        if len(due):
+            agents = (due[:, None] * world.slots + np.arange(world.slots)).ravel()
+            self._asked[agents] = self._asking[agents]
+            new = np.repeat(np.isinf(self._looked[due]), world.slots)
+            self._asked[agents] |= new
+            self._asking[agents] = False
+            self._looked[due] = world.time
+            self._update(world, leaders, agents)
+        self._asking[rows] = True
+
+    def _update(self, world: World, leaders: Leaders, rows: Integers) -> None:
+        crossings, places = self._crossings.take(rows), self._places
+        moves = world.present & ~world.halted & ~world.bodies.walks
+        crowd = Crowd(
+            places, world.time, crossings,
+            Approaches.of(world, rows, (crossings, places.tables, places.lights)),
+            self._grants.take(rows), rows // world.slots, world.motion.speed[rows],
+            world.bodies.length[rows], moves[rows], self._asked[rows],
+            self._temper[0, rows], self._temper[1, rows],
+            leaders.gaps.reshape(-1, world.slots)[rows],
+        )  # fmt: skip
+        _remember(crowd)
+        let_go(crowd, self._last_grant)
+        self._grants.put(rows, crowd.grants)
+        self._wait(crowd, world, rows)
+
+    def _wait(self, crowd: Crowd, world: World, rows: Integers) -> None:
+        """Where agents have to stop, and whom they follow."""
+        near, held = crowd.near, crowd.held
+        closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
+        front = world.motion.along[rows] + 0.5 * crowd.length
+        stop = np.minimum(closed.min(axis=1), crowd.crossings.end - front - STOP_GAP)
+        gap = np.full(len(rows), math.inf)
+        leader = np.full(len(rows), -1)
+        if held.any():
+            meetings = crowd.meetings(held)
+            stops, gaps = rules.zone_stops(meetings, near, crowd.grants, crowd.length)
+            there = meetings.is_there
+            np.minimum.at(stop, meetings.row[there], stops.min(axis=2)[there])
+            nearest = gaps.argmin(axis=2)
+            least = np.take_along_axis(gaps, nearest[:, :, None], axis=2)[:, :, 0]
+            np.minimum.at(gap, meetings.row[there], least[there])
+            follows = there & np.isfinite(least) & (least == gap[meetings.row])
+            other = np.take_along_axis(meetings.row, nearest, axis=1)
+            leader[meetings.row[follows]] = rows[other[follows]]
+        traveled = world.traveled
+        first = np.maximum(leader, 0)
+        waits = self._waits
+        waits.stop[rows] = traveled[rows] + stop
+        waits.leader[rows] = leader
+        waits.distance[rows] = np.where(leader >= 0, gap + traveled[rows] - traveled[first], gap)
+
+
+def _remember(crowd: Crowd) -> None:
+    """Forget what is over; take back what signals forbid; note who goes without asking, and who
+    waits."""
+    grants, near = crowd.grants, crowd.near
+    grants.forget(near.is_behind)
+    obeys, speed, to_line = crowd.obeys[:, None], crowd.speed[:, None], near.to_line
+    ahead = ~near.is_behind & crowd.moves[:, None]
+    grants.order[near.must_stop & obeys] = NEVER
+    grants.order[crowd.held & ~obeys & (to_line >= 0.0) & (speed < SIGN_SPEED)] = NEVER
+    runs = ~obeys & (to_line >= 0.0) & (braking_to_stop(speed, to_line) > UNSTOPPABLE)
+    grants.order[ahead & runs] = FIRST
+    inside = ahead & ~crowd.held & (to_line < -OVER_LINE)
+    grants.order[inside] = np.where(obeys, crowd.time, FIRST)[inside.nonzero()[0], 0]
+    close = ahead & (to_line > -OVER_LINE) & (to_line < WAITS_WITHIN) & (speed < WAITS_SLOWER)
+    grants.waiting[:] = np.where(close, grants.waiting + INTERVAL, 0.0)
+    stops = close & (to_line < SIGN_DISTANCE) & (speed < SIGN_SPEED) & ~grants.has_stopped
+    grants.has_stopped |= stops
+    in_turn = crowd.places.tables.rule[np.maximum(crowd.crossings.junction, 0)] == ALL_WAY_STOP
+    grants.arrival[stops & in_turn] = crowd.time

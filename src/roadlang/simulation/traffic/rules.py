@@ -1,0 +1,128 @@
+"""Who keeps whom from going: the rules of right of way, on groups of agents that meet."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats
+from .approaches import Approaches, braking_to_stop, seconds_for
+from .grants import NEVER, Grants
+from .junction_tables import CROSS, MERGE
+from .meetings import Meetings
+
+STANDING_GAP = 2.0
+"""Meters between two that stand in a row."""
+CLEARANCE = 0.8
+"""Seconds between two that cross, for the calmest; none for the boldest."""
+HEADWAY = 0.6
+"""Seconds behind who goes first where lanes merge, for the calmest."""
+EAGER, EAGER_SPEED = 2.6, 12.0
+"""m/s^2 and m/s: how fast who asks to go may get to where another crosses."""
+SLUGGISH, SLUGGISH_SPEED = 1.2, 6.0
+"""m/s^2 and m/s: how fast who goes first leaves that place."""
+FROM_RIGHT, FROM_RIGHT_DISTANCE = 3.0, 8.0
+"""Who comes from the right counts if it is at the line within so many seconds, or meters."""
+PATIENCE = 3.0
+"""Seconds after which traffic of the main road lets in who waits where lanes merge."""
+COURTEOUS = 4.0
+"""m/s^2 that the politest brakes for that, at most."""
+BEFORE_ZONE = 0.5
+"""Meters before the place where another crosses at which cars stop."""
+IN_ZONE = 1.0
+"""Meters: who is so far within that place drives on."""
+
+
+def pairs(values: Any) -> tuple[Any, Any]:
+    """(G, P, 1) and (G, 1, P): of the first and of the second of a pair."""
+    return values[:, :, None], values[:, None, :]
+
+
+def let_go(meetings: Meetings, grants: Grants) -> Booleans:
+    """(G, P) who may go, or is on the junction."""
+    return np.asarray(meetings.is_there & (meetings.of_crossings(grants.order) < NEVER))
+
+
+def in_the_way(
+    meetings: Meetings, near: Approaches, grants: Grants, speed: Floats, length: Floats,
+    aggression: Floats,
+) -> Booleans:  # fmt: skip
+    """(G, P) for whom one that may go already leaves no gap. `speed`, `length`, `aggression` from 0
+    to 1: (N,)."""
+    _, goes = pairs(let_go(meetings, grants))
+    to_line, other_line = pairs(meetings.of_crossings(near.to_line))
+    to_leave, other_leave = pairs(meetings.of_crossings(near.to_leave))
+    own, other = pairs(meetings.of_agents(speed))
+    own_length, other_length = pairs(meetings.of_agents(length))
+    calm = 1.0 - meetings.of_agents(aggression)[:, :, None]
+    apart = CLEARANCE * calm
+    arrives = seconds_for(to_line + meetings.begin, own, EAGER, EAGER_SPEED)
+    end = np.swapaxes(meetings.end, 1, 2)
+    leaves_in = other_line + end + other_length
+    leaves = seconds_for(leaves_in, other, SLUGGISH, SLUGGISH_SPEED)
+    crosses = (meetings.conflict == CROSS) & (leaves_in > 0.0) & (arrives <= leaves + apart)
+    gap = (to_leave - own_length) - (other_leave - other_length) - other_length
+    wanted = STANDING_GAP + HEADWAY * calm * own + np.maximum(0.0, own - other)
+    merges = (meetings.conflict == MERGE) & (gap <= wanted)
+    return np.asarray((goes & (crosses | merges)).any(axis=2))
+
+
+def waits_for_right(
+    meetings: Meetings, near: Approaches, asks: Booleans, speed: Floats
+) -> Booleans:
+    """(G, P) who yields to one that arrives now and was not let go either. `asks`: (G, P)."""
+    to_line = meetings.of_crossings(near.to_line)
+    soon = to_line < FROM_RIGHT * meetings.of_agents(speed) + FROM_RIGHT_DISTANCE
+    _, comes = pairs(asks & soon)
+    return np.asarray((meetings.yields & comes).any(axis=2))
+
+
+def lets_in(
+    meetings: Meetings, near: Approaches, grants: Grants, asks: Booleans, speed: Floats,
+    politeness: Floats,
+) -> Booleans:  # fmt: skip
+    """(G, P) who brakes for one that has waited long where their lanes merge."""
+    _, waits = pairs(asks & (meetings.of_crossings(grants.waiting) > PATIENCE))
+    yields = np.swapaxes(meetings.yields, 1, 2)
+    meets = ((meetings.conflict == MERGE) & yields & waits).any(axis=2)
+    braking = braking_to_stop(
+        meetings.of_agents(speed), meetings.of_crossings(near.to_line) - BEFORE_ZONE
+    )
+    return np.asarray(meets & (braking < COURTEOUS * meetings.of_agents(politeness)))
+
+
+def space_for_others(meetings: Meetings, goes: Booleans, length: Floats) -> Floats:
+    """(G, P) meters of the lane that each enters which those let go already will take."""
+    _, other = pairs(meetings.of_agents(length) + STANDING_GAP)
+    _, counts = pairs(goes)
+    taken = np.where(meetings.share_exit & counts, other, 0.0)
+    return np.asarray(np.cumsum(taken, axis=2)[:, :, -1])  # a sum that padding does not change
+
+
+def goes_earlier(meetings: Meetings, grants: Grants) -> Booleans:
+    """(G, P, P) whether the second was let go before the first."""
+    order, other_order = pairs(meetings.of_crossings(grants.order))
+    row, other = pairs(meetings.row)
+    earlier = (other_order < order) | ((other_order == order) & (other < row))
+    return np.asarray(earlier & (other_order < NEVER) & (order < NEVER))
+
+
+def zone_stops(
+    meetings: Meetings, near: Approaches, grants: Grants, length: Floats
+) -> tuple[Floats, Floats]:
+    """(G, P, P) meters from the front of the first to where it has to wait for the second to pass,
+    infinite for no need; and where lanes merge the gap at which it follows the second."""
+    earlier = goes_earlier(meetings, grants)
+    to_line, other_line = pairs(meetings.of_crossings(near.to_line))
+    to_leave, other_leave = pairs(meetings.of_crossings(near.to_leave))
+    own_length, other_length = pairs(meetings.of_agents(length))
+    to_zone = to_line + meetings.begin
+    leaves_in = other_line + np.swapaxes(meetings.end, 1, 2) + other_length
+    crosses = earlier & (meetings.conflict == CROSS) & (leaves_in > 0.0) & (to_zone > -IN_ZONE)
+    stop = np.where(crosses, to_zone - BEFORE_ZONE, np.inf)
+    merges = earlier & (meetings.conflict == MERGE)
+    behind = (to_leave - own_length) - (other_leave - other_length) - other_length
+    late = merges & (behind < to_zone - BEFORE_ZONE)
+    stop = np.where(late, np.minimum(stop, to_zone - BEFORE_ZONE), stop)
+    return stop, np.where(merges & ~late, behind, np.inf)
