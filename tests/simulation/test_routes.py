@@ -202,3 +202,17 @@ def _placed_along(scene: Scene, path: SceneRoute, places: list[float]) -> list[S
         one = car(scene, f"standing{number}", path, drive=call("brake"))
         out.append(replace(one, x=x, y=y, heading=heading, route=None, road=None, start=None))
     return out
+
+
+CORNER = "\n".join([".#" + "." * 12] * 12 + [".#############"])
+
+
+def test_a_route_round_a_sharp_corner_can_be_driven_in_the_inner_lane() -> None:
+    scene = network_scene(CORNER, "lanes: 2, speed_limit: 50km/h")
+    (road,) = scene.roads
+    for lane, ends in ((-1, (5.0, road.length - 5.0)), (1, (road.length - 5.0, 5.0))):
+        path = SceneRoute((RouteStep(road.name, lane, *ends),))
+        agent = car(scene, "ego", path, drive=call("lane_follow", speed=12.0))
+        (trace,) = drive_scenes([replace(scene, agents=(agent,))], duration=40.0)
+        assert np.abs(trace.agents["ego"].cross_track_error).max() < 0.6
+        assert trace.agents["ego"].progress[-1] == 1.0

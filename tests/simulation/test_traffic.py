@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.ir.scene import Scene
+from roadlang.ir.scene_route import RouteStep, SceneRoute
 
 from .crossing_traffic import (
     before_junction,
@@ -262,3 +263,22 @@ def test_traffic_alone_is_its_row_of_a_block() -> None:
     for scene, trace in zip(scenes, together, strict=True):
         (alone,) = drive_scenes([scene], duration=20.0)
         assert bytes_of(alone) == bytes_of(trace)
+
+
+@pytest.mark.parametrize("apart", [-1.0, 0.0, 1.0])
+def test_two_that_change_to_each_others_lane_side_by_side_do_not_touch(apart: float) -> None:
+    scene = scene_with("right_first", lanes=4)
+    road = next(one for one in scene.roads if one.name == entries(scene)[0][0])
+    low, high = road.trim[0] + 10.0, road.length - road.trim[1]
+    middle = low + 70.0
+    agents = []
+    for name, first, second, begin in (("one", -1, -2, low), ("other", -2, -1, low + apart)):
+        steps = (
+            RouteStep(road.name, first, begin, middle),
+            RouteStep(road.name, second, middle, high),
+        )
+        drives = call("traffic")
+        agents.append(car(scene, name, SceneRoute(steps), drive=drives, speed=12.0))
+    (trace,) = drive_scenes([replace(scene, agents=tuple(agents))], duration=20.0)
+    assert contacts(trace) == []
+    assert min(agent.progress[-1] for agent in trace.agents.values()) > 0.9

@@ -22,6 +22,8 @@ HARDEST = 8.0
 """m/s^2: deceleration in an emergency."""
 LATE = 0.7
 """Share of the comfortable deceleration from which on cars brake evenly for a stop."""
+MERGING = 1.5
+"""Times the comfortable deceleration, with which cars make room for who goes first."""
 NEAREST = 0.1
 """Meters: gaps count as no smaller."""
 
@@ -60,7 +62,7 @@ class Traffic(Controller):
         follow = Following(seen.speed, target, most, braking, self.headway)
         ahead = follow.behind(*seen.vehicle_ahead())
         stop, merging, speed = seen.right_of_way(self.politeness, self.aggression)
-        ahead = np.minimum(ahead, follow.behind(merging, speed))
+        ahead = np.minimum(ahead, np.maximum(follow.behind(merging, speed), -MERGING * braking))
         ahead = np.minimum(ahead, follow.to_stop(stop))
         bends = bend_speed(seen, target, 2.0 + 3.0 * boldness, braking)
         slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)

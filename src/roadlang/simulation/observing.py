@@ -13,6 +13,7 @@ from ..geometry.arrays import Booleans, Floats, Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
+from .lane_changes import zipper
 from .leaders import Leaders, leaders
 from .nearest import nearest
 from .neighbors import Nearby, StandingObjects
@@ -201,6 +202,10 @@ class View:
         world, surroundings = self.world, self.surroundings
         right_of_way = surroundings.right_of_way(world)
         stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, temper)
+        changes = zipper(world)
+        sooner = changes[0][rows] < gap
+        gap = np.where(sooner, changes[0][rows], gap)
+        speed = np.where(sooner, changes[1][rows], speed)
         return np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows]), gap, speed
 
     def _leaders(self) -> Leaders:

@@ -14,6 +14,7 @@ from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from .lines import LineSource
+from .smoothing import is_tight, smoothed
 
 ARC_SPACING = 0.5
 """Meters between two points of a connection, at most."""
@@ -53,6 +54,8 @@ class Leg:
     speed_limit: float
     """m/s, infinite for none"""
     turn: Turn | None = None
+    changed: float = 0.0
+    """meters before and after its begin in which the line changes to its lane; 0: it does not"""
 
 
 @dataclass(frozen=True)
@@ -74,6 +77,7 @@ class _Part:
     width: Floats
     station: Floats
     turn: Turn | None = None
+    changed: float = 0.0
 
 
 def plain_line(source: LineSource, road: int, lane: int, limit: float, backward: bool) -> RouteLine:
@@ -98,7 +102,7 @@ def route_line(route: SceneRoute, scene: Scene, numbers: Mapping[str, int]) -> R
         legs.append(
             Leg(
                 part.step, numbers[step.road], 0 if turned else step.lane, begin, along,
-                part.station, speed_limit(road, step.lane), part.turn,
+                part.station, speed_limit(road, step.lane), part.turn, part.changed,
             )
         )  # fmt: skip
         points.append((along, part.x, part.y, part.heading, part.width))
@@ -207,9 +211,14 @@ def _lane_part(
     slope = np.gradient(offset, at) if len(at) > 2 else np.zeros(len(at))
     heading = heading + np.arctan(slope / np.maximum(1.0 - curvature * offset, 0.1))
     width = np.broadcast_to(np.asarray(section.lane_width(step.lane, at)), at.shape)
+    if is_tight(curvature, offset):
+        s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+        even, x, y, heading = smoothed(x, y)
+        at, width = np.interp(even, s, at), np.interp(even, s, width)
     if step.start > step.stop:
         x, y, heading, width, at = x[::-1], y[::-1], heading[::-1] + np.pi, width[::-1], at[::-1]
-    return _Part(number, x, y, heading, np.array(width), at)
+    changed = 0.5 * _change_length(step, before, road) if before is not None else 0.0
+    return _Part(number, x, y, heading, np.array(width), at, changed=changed)
 
 
 def _eased(u: Floats) -> Floats:

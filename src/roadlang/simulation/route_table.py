@@ -32,6 +32,8 @@ class Place:
     """arc length along the road; on a connection where the lane ends that it leaves"""
     turn: Integers
     """on a connection its number in `RouteTable.turns`, else -1"""
+    direction: Integers
+    """1 along the road, -1 against it"""
 
 
 @dataclass(frozen=True)
@@ -63,14 +65,22 @@ class RouteTable:
     per_meter: Floats
     stations: Floats
     """of all legs, evenly spaced in each"""
+    direction: Integers
+    """1 along the road, -1 against it"""
+    changed: Floats
+    """meters before and after its begin in which the line changes to the lane of the leg; 0: not"""
+    has_changes: bool
+    """whether any line changes lanes"""
 
     @classmethod
     def of(cls, lines: Sequence[RouteLine], line: Integers) -> RouteTable:
         """The table of lines, in their order. `line`: (N,) that of each agent."""
         shape = len(lines), max(len(one.legs) for one in lines)
         begin, limit = np.full(shape, math.inf), np.full(shape, math.inf)
-        per_meter = np.zeros(shape)
-        step, road, lane, turn, first, last = (np.zeros(shape, dtype=np.int64) for _ in range(6))
+        per_meter, changed = np.zeros(shape), np.zeros(shape)
+        step, road, lane, turn, first, last, direction = (
+            np.zeros(shape, dtype=np.int64) for _ in range(7)
+        )
         road -= 1
         turn -= 1
         turns: list[Turn] = []
@@ -81,7 +91,8 @@ class RouteTable:
                 at = row, place
                 begin[at] = leg.begin if place else -math.inf
                 step[at], road[at], lane[at] = leg.step, leg.road, leg.lane
-                limit[at] = leg.speed_limit
+                limit[at], changed[at] = leg.speed_limit, leg.changed
+                direction[at] = -1 if leg.station[-1] < leg.station[0] else 1
                 if leg.turn is not None:
                     turn[at] = len(turns)
                     turns.append(leg.turn)
@@ -95,7 +106,7 @@ class RouteTable:
                 filled += len(even)
         return cls(
             line, begin, step, road, lane, limit, turn, tuple(turns), first, last, per_meter,
-            np.concatenate(stations),
+            np.concatenate(stations), direction, changed, bool(changed.any()),
         )  # fmt: skip
 
     def take(self, agents: Integers) -> RouteTable:
@@ -113,7 +124,7 @@ class RouteTable:
         line, leg = self.line[rows], self.leg(rows, along)
         return Place(
             leg, self.step[line, leg], self.road[line, leg], self.lane[line, leg],
-            self._station(line, leg, along), self.turn[line, leg],
+            self._station(line, leg, along), self.turn[line, leg], self.direction[line, leg],
         )  # fmt: skip
 
     def station(self, rows: Any, along: Floats) -> Floats:
@@ -138,6 +149,17 @@ class RouteTable:
         square = limit * limit + 2.0 * rate[:, None] * finite
         ahead = np.arange(limit.shape[1]) >= self.leg(rows, there)[:, None]
         return np.asarray(np.sqrt(np.where(ahead, square, math.inf).min(axis=1)))
+
+    def lane_change(self, rows: Any, first: Floats, last: Floats) -> Integers:
+        """(N,) the lane to which lines change between arc lengths `first` and `last`, 0 for none;
+        of several the first."""
+        line = self.line[rows]
+        begin, changed = self.begin[line], self.changed[line]
+        meets = (changed > 0.0) & (begin - changed < last[:, None])
+        meets &= begin + changed > first[:, None]
+        leg = meets.argmax(axis=1)
+        each = np.arange(len(leg))
+        return np.where(meets[each, leg], self.lane[line, leg], 0)
 
     def next_turn(self, rows: Any, along: Floats) -> tuple[Floats, Integers]:
         """(N,) arc length of the line where the next connection begins, infinite for none, and its

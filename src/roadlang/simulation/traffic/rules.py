@@ -52,9 +52,8 @@ def in_the_way(
     to 1: (N,)."""
     _, goes = pairs(let_go(meetings, grants))
     to_line, other_line = pairs(meetings.of_crossings(near.to_line))
-    to_leave, other_leave = pairs(meetings.of_crossings(near.to_leave))
     own, other = pairs(meetings.of_agents(speed))
-    own_length, other_length = pairs(meetings.of_agents(length))
+    other_length = meetings.of_agents(length)[:, None, :]
     calm = 1.0 - meetings.of_agents(aggression)[:, :, None]
     apart = CLEARANCE * calm
     arrives = seconds_for(to_line + meetings.begin, own, EAGER, EAGER_SPEED)
@@ -62,7 +61,7 @@ def in_the_way(
     leaves_in = other_line + end + other_length
     leaves = seconds_for(leaves_in, other, SLUGGISH, SLUGGISH_SPEED)
     crosses = (meetings.conflict == CROSS) & (leaves_in > 0.0) & (arrives <= leaves + apart)
-    gap = (to_leave - own_length) - (other_leave - other_length) - other_length
+    gap = _behind(meetings, near, length)
     wanted = STANDING_GAP + HEADWAY * calm * own + np.maximum(0.0, own - other)
     merges = (meetings.conflict == MERGE) & (gap <= wanted)
     return np.asarray((goes & (crosses | merges)).any(axis=2))
@@ -100,6 +99,13 @@ def space_for_others(meetings: Meetings, goes: Booleans, length: Floats) -> Floa
     return np.asarray(np.cumsum(taken, axis=2)[:, :, -1])  # a sum that padding does not change
 
 
+def _behind(meetings: Meetings, near: Approaches, length: Floats) -> Floats:
+    """(G, P, P) the gap of the first behind the second, measured from where their lanes merge."""
+    leave = np.where(meetings.is_there, meetings.of_crossings(near.to_leave), 0.0)
+    own, other = pairs(leave - meetings.of_agents(length))
+    return np.asarray(own - other - meetings.of_agents(length)[:, None, :])
+
+
 def goes_earlier(meetings: Meetings, grants: Grants) -> Booleans:
     """(G, P, P) whether the second was let go before the first."""
     order, other_order = pairs(meetings.of_crossings(grants.order))
@@ -115,14 +121,13 @@ def zone_stops(
     infinite for no need; and where lanes merge the gap at which it follows the second."""
     earlier = goes_earlier(meetings, grants)
     to_line, other_line = pairs(meetings.of_crossings(near.to_line))
-    to_leave, other_leave = pairs(meetings.of_crossings(near.to_leave))
-    own_length, other_length = pairs(meetings.of_agents(length))
+    other_length = meetings.of_agents(length)[:, None, :]
     to_zone = to_line + meetings.begin
     leaves_in = other_line + np.swapaxes(meetings.end, 1, 2) + other_length
     crosses = earlier & (meetings.conflict == CROSS) & (leaves_in > 0.0) & (to_zone > -IN_ZONE)
     stop = np.where(crosses, to_zone - BEFORE_ZONE, np.inf)
     merges = earlier & (meetings.conflict == MERGE)
-    behind = (to_leave - own_length) - (other_leave - other_length) - other_length
+    behind = _behind(meetings, near, length)
     late = merges & (behind < to_zone - BEFORE_ZONE)
     stop = np.where(late, np.minimum(stop, to_zone - BEFORE_ZONE), stop)
     return stop, np.where(merges & ~late, behind, np.inf)

@@ -1,0 +1,45 @@
+"""Bends of lanes that no car can drive, such as the inner lane of a sharp corner, made drivable."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..geometry.arrays import Floats
+
+TIGHTEST = 0.2
+"""1/m: lanes with sharper bends are smoothed there."""
+REACH = 6.0
+"""Meters to each side over which places are averaged: of a right angle remains a radius of 4 m."""
+SPACING = 0.5
+"""Meters between two points of a smoothed line."""
+
+
+def is_tight(curvature: Floats, offset: Floats) -> bool:
+    """Whether a line `offset` meters left of a curve bends too sharply somewhere."""
+    left = 1.0 - curvature * offset
+    return bool((np.abs(curvature) > TIGHTEST * left).any())
+
+
+def smoothed(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """(n,) s, x, y and heading of a line through points, each place averaged over `REACH` meters to
+    each side; less near the ends, which stay. `s`: arc length of the line before, up to there."""
+    s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    fresh = np.append(True, np.diff(s) > 1e-6)
+    s, x, y = s[fresh], x[fresh], y[fresh]
+    even = np.linspace(0.0, s[-1], max(3, int(np.ceil(s[-1] / SPACING)) + 1))
+    reach = np.minimum(REACH, np.minimum(even, s[-1] - even))
+    columns = [_averaged(s, column, even, reach) for column in (x, y)]
+    heading = np.arctan2(*(np.gradient(column, even) for column in columns[::-1]))
+    return even, columns[0], columns[1], np.unwrap(heading)
+
+
+def _averaged(s: Floats, values: Floats, at: Floats, reach: Floats) -> Floats:
+    """Means over `at - reach` to `at + reach` of what is linear between `s`."""
+    fine = np.unique(np.concatenate([s, at, at - reach, at + reach]))
+    fine = fine[(fine >= s[0]) & (fine <= s[-1])]
+    column = np.interp(fine, s, values)
+    area = np.concatenate([[0.0], np.cumsum(0.5 * (column[1:] + column[:-1]) * np.diff(fine))])
+    sums = np.interp(at + reach, fine, area) - np.interp(at - reach, fine, area)
+    wide = reach > 1e-9
+    means = sums / np.where(wide, 2.0 * reach, 1.0)
+    return np.asarray(np.where(wide, means, np.interp(at, s, values)))
