@@ -55,6 +55,16 @@ def test_an_agent_stands_free_looks_forward_and_waits() -> None:
     assert (dict(car.options), car.drive, car.start_speed, car.route) == ({}, (), None, None)
 
 
+def test_a_route_ends_and_its_steps_lead_into_each_other() -> None:
+    steps = [{"road": "main", "lane": -1, "start": 0, "stop": 10}]
+    agents = [{**CAR, "route": {"steps": steps}}]
+    (car,) = scene_from_json(json.dumps({**LEAST, "agents": agents})).agents
+    assert car.route is not None
+    assert not car.route.closed
+    (step,) = car.route.steps
+    assert (step.lane, step.start, step.stop, step.turn) == (-1, 0, 10, None)
+
+
 def test_a_verdict_has_no_places() -> None:
     (verdict,) = least().requirements
     assert (verdict.violated, verdict.formula, verdict.profiles, verdict.tightest) == (

@@ -100,6 +100,7 @@ def test_what_an_annotation_says(annotation: Any, meaning: Annotation) -> None:
         (tuple[Length, Length], "`Point`, or `tuple[Length, ...]`"),
         (tuple, "`Point`, or `tuple[Length, ...]`"),
         (Literal[1, 2], "is not the type of an option"),
+        (Literal["left", 2], "is not the type of an option"),
         (dict[int, Length], "is not the type of an option"),
         (complex, "is not the type of an option"),
         (ListOf[complex], "is not the type of an option"),
