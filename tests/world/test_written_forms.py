@@ -113,3 +113,22 @@ def test_each_copy_draws_its_own_kind_and_options(sample: Sample) -> None:
     assert len(set(trees)) == len(trees)
     assert all(2 <= length <= 3 for length in trees)
     assert {thing.length for thing in things if thing.kind == "cone"} == {0.35}
+
+
+def test_a_road_of_a_displaced_network_ends_where_its_streets_do(sample: Sample) -> None:
+    """One street of 90 m whose second half lies 2 m further left: so does the end of the road."""
+    text = '''
+image plan from """
+##########
+""" { scale: 10m/px, legend: { "#": road } }
+network town from plan
+network moved from town { perturb with shift { at: 20m, offset: 2m, length: 20m } }
+road main from moved
+'''
+    roads = {road.name: road for road in scene(sample, text).roads}
+    main, street = roads["main"], roads["moved/1"]
+    assert (main.x[0], main.y[0], main.x[-1], main.y[-1]) == pytest.approx((5, 5, 95, 7))
+    assert main.y == pytest.approx(street.y)
+    assert main.y[19] == pytest.approx(5, abs=0.05)
+    assert main.y[30] == pytest.approx(6, abs=0.05)
+    assert main.y[41] == pytest.approx(7, abs=0.05)
