@@ -55,6 +55,18 @@ def test_racetracks_have_a_width_on_either_side(tmp_path: Path) -> None:
     assert road.length == pytest.approx(2 * np.pi * 50, rel=1e-3)
 
 
+@pytest.mark.parametrize("repeated", [False, True])
+def test_widths_of_a_ring_stay_at_their_points(tmp_path: Path, repeated: bool) -> None:
+    """From 4 m at the first of 40 points up by 10 cm each, whether the first is repeated or not."""
+    rows = [f"{x},{y},{4 + number / 10}" for number, (x, y) in enumerate(RING)]
+    rows += rows[:1] if repeated else []
+    road = read(tmp_path, "x,y,width\n" + "\n".join(rows))
+    assert isinstance(road, Road)
+    assert road.closed
+    at = road.length * np.array([0, 10, 20, 39]) / 40
+    assert road.width.at(at) == pytest.approx([4, 5, 6, 7.9], abs=0.01)
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [
