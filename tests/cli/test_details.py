@@ -79,7 +79,20 @@ def test_a_verb_of_plugins_is_checked(tmp_path: Path) -> None:
 def test_kinds_are_listed_as_json_with_their_options(tmp_path: Path) -> None:
     (sine,) = json.loads(roadlang("plugins", "show", "sine", "--json", cwd=tmp_path).stdout)
     assert (sine["verb"], sine["name"]) == ("perturb", "sine")
-    assert {"amplitude", "wavelength", "phase"} <= {option["name"] for option in sine["options"]}
+    assert (sine["qualified"], sine["plugin"], sine["distribution"]) == (
+        "standard.sine", "standard", "roadlang"
+    )  # fmt: skip
+    options = {option["name"]: option for option in sine["options"]}
+    assert options["wavelength"] == {
+        "name": "wavelength", "type": "length (m)", "required": True, "default": None,
+        "bounds": "> 0m", "words": [],
+        "help": "arc length of one period; a closed road has a whole number",
+    }  # fmt: skip
+    phase = options["phase"]
+    assert (phase["required"], phase["default"], phase["bounds"]) == (False, "0deg", None)
+    (contour,) = json.loads(roadlang("plugins", "show", "contour", "--json", cwd=tmp_path).stdout)
+    words = {option["name"]: option["words"] for option in contour["options"]}
+    assert words["road"] == ["auto", "dark", "light"]
 
 
 def test_a_statement_is_shown_with_what_its_block_takes(tmp_path: Path) -> None:

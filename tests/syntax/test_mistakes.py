@@ -267,3 +267,10 @@ def test_a_missing_sign_is_named_and_the_rest_is_read_as_if_it_were_there(
     tree, errors = parse(Source("a.rl", f"{text}\nlet after = 1m\n"))
     assert [error.message for error in errors] == [f"expected `{missing}`, found `{found}`"]
     assert len(tree.statements) == 2
+
+
+def test_what_begins_at_the_margin_is_a_statement_whatever_its_letters() -> None:
+    """`_wait` is no statement, and the next one is read all the same."""
+    tree, errors = parse(Source("a.rl", "param a = 3m\n_wait until noon\nparam b = 4m\n"))
+    assert [(e.code, e.span.line) for e in errors if e.span] == [("RL001", 2)]
+    assert len(tree.statements) == 2
