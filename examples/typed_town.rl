@@ -14,9 +14,11 @@ image plan from """
   legend: { "#": road, "T": tree, "B": building }
 }
 network town from plan
-road tour from town { select: route((20m, 4m), (76m, 36m)), width: 6m }
 
-agent ego is car on tour at 14% { drive with pure_pursuit { speed: 8m/s } }
+agent ego is car on town {
+  route: [(36m, 12m), (76m, 24m), (40m, 36m)]     # past these points, by lanes and turns
+  drive with pure_pursuit { speed: 8m/s }
+}
 expect stays: always (abs(ego.cross_track_error) < 2m)
 
 emit json

@@ -12,6 +12,18 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
+class RoadPart:
+    """A part of a road of a network, in the direction in which another runs over it."""
+
+    road: str
+    """name of the road"""
+    start: float
+    """arc length where the part begins, meters"""
+    stop: float
+    """arc length where it ends; less than `start` against the direction of the road"""
+
+
+@dataclass(frozen=True, slots=True)
 class SceneRoad:
     """One curve. The tuples have a number for each of its stations."""
 
@@ -44,7 +56,8 @@ class SceneRoad:
     edge: int | None = None
     """its number in the network"""
     derived: bool = False
-    """true for the last road of a chain: what is driven, drawn in full and built"""
+    """true for what is drawn in full and built: the last road of a chain, and the roads of a
+    network; not for what only runs over roads that are"""
     trim: tuple[float, float] = (0.0, 0.0)
     """of a road of a network: how far from its start and from its end the junctions there reach,
     meters of its stations; between lies the road"""
@@ -61,6 +74,8 @@ class SceneRoad:
     """its name in the map that it is from"""
     elevation: tuple[float, ...] = field(default=(), repr=False)
     """meters above the origin at each station, where the map has it; nothing uses it yet"""
+    along: tuple[RoadPart, ...] = ()
+    """of a road that was selected from a network and not perturbed itself: what it runs over"""
 
     def cross_section(self) -> CrossSection:
         """The lanes as geometry has them, by arc length along this road.

@@ -21,7 +21,7 @@ from ..world.copies import is_group, most_copies
 from ..world.named_roads import name_of_road
 from ..world.networks import network_root
 from ..world.placement import placed
-from .routes import scene_routes
+from .routes import on_network, scene_routes
 from .start_speeds import start_speeds
 
 _UNUSUAL_HEIGHT = 3.0
@@ -83,7 +83,7 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
     ):
         instance = kinds.instances[copy]
         on_road = actor.on is not None
-        yield SceneActor(
+        found = SceneActor(
             f"{actor.name}[{copy}]" if grouped else actor.name,
             actor.name,
             instance.entry.name,
@@ -103,6 +103,7 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
             speeds[copy] if is_agent else None,
             routes[copy] if routes else None,
         )
+        yield on_network(actor, found, candidates) if is_agent else found
 
 
 _POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")

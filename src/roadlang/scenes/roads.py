@@ -27,6 +27,7 @@ from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_roo
 from ..world.road_lanes import lanes_of
 from ..world.road_strips import has_heirs, has_perturbed_heirs
 from ..world.roads import road_batch, road_root
+from ..world.selected_roads import parts_of_network
 from .junctions import scene_junctions
 
 
@@ -123,12 +124,19 @@ def _is_equal(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
 
 
 def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
+    scenario = candidates.scenario
+
     def make() -> SceneRoad:
         batch = road_batch(road.name, candidates)
         root = _root_name(road, candidates)
         lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
-        derived = not has_heirs(road, candidates.scenario)
-        return scene_road(road.name, root, batch, lanes, limit, derived)
+        along = parts_of_network(road, candidates)
+        derived = not has_heirs(road, scenario) and not (along and is_network_built())
+        return replace(scene_road(road.name, root, batch, lanes, limit, derived), along=along)
+
+    def is_network_built() -> bool:
+        network = road_root(road.name, candidates).network
+        return network is not None and not has_perturbed_heirs(network, scenario)
 
     return candidates.once(("scene road", road.name), make)
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..geometry.routes.lane_graph import NO_JUNCTION, LaneGraph
 from ..geometry.routes.shortest import Leg, PlannedRoute
 from ..ir.scenario import ScenarioActor
+from ..ir.scene_actor import SceneActor
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from ..world.lane_graphs import lanes_of_network
 from ..world.placement import placed_routes
 from ..world.road_places import from_root
 from ..world.routes import has_route
+from ..world.selected_routes import route_on_selected
 
 _FIRST = np.zeros(2, np.intp)
 
@@ -27,6 +31,27 @@ def scene_routes(actor: ScenarioActor, candidates: CandidateBatch) -> list[Scene
         None if route is None else _route(route, str(actor.on), lanes, candidates)
         for route in found
     ]
+
+
+def on_network(actor: ScenarioActor, placed: SceneActor, candidates: CandidateBatch) -> SceneActor:
+    """An agent on a road that runs over a network, as one in the lanes of that network; others as
+    they are."""
+    if placed.start is None or not actor.drive:
+        return placed
+    backward = placed.facing == "back"
+    found = route_on_selected(actor, placed.start, placed.lane or 0, backward, candidates)
+    if found is None:
+        return placed
+    lanes = lanes_of_network(candidates.scenario.networks[found.network], candidates)
+    route = _route(found.route, found.network, lanes, candidates)
+    first = route.steps[0]
+    against = lanes.lanes[found.route.legs[0].lane].backward
+    turned = against != backward
+    offset = None if placed.offset is None else -placed.offset if turned else placed.offset
+    return replace(
+        placed, road=first.road, start=first.start, lane=first.lane, offset=offset,
+        facing="back" if against else "forward", route=route,
+    )  # fmt: skip
 
 
 def _route(

@@ -35,7 +35,9 @@ class Selection:
 def select(scene: Scene) -> Selection:
     """Derived roads in full, the roots of what differs from them as ghosts, the rest as context."""
     roads = {road.name: road for road in scene.roads}
-    shown = [road for road in scene.roads if road.derived] or list(scene.roads)
+    built = {road.name for road in scene.roads if road.derived}
+    shown = [road for road in scene.roads if road.derived or _runs_over(road, built)]
+    shown = shown or list(scene.roads)
     streets = [road for road in shown if road.network is not None]
     singles = [road for road in shown if road.network is None]
     routes = [road for road in singles if _runs_on(road, streets)]
@@ -61,6 +63,11 @@ def select(scene: Scene) -> Selection:
         ghosts=tuple(ghost.name for ghost in ghosts),
         context=tuple(road.name for road in rest if not _runs_on(road, [*ghosts, *shown])),
     )
+
+
+def _runs_over(road: SceneRoad, built: set[str]) -> bool:
+    """Whether a road only repeats roads that are built."""
+    return bool(road.along) and built.issuperset(part.road for part in road.along)
 
 
 def _was_changed(root: SceneRoad, shown: Iterable[SceneRoad]) -> bool:
