@@ -50,7 +50,7 @@ def instantiate(
     """
     source = candidates.scenario.source
     scene = replace(
-        driven_scene(candidates, index, overrides),
+        _driven(candidates, index, overrides),
         signals=scene_signals(candidates),
         requirements=tuple(_judged(item, candidates) for item in source.requirements),
         expectations=tuple(_judged(item, candidates) for item in source.expectations),
@@ -68,6 +68,11 @@ def driven_scene(candidates: CandidateBatch, index: int, overrides: Mapping[str,
 
     It is driven as the scene of `instantiate` is, and made in a fraction of the time.
     """
+    return _with_draws(_driven(candidates, index, overrides), candidates)
+
+
+def _driven(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]) -> Scene:
+    """The same, without what was drawn."""
     source = candidates.scenario.source
     values = {item.name: _plain(named(item.name, candidates), candidates) for item in source.values}
     world = {
@@ -75,7 +80,7 @@ def driven_scene(candidates: CandidateBatch, index: int, overrides: Mapping[str,
         for name, value in source.world.items()
     }
     legend = legend_objects(candidates)
-    scene = Scene(
+    return Scene(
         name=source.header.name,
         title=source.header.title,
         index=index,
@@ -89,7 +94,6 @@ def driven_scene(candidates: CandidateBatch, index: int, overrides: Mapping[str,
         expectations=tuple(verdict(item, candidates) for item in source.expectations),
         simulate=None if source.simulate is None else call_of(source.simulate, candidates),
     )
-    return _with_draws(scene, candidates)
 
 
 def _with_draws(scene: Scene, candidates: CandidateBatch) -> Scene:

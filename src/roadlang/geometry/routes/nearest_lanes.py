@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -59,6 +60,19 @@ class NearRoads:
 
 def near_roads(graph: LaneGraph, points: Floats) -> NearRoads:
     """How the roads of a graph lie to points (n, 2), meters."""
+    if len(points) == 1:
+        x, y = points[0].tolist()
+        return _near_point(graph, x, y)
+    return _near_points(graph, points)
+
+
+@lru_cache(maxsize=256)
+def _near_point(graph: LaneGraph, x: float, y: float) -> NearRoads:
+    """The points of a route that the file says are the same in every scene."""
+    return _near_points(graph, np.array([[x, y]]))
+
+
+def _near_points(graph: LaneGraph, points: Floats) -> NearRoads:
     edges = tuple(graph.of_edge)
     stations, beyond, distances, across = [], [], [], []
     for edge in edges:
