@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from .base import Kind
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from ...ir.control import Control, ControlBatch, Observation, ObservationBatch
@@ -43,7 +42,7 @@ class Controller(Kind):
         """
         raise NotImplementedError
 
-    def start(self, count: int) -> NDArray[np.float64] | None:
+    def start(self, count: int) -> NDArray[Any] | None:
         """What `controls` remembers of `count` agents from one step to the next: an array (count,
         ...) for the start of a drive. By default nothing."""
         return None

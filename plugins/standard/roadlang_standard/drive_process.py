@@ -1,0 +1,129 @@
+"""`drive with process`: a program in any language drives, by lines of JSON."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+
+from roadlang.api import Controller, Duration, Flag, ListOf, String, option
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import ControlBatch, ObservationBatch
+
+    from .process.program import Program
+
+A = TypeVar("A")
+R = TypeVar("R")
+BRAKING = 4.0
+"""m/s^2, of an agent whose program failed, with `brake_on_failure`."""
+START = 20.0
+"""seconds that a program may take to answer its first line"""
+
+
+@dataclass(frozen=True)
+class Process(Controller):
+    """A program of yours, in any language: it reads what the agent sees as one line of JSON on
+    standard input, and answers with one line. The drive waits for it at every step.
+    """
+
+    name: ClassVar[str] = "process"
+    command: ListOf[String] = option(at_least=1, help="the program and its arguments")
+    timeout: Duration = option(
+        1.0, minimum=0.001, maximum=600, help="time in which it must answer, at each step"
+    )
+    brake_on_failure: Flag = option(
+        False,
+        help="when it dies, is late or answers nonsense, the agent brakes to a stop and the drive"
+        " is judged; by default the run ends with an error",
+    )
+
+    def start(self, count: int) -> NDArray[np.object_]:
+        """Of each agent: its program, None before the first step, False after it failed."""
+        import numpy as np
+
+        return np.full(count, None, dtype=object)
+
+    def controls(self, observations: ObservationBatch, state: NDArray[Any]) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        from .process.messages import observations as lines_of
+
+        steering = np.zeros(len(state))
+        acceleration = np.full(len(state), -BRAKING)
+        timeout = np.broadcast_to(np.asarray(self.timeout, dtype=np.float64), len(state))
+        try:
+            self._begin(observations, state)
+            for row, line in enumerate(lines_of(observations)):
+                self._attempt(state, row, _send, line)
+            for row, seconds in enumerate(timeout.tolist()):
+                answer = self._attempt(state, row, _answered, seconds)
+                if answer is not None:
+                    steering[row], acceleration[row] = answer
+        except BaseException:  # Ctrl-C too: no program outlives the drive
+            for program in filter(None, state):
+                program.close()
+            raise
+        return ControlBatch(steering, acceleration)
+
+    def _begin(self, seen: ObservationBatch, state: NDArray[Any]) -> None:
+        """Start the programs of those that have none, all at once, then greet them."""
+        from .process.messages import greeting
+        from .process.program import Program, ProgramFailed
+
+        new = [row for row in range(len(state)) if state[row] is None]
+        for row in new:
+            try:
+                state[row] = Program(self.command)
+            except ProgramFailed as error:
+                self._fail(state, row, error)
+            self._attempt(state, row, _send, greeting(seen, row))
+        for row in new:
+            self._attempt(state, row, _greeted, START)
+
+    def _attempt(
+        self, state: NDArray[Any], row: int, step: Callable[[Program, A], R], argument: A
+    ) -> R | None:
+        """What a step with the program of a row gives; None where that has failed."""
+        from .process.program import ProgramFailed
+
+        program = state[row]
+        if not program:
+            return None
+        try:
+            return step(program, argument)
+        except ProgramFailed as error:
+            program.close()
+            self._fail(state, row, error)
+            return None
+
+    def _fail(self, state: NDArray[Any], row: int, error: Exception) -> None:
+        """The program of a row is none any more. Raises DiagnosticError RL740, unless it may be."""
+        from roadlang.api import Code, DiagnosticError, diagnose
+
+        state[row] = False
+        if not self.brake_on_failure:
+            command = " ".join(self.command)
+            raise DiagnosticError(diagnose(Code.PROGRAM_FAILED, command=command, reason=str(error)))
+
+
+def _send(program: Program, line: str) -> None:
+    program.send(line)
+
+
+def _greeted(program: Program, seconds: float) -> None:
+    from .process.messages import check_greeting
+
+    check_greeting(program.receive(seconds))
+
+
+def _answered(program: Program, seconds: float) -> tuple[float, float]:
+    from .process.messages import control
+
+    return control(program.receive(seconds))

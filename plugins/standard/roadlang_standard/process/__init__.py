@@ -1,0 +1,1 @@
+"""Programs that drive agents: started, talked to by lines of JSON, and ended."""

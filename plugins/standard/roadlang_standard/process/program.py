@@ -1,0 +1,126 @@
+"""A running program, of which each answer is awaited for a limited time."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import queue
+import signal
+import subprocess
+import threading
+import weakref
+from collections import deque
+from collections.abc import Sequence
+from typing import IO
+
+LONGEST_LINE = 65_536
+"""bytes of an answer"""
+TAIL = 12
+"""lines of standard error that are kept"""
+PATIENCE = 1.0
+"""seconds for which a program may go on after its standard input was closed"""
+
+
+class ProgramFailed(Exception):
+    """A program died, does not answer, or answers what it should not."""
+
+
+class Program:
+    """A program in a session of its own, so that whatever it starts ends with it.
+
+    Ended by `close`, when it is not referred to any more, and at the end of roadlang.
+    """
+
+    def __init__(self, command: Sequence[str]) -> None:
+        try:
+            self._process = subprocess.Popen(
+                list(command),
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                start_new_session=True,
+            )
+        except (OSError, ValueError) as error:
+            raise ProgramFailed(f"it cannot be started: {error}") from error
+        self._errors: deque[bytes] = deque(maxlen=TAIL)
+        self._answers: queue.Queue[bytes] = queue.Queue()
+        process = self._process
+        assert process.stdout is not None
+        assert process.stderr is not None
+        self._threads = [
+            threading.Thread(target=_read_answers, args=(process.stdout, self._answers)),
+            threading.Thread(target=_read_errors, args=(process.stderr, self._errors)),
+        ]
+        for thread in self._threads:
+            thread.daemon = True
+            thread.start()
+        self.close = weakref.finalize(self, _end, process)
+
+    def send(self, line: str) -> None:
+        """Write a line. Raises ProgramFailed where nobody reads."""
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(line.encode() + b"\n")
+            self._process.stdin.flush()
+        except (OSError, ValueError) as error:
+            raise self.failed("it ended, or closed its standard input") from error
+
+    def receive(self, seconds: float) -> str:
+        """The next line of its standard output. Raises ProgramFailed where there is none."""
+        try:
+            line = self._answers.get(timeout=seconds)
+        except queue.Empty:
+            raise self.failed(f"it did not answer within {seconds:g} s") from None
+        if not line:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(PATIENCE)
+            code = self._process.returncode
+            ended = (
+                "it closed its standard output" if code is None else f"it ended with code {code}"
+            )
+            raise self.failed(f"{ended} instead of answering")
+        if not line.endswith(b"\n"):
+            raise self.failed(f"its answer is longer than {LONGEST_LINE} bytes, or cut off")
+        return line.decode("utf-8", "replace").rstrip("\r\n")
+
+    def failed(self, reason: str) -> ProgramFailed:
+        """The reason, with the last lines that it wrote to standard error."""
+        self.close()
+        self._threads[1].join(PATIENCE)
+        lines = [line.decode("utf-8", "replace").rstrip() for line in list(self._errors)]
+        tail = "\n".join(line for line in lines if line)
+        return ProgramFailed(
+            f"{reason}; the end of its standard error:\n{tail}" if tail else reason
+        )
+
+
+def _read_answers(stream: IO[bytes], answers: queue.Queue[bytes]) -> None:
+    """Lines as they come; nothing for the end. Of what is too long, its beginning."""
+    with contextlib.suppress(OSError, ValueError):
+        while line := stream.readline(LONGEST_LINE):
+            answers.put(line)
+            if not line.endswith(b"\n"):
+                break
+    answers.put(b"")
+
+
+def _read_errors(stream: IO[bytes], errors: deque[bytes]) -> None:
+    with contextlib.suppress(OSError, ValueError):
+        while line := stream.readline(1024):
+            errors.append(line)
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    """End a program and all that it has started: kindly, then not."""
+    with contextlib.suppress(OSError, ValueError):
+        if process.stdin is not None:
+            process.stdin.close()
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(PATIENCE)
+    with contextlib.suppress(OSError):
+        if hasattr(os, "killpg"):
+            os.killpg(process.pid, signal.SIGKILL)
+        else:
+            process.kill()
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(PATIENCE)
