@@ -1,0 +1,8 @@
+# Falsify a lane keeper that is a program: roadlang falsify pid_keeper.rl --seed 1
+include "road.rl"
+agent ego is car on bent at 5m {
+  lane: -1
+  drive with process { command: ["python3", "pid_keeper.py"], brake_on_failure: true }
+}
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
+falsify with cma { expects: in_lane, evaluations: 200, failures: 5 }
