@@ -70,6 +70,13 @@ def test_each_number_of_an_observation_is_what_its_name_says() -> None:
     assert seen["agent1_seen"] == 0.0
 
 
+def test_a_speed_limit_is_seen() -> None:
+    one = env(STRAIGHT.replace("lanes: 1", "lanes: 1, speed_limit: 50km/h"))
+    observed, _ = one.reset(seed=0)
+    seen = dict(zip(one.names, observed.tolist(), strict=True))
+    assert seen["speed_limit"] == pytest.approx(50 / 3.6, abs=1e-4)
+
+
 def test_other_agents_are_seen_from_the_driven_one() -> None:
     one = env(STRAIGHT + "agent ahead is car on main at 30m { offset: 2m, facing: back }")
     observed, _ = one.reset(seed=0)

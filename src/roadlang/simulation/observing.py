@@ -11,6 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
+from ..ir.scene import SceneRoad
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
@@ -36,6 +37,8 @@ class Surroundings:
         self._roads = [road for scene in world.scenes for road in scene.roads]
         counts = [len(scene.roads) for scene in world.scenes]
         self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
+        self.has_limits = any(_has_limit(road) for road in self._roads)
+        """of speed, on any road"""
         self._lanes: RoadLanes | None = None
         self._objects: StandingObjects | None = None
         self._obstacles: Obstacles | None = None
@@ -86,6 +89,11 @@ class Surroundings:
         if self._objects is None:
             self._objects = StandingObjects.of(world)
         return Nearby(world, poses, self._objects)
+
+
+def _has_limit(road: SceneRoad) -> bool:
+    limits = (road.speed_limit, *(lane.speed_limit for lane in road.lane_list))
+    return any(limit is not None for limit in limits)
 
 
 def _backward(world: World) -> Booleans:
@@ -228,6 +236,8 @@ class View:
         self, rows: Integers, braking: Floats | float, on: Floats | float
     ) -> Floats:
         """(N,) the greatest speeds from which the limits ahead can be obeyed."""
+        if not self.surroundings.has_limits:
+            return np.full(len(rows), math.inf)
         along = self.world.track.wrapped(self.world.motion.along)[rows]
         ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
         routed = self.world.has_route[rows]
