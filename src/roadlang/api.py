@@ -143,6 +143,7 @@ if TYPE_CHECKING:
     from .scenes.junction_paint import PaintedShape, junction_paint
     from .scenes.signal_heads import SignalHead, signal_heads
     from .simulation.bodies import Body
+    from .simulation.observation_vector import ObservationVector
     from .simulation.pose_columns import with_pose_columns
     from .simulation.route_lines import route_points
     from .simulation.simulating import EngineSettings, simulate_scenes
@@ -174,6 +175,7 @@ _LATER = {
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".simulation.bodies": "Body",
     ".simulation.pose_columns": "with_pose_columns",
+    ".simulation.observation_vector": "ObservationVector",
     ".simulation.route_lines": "route_points",
     ".simulation.simulating": "EngineSettings simulate_scenes",
 }
@@ -189,8 +191,9 @@ __all__ = [
     "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "ImageName", "Jerk",
     "JunctionControl", "Kind", "Label", "LaneKind", "LanePlace", "LanePlaces", "Length",
     "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Neighbor", "Neighbors", "Number",
-    "ObjectKind", "Observation", "ObservationBatch", "PaintedShape", "Perturber", "Picture",
-    "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position", "Profile", "Provenance",
+    "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "PaintedShape",
+    "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position",
+    "Profile", "Provenance",
     "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork",
     "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene",
     "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction",

@@ -32,6 +32,7 @@ _KINDS = {
     "control all_way_stop": "control_all_way_stop:AllWayStop",
     "control signals": "control_signals:Signals",
     "drive pure_pursuit": "drive_pure_pursuit:PurePursuit",
+    "drive onnx": "drive_onnx:Onnx",
     "drive process": "drive_process:Process",
     "drive stanley": "drive_stanley:Stanley",
     "drive lane_follow": "drive_lane_follow:LaneFollow",

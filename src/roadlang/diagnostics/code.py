@@ -225,6 +225,7 @@ class Code:
     NOT_A_REWARD: Final = "RL730"
     NO_SUCH_AGENT: Final = "RL731"
     PROGRAM_FAILED: Final = "RL740"
+    UNUSABLE_POLICY: Final = "RL741"
     INTERNAL_ERROR: Final = "RL900"
     UNREADABLE_FILE: Final = "RL920"
     FOLDER_INSTEAD_OF_FILE: Final = "RL921"

@@ -29,5 +29,7 @@ def check_file(
             checker.diagnostics.append(fault)
             return None
     if isinstance(typed.value, TextValue):
-        return replace(typed, value=TextValue(str(folder / typed.value.value)))
+        path = str(folder / typed.value.value)
+        checker.program.inputs.append(path)
+        return replace(typed, value=TextValue(path))
     return typed

@@ -1,0 +1,53 @@
+"""`drive with onnx`: a policy network drives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import (
+    Acceleration,
+    Angle,
+    Controller,
+    File,
+    Length,
+    ListOf,
+    Whole,
+    option,
+)
+
+if TYPE_CHECKING:
+    from roadlang.api import ControlBatch, ObservationBatch
+
+
+@dataclass(frozen=True)
+class Onnx(Controller):
+    """A policy network in an ONNX file, float32 (1, F) to (1, 2): it gets the vector of numbers
+    that environments observe, and gives steering and acceleration as the actions there.
+    """
+
+    name: ClassVar[str] = "onnx"
+    model: File = option(help="ONNX file; needs onnxruntime: `pip install roadlang[onnx]`")
+    distances: ListOf[Length] = option(
+        (5.0, 10.0, 20.0, 30.0, 50.0), help="distances ahead at which it sees the path"
+    )
+    agents: Whole = option(4, minimum=0, maximum=100, help="how many other agents it sees")
+    steering: Angle = option(0.61, above=0, maximum=1.5, help="what the output 1 means")
+    acceleration: Acceleration = option(4.0, above=0, maximum=20, help="what the output 1 means")
+    deceleration: Acceleration = option(8.0, above=0, maximum=20, help="what the output -1 means")
+
+    def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch, ObservationVector
+
+        from .policy_network import policy
+
+        # What a network sees is the same for all that it drives.
+        rows = np.atleast_2d(np.asarray(self.distances, dtype=np.float64))
+        distances = tuple(rows[0].tolist())
+        agents = int(np.ravel(self.agents)[0])
+        vectors = ObservationVector(distances, agents).of(observations)
+        wanted = policy(self.model, vectors.shape[1])(vectors)
+        scale = np.where(wanted[:, 1] < 0.0, self.deceleration, self.acceleration)
+        return ControlBatch(wanted[:, 0] * self.steering, wanted[:, 1] * scale)
