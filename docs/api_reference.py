@@ -36,7 +36,16 @@ _GEOMETRY = (
     "RoadNetwork", "network_of_polylines", "Step", "Path", "Straight", "Arc", "Clothoid",
     "chain", "Chain", "GeometryError",
 )  # fmt: skip
-_ELSEWHERE = ("API_VERSION", "Dimension", "Kind", "ListOf", "geometry", "hookimpl", "option")
+_ELSEWHERE = (
+    "API_VERSION",
+    "USUAL_SPEED",
+    "Dimension",
+    "Kind",
+    "ListOf",
+    "geometry",
+    "hookimpl",
+    "option",
+)
 _ABOUT_SCENES = "What backends and simulators get: [the scene format](scene.md) as classes."
 _ABOUT_DIAGNOSTICS = "How a plugin reports what is wrong with a user's input."
 _SET_BY_BASES = ("verb", "required_methods")

@@ -143,6 +143,7 @@ if TYPE_CHECKING:
     from .scenes.junction_paint import PaintedShape, junction_paint
     from .scenes.signal_heads import SignalHead, signal_heads
     from .simulation.bodies import Body
+    from .simulation.mirroring import Mirror
     from .simulation.observation_vector import ObservationVector
     from .simulation.pose_columns import with_pose_columns
     from .simulation.route_lines import route_points
@@ -174,6 +175,7 @@ _LATER = {
     ".scenes.junction_paint": "PaintedShape junction_paint",
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".simulation.bodies": "Body",
+    ".simulation.mirroring": "Mirror",
     ".simulation.pose_columns": "with_pose_columns",
     ".simulation.observation_vector": "ObservationVector",
     ".simulation.route_lines": "route_points",
@@ -190,20 +192,19 @@ __all__ = [
     "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration", "EngineSettings",
     "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "ImageName", "Jerk",
     "JunctionControl", "Kind", "Label", "LaneKind", "LanePlace", "LanePlaces", "Length",
-    "LengthInterval", "Like", "ListOf", "Mass", "Monitor", "Neighbor", "Neighbors", "Number",
-    "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "PaintedShape",
+    "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
+    "Number", "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "PaintedShape",
     "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position",
-    "Profile", "Provenance",
-    "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork",
-    "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene",
-    "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction",
-    "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad",
-    "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead",
-    "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace", "Verdict",
-    "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
-    "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
-    "quantity", "read_image", "read_input", "record_of", "route_points", "scene_from_json",
-    "signal_heads", "simulate_scenes", "to_json", "with_pose_columns",
+    "Profile", "Provenance", "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName",
+    "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale",
+    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
+    "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode",
+    "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector",
+    "Signal", "SignalHead", "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace",
+    "Verdict", "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean",
+    "geometry", "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option",
+    "pair_of", "quantity", "read_image", "read_input", "record_of", "route_points",
+    "scene_from_json", "signal_heads", "simulate_scenes", "to_json", "with_pose_columns",
 ]  # fmt: skip
 
 

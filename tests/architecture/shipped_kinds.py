@@ -18,8 +18,8 @@ WORDS = {
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
     "options of controllers that say how fast an agent begins": "lateral_acceleration",
     "users of lanes": "pedestrian",
-    "junctions, their rules, and turns at them": (
-        "all_way_stop junction right_first stop straight yield"
+    "junctions, their rules, turns and conflicts": (
+        "all_way_stop junction merge right_first stop straight yield"
     ),
     "the side of the road, `world { traffic: left }`": "traffic",
     "types of JSON Schema": "integer",

@@ -11,7 +11,7 @@ import numpy as np
 from roadlang.api import Code
 
 from .conditions import engine_condition
-from .drives import IN_ENGINE, option_values, plain_name
+from .drives import IN_ENGINE, is_walker, option_values, plain_name, usual_speed
 from .faults import fault
 from .frame import SceneOrigin, frame_around
 from .junction_things import paint_things, signal_things
@@ -30,7 +30,6 @@ BESIDE = 150.0
 """Flat ground around everything, meters."""
 MOSTLY = 0.9
 """Share of a road that lies on a network, from which on it is a way through the network."""
-_WALKERS = ("pedestrian", "animal")
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,7 +230,7 @@ def _agent(
         "width": actor.width,
         "height": actor.height,
         "speed": float(actor.start_speed or options.get("initial_speed", 0.0)),
-        "body": "walker" if plain_name(actor.kind) in _WALKERS else "vehicle",
+        "body": "walker" if is_walker(actor) else "vehicle",
         "drives": _drives(actor, scene, frame),
     }
     for key in ("mass", "wheelbase", "max_steering", "color"):
@@ -266,7 +265,7 @@ def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[st
     for call in actor.drive:
         kind = plain_name(call.kind)
         if kind in IN_ENGINE:
-            drive = {"kind": kind, **option_values(call)}
+            drive = {"kind": kind, **option_values(call, usual_speed(actor, scene))}
             for key, condition in (("when", call.when), ("while", call.during)):
                 if condition is not None:
                     drive[key] = engine_condition(condition, scene, frame)

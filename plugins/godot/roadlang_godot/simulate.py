@@ -114,13 +114,13 @@ def _step_by_step(
     controllers: Controllers,
 ) -> Records:
     """Drive in lock-step: at every step the controllers see all agents, and decide."""
-    driver = PythonDriver(scene, layout, settings.every / settings.rate)
+    driver = PythonDriver(scene, layout, settings.every / settings.rate, controllers)
     parts = []
     with driving.LockStep(session) as lock:
         state = lock.state
         for _ in range(settings.ticks // settings.every):
             parts.append(state)
-            controls = driver.controls(state, lock.tick / settings.rate, controllers)
+            controls = driver.controls(state)
             state = lock.step(controls, settings.every)
             if lock.at_end:
                 break

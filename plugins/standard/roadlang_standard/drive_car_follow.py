@@ -23,7 +23,13 @@ class CarFollow(Controller):
     """Follow the vehicle ahead in the lane (intelligent driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
-    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="target speed")
+    speed: Speed = option(
+        None,
+        minimum=0,
+        maximum=120,
+        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        example="40km/h",
+    )
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")
     gap: Length = option(2.0, minimum=0, help="desired gap at standstill")
     acceleration: Acceleration = option(1.5, above=0, maximum=20, help="maximum acceleration")

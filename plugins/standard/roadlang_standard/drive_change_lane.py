@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import Controller, Duration, Flag, Length, Whole, option
 
-from .lane_traffic import has_room, lane_traffic
+from .lane_traffic import SETTLING_TIME, has_room, lane_traffic
+from .steering import along_line
 
 if TYPE_CHECKING:
     import numpy as np
@@ -29,7 +30,8 @@ STILL_FREE = 0.4
 @dataclass(frozen=True)
 class ChangeLane(Controller):
     """Change to another lane as soon as there is room for it, and stay there; the controller before
-    steers and keeps its distance. It turns back if the room is taken on the first half."""
+    keeps the distance, and steers before and afterwards. It turns back if the room is taken on the
+    first half."""
 
     name: ClassVar[str] = "change_lane"
     to: Whole = option(
@@ -72,10 +74,13 @@ class ChangeLane(Controller):
             self._begin(seen, near, state, line)
             time = state[:, _TIME].copy()
             state[:, _CLOCK] += seen.step
-            over = (state[:, _PHASE] == MOVING) & (state[:, _CLOCK] >= state[:, _TIME])
-            state[over, _PHASE] = DONE
+            settled = state[:, _CLOCK] >= state[:, _TIME] + SETTLING_TIME
+            state[(state[:, _PHASE] == MOVING) & settled, _PHASE] = DONE
         open_ = np.full(len(line), np.nan)
-        return ControlBatch(open_, open_, line_offset=line, line_time=time)
+        steering = open_
+        if (state[:, _PHASE] == MOVING).any():
+            steering = np.where(state[:, _PHASE] == MOVING, along_line(seen), np.nan)
+        return ControlBatch(steering, open_, line_offset=line, line_time=time)
 
     def _begin(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
         """Those who wait and have room."""

@@ -18,7 +18,13 @@ class LaneFollow(Controller):
     """Follow the center of the lane exactly, at a given speed."""
 
     name: ClassVar[str] = "lane_follow"
-    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="target speed")
+    speed: Speed = option(
+        None,
+        minimum=0,
+        maximum=120,
+        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        example="40km/h",
+    )
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")
     lateral_acceleration: Acceleration = option(

@@ -18,7 +18,13 @@ class PurePursuit(Controller):
     """Steer along the arc to a point ahead in the lane (Coulter 1992)."""
 
     name: ClassVar[str] = "pure_pursuit"
-    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="target speed")
+    speed: Speed = option(
+        None,
+        minimum=0,
+        maximum=120,
+        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        example="40km/h",
+    )
     lookahead: Length = option(6.0, above=0, maximum=200, help="lookahead distance")
     lookahead_time: Duration = option(
         0.0, minimum=0, maximum=10, help="adds this time multiplied by the speed to `lookahead`"

@@ -18,7 +18,13 @@ class Stanley(Controller):
     """Steer by heading error and cross-track error at the front axle (Hoffmann et al. 2007)."""
 
     name: ClassVar[str] = "stanley"
-    speed: Speed = option(50 / 3.6, minimum=0, maximum=120, help="target speed")
+    speed: Speed = option(
+        None,
+        minimum=0,
+        maximum=120,
+        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        example="40km/h",
+    )
     gain: Annotated[float, quantity(FREQUENCY)] = option(
         2.5, above=0, help="gain of the cross-track error"
     )

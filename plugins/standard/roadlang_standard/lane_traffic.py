@@ -19,6 +19,8 @@ REACTION = 0.3
 """Seconds of the speed of the one behind that are added to the gap."""
 BRAKING = 4.0
 """m/s^2 with which the one behind adapts its speed to the one ahead."""
+SETTLING_TIME = 2.0
+"""Seconds after a lane change for which who changes still steers along its line."""
 MEETING = 2.0
 """Seconds that remain until one meets oncoming traffic, at least."""
 

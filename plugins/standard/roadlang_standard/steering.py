@@ -29,13 +29,27 @@ def toward(speed: Floats, target: Column, acceleration: Column, deceleration: Co
     return np.minimum(np.maximum(SPEED_GAIN * (target - speed), -deceleration), acceleration)
 
 
-def bend_speed(
-    seen: ObservationBatch, speed: Column, lateral: Column, deceleration: Column
-) -> Floats:
-    """(N,) target speed: `speed`, or what the bends ahead allow; it is asked for early by as much
-    as `toward` lags behind a target that falls."""
+def target_speed(seen: ObservationBatch, speed: Column | None, deceleration: Column) -> Column:
+    """`speed`, or where there is none what the speed limits here and ahead allow: (N,)."""
     import numpy as np
 
+    if speed is not None:
+        return speed
+    planned = PLANNED_SHARE * deceleration
+    now = seen.speed_limit_ahead(planned, 0.0)
+    soon = seen.speed_limit_ahead(planned, seen.speed / SPEED_GAIN)
+    limit = np.minimum(seen.speed_limit, np.minimum(now, soon))
+    return np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
+
+
+def bend_speed(
+    seen: ObservationBatch, speed: Column | None, lateral: Column, deceleration: Column
+) -> Floats:
+    """(N,) target speed: `speed` or the speed limits, and what the bends ahead allow; it is asked
+    for early by as much as `toward` lags behind a target that falls."""
+    import numpy as np
+
+    speed = target_speed(seen, speed, deceleration)
     planned = PLANNED_SHARE * deceleration
     now = seen.speed_for_bends(lateral, planned, 0.0)
     soon = seen.speed_for_bends(lateral, planned, seen.speed / SPEED_GAIN)

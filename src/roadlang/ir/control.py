@@ -263,22 +263,6 @@ class ControlBatch:
     pose: Floats | None = None
     """(N, 4) x, y, heading and speed one step later; NaN: left to the equations of motion"""
 
-    def single(self, row: int) -> Control:
-        """That of one agent."""
-
-        def number(column: Floats | None, usual: float) -> float:
-            return usual if column is None else float(column[row])
-
-        pose = None
-        if self.pose is not None and math.isfinite(self.pose[row, 0]):
-            x, y, heading, speed = self.pose[row].tolist()
-            pose = (x, y, heading, speed)
-        return Control(
-            float(self.steering[row]), float(self.acceleration[row]),
-            number(self.heading, math.nan), number(self.line_offset, math.nan),
-            number(self.line_time, 0.0), pose,
-        )  # fmt: skip
-
     @classmethod
     def of(cls, controls: Sequence[Control]) -> ControlBatch:
         """A batch of what is decided one by one."""

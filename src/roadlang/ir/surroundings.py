@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 if TYPE_CHECKING:
     import numpy as np
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
     from ..geometry.arrays import Booleans, Floats, Integers
 
+USUAL_SPEED = 50 / 3.6
+"""m/s: what agents drive where neither a scene nor a speed limit says how fast."""
 LaneChoice = str | int
 """A lane as seen by an agent: its id, `left`, `right` (next to the agent's), `inner` (toward the
 middle of the road and over it), `outer`, or a kind of lane: the nearest of that kind"""
@@ -22,6 +24,8 @@ middle of the road and over it), `outer`, or a kind of lane: the nearest of that
 class LanePlace:
     """The lane in which an agent is, meters. Offsets are left of the tabled line of the agent, as
     `Observation.road_offset` is."""
+
+    usual_speed: ClassVar[float] = USUAL_SPEED
 
     lane: int = 0
     """its id; 0: in none"""
@@ -39,6 +43,8 @@ class LanePlace:
 @dataclass(frozen=True, slots=True)
 class LanePlaces:
     """Columns (N,) of what `LanePlace` says of one agent."""
+
+    usual_speed: ClassVar[float] = USUAL_SPEED
 
     lane: Integers
     offset: Floats

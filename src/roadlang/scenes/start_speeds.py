@@ -11,9 +11,10 @@ from ..geometry.arrays import Floats
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
+from ..ir.surroundings import USUAL_SPEED
 from ..world.bends import bends_of_route
 from ..world.copies import element_of
-from ..world.named_roads import name_of_road, named_road
+from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
 from ..world.routes import has_route
 
@@ -54,20 +55,33 @@ def _wanted(
     """What the first controller wants, unless it waits for something: by its options `speed` and,
     before bends, `lateral_acceleration` and `deceleration`, as far as the kind has them."""
     first = calls[0] if calls and calls[0].when is None and calls[0].during is None else None
-    speed = None if first is None else first.options.get("speed")
-    if first is None or not isinstance(speed, int | float):
+    if first is None or "speed" not in first.options:
+        return 0.0
+    road = str(name_of_road(actor, int(where.road[0, copy])))
+    speed = first.options["speed"]
+    if speed is None:  # a controller that goes by the speed limit
+        speed = _limit(road, int(where.lane[0, copy]), candidates)
+    if not isinstance(speed, int | float):
         return 0.0
     lateral, braking = (first.options.get(k) for k in ("lateral_acceleration", "deceleration"))
     if not isinstance(lateral, int | float) or not isinstance(braking, int | float):
         return float(speed)
     start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
-    road = name_of_road(actor, int(where.road[0, copy]))
-    limit = _fastest(str(road), start, backward, float(lateral), float(braking), candidates)
+    limit = _fastest(road, start, backward, float(lateral), float(braking), candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
         ahead, curvature = bends_of_route(route, str(actor.on), candidates)
         limit = _slowest(ahead, curvature, float(lateral), float(braking))
     return min(float(speed), limit)
+
+
+def _limit(road: str, lane: int, candidates: CandidateBatch) -> float:
+    """The speed limit of a lane, m/s, or what is usual where there is none."""
+    ((_, lanes),) = named_lanes(road, candidates)
+    limit = lanes.speed_limits.get(lane)
+    if limit is None and lane in lanes.pattern.ids:
+        limit = lanes.pattern.lane(lane).speed_limit
+    return USUAL_SPEED if limit is None else float(np.ravel(limit)[0])
 
 
 def _fastest(

@@ -54,7 +54,7 @@ class GuardedController(Controller):
         if implements(self.kind, "control"):
             return self._checked(observation)
         batch = ObservationBatch.of_one(observation)
-        return self.decide(self._single, batch, self._state).single(0)
+        return _only(self.decide(self._single, batch, self._state))
 
     def first_state(self, controller: Controller, count: int) -> Any:
         """The state of `count` agents at the start. Raises RL470, RL474."""
@@ -122,6 +122,22 @@ class GuardedController(Controller):
         if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
             raise wrong_result(self.entry, None, f"gave {decision}, which is not finite")
         return control
+
+
+def _only(batch: ControlBatch) -> Control:
+    """The decision of a batch of one agent."""
+
+    def number(column: Floats | None, usual: float) -> float:
+        return usual if column is None else float(column[0])
+
+    pose = None
+    if batch.pose is not None and math.isfinite(batch.pose[0, 0]):
+        x, y, heading, speed = batch.pose[0].tolist()
+        pose = (x, y, heading, speed)
+    return Control(
+        float(batch.steering[0]), float(batch.acceleration[0]), number(batch.heading, math.nan),
+        number(batch.line_offset, math.nan), number(batch.line_time, 0.0), pose,
+    )  # fmt: skip
 
 
 class Driver(Controller):

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..ir.control import ControlBatch
+from ..ir.control import Control, ControlBatch
 from .controllers import UNDRIVEN_BRAKING
 
 
@@ -51,6 +51,16 @@ class Decision:
             (self.acceleration, found.acceleration),
         ):
             mine[rows] = np.where(np.isnan(mine[rows]), theirs, mine[rows])
+
+    def single(self, row: int) -> Control:
+        """That of one agent."""
+        heading = math.nan if self.heading is None else float(self.heading[row])
+        pose = None
+        if self.pose is not None and math.isfinite(self.pose[row, 0]):
+            x, y, toward, speed = self.pose[row].tolist()
+            pose = (x, y, toward, speed)
+        steering, acceleration = float(self.steering[row]), float(self.acceleration[row])
+        return Control(steering, acceleration, heading, pose=pose)
 
     def closed(self) -> Decision:
         """With 0 for what nobody has decided."""

@@ -155,6 +155,19 @@ class World:
         self._arrive(before, steps)
         return passed
 
+    def follow(self, pose: Floats, steering: Floats, contacts: Floats, *, passed: bool) -> None:
+        """Another engine has moved the agents: (N, 4) x, y, heading and speed. `passed`: whether a
+        step has passed."""
+        before = (self.motion.along, self.motion.offset)
+        self.placing = Placing.of(self.poses, self.motion, pose, self.present, 1)
+        self.placed_at = self.tick - (0 if passed else 1)
+        if passed:
+            self._arrive(before, 1)
+        elif self.placing is not None:
+            self.placing.put(self.motion, self.track, 1, self.dt)
+            self._wrap()
+        self.motion.tangent, self.contacts = np.tan(steering), contacts
+
     def _placing(self, wanted: tuple[Floats, int] | None) -> Placing | None:
         if wanted is None:
             return None

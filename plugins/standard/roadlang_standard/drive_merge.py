@@ -1,0 +1,133 @@
+"""`drive with merge`: into a gap of the neighboring lane, before the own lane ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Acceleration, Controller, Duration, Length, Speed, Whole, option
+
+from .drive_brake import HOLDING, STANDING
+from .drive_change_lane import SIGHT
+from .lane_traffic import SETTLING_TIME, LaneTraffic, has_room, lane_traffic
+from .steering import along_line, target_speed, toward
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.geometry import Floats
+
+HARDEST = 8.0
+"""m/s^2: deceleration in an emergency."""
+HEADWAY, GAP = 0.8, 2.0
+"""Seconds and meters that it keeps to who it merges behind."""
+SLOWEST = 1.0
+"""m/s: a change begins no slower."""
+BESIDE = 3.0
+"""Meters: whose center is farther behind is behind; it merges behind all others."""
+WAITING, MOVING, DONE = 0.0, 1.0, 2.0
+_PHASE, _BEGAN, _TARGET, _CLOCK = range(4)
+
+
+@dataclass(frozen=True)
+class Merge(Controller):
+    """Merge into the neighboring lane: adapt the speed to a gap, change where there is room, and
+    stop before the end of the own lane if there is none. The controller before drives on from
+    there."""
+
+    name: ClassVar[str] = "merge"
+    to: Whole = option(
+        "left",
+        words=("left", "right"),
+        minimum=-32,
+        maximum=32,
+        help="the lane: `left`, `right` or its id",
+        example="left",
+    )
+    within: Length = option(
+        150.0,
+        above=0,
+        maximum=10_000,
+        help="how far from where it takes over its own lane ends: there it stops, and waits",
+    )
+    speed: Speed = option(
+        None,
+        minimum=0,
+        maximum=120,
+        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        example="80km/h",
+    )
+    duration: Duration = option(4.0, above=0, maximum=60, help="time that the change takes")
+    acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
+    deceleration: Acceleration = option(3.0, above=0, maximum=20, help="comfortable deceleration")
+
+    def start(self, count: int) -> NDArray[np.float64]:
+        """Of each agent: phase, distance traveled when it took over (NaN before), offset of the new
+        lane, time since the change began."""
+        import numpy as np
+
+        return np.tile([WAITING, np.nan, 0.0, 0.0], (count, 1))
+
+    def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
+        import numpy as np
+
+        from roadlang.api import ControlBatch
+
+        seen = observations
+        open_ = np.full(len(seen.x), np.nan)
+        line, steering, acceleration = open_.copy(), open_, open_
+        state[:, _BEGAN] = np.where(np.isnan(state[:, _BEGAN]), seen.traveled, state[:, _BEGAN])
+        if (state[:, _PHASE] != DONE).any():
+            middle = seen.offset_of_lane(self.to)
+            exists = np.isfinite(middle)
+            near = seen.nearby(SIGHT)
+            lane = lane_traffic(seen, np.where(exists, middle, 0.0), near)
+            waiting = state[:, _PHASE] == WAITING
+            time = np.zeros(len(open_)) + self.duration
+            begins = waiting & exists & (seen.speed > SLOWEST) & has_room(seen, lane, time)
+            state[begins, _PHASE], state[begins, _TARGET] = MOVING, middle[begins]
+            line[begins] = middle[begins]
+            waiting = state[:, _PHASE] == WAITING
+            acceleration = np.where(waiting, self._waiting(seen, lane, state), np.nan)
+            moving = state[:, _PHASE] == MOVING
+            steering = np.where(moving, along_line(seen), np.nan)
+            state[moving, _CLOCK] += seen.step
+            settled = state[:, _CLOCK] >= self.duration + SETTLING_TIME
+            state[moving & settled, _PHASE] = DONE
+        time = np.zeros(len(open_)) + self.duration
+        return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
+
+    def _waiting(self, seen: ObservationBatch, lane: LaneTraffic, state: Floats) -> Floats:
+        """(N,) acceleration: to the target speed, behind who is ahead in either lane, and to a stop
+        before the end."""
+        import numpy as np
+
+        speed = seen.speed
+        wanted = target_speed(seen, self.speed, self.deceleration)
+        free = toward(speed, wanted, self.acceleration, self.deceleration)
+        own = self._behind(seen, *seen.vehicle_ahead())
+        there = lane.there & (lane.gap > -seen.length[:, None] - lane.length)
+        behind = LaneTraffic(
+            there, lane.ahead | (lane.gap < BESIDE - seen.length[:, None]), lane.gap, lane.pace,
+            lane.length,
+        )  # fmt: skip
+        gap, pace = behind.nearest_ahead()
+        gentle = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
+        left = self.within - (seen.traveled - state[:, _BEGAN]) - 0.5 * seen.length
+        needed = speed * speed / (2.0 * np.maximum(left, 0.05))
+        stopping = np.where(needed >= 0.9 * self.deceleration, -needed, np.inf)
+        stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)
+        least = np.minimum(np.minimum(free, own), np.minimum(gentle, stopping))
+        return np.maximum(least, -HARDEST)
+
+    def _behind(self, seen: ObservationBatch, gap: Floats, pace: Floats) -> Floats:
+        """(N,) acceleration behind somebody (intelligent driver model, Treiber et al. 2000)."""
+        import numpy as np
+
+        speed = seen.speed
+        approach = speed * (speed - pace) / (2.0 * np.sqrt(self.acceleration * self.deceleration))
+        wanted = GAP + np.maximum(0.0, speed * HEADWAY + approach)
+        pull = np.where(np.isfinite(gap), wanted / np.maximum(gap, 0.5), 0.0)
+        return np.asarray(self.acceleration * (1.0 - pull * pull))

@@ -1,0 +1,46 @@
+"""The examples of maneuvers do what they are for; their expectations fail where it goes wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import roadlang
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
+    """Whether all expectations hold, in `count` scenes of an example in which texts are changed."""
+    text = (EXAMPLES / f"{name}.rl").read_text(encoding="utf-8")
+    for old, new in changes.items():
+        old = old.replace("__", " ")
+        assert old in text
+        text = text.replace(old, new)
+    (folder / f"{name}.rl").write_text(text, encoding="utf-8")
+    scenes = roadlang.load(folder / f"{name}.rl").sample(count)
+    return [one.satisfied for one in scenes.run("builtin")]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["cut_in", "overtaking", "platoon", "parked_row"])
+def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
+    assert all(kept(name, tmp_path, 12))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [
+        ("cut_in", {"drive__with__car_follow__{__speed:__80km/h__}": "drive with lane_follow"}),
+        ("cut_in", {"gap:__6m..14m": "gap: 60m"}),
+        ("overtaking", {"target:__truck,": "target: oncoming,"}),
+        ("platoon", {"speed:__85km/h": "speed: 45km/h"}),
+        ("parked_row", {"deceleration:__6m/s^2": "deceleration: 1m/s^2"}),
+    ],
+)
+def test_its_expectations_fail_where_it_goes_wrong(
+    name: str, changes: dict[str, str], tmp_path: Path
+) -> None:
+    assert not all(kept(name, tmp_path, 6, **changes))

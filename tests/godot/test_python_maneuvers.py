@@ -1,0 +1,100 @@
+"""Maneuvers that Godot's project does not have itself: Python drives them there, in lock-step."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.api import Trace
+from roadlang.diagnostics import DiagnosticError
+from roadlang.drive.controllers import python_controllers
+from roadlang.plugins.discovery import load_registry
+from roadlang_godot.session import Session
+from roadlang_godot.simulate import Settings, drive_in
+
+pytestmark = pytest.mark.godot
+
+ROAD = """
+road main { draw with segments { pieces: [straight(500m)] }, lanes: 4, width: 14m }
+"""
+OUTER, INNER = -5.25, -1.75
+
+
+def driven(session: Session, text: str, duration: float) -> Trace:
+    scene = testing.sample(text)[0].record
+    settings = Settings(duration=duration, step=0.05)
+    return drive_in(session, scene, settings, python_controllers(scene, load_registry()))
+
+
+def test_a_lane_change_and_a_speed_profile_with_conditions(session: Session) -> None:
+    text = (
+        ROAD
+        + """
+    agent ego is car on main at 20m {
+      lane: -2, start_speed: 14m/s
+      drive with lane_follow { speed: 14m/s }
+      drive with change_lane { to: left, duration: 3s, when: time > 2s }
+      drive with speed_profile { points: [(0m, 14m/s), (60m, 7m/s)], when: ego.station > 150m }
+      drive with stop_at { station: 260m, when: ego.station > 230m }
+    }
+    """
+    )
+    ego = driven(session, text, 30.0).agents["ego"]
+    assert np.abs(ego.y[ego.time < 2] - OUTER).max() < 0.1
+    after = (ego.time > 7) & (ego.station < 250)
+    assert ego.y[after] == pytest.approx(np.full(after.sum(), INNER), abs=0.15)
+    speed = np.gradient(ego.y, ego.time)
+    assert speed.max() == pytest.approx(1.875 * 3.5 / 3.0, rel=0.25)
+    assert np.interp(220.0, ego.station, ego.speed) == pytest.approx(7.0, abs=0.6)
+    assert ego.station[-1] == pytest.approx(260.0, abs=1.0)
+
+
+def test_a_cut_in_before_a_car_that_godot_itself_drives(session: Session) -> None:
+    text = (
+        ROAD
+        + """
+    agent ego is car on main at 60m {
+      lane: -2, start_speed: 12m/s, drive with lane_follow { speed: 12m/s }
+    }
+    agent cutter is car on main at 35m {
+      lane: -1, start_speed: 12m/s
+      drive with lane_follow { speed: 12m/s }
+      drive with cut_in { target: ego, gap: 10m, when: time > 1s }
+    }
+    """
+    )
+    trace = driven(session, text, 25.0)
+    ego, cutter = trace.agents["ego"], trace.agents["cutter"]
+    assert trace.events == ()
+    assert cutter.y[-1] == pytest.approx(OUTER, abs=0.2)
+    there = int(np.flatnonzero(np.abs(cutter.y - ego.y) < 0.2)[0])
+    assert cutter.x[there] - ego.x[there] - 4.5 == pytest.approx(10.0, abs=2.0)
+
+
+def test_a_pedestrian_walks_along_the_edge(session: Session) -> None:
+    text = (
+        ROAD
+        + """
+    agent ego is pedestrian on main at 60m { side: right, offset: 1.5m, drive with walk }
+    """
+    )
+    ego = driven(session, text, 12.0).agents["ego"]
+    assert ego.x[-1] - ego.x[0] == pytest.approx(1.4 * 12, abs=1.5)
+    assert ego.y[-1] == pytest.approx(-7.5, abs=0.2)
+
+
+def test_godot_cannot_put_an_agent_where_a_recording_has_it(
+    session: Session, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    file = tmp_path_factory.mktemp("replay") / "recorded.csv"
+    file.write_text("time,x,y,heading\n0,20,0,0\n5,60,0,0\n", encoding="utf-8")
+    text = (
+        ROAD
+        + f"""
+    agent ego is car on main at 20m {{ lane: none, drive with replay {{ file: "{file}" }} }}
+    """
+    )
+    with pytest.raises(DiagnosticError) as fault:
+        driven(session, text, 5.0)
+    assert fault.value.diagnostics[0].code == "RL510"

@@ -1,0 +1,101 @@
+"""`cut_in` ends closely in front of its target; `merge` finds a gap, or stops before the end."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from .driven_roads import drive
+
+ROAD = """
+road main { draw with segments { pieces: [straight(1200m)] }, lanes: 4, width: 14m }
+"""
+OUTER, INNER = -5.25, -1.75
+
+
+def cutting(gap: float, start: int, lane: int = -1, speed: int = 20) -> str:
+    return (
+        ROAD
+        + f"""
+    agent ego is car on main at 150m {{
+      lane: {-3 - lane}, start_speed: 20m/s, drive with lane_follow {{ speed: 20m/s }}
+    }}
+    agent cutter is car on main at {start}m {{
+      lane: {lane}, start_speed: {speed}m/s
+      drive with lane_follow {{ speed: 20m/s }}
+      drive with cut_in {{ target: ego, gap: {gap}m, duration: 2.5s, when: time > 1s }}
+    }}
+    """
+    )
+
+
+@pytest.mark.parametrize("lane", [-1, -2], ids=["from the left", "from the right"])
+@pytest.mark.parametrize("start", [110, 150, 185], ids=["behind", "beside", "ahead"])
+@pytest.mark.parametrize("gap", [6.0, 15.0])
+def test_it_ends_in_front_of_its_target_with_the_gap(gap: float, start: int, lane: int) -> None:
+    (trace,) = drive(cutting(gap, start, lane), duration=30)
+    ego, cutter = trace.agents["ego"], trace.agents["cutter"]
+    assert trace.events == ()
+    assert cutter.y[-1] == pytest.approx(ego.y[-1], abs=0.05)
+    inside = np.abs(cutter.y - ego.y) < 0.1
+    there = int(np.flatnonzero(inside)[0])
+    assert cutter.x[there] - ego.x[there] - 4.5 == pytest.approx(gap, abs=1.0)
+
+
+def test_it_waits_for_a_car_that_is_where_it_would_go() -> None:
+    other = """
+    agent third is car on main at 169m {
+      lane: -2, start_speed: 20m/s, drive with lane_follow { speed: 20m/s }
+    }
+    """
+    (trace,) = drive(cutting(12.0, 140) + other, duration=15)
+    assert trace.events == ()
+    assert np.abs(trace.agents["cutter"].y - INNER).max() < 0.2
+
+
+def merging(others: str, within: int = 200) -> str:
+    return (
+        ROAD
+        + f"""
+    agent ego is car on main at 50m {{
+      lane: -2, start_speed: 15m/s
+      drive with car_follow {{ speed: 25m/s }}
+      drive with merge {{ within: {within}m, speed: 25m/s }}
+    }}
+    {others}
+    """
+    )
+
+
+def queue(first: int, count: int, spacing: int, speed: int) -> str:
+    return f"""
+    agent queue is car on main at {first}m {{
+      lane: -1, count: {count}, spacing: {spacing}m, start_speed: {speed}m/s
+      drive with car_follow {{ speed: {speed}m/s, headway: 1s }}
+    }}
+    """
+
+
+def test_on_a_free_road_it_merges_at_once() -> None:
+    (trace,) = drive(merging(""), duration=8)
+    assert trace.agents["ego"].y[-1] == pytest.approx(INNER, abs=0.05)
+
+
+@pytest.mark.parametrize("spacing", [45, 60])
+@pytest.mark.parametrize("first", [10, 25, 40, 55])
+def test_it_merges_into_a_gap_before_its_lane_ends(first: int, spacing: int) -> None:
+    (trace,) = drive(merging(queue(first, 4, spacing, 22), 300), duration=30)
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    assert ego.y[-1] == pytest.approx(INNER, abs=0.1)
+    assert ego.x[ego.y < 0.5 * (OUTER + INNER)].max() < 50 + 300
+
+
+def test_without_a_gap_it_stops_where_its_lane_ends_and_goes_when_all_have_gone() -> None:
+    (trace,) = drive(merging(queue(20, 8, 12, 8), 60), duration=45)
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    stands = ego.speed < 0.05
+    assert stands.any()
+    assert ego.x[stands].max() < 50 + 60
+    assert ego.y[stands].max() < OUTER + 0.1
