@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Controller, Duration, Speed, option
 
-from .steering import SPEED_GAIN, along_line, bend_speed
+from .steering import SPEED_GAIN, along_line, bend_speed, pursuit
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
@@ -24,6 +24,11 @@ LATE = 0.7
 """Share of the comfortable deceleration from which on cars brake evenly for a stop."""
 MERGING = 1.5
 """Times the comfortable deceleration, with which cars make room for who goes first."""
+LOOKAHEAD, NEAR, FAR = 0.8, 4.0, 20.0
+"""Seconds of its speed, and meters at least and at most, to the point that a fast car steers to:
+far enough that it does not weave, although a decision holds for `interval`."""
+SLOW, FAST = 6.0, 10.0
+"""m/s: up to the first, cars keep to the line exactly; from the second on they steer to a point."""
 NEAREST = 0.1
 """Meters: gaps count as no smaller."""
 
@@ -67,7 +72,7 @@ class Traffic(Controller):
         bends = bend_speed(seen, target, 2.0 + 3.0 * boldness, braking)
         slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)
         acceleration = np.minimum(ahead, np.where(bends < target, slower, most))
-        return ControlBatch(along_line(seen), np.maximum(acceleration, -HARDEST))
+        return ControlBatch(_steering(seen), np.maximum(acceleration, -HARDEST))
 
     def _target(self, seen: ObservationBatch, braking: Floats) -> Floats:
         """(N,) target speeds: as said, or by the limits from here on."""
@@ -78,6 +83,15 @@ class Traffic(Controller):
         limit = seen.speed_limit_ahead(0.5 * braking, 0.0)
         limit = np.where(np.isfinite(limit), limit, USUAL_SPEED)
         return np.asarray(limit * self.speed_factor)
+
+
+def _steering(seen: ObservationBatch) -> Floats:
+    """(N,) exact at the speed of turns, calm at that of straight roads."""
+    import numpy as np
+
+    share = np.minimum(np.maximum((seen.speed - SLOW) / (FAST - SLOW), 0.0), 1.0)
+    lookahead = np.minimum(np.maximum(LOOKAHEAD * seen.speed, NEAR), FAR)
+    return np.asarray((1.0 - share) * along_line(seen) + share * pursuit(seen, lookahead))
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from .model import Conflict, Connection
 
 VEHICLE_GAP = 2.3
 """Meters between the middles of two vehicles of 2 m that pass each other with 0.3 m to spare."""
-SWEEP = 2.5
+SWEEP = 4.0
 """Square meters: in a bend, a car takes this times the curvature more to the outside, where its
-corners are (`l^2 / 8` for a length of 4.5 m)."""
+corners are (`l^2 / 8` for a length of 5.7 m)."""
 _FEWEST, _SPACING = 25, 1.6
 _BLOCK = 512
 
