@@ -40,6 +40,7 @@ FIGURES = (
     Figure("drawn_town", "A drawing with colors as a legend"),
     Figure("typed_town", "A map typed as text"),
     Figure("traffic", "Traffic on a street"),
+    Figure("signals", "Traffic at a crossing with signals"),
     Figure("two_versions", "Two versions of one road, compared by formulas"),
     Figure("composed", "Perturbations one after the other"),
     Figure("sweep", "A sweep over a parameter", 6, "contact-sheet.svg"),
