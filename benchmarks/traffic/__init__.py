@@ -1,0 +1,1 @@
+"""Random traffic: contacts, red lights, throughput."""
