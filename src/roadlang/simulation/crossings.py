@@ -13,10 +13,12 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Scene
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from .route_lines import connection_points
-from .world import World
+from .world import ARRIVED, World
 
 TURNED = 0.6
 """Radians: at its ends, a line without a route is turned from its connection by less than this."""
+STOP_GAP = 0.6
+"""Meters before a stop line at which cars stop."""
 AT_LINE = 0.5
 """Meters: a route that ends so close to a stop line ends there."""
 DETOUR = 1.5
@@ -39,7 +41,8 @@ class Crossings:
     connection: Integers
     """place in `SceneJunction.connections`"""
     end: Floats
-    """(N,) where a route ends at the stop line of a junction, infinite elsewhere"""
+    """(N,) where fronts have to stop at the end of their lines: at the stop line of a junction, or
+    with the middle of the agent at the end; infinite for closed lines"""
     junctions: tuple[SceneJunction, ...]
     """of all scenes"""
 
@@ -99,10 +102,13 @@ def crossings_of(world: World) -> Crossings:
 
 
 def _end(world: World, agent: int) -> float:
-    """Where the route of an agent ends at a stop line, infinite elsewhere."""
+    """Where the front of an agent has to stop at the end of its line."""
     actor = world.actors[agent]
-    if actor is None or actor.route is None or actor.route.closed:
+    if actor is None or not world.has_road[agent] or world.closed[agent]:
         return math.inf
+    length = float(world.length[agent])
+    if actor.route is None:
+        return length + 0.5 * actor.length + ARRIVED
     last = actor.route.steps[-1]
     stations = {
         _stop_station(world.scenes[agent // world.slots], one)
@@ -111,7 +117,7 @@ def _end(world: World, agent: int) -> float:
         if (one.source.road, one.source.lane) == (last.road, last.lane)
     }
     ends = any(abs(last.stop - station) < AT_LINE for station in stations)
-    return float(world.length[agent]) if ends else math.inf
+    return length - STOP_GAP if ends else length + 0.5 * actor.length + ARRIVED
 
 
 def _stop_station(scene: Scene, connection: SceneConnection) -> float:

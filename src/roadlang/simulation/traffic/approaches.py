@@ -7,13 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..crossings import Crossings
+from ..crossings import STOP_GAP, Crossings
 from ..signal_lights import Lights
 from ..world import World
 from .junction_tables import JunctionTables
 
-STOP_GAP = 0.6
-"""Meters before a stop line at which cars stop."""
 COMFORTABLE = 3.2
 """m/s^2: who would have to brake harder for a yellow light may go on, ..."""
 IN_TIME = 0.85

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ..crossings import crossings_of
+from ..crossings import STOP_GAP, crossings_of
 from ..leaders import Leaders
 from ..world import World
 from . import rules
@@ -21,7 +21,6 @@ from .approaches import (
     OVER_LINE,
     SIGN_DISTANCE,
     SIGN_SPEED,
-    STOP_GAP,
     Approaches,
     braking_to_stop,
 )
@@ -93,7 +92,7 @@ class RightOfWay:
         politeness and aggression, each from 0 to 1."""
         if not self._crossings.junctions:
             front = world.motion.along[rows] + 0.5 * world.bodies.length[rows]
-            stop = self._crossings.end[rows] - front - STOP_GAP
+            stop = self._crossings.end[rows] - front
             return stop, np.full(len(rows), math.inf), np.zeros(len(rows))
         if temper is not None:
             self._temper[0, rows], self._temper[1, rows] = temper
@@ -141,7 +140,7 @@ class RightOfWay:
         near, held = crowd.near, crowd.held
         closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
         front = world.motion.along[rows] + 0.5 * crowd.length
-        stop = np.minimum(closed.min(axis=1), crowd.crossings.end - front - STOP_GAP)
+        stop = np.minimum(closed.min(axis=1), crowd.crossings.end - front)
         gap = np.full(len(rows), math.inf)
         leader = np.full(len(rows), -1)
         if held.any():
