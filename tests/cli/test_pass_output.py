@@ -72,3 +72,19 @@ def test_looking_changes_no_scene() -> None:
     plain = loaded.sample(3, seed=4)
     assert [scene.to_json() for scene in watched] == [scene.to_json() for scene in plain]
     assert len(seen) == 9
+
+
+def test_a_line_says_how_far_a_road_is_displaced_and_how_it_bends(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A wave of 2 m over 100 m bends by up to 2 (2 pi / 100)^2 = 0.0079/m."""
+    text = (
+        "road main { draw with waypoints { points: [(0m, 0m), (100m, 0m)] }, width: 7m }\n"
+        "road bent from main { perturb with sine { amplitude: 2m, wavelength: 100m } }\n"
+    )
+    loaded = roadlang.loads(text)
+    loaded.sample(1, after_pass=PassPrinter(loaded.scenario, "all"))
+    first, second = capsys.readouterr().err.splitlines()
+    assert first.endswith(": 100.00 m")
+    assert "`bent`, 100.39 m at 101 stations, displaced by up to 2 m" in second
+    assert second.endswith("curvature up to 0.00789/m, width 7 to 7 m")

@@ -10,6 +10,7 @@ import numpy as np
 from roadlang.api import Scene
 from roadlang.ir.encoding import scene_from_json
 from roadlang.ir.scene import SceneActor
+from roadlang.ir.scene_junctions import SceneControl, SignalPhase
 from roadlang.ir.trace import AgentTrace
 
 ROAD = {
@@ -80,6 +81,13 @@ def test_a_scene_draws_nothing_and_is_driven_nowhere() -> None:
     assert (scene.objects, scene.signals, scene.expectations, scene.simulate) == ((), (), (), None)
     assert (dict(scene.provenance.inputs), scene.provenance.source) == ({}, "")
     assert (dict(scene.provenance.plugins), dict(scene.provenance.overrides)) == ({}, {})
+
+
+def test_a_cycle_of_signals_is_all_of_its_phases() -> None:
+    """10 + 3 + 2 s and 5 + 3 + 2 s."""
+    phases = (SignalPhase((1,), 10.0, 3.0, 2.0), SignalPhase((2,), 5.0, 3.0, 2.0))
+    assert SceneControl("signals", phases=phases).cycle == 25.0
+    assert SceneControl().cycle == 0.0
 
 
 def test_what_stands_still_is_where_the_scene_has_it_at_all_times() -> None:

@@ -148,3 +148,12 @@ def test_points_are_found_again_from_their_vectors() -> None:
 def test_very_many_unordered_values_are_searched_as_if_ordered() -> None:
     ends = tuple((number + 1) / 50 for number in range(50))
     assert CubeEncoding((Axis("name", ends, is_ordered=False),)).columns == 1
+
+
+def test_a_countable_number_is_visited_in_the_middle_of_each_part() -> None:
+    """A continuous one has no parts; a part without width has no middle."""
+    assert WEATHER.middles() == (0.125, 0.375, 0.75)
+    assert WEATHER.levels(2) == (0.125, 0.375, 0.75)
+    assert CONTINUOUS[0].middles() == ()
+    assert CONTINUOUS[0].levels(4) == (0.125, 0.375, 0.625, 0.875)
+    assert Axis("a", (0.5, 0.5, 1.0)).middles() == (0.25, 0.75)
