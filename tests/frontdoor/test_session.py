@@ -187,7 +187,9 @@ def test_fewer_scenes_than_asked_for_is_a_warning() -> None:
     text = "param side = choice(1m, 2m)\n" + SCENE + "sample with grid { steps: 2 }\n"
     scenes = roadlang.loads(text.replace("< 3m", "< 1.6m")).sample(50)
     assert 0 < len(scenes) < 50
-    assert [found.code for found in scenes.diagnostics if found.code == "RL602"] == ["RL602"]
+    (short,) = [found for found in scenes.diagnostics if found.code == "RL602"]
+    assert short.path == "scene.rl"
+    assert short.help == ("the table shows what rejects most",)
 
 
 def test_a_set_is_a_sequence_and_a_table(file: Path) -> None:
