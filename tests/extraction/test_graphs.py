@@ -149,6 +149,13 @@ def test_dead_ends_at_the_border_stay() -> None:
         assert len(graph.lines) == count
 
 
+def test_of_two_dead_ends_at_one_place_the_shorter_goes_and_the_other_is_the_road() -> None:
+    """A road of 100 px forks into 12 and 8 px: it is 112 px long without the shorter."""
+    graph = graph_of(((0, 40), (100, 40)), ((100, 40), (112, 40)), ((100, 40), (100, 48)))
+    prune(graph, 20.0)
+    assert lengths(graph) == [112]
+
+
 def test_a_line_alone_is_not_cut_however_short() -> None:
     graph = graph_of(((0, 0), (5, 0)))
     prune(graph, 50.0)
