@@ -107,3 +107,12 @@ def test_limits_of_options_are_those_of_json_schema() -> None:
     pursuit = schema_of_kind(registry.find("drive", "pure_pursuit"))["properties"]
     assert (pursuit["speed"]["minimum"], pursuit["speed"]["maximum"]) == (0, 120)
     assert pursuit["lookahead"]["exclusiveMinimum"] == 0
+
+
+def test_files_words_and_names_are_strings_of_json() -> None:
+    registry = load_registry()
+    onnx = schema_of_kind(registry.find("extract", "onnx"))["properties"]
+    assert onnx["model"]["type"] == "string"
+    contour = schema_of_kind(registry.find("extract", "contour"))["properties"]
+    assert contour["road"]["enum"] == ["auto", "dark", "light"]
+    assert contour["spline"]["type"] == "boolean"

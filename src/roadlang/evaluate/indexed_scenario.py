@@ -172,7 +172,7 @@ class IndexedScenario:
     def _lane_options(self, network: ScenarioNetwork) -> list[Value]:
         """What says which lanes a network has, or one made from it: its junctions depend on it."""
         shaping = [name for name in LANE_OPTIONS if name != "speed_limit"]
-        found = [value for name, value in self.source.world.items() if name == "traffic"]
+        found: list[Value] = []  # the side of traffic is the same in every scene
         for other in self.networks.values():
             if network in self.chain(other):
                 found += [value for name, value in other.options.items() if name in shaping]
