@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import platform
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from typing import Any
 
 import pytest
 
@@ -35,6 +38,34 @@ def test_a_cluster_gives_the_same_outcomes(address: str) -> None:
 def test_a_cluster_that_does_not_answer_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("roadlang.session.cluster._PATIENCE", "200ms")
     with pytest.raises(DiagnosticError, match="RL704"), cluster("tcp://127.0.0.1:9", 1):
+        pass
+
+
+class Unloadable:
+    """A function that cannot be loaded where it is to run."""
+
+    def __call__(self) -> str:
+        raise AssertionError
+
+    def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
+        return import_module, ("roadlang_that_is_not_installed",)
+
+
+def test_workers_without_roadlang_are_refused(
+    address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("roadlang.session.cluster.worker_version", Unloadable())
+    with pytest.raises(DiagnosticError, match=r"RL704.*cannot load roadlang"), cluster(address, 1):
+        pass
+
+
+def test_workers_with_another_version_are_refused(
+    address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("roadlang.session.cluster.__version__", "9.9")
+    monkeypatch.setattr("roadlang.session.cluster.worker_version", platform.python_version)
+    match = f"RL704.*it has roadlang {platform.python_version()}, not 9.9"
+    with pytest.raises(DiagnosticError, match=match), cluster(address, 1):
         pass
 
 

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import json
 import re
 import shutil
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import DiagnosticError
-from roadlang.report.page_text import embedded
+from roadlang.ir.trace import AgentTrace, Trace
+from roadlang.report.page_text import embedded, page_text
+from roadlang.report.report import read_results
 from roadlang.session.reports import write_report
+from roadlang.session.scene import installed
 from tests.report.made_results import BEND, made
 
 
@@ -184,6 +189,39 @@ def test_a_page_that_cannot_be_written_leaves_nothing(copy: Path, tmp_path: Path
     blocked.write_text("mine")
     with pytest.raises(DiagnosticError, match="RL460"):
         write_report(copy, blocked / "page.html")
+
+
+def test_a_hundred_failures_with_much_traffic_stay_below_five_megabytes(search: Path) -> None:
+    """Twenty cars each, on a road of its own, every 0.02 s, in motion that hardly packs."""
+    results = read_results(search, installed())
+    drive = results.drives[0]
+    random = np.random.Generator(np.random.PCG64(1))
+    time = np.linspace(0.0, 60.0, 3001)
+    columns = {field.name for field in dataclasses.fields(AgentTrace)} - {
+        "name",
+        "time",
+        "length",
+        "width",
+    }
+    drives = []
+    for number in range(100):
+        agents = {}
+        for name in ("ego", "lead", *(f"car[{i}]" for i in range(18))):
+            moves: dict[str, Any] = {
+                column: random.normal(0.0, 1.0, 3001).cumsum() for column in columns
+            }
+            agents[name] = dataclasses.replace(
+                drive.trace.agents["ego"], name=name, time=time, **moves
+            )
+        road = drive.scene.roads[0]
+        y = tuple(
+            y + float(np.sin(s / 9.0 + number)) for s, y in zip(road.stations, road.y, strict=True)
+        )
+        scene = dataclasses.replace(drive.scene, roads=(dataclasses.replace(road, y=y),))
+        trace = Trace(time, agents, "noise")
+        drives.append(dataclasses.replace(drive, row=number, scene=scene, trace=trace))
+    page = page_text(dataclasses.replace(results, drives=drives), installed())
+    assert 1_000_000 < len(page.encode()) < 5_000_000
 
 
 def test_data_never_ends_its_element() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from ..drive.figure import color_shares, robustness_color
 from ..geometry.arrays import Floats
 from ..ir.trace import AgentTrace
-from .decimation import simplified
+from .decimation import samples_of, simplified
 from .drive_records import DriveView
 from .elements import drawing, element, text
 from .numbers import quantity
@@ -24,6 +24,8 @@ _FEW_ROADS = 3
 _MARGIN = 12.0
 """Meters around what is shown."""
 _PIXEL = 0.7
+_MOST_SAMPLES, _MOST_OF_OTHERS = 160, 40
+"""Of the path of the agent that the picture is about, and of every other."""
 
 
 @dataclass(frozen=True)
@@ -91,15 +93,18 @@ def _roads(view: DriveView, place: Place, tall: float) -> Iterator[str]:
 
 def _paths(view: DriveView, place: Place) -> Iterator[str]:
     still = {thing.name for thing in view.drive.scene.objects}
+    series = None if view.worst is None else view.worst.series
     for name, agent in view.drive.trace.agents.items():
         line = _path(agent)
         if name in still or not len(line):
             continue
-        if name != view.agent or view.worst is None or view.worst.series is None:
-            yield element("path", d=_data(place(line)), class_="other path")
+        if name != view.agent or series is None:
+            kept = samples_of(len(line), _MOST_OF_OTHERS, (), ())
+            yield element("path", d=_data(place(line[kept])), class_="other path")
             continue
         finite = np.isfinite(agent.x) & np.isfinite(agent.y)
-        yield from _colored(place(line), color_shares(view.worst.series)[finite])
+        kept = samples_of(len(line), _MOST_SAMPLES, [series[finite]], ())
+        yield from _colored(place(line[kept]), color_shares(series)[finite][kept])
     if view.moment is not None and view.moment.actors and view.drive.has_failed:
         actor, at = view.moment.actors[0], view.moment.sample
         x, y = place(np.array([float(actor.x[at]), float(actor.y[at])])).tolist()

@@ -7,8 +7,11 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..version import __version__
 
 if TYPE_CHECKING:
+    from distributed import Client
+
     from ..search.worker_pool import Executor
 
 _PATIENCE = "10s"
@@ -37,7 +40,23 @@ def cluster(address: str | None, jobs: int) -> Iterator[tuple[int, Executor | No
         raise DiagnosticError(fault) from error
     with client:
         workers = sum(client.nthreads().values())
-        if not workers:
-            fault = diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason="it has no workers")
-            raise DiagnosticError(fault)
+        unfit = _unfit(client) if workers else "it has no workers"
+        if unfit:
+            raise DiagnosticError(diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=unfit))
         yield workers, client.get_executor(retries=_RETRIES, pure=False)
+
+
+def worker_version() -> str:
+    """The version of roadlang where this runs."""
+    return __version__
+
+
+def _unfit(client: Client) -> str | None:
+    """Why its scheduler or its workers cannot do our work. Both load what they pass on."""
+    try:
+        client.submit(worker_version, pure=False).result(_PATIENCE)
+        found = set(client.run(worker_version).values())
+    except Exception:  # noqa: BLE001 - whatever is raised there, of whatever is installed there
+        return "its scheduler or its workers cannot load roadlang and its plugins"
+    others = sorted(found - {__version__})
+    return f"it has roadlang {', '.join(others)}, not {__version__}" if others else None
