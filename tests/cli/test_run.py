@@ -56,6 +56,7 @@ def test_results_have_draws_robustness_and_the_worst_moment() -> None:
     run(["run", "bend.rl", "-n", "3"])
     for row in results():
         assert 6 <= float(row["ego/drive 1/speed"]) <= 16
+        assert row["verdict"] == ("holds" if row["slow satisfied"] == "true" else "violated")
         assert row["worst"] == "slow"
         assert row["worst agent"] == "ego"
         assert 0 <= float(row["worst time"]) <= 6

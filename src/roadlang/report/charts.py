@@ -64,7 +64,7 @@ def progress_chart(
     return _svg(parts, "Robustness of each drive in the order of evaluation")
 
 
-def coverage_chart(name: str, found: Coverage) -> str:
+def coverage_chart(name: str, found: Coverage, unit: str) -> str:
     """How many drives, and how many of them failing, in equal parts of a measure."""
     most = max(found.scenes)
     step = (_WIDE - _LEFT - _RIGHT) / len(found.scenes)
@@ -80,7 +80,6 @@ def coverage_chart(name: str, found: Coverage) -> str:
                     element("rect", y=f"{y:.1f}", height=f"{up:.1f}", class_=f"bar {kind}", **bar)
                 )
     base = _TALL - _BOTTOM
-    unit = UNITS.get(name, "")
     parts += [
         element("path", d=f"M{_LEFT} {base}H{_WIDE - _RIGHT}", class_="zero"),
         _label(number(most, 6), _LEFT - 6, _TOP + 9, "end"),

@@ -13,7 +13,16 @@ from ..plugins.registry import Registry
 from .drive_records import DriveView, drive_record, samples_per_drive, view
 from .elements import text
 from .results import Results
-from .sections import coverage, facts, galleries, heading, headline, progress, provenance
+from .sections import (
+    coverage,
+    facts,
+    galleries,
+    heading,
+    headline,
+    progress,
+    provenance,
+    random_values,
+)
 from .tables import table_record
 
 _PAGE = Path(__file__).parent / "page"
@@ -32,6 +41,7 @@ def page_text(results: Results, registry: Registry) -> str:
         "progress": progress(results, views),
         "galleries": galleries(results, views),
         "coverage": coverage(results),
+        "apart": random_values(results, views),
         "provenance": provenance(results),
         "version": text(record.roadlang),
         "style": _file("page.css"),

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .charts import TITLES, coverage_chart, progress_chart
+from .charts import TITLES, UNITS, coverage_chart, progress_chart
+from .draw_charts import draw_charts
 from .drive_records import DriveView
 from .elements import element, text
 from .numbers import percent, quantity
 from .pictures import frame_of, gallery
 from .results import ResultRow, Results
+
+_APART = (
+    "The random values that differ most between failing drives and the others. Of pairs of a"
+    " failing and another drive, the share is given in which the value differs that way. A search"
+    " looks more often where it has found failures, so these are hints, not causes:"
+    " roadlang explain tries them."
+)
 
 
 def heading(results: Results) -> str:
@@ -88,10 +96,21 @@ def galleries(results: Results, views: Sequence[DriveView]) -> str:
 def coverage(results: Results) -> str:
     """What the drives had of curvature, speed and gap."""
     charts = [
-        _figure(coverage_chart(name, found), TITLES.get(name, name), "")
+        _figure(coverage_chart(name, found, UNITS.get(name, "")), TITLES.get(name, name), "")
         for name, found in results.coverage.items()
     ]
     return element("div", *charts, class_="charts")
+
+
+def random_values(results: Results, views: Sequence[DriveView]) -> str:
+    """The random values that set failing drives apart, where any do."""
+    units = {name: unit for view in views for name, unit in view.drive.scene.units.items()}
+    charts = draw_charts(results.rows, units)
+    if not charts:
+        return ""
+    title = element("h2", text("What sets failures apart"), id="apart-title")
+    note = element("p", text(_APART), class_="note")
+    return element("section", title, note, charts, id="apart", aria_labelledby="apart-title")
 
 
 def provenance(results: Results) -> str:

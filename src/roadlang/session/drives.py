@@ -110,6 +110,13 @@ class Drive:
         """Whether all expectations hold."""
         return all(verdict.satisfied for verdict in self._verdicts)
 
+    @property
+    def verdict(self) -> str:
+        """`holds`, `violated`, or `not judged` where nothing is expected or could be judged."""
+        if any(verdict.satisfied is False for verdict in self._verdicts):
+            return "violated"
+        return "holds" if self._verdicts and self.satisfied else "not judged"
+
     def to_dict(self) -> dict[str, Floats]:
         """Columns for `pandas.DataFrame`: `time`, and `ego.x`, `ego.speed`, ... of each agent.
 
@@ -202,14 +209,15 @@ class DriveSet(Sequence[Drive]):
 
     def rows(self) -> list[dict[str, Any]]:
         """Of each drive: `scene`, params and draws, then for each expectation its robustness and,
-        as `NAME satisfied`, how it came out; which is the worst, and when and where (`worst`,
-        `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`)."""
+        as `NAME satisfied`, how it came out; `verdict` of all; which is the worst, and when and
+        where (`worst`, `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`)."""
         rows = []
         for drive in self:
             row: dict[str, Any] = {"scene": drive.scene.index}
             row |= {**drive.scene.values, **drive.scene.draws}
             for name, verdict in drive.verdicts.items():
                 row |= {name: verdict.robustness, f"{name} satisfied": verdict.satisfied}
+            row["verdict"] = drive.verdict
             rows.append(row | _worst_columns(drive))
         return rows
 
