@@ -61,6 +61,12 @@ def test_who_falls_back_never_collides() -> None:
     assert np.isinf(found).all()
 
 
+def test_headway_is_the_distance_of_the_fronts_by_the_speed_of_the_one_behind() -> None:
+    behind, ahead = straight("ego", 0.0, 10.0), straight("lead", 54.0, 10.0)
+    assert metrics.time_headway(behind, ahead) == pytest.approx(5.4)
+    assert np.isinf(metrics.time_headway(ahead, behind)).all()
+
+
 def test_the_root_of_the_mean_square_of_a_sine_is_its_amplitude_by_root_two() -> None:
     ego = straight("ego", 0.0, 10.0)
     assert metrics.cross_track_rms(ego) == pytest.approx(0.5 / math.sqrt(2), rel=1e-6)

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .drive_signals import JerkSignal, LateralAcceleration
-from .drive_signals_conflict import TimeToCollision
+from .drive_signals_conflict import TimeHeadway, TimeToCollision
 
 if TYPE_CHECKING:
     from roadlang.api import AgentTrace
@@ -35,6 +35,12 @@ def time_to_collision(first: AgentTrace, second: AgentTrace) -> Floats:
     """(T,) seconds until the rectangles of two touch if both keep their velocity; infinite if they
     would not (Hayward 1972)."""
     return TimeToCollision(first=first, second=second).values()
+
+
+def time_headway(first: AgentTrace, second: AgentTrace) -> Floats:
+    """(T,) seconds in which the front of the first will be where the front of the second is now,
+    along its lane; infinite where the second is not ahead there, or the first stands."""
+    return TimeHeadway(first=first, second=second).values()
 
 
 def time_exposed(values: Floats, time: Floats, threshold: float) -> float:
