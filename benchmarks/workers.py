@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 
 import roadlang
-from benchmarks.falsification.medium import scene
+from benchmarks.falsification.bent_road import lane_keeper
+from benchmarks.falsification.medium import FRICTION
 from roadlang.falsification.axes import axes_of
 from roadlang.falsification.distinct import DistinctFailures
 from roadlang.falsification.evaluator import Evaluator, Proposal, Task
@@ -56,7 +57,7 @@ def main() -> None:
 
 
 def _evaluator() -> Evaluator:
-    loaded = roadlang.loads(scene())
+    loaded = roadlang.loads(lane_keeper(FRICTION))
     indexed = index_scenario(loaded.scenario, loaded.registry)
     axes = tuple(axis.name for axis in axes_of(indexed, SEED))
     return Evaluator(Task(loaded.scenario, loaded.registry, SEED, axes, ("in_lane",)))
