@@ -36,7 +36,7 @@ class Cma(Searcher):
         help="share of failures in a generation at which the search starts somewhere else",
     )
     spread: Number = option(
-        0.85,
+        0.95,
         minimum=0,
         maximum=1,
         help="share of candidates near failures that were found, to find others unlike them",

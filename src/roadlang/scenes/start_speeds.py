@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Floats
+from ..geometry.bend_speeds import square_before, squares_in_bends
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
@@ -17,8 +20,6 @@ from ..world.copies import element_of
 from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
 from ..world.routes import has_route
-
-_STRAIGHT = 1e-6
 
 
 def start_speeds(
@@ -92,8 +93,7 @@ def _fastest(
     braking: float,
     candidates: CandidateBatch,
 ) -> float:
-    """The greatest speed from which braking in time suffices for every bend ahead of `start`:
-    `v^2 = min(lateral / curvature + 2 braking distance)`, as controllers plan it."""
+    """The greatest speed from which braking in time suffices for every bend ahead of `start`."""
     road = named_road(name, candidates)
     arc = np.concatenate([[0.0], np.cumsum(road.curves.steps[0])])[: len(road.stations)]
     ahead = start - arc if backward else arc - start
@@ -104,5 +104,6 @@ def _fastest(
 
 def _slowest(ahead: Floats, curvature: Floats, lateral: float, braking: float) -> float:
     """Where bends of a curvature (n,) begin `ahead` (n,) meters; those behind do not count."""
-    squares = lateral / np.maximum(np.abs(curvature), _STRAIGHT) + 2.0 * braking * ahead
-    return float(np.sqrt(squares[ahead >= 0.0].min(initial=np.inf)))
+    seen = ahead >= 0.0
+    limits = squares_in_bends(curvature[seen], lateral)
+    return math.sqrt(square_before(limits, ahead[seen], braking))

@@ -7,11 +7,9 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
+from ..geometry.bend_speeds import squares_before, squares_in_bends
 from .lines import Lines
 from .world import World
-
-STRAIGHT = 1e-6
-"""1/m: less is no bend."""
 
 
 class BendSpeeds:
@@ -51,25 +49,16 @@ class BendSpeeds:
 
 
 def planned(lines: Lines, row: Integers, lateral: Floats, braking: Floats) -> Floats:
-    """(N, M) greatest speeds at the ends of the cells of the lines `row`: from the end backward,
-    `v^2 = min(lateral / curvature, v_next^2 + 2 braking ds)`."""
-    curvature = np.abs(lines.column(lines.seen_curvature)[row])
-    limit = lateral[:, None] / np.maximum(curvature, STRAIGHT)
+    """(N, M) greatest speeds at the ends of the cells of the lines `row`."""
+    limits = squares_in_bends(lines.column(lines.seen_curvature)[row], lateral[:, None])
     gain = 2.0 * braking * lines.spacing[row]
-    ramp = gain[:, None] * np.arange(lines.cells)
-    square = _backward(limit, ramp)
+    square = squares_before(limits, gain)
     again = np.flatnonzero(lines.closed[row])
     if len(again):  # beyond the end of a closed line is its beginning
         cells = np.round(lines.length[row[again]] / lines.spacing[row[again]]).astype(np.int64)
         last = lines.last[row[again]]
         square[again, last] = np.minimum(square[again, last], square[again, last - cells])
-        square[again] = _backward(square[again], ramp[again])
+        square[again] = squares_before(square[again], gain[again])
     ahead = np.minimum(square[:, :-1], square[:, 1:])
     square[:, :-1] = ahead
     return np.asarray(np.sqrt(square))
-
-
-def _backward(limit: Floats, ramp: Floats) -> Floats:
-    """(N, M) least of `limit[j] + ramp[j] - ramp[i]` over j >= i."""
-    ahead = np.minimum.accumulate((limit + ramp)[:, ::-1], axis=1)[:, ::-1]
-    return np.asarray(ahead - ramp)
