@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import Axis, DiagnosticError, Search, Searcher
 from roadlang_standard.cube_encoding import CubeEncoding
+from roadlang_standard.failure_spread import FailureSpread
 from roadlang_standard.falsify_cma import Cma
 from roadlang_standard.falsify_grid import Grid
 from roadlang_standard.falsify_halton import Halton
@@ -136,6 +137,22 @@ def test_unordered_values_are_searched_one_hot_and_ordered_ones_as_numbers() -> 
     np.testing.assert_allclose(point[0, :5], vector[0, :5])
     assert point[0, 5] == 0.375
     assert 0.75 < point[0, 6] < 1.0
+    assert encoding.choices(vector).tolist() == [[0.0, 1.0, 0.0]]
+    assert CubeEncoding(CONTINUOUS).choices(vector[:, :5]).shape == (1, 0)
+
+
+def test_children_of_failures_spread_over_the_unordered_values() -> None:
+    encoding = CubeEncoding(MIXED)
+    spread = FailureSpread(np.random.Generator(np.random.Philox(key=1)), encoding.choices)
+    vectors = np.random.default_rng(2).random((60, encoding.columns))
+    values = np.where(vectors[:, 0] < 0.5, -0.5, 0.5)  # fails, whatever the weather
+    spread.tell(vectors, values, 0.1 * vectors[:, :3])
+    assert len(spread) == 3, "alike but for the weather"
+    children = spread.ask(30)
+    assert children.shape == (30, encoding.columns)
+    assert ((children >= 0.0) & (children <= 1.0)).all()
+    assert (encoding.choices(children).sum(axis=0) > 0).all()
+    assert (children[:, 0] < 0.5).mean() > 0.8, "the model has seen what fails"
 
 
 def test_points_are_found_again_from_their_vectors() -> None:

@@ -42,6 +42,21 @@ class CubeEncoding:
             start += width
         return np.clip(points, 0.0, _BELOW_ONE)
 
+    def choices(self, vectors: Floats) -> Floats:
+        """(n, c) which unordered values vectors stand for: 1 for the value that is chosen, 0 for
+        the others; c is 0 where there are none."""
+        import numpy as np
+
+        found = [np.empty((len(vectors), 0))]
+        start = 0
+        for middles in self._middles:
+            width = len(middles) or 1
+            if middles:
+                chosen = vectors[:, start : start + width].argmax(axis=1)
+                found.append((np.arange(width) == chosen[:, None]).astype(np.float64))
+            start += width
+        return np.concatenate(found, axis=1)
+
     def vectors(self, points: Floats) -> Floats:
         """Vectors that stand for points: the value that is chosen has 0.75, the others 0.25."""
         import numpy as np

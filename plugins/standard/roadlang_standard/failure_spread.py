@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from .failure_model import FailureModel, squares_apart
@@ -29,8 +30,11 @@ class FailureSpread:
     those that should fail, each unlike all others (surrogate-assisted illumination: Gaier, Asteroth
     and Mouret 2018, without the grid of cells: distances of descriptors count)."""
 
-    def __init__(self, random: np.random.Generator) -> None:
+    def __init__(self, random: np.random.Generator, choices: Callable[[Floats], Floats]) -> None:
+        """`choices`: (n, c) the unordered values that vectors stand for; failures with others are
+        unlike each other."""
         self._random = random
+        self._choices = choices
         self._parents: list[Floats] = []
         self._descriptors: list[Floats] = []
         self._model = FailureModel()
@@ -43,6 +47,7 @@ class FailureSpread:
         import numpy as np
 
         self._model.tell(vectors, values, descriptors)
+        descriptors = np.column_stack([descriptors, self._choices(vectors)])
         for row in np.flatnonzero(values < 0.0):
             if self._descriptors:
                 gaps = np.stack(self._descriptors) - descriptors[row]
@@ -56,7 +61,8 @@ class FailureSpread:
         import numpy as np
 
         children = self._children(_POOL * count)
-        values, descriptors = self._model.predicted(children)
+        values, predicted = self._model.predicted(children)
+        descriptors = np.column_stack([predicted, self._choices(children)])
         nearest = squares_apart(descriptors, np.stack(self._descriptors)).min(axis=1)
         chosen = []
         for _ in range(count):

@@ -60,7 +60,7 @@ class CmaSearch(Search):
         self._random = np.random.Generator(np.random.Philox(key=seed % 2**64))
         self._encoding = CubeEncoding(axes)
         self._options = options
-        self._failures = FailureSpread(self._random)
+        self._failures = FailureSpread(self._random, self._encoding.choices)
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
