@@ -33,7 +33,7 @@ def test_every_place_allows_to_brake_for_every_bend_ahead(
     row = np.array(limits)
     found = squares_before(row[None, :], np.array([2.0 * braking * step]))[0]
     for place in range(len(row)):
-        ahead = step * np.arange(len(row) - place)
+        ahead = np.asarray(step * np.arange(len(row) - place), dtype=np.float64)
         assert found[place] == pytest.approx(square_before(row[place:], ahead, braking), abs=1e-9)
         assert found[place] <= row[place] + 1e-9
 
