@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
     from roadlang.geometry import Floats
 
-USUAL_SPEED = 50 / 3.6
-"""m/s, where there is no speed limit."""
 STANDING_GAP = 2.0
 """Meters between two that stand in a row."""
 HARDEST = 8.0
@@ -81,7 +79,7 @@ class Traffic(Controller):
         if self.speed is not None:
             return np.broadcast_to(np.asarray(self.speed, dtype=np.float64), seen.speed.shape)
         limit = seen.speed_limit_ahead(0.5 * braking, 0.0)
-        limit = np.where(np.isfinite(limit), limit, USUAL_SPEED)
+        limit = np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
         return np.asarray(limit * self.speed_factor)
 
 
