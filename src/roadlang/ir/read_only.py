@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any, NoReturn, TypeVar
 
 K = TypeVar("K")
@@ -56,9 +57,7 @@ def frozen(value: Any) -> Any:
         return value
     flags = getattr(value, "flags", None)
     if flags is not None:
-        from ..geometry.arrays import read_only  # numpy: only where there are arrays
-
-        return read_only(value) if flags.writeable else value
+        return _read_only()(value) if flags.writeable else value
     if isinstance(value, Mapping):
         return FrozenDict({key: frozen(item) for key, item in value.items()})
     if type(value) is list:
@@ -66,6 +65,13 @@ def frozen(value: Any) -> Any:
     if type(value) is tuple:
         return tuple(frozen(item) for item in value)
     return value
+
+
+@cache
+def _read_only() -> Callable[[Any], Any]:
+    from ..geometry.arrays import read_only  # numpy: only where there are arrays
+
+    return read_only
 
 
 class Frozen:
