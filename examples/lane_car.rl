@@ -1,0 +1,11 @@
+# A car on a road of its own. two_actors.rl includes it twice, with other params.
+param y = 0m
+param speed = 40km/h
+
+road lane {
+  draw with waypoints { points: [(0m, y), (200m, y)] }
+  width: 4m
+  lanes: 1
+  speed_limit: 50km/h
+}
+agent driver is car on lane at 10m { drive with lane_follow { speed: speed } }
