@@ -105,7 +105,11 @@ def test_limits_of_options_are_those_of_json_schema() -> None:
     assert sine["wavelength"]["exclusiveMinimum"] == 0
     assert "minimum" not in sine["wavelength"]
     pursuit = schema_of_kind(registry.find("drive", "pure_pursuit"))["properties"]
-    assert (pursuit["speed"]["minimum"], pursuit["speed"]["maximum"]) == (0, 120)
+    time = pursuit["lookahead_time"]
+    assert (time["minimum"], time["maximum"]) == (0, 10)
+    speed, nothing = pursuit["speed"]["anyOf"]
+    assert (speed["minimum"], speed["maximum"]) == (0, 120)
+    assert nothing == {"type": "null"}
     assert pursuit["lookahead"]["exclusiveMinimum"] == 0
 
 
