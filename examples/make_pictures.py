@@ -61,6 +61,22 @@ def drawn_town() -> np.ndarray:
     return picture
 
 
+def drawn_roundabout() -> np.ndarray:
+    """A drawing of 240 x 200 pixels, one meter each: white roads, a ring where four of them meet."""
+    picture = np.full((200, 240, 3), GRASS, np.uint8)
+    middle = (120, 100)
+    for end in ((0, 112), (128, 0), (239, 90), (110, 199)):
+        cv2.line(picture, middle, end, WHITE, 7)
+    cv2.circle(picture, middle, 25, GRASS, -1)
+    cv2.circle(picture, middle, 22, WHITE, 6)
+    for corner in ((30, 30), (60, 20), (170, 140), (190, 30), (40, 150)):
+        x, y = corner
+        cv2.rectangle(picture, corner, (x + 14, y + 10), BUILDING, -1)
+    for x, y in ((120, 100), (116, 104), (125, 97), (70, 80), (160, 120), (90, 160), (150, 40)):
+        cv2.circle(picture, (x, y), 2, TREE, -1)
+    return picture
+
+
 def truth_of(rendering: Rendering) -> dict[str, object]:
     """Center lines and widths in pixels (x right, y down; a pixel's center is a whole number)."""
     truth = rendering.truth
@@ -87,6 +103,7 @@ def main() -> None:
         text = json.dumps(truth_of(rendering), separators=(",", ":"))
         (HERE / f"{name}.truth.json").write_text(text + "\n", encoding="utf-8")
     cv2.imwrite(str(HERE / "town.png"), drawn_town())
+    cv2.imwrite(str(HERE / "roundabout.png"), drawn_roundabout())
 
 
 if __name__ == "__main__":
