@@ -62,7 +62,7 @@ def drawn_town() -> np.ndarray:
 
 
 def drawn_roundabout() -> np.ndarray:
-    """A drawing of 240 x 200 pixels, one meter each: white roads, a ring where four of them meet."""
+    """A drawing of 240 x 200 pixels, one meter each: four white roads that meet at a ring."""
     picture = np.full((200, 240, 3), GRASS, np.uint8)
     middle = (120, 100)
     for end in ((0, 112), (128, 0), (239, 90), (110, 199)):

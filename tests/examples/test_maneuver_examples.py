@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -18,13 +19,17 @@ def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
         old = old.replace("__", " ")
         assert old in text
         text = text.replace(old, new)
+    for picture in EXAMPLES.glob("*.png"):
+        shutil.copy(picture, folder)
     (folder / f"{name}.rl").write_text(text, encoding="utf-8")
     scenes = roadlang.load(folder / f"{name}.rl").sample(count)
     return [one.satisfied for one in scenes.run("builtin")]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["cut_in", "overtaking", "platoon", "parked_row"])
+@pytest.mark.parametrize(
+    "name", ["cut_in", "overtaking", "platoon", "parked_row", "signals", "roundabout"]
+)
 def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
     assert all(kept(name, tmp_path, 12))
 
@@ -37,6 +42,7 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
         ("cut_in", {"gap:__6m..14m": "gap: 60m"}),
         ("overtaking", {"target:__truck,": "target: oncoming,"}),
         ("platoon", {"speed:__85km/h": "speed: 45km/h"}),
+        ("roundabout", {"drive__with__traffic__}": "drive with pure_pursuit { speed: 11m/s } }"}),
         ("parked_row", {"deceleration:__6m/s^2": "deceleration: 1m/s^2"}),
     ],
 )

@@ -153,3 +153,19 @@ def test_nobody_begins_too_fast_for_the_turn_ahead(sample: Sample) -> None:
     turning = agent(sampled(sample, f"agent ego is car on town {{ {route}, {fast} }}"))
     assert turning.start_speed is not None
     assert turning.start_speed < 16.0
+
+
+def test_traffic_begins_so_slowly_that_it_can_stop_before_the_next_junction(
+    sample: Sample,
+) -> None:
+    """Braking with 3 m/s^2; 100 m before it, the speed itself decides."""
+    drives = "{ drive with traffic { speed: 20m/s } }"
+    near, far = (
+        agent(
+            sampled(sample, f"agent ego is car on town at junction(7, before: {before}m) {drives}")
+        )
+        for before in (12, 100)
+    )
+    length = near.length
+    assert near.start_speed == pytest.approx(math.sqrt(2 * 3.0 * (12 + length / 2)), rel=0.15)
+    assert far.start_speed == 20.0

@@ -21,6 +21,10 @@ from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
 from ..world.routes import has_route
 
+CALM_LATERAL, CALM_BRAKING = 3.0, 3.0
+"""m/s^2: of controllers that do not say with what they take bends, on a route. They may obey right
+of way: they begin so slowly that they can stop where the next junction begins."""
+
 
 def start_speeds(
     actor: ScenarioActor,
@@ -65,13 +69,16 @@ def _wanted(
     if not isinstance(speed, int | float):
         return 0.0
     lateral, braking = (first.options.get(k) for k in ("lateral_acceleration", "deceleration"))
-    if not isinstance(lateral, int | float) or not isinstance(braking, int | float):
+    plain = not isinstance(lateral, int | float) or not isinstance(braking, int | float)
+    if plain and not has_route(actor, candidates):
         return float(speed)
+    if not isinstance(lateral, int | float) or not isinstance(braking, int | float):
+        lateral, braking = CALM_LATERAL, CALM_BRAKING
     start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
     limit = _fastest(road, start, backward, float(lateral), float(braking), candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
-        ahead, curvature = bends_of_route(route, str(actor.on), candidates)
+        ahead, curvature = bends_of_route(route, str(actor.on), candidates, stops=plain)
         limit = _slowest(ahead, curvature, float(lateral), float(braking))
     return min(float(speed), limit)
 

@@ -18,10 +18,11 @@ _FARTHEST = 400.0
 
 
 def bends_of_route(
-    route: PlannedRoute | None, network: str, candidates: CandidateBatch
+    route: PlannedRoute | None, network: str, candidates: CandidateBatch, *, stops: bool = False
 ) -> tuple[Floats, Floats]:
     """Meters ahead (n,), and the curvature there, of a single candidate; of the center lines of
-    roads, and of connections at both ends of each piece."""
+    roads, and of connections at both ends of each piece. With `stops`, it is infinite where a lane
+    ends at a junction: who may have to stop there has to be able to."""
     thing = candidates.scenario.networks[network]
     lanes = lanes_of_network(thing, candidates)
     plan = network_root(thing, candidates).junctions.plans[network]
@@ -30,6 +31,7 @@ def bends_of_route(
         for junction in plan.junctions
         for connection in junction.connections
     }
+    kinds = {junction.id: junction.kind for junction in plan.junctions}
     ahead, curvature, driven = [np.zeros(0)], [np.zeros(0)], 0.0
     for leg in route.legs if route is not None else ():
         if driven > _FARTHEST:
@@ -41,6 +43,9 @@ def bends_of_route(
         driven += length
         turn = None if leg.turn is None else connections.get(_key(leg))
         if turn is not None:
+            if stops and kinds[_key(leg)[0]] != "joint":
+                ahead.append(np.array([driven]))
+                curvature.append(np.array([np.inf]))
             places, bends = _of_turn(turn)
             ahead.append(driven + places)
             curvature.append(bends)
