@@ -6,9 +6,12 @@ from dataclasses import dataclass
 
 from ..diagnostics import Span
 from .dimension import Dimension
+from .read_only import FrozenDict
 from .values import NO_OPTIONS, Condition, Options, PassCall, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
+
+NO_SPANS: FrozenDict[str, Span] = FrozenDict()
 
 LANE_OPTIONS = (
     "lanes",
@@ -137,7 +140,8 @@ class ScenarioActor:
 
     `at` is a length along the road, a fraction of its length (`Operation`s of such too) or a
     point (`Items` of two lengths), or the call of a kind of position; `at_fraction` tells the first
-    two apart. `options`: those of `AgentOptions`.
+    two apart. `options`: those of `AgentOptions`. `option_spans`: where `at` and the options are
+    written, as far as they are.
     """
 
     name: str
@@ -148,6 +152,11 @@ class ScenarioActor:
     options: Options = NO_OPTIONS
     drive: tuple[PassCall, ...] = ()
     span: Span | None = None
+    option_spans: FrozenDict[str, Span] = NO_SPANS
+
+    def span_of(self, name: str) -> Span | None:
+        """Where `at` or an option is written; the statement, where it is not."""
+        return self.option_spans.get(name, self.span)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, get_type_hints
+from typing import Any, get_origin, get_type_hints
 
 from ..diagnostics import Source, Span
 from ..stl.formats.json_schema import FORMULA, formula_definitions
@@ -136,6 +136,6 @@ def _revived(value: Any) -> Any:
 
 @cache
 def _options_of(kind: type) -> frozenset[str]:
-    """The fields that hold options."""
+    """The fields that hold options, or something else by name."""
     hints = get_type_hints(kind)
-    return frozenset(name for name, hint in hints.items() if hint == value_nodes.Options)
+    return frozenset(name for name, hint in hints.items() if get_origin(hint) is FrozenDict)

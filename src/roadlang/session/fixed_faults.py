@@ -142,7 +142,7 @@ def _position_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnost
 def _off_road(actor: ScenarioActor, position: str, help_: str = "") -> Diagnostic:
     return diagnose(
         Code.POSITION_OFF_ROAD,
-        actor.span,
+        actor.span_of("at"),
         name=actor.name,
         position=position,
         road=actor.on,

@@ -63,8 +63,9 @@ def allowed_lanes(
         known = sorted({lane.lane for lane in lanes.lanes}, key=lambda id: (abs(id), id))
         help_ = f"its lanes for vehicles are {', '.join(map(str, known))}"
         lane = f"`{choice[0]}`" if isinstance(choice[0], str) else choice[0]
+        span = actor.span_of("lane")
         raise DiagnosticError(
-            diagnose(Code.UNKNOWN_LANE, actor.span, road=actor.on, lane=lane, help=help_)
+            diagnose(Code.UNKNOWN_LANE, span, road=actor.on, lane=lane, help=help_)
         )
     return found
 

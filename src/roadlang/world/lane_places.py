@@ -101,7 +101,8 @@ def no_lane_of_kind(actor: ScenarioActor, word: str, section: CrossSection) -> D
     """RL613, of a road without a lane of some kind."""
     lanes = ", ".join(f"{lane.id} ({lane.kind})" for lane in section.lanes)
     help_ = f"its lanes are {lanes}"
-    return diagnose(Code.UNKNOWN_LANE, actor.span, road=actor.on, lane=f"`{word}`", help=help_)
+    span, lane = actor.span_of("lane"), f"`{word}`"
+    return diagnose(Code.UNKNOWN_LANE, span, road=actor.on, lane=lane, help=help_)
 
 
 def _place_of(actor: ScenarioActor, lanes: LaneBatch, id: int) -> int:

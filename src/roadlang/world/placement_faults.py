@@ -20,4 +20,4 @@ def unknown_lane(actor: ScenarioActor, lane: int, known: tuple[int, ...]) -> Dia
     if lane in known:
         return None
     help_ = f"its lanes are {', '.join(map(str, known))}"
-    return diagnose(Code.UNKNOWN_LANE, actor.span, road=actor.on, lane=lane, help=help_)
+    return diagnose(Code.UNKNOWN_LANE, actor.span_of("lane"), road=actor.on, lane=lane, help=help_)

@@ -25,7 +25,7 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     parts = route_parts(actor, copies, lanes)
     for part in parts:
         if isinstance(part, NearPoints) and part.distance(0) > FARTHEST:
-            return _far(actor, part.point(0), part.distance(0))
+            return _far(actor, part.point(0), part.distance(0), part is parts[0])
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
     if len(parts) == 1 or choice is None:
         return None
@@ -38,10 +38,12 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     return _no_way(actor, parts[found], stages, found, lanes)
 
 
-def _far(actor: ScenarioActor, point: tuple[float, float], distance: float) -> Diagnostic:
+def _far(
+    actor: ScenarioActor, point: tuple[float, float], distance: float, is_first: bool
+) -> Diagnostic:
     return diagnose(
         Code.FAR_FROM_LANES,
-        actor.span,
+        actor.span_of("at" if is_first and "at" in actor.option_spans else "route"),
         x=f"{point[0]:g}m",
         y=f"{point[1]:g}m",
         distance=f"{distance:.3g}m",
@@ -71,7 +73,7 @@ def _no_way(
         help_ = f"see where the lanes of {names} lead to: `emit svg` draws them"
     return diagnose(
         Code.NO_WAY,
-        actor.span,
+        actor.span_of("route"),
         goal=_written(goal),
         network=actor.on,
         name=actor.name,

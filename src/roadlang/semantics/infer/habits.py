@@ -48,7 +48,6 @@ _NAMES = {
 _POSITION = "write `x` and `y`, or `station` for the arc length along the road"
 _MEMBERS = {
     "position": _POSITION,
-    "lane": "the lane of an agent does not change: it is the option `lane`",
     "velocity": "write `speed`",
     "v": "write `speed`",
     "s": "write `station`",
@@ -64,6 +63,10 @@ _OPTIONS = {
     "at": "the position is written before the block: `at 20m`",
     "on": "the road is written before the block: `on main at 20m`",
 }
+_NETWORK_WIDTH = (
+    "the width of roads from a picture is an option of what reads it: "
+    "`extract with auto { width: 7m }`"
+)
 _SIDES = {"right": "-1", "left": "1"}
 
 
@@ -118,8 +121,10 @@ def member_help(name: str) -> tuple[str, ...]:
     return (_MEMBERS[name],) if name in _MEMBERS else ()
 
 
-def option_help(name: str) -> tuple[str, ...]:
-    """Help for an option that a statement or kind does not have."""
+def option_help(name: str, owner: str) -> tuple[str, ...]:
+    """Help for an option that a statement or kind, the `owner`, does not have."""
+    if (owner, name) == ("`network`", "width"):
+        return (_NETWORK_WIDTH,)
     if name in VERBS:
         return (f"write `{name} with KIND {{ ... }}`",)
     return (_OPTIONS[name],) if name in _OPTIONS else ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Code
+from ...diagnostics import Code, nearest
 from ...ir.dimension import LENGTH, PURE
 from ...ir.read_only import FrozenDict
 from ...ir.values import (
@@ -40,6 +40,10 @@ def place_of(
         return _begin_of_route(checker, statement, inner, network, route)
     if isinstance(statement.at, ast.Name) and statement.at.text == "random":
         return _anywhere(checker, statement, statement.at, inner)
+    if _is_misspelled_random(checker, statement.at):
+        at = statement.at.span
+        checker.report(Code.UNKNOWN_NAME, at, name=at.text, meant="random")
+        return None
     typed = checker.infer(statement.at, inner)
     if typed.is_unknown:
         return None
@@ -52,6 +56,12 @@ def place_of(
         checker.report(Code.NO_PLACE_IN_NETWORK, typed.span, network=network, help=help_)
         return None
     return _along_road(checker, statement, typed)
+
+
+def _is_misspelled_random(checker: Checker, at: ast.Expression) -> bool:
+    if not isinstance(at, ast.Name) or at.text in checker.program.declarations:
+        return False
+    return nearest(at.text, (*checker.program.declarations, "random")) == "random"
 
 
 def _along_road(

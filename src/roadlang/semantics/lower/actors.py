@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Code
+from ...diagnostics import Code, Span
 from ...ir import scenario as ir
+from ...ir.read_only import FrozenDict
 from ...ir.values import NO_OPTIONS, Entity, Options, Reference
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
@@ -54,7 +55,17 @@ def lower_actor(
     value = with_options(checker, kind.value, kind_options)
     fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
     road = on if isinstance(on, str) else None
-    return ir.ScenarioActor(name, value, road, at.value, fraction, placement, drive, statement.span)
+    spans = _option_spans(statement)
+    return ir.ScenarioActor(
+        name, value, road, at.value, fraction, placement, drive, statement.span, spans
+    )
+
+
+def _option_spans(statement: ast.Actor) -> FrozenDict[str, Span]:
+    """Where `at` and the values of the options are written."""
+    options = statement.block.options if statement.block else ()
+    spans = {option.key.text: option.value.span for option in options}
+    return FrozenDict(spans if statement.at is None else {**spans, "at": statement.at.span})
 
 
 def _is_network(checker: Checker, name: str) -> bool:
