@@ -84,8 +84,8 @@ def line_crossings(scene: Scene, trace: Trace) -> list[tuple[str, float, bool]]:
             time = float(np.interp(stop, front, agent.time))
             connection = lights.first[crossings.junction[number, place]]
             connection += crossings.connection[number, place]
-            _, to_red = lights.at(time)
-            found.append((actor.name, time, bool(to_red[connection] <= 0.0)))
+            red = lights.is_red(np.array([connection]), np.array([time]))
+            found.append((actor.name, time, bool(red[0])))
     return found
 
 

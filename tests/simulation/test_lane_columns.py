@@ -15,7 +15,6 @@ from roadlang.ir.scene_junctions import SceneControl, SignalPhase
 from roadlang.simulation.junction_areas import outside_ring
 from roadlang.simulation.lane_columns import OnRoad, corner_offsets
 from roadlang.simulation.pose_columns import with_pose_columns
-from roadlang.simulation.stop_lines import is_red
 
 from .driven_roads import drive, driven
 
@@ -157,8 +156,9 @@ def test_points_are_as_far_outside_a_ring_as_its_nearest_edge() -> None:
 def test_signals_are_red_outside_of_the_phases_of_a_connection() -> None:
     phases = (SignalPhase((1, 2), 10.0, 3.0, 2.0), SignalPhase((3,), 5.0, 3.0, 2.0))
     control = SceneControl("signals", (), phases, offset=4.0)
-    first = [is_red(control, 1, time) for time in (0.0, 5.9, 6.1, 8.9, 9.1, 15.0, 20.9, 21.1)]
+    first = [
+        control.light(1, time) == "red" for time in (0.0, 5.9, 6.1, 8.9, 9.1, 15.0, 20.9, 21.1)
+    ]
     assert first == [False, False, False, False, True, True, True, False]
-    assert is_red(control, 3, 0.0)
-    assert not is_red(control, 3, 12.0)
-    assert not is_red(SceneControl("stop"), 1, 0.0)
+    assert control.light(3, 0.0) == "red"
+    assert control.light(3, 12.0) == "green"

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from roadlang.ir.scene import Scene
-from roadlang.simulation.stop_lines import is_red
 
 from .routed_scenes import CROSSING, call, car, drive_scenes, network_scene, route
 from .test_routes import arms, start_station
@@ -59,7 +58,7 @@ def test_who_heeds_no_signals_crosses_stop_lines_at_red_when_they_are(crossing: 
         front = ego.route_progress + ego.length / 2
         crossed = float(np.interp(abs(step.stop - step.start), front, ego.time))
         junction = next(one for one in scene.networks[-1].junctions if one.id == turn.junction)
-        red = is_red(junction.control, turn.connection, crossed)
+        red = junction.control.light(turn.connection, crossed) == "red"
         expected = np.where(ego.time > crossed + 0.04, float(red), 0.0)
         certain = np.abs(ego.time - crossed) > 0.04
         np.testing.assert_array_equal(ego.red_light[certain], expected[certain])

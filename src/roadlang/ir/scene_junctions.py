@@ -121,19 +121,27 @@ class SceneControl:
     @property
     def cycle(self) -> float:
         """Seconds of all phases."""
-        return sum(phase.green + phase.yellow + phase.all_red for phase in self.phases)
+        return self.changes[-1][3] if self.phases else 0.0
+
+    @property
+    def changes(self) -> tuple[tuple[float, float, float, float], ...]:
+        """When in a cycle each phase turns green, yellow and red, and when it ends, seconds."""
+        found, begin = [], 0.0
+        for phase in self.phases:
+            yellow = begin + phase.green
+            red = yellow + phase.yellow
+            found.append((begin, yellow, red, red + phase.all_red))
+            begin = red + phase.all_red
+        return tuple(found)
 
     def light(self, connection: int, time: float) -> Light:
         """What the signals show a connection, `time` seconds into the drive."""
-        left = (time + self.offset) % self.cycle if self.phases else 0.0
-        for phase in self.phases:
-            colors: tuple[tuple[Light, float], ...] = (
-                ("green", phase.green), ("yellow", phase.yellow), ("red", phase.all_red),
-            )  # fmt: skip
-            for color, seconds in colors:
-                if left < seconds:
-                    return color if connection in phase.connections else "red"
-                left -= seconds
+        if self.cycle <= 0.0:
+            return "red"
+        now = (time + self.offset) % self.cycle
+        for phase, (begin, yellow, red, _) in zip(self.phases, self.changes, strict=True):
+            if connection in phase.connections and begin <= now < red:
+                return "green" if now < yellow else "yellow"
         return "red"
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats, Integers
 from .route_lines import RouteLine, Turn
+from .stop_lines import StopLines
 
 STATION_SPACING = 1.0
 """Meters of a leg between two stations of the table, at most."""
@@ -71,6 +72,8 @@ class RouteTable:
     """meters before and after its begin in which the line changes to the lane of the leg; 0: not"""
     has_changes: bool
     """whether any line changes lanes"""
+    stop_lines: StopLines
+    """those with signals"""
 
     @classmethod
     def of(cls, lines: Sequence[RouteLine], line: Integers) -> RouteTable:
@@ -107,6 +110,7 @@ class RouteTable:
         return cls(
             line, begin, step, road, lane, limit, turn, tuple(turns), first, last, per_meter,
             np.concatenate(stations), direction, changed, bool(changed.any()),
+            StopLines.of(lines),
         )  # fmt: skip
 
     def take(self, agents: Integers) -> RouteTable:

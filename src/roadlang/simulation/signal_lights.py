@@ -1,4 +1,4 @@
-"""The signals of junctions over time."""
+"""The signals of junctions over time: `SceneControl.light` for many connections and times."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..ir.scene_junctions import SceneJunction
 
 @dataclass(frozen=True)
 class Lights:
-    """What the connections of some junctions show, at any time.
+    """What signals show the connections of some junctions, at any time.
 
     Connections are numbered through all junctions: that at place c of junction j is `first[j] + c`.
     """
@@ -28,10 +28,10 @@ class Lights:
     """(J,)"""
     begin: Floats
     """(C, P) when a connection gets green in a cycle, and ..."""
-    end: Floats
-    """(C, P) ... when its yellow begins; infinite where it has none of P greens"""
     yellow: Floats
-    """(C, P) seconds"""
+    """(C, P) ... when its yellow begins, and ..."""
+    red: Floats
+    """(C, P) ... its red; all are infinite where it has none of P greens"""
     junction: Integers
     """(C,)"""
 
@@ -42,30 +42,39 @@ class Lights:
         first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
         most = max(1, *(len(junction.control.phases) for junction in junctions), 1)
         shape = int(first[-1]), most
-        begin, end, yellow = np.full(shape, math.inf), np.full(shape, math.inf), np.zeros(shape)
+        begin, yellow, red = (np.full(shape, math.inf) for _ in range(3))
         cycles, offsets, signals = [], [], []
         for number, junction in enumerate(junctions):
             places = {one.id: place for place, one in enumerate(junction.connections)}
-            at = 0.0
-            for index, phase in enumerate(junction.control.phases):
+            control = junction.control
+            for index, (phase, times) in enumerate(
+                zip(control.phases, control.changes, strict=True)
+            ):
                 rows = [int(first[number]) + places[id] for id in phase.connections]
-                begin[rows, index], end[rows, index] = at, at + phase.green
-                yellow[rows, index] = phase.yellow
-                at += phase.green + phase.yellow + phase.all_red
-            signals.append(junction.control.kind == "signals" and at > 0.0)
-            cycles.append(at if signals[-1] else 1.0)
-            offsets.append(junction.control.offset)
+                begin[rows, index], yellow[rows, index], red[rows, index] = times[:3]
+            signals.append(control.kind == "signals" and control.cycle > 0.0)
+            cycles.append(control.cycle if signals[-1] else 1.0)
+            offsets.append(control.offset)
         return cls(
             first[:-1], np.array(cycles), np.array(offsets), np.array(signals, dtype=bool),
-            begin, end, yellow, np.repeat(np.arange(len(counts)), counts),
+            begin, yellow, red, np.repeat(np.arange(len(counts)), counts),
         )  # fmt: skip
 
-    def at(self, time: float) -> tuple[Booleans, Floats]:
-        """(C,) which connections have green, and the seconds until red: 0 at red, infinite where
-        there are no signals."""
-        phase = np.mod(time + self.offset, self.cycle)[self.junction][:, None]
-        green = (self.begin <= phase) & (phase < self.end)
-        lit = (self.begin <= phase) & (phase < self.end + self.yellow)
-        left = np.where(lit, self.end + self.yellow - phase, 0.0).max(axis=1)
-        signals = self.has_signals[self.junction]
-        return green.any(axis=1) | ~signals, np.where(signals, left, math.inf)
+    def at(self, connections: Integers, time: Floats) -> tuple[Booleans, Floats]:
+        """Which of some connections have green, and the seconds until red: 0 at red, infinite where
+        there are no signals.
+
+        `time`: seconds into the drive, one for each of `connections`, or of a shape that numpy
+        broadcasts to theirs.
+        """
+        junction = self.junction[connections]
+        now = np.mod(time + self.offset[junction], self.cycle[junction])[..., None]
+        begun, red = self.begin[connections] <= now, self.red[connections]
+        green = begun & (now < self.yellow[connections])
+        left = np.where(begun & (now < red), red - now, 0.0).max(axis=-1)
+        signals = self.has_signals[junction]
+        return green.any(axis=-1) | ~signals, np.where(signals, left, math.inf)
+
+    def is_red(self, connections: Integers, time: Floats) -> Booleans:
+        """Whether signals show them red; never where there are none."""
+        return np.asarray(self.at(connections, time)[1] <= 0.0)

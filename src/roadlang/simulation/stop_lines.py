@@ -1,48 +1,70 @@
-"""Stop lines that agents cross, and what the signals there show."""
+"""The stop lines with signals on the routes of agents, and who crosses them at red."""
 
 from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..ir.scene_junctions import SceneControl
-from .route_table import RouteTable
+from .route_lines import RouteLine
+from .signal_lights import Lights
 
 
-def is_red(control: SceneControl, connection: int, time: float) -> bool:
-    """Whether the signals of a junction show red to a connection; never where it has none.
+@dataclass(frozen=True)
+class StopLines:
+    """Of L lines, at most X each, in their order."""
 
-    Green and yellow of the phases that have the connection are not red. `time`: seconds since the
-    start of the drive.
-    """
-    if control.kind != "signals" or not control.phases:
-        return False
-    lengths = [phase.green + phase.yellow + phase.all_red for phase in control.phases]
-    left = (time + control.offset) % sum(lengths)
-    for phase, length in zip(control.phases, lengths, strict=True):
-        if left < length:
-            return connection not in phase.connections or left >= phase.green + phase.yellow
-        left -= length
-    return False
+    along: Floats
+    """(L, X) arc lengths of the line; infinite where it has fewer"""
+    connection: Integers
+    """(L, X) numbers in `lights` of the connections that begin there"""
+    lights: Lights
 
+    @classmethod
+    def of(cls, lines: Sequence[RouteLine]) -> StopLines:
+        """Those of lines, in their order."""
+        found = [
+            [(leg.begin, leg.turn) for leg in line.legs if leg.turn and leg.begin > 0.0]
+            for line in lines
+        ]
+        found = [
+            [(at, turn) for at, turn in row if turn.junction.control.kind == "signals"]
+            for row in found
+        ]
+        junctions = {id(turn.junction): turn.junction for row in found for _, turn in row}
+        lights = Lights.of(tuple(junctions.values()))
+        numbers = {key: number for number, key in enumerate(junctions)}
+        shape = len(lines), max((len(row) for row in found), default=0)
+        along, connection = np.full(shape, math.inf), np.zeros(shape, dtype=np.int64)
+        for place, row in enumerate(found):
+            for column, (at, turn) in enumerate(row):
+                ids = [one.id for one in turn.junction.connections]
+                first = int(lights.first[numbers[id(turn.junction)]])
+                along[place, column] = at
+                connection[place, column] = first + ids.index(turn.connection.id)
+        return cls(along, connection, lights)
 
-def has_signals(table: RouteTable) -> bool:
-    """Whether any connection of the lines has signals."""
-    return any(turn.junction.control.kind == "signals" for turn in table.turns)
+    @property
+    def is_empty(self) -> bool:
+        """Whether no line crosses one."""
+        return not self.along.shape[1]
 
+    def crossed_at_red(
+        self, line: Integers, front: Floats, moved: Floats, begin: Floats, seconds: float
+    ) -> Booleans:
+        """(n,) which of some agents have crossed one at red since the times `begin` (n,).
 
-def crossed_at_red(
-    table: RouteTable, rows: Integers, front: Floats, moved: Floats, begin: Floats, seconds: float
-) -> Booleans:
-    """(n,) which of some agents have crossed a stop line at red since the times `begin` (n,).
-
-    `front` (n,): arc lengths of their fronts then, `moved` (n,) how far they have come in the
-    `seconds` since. Who is over the line at the start does not cross it.
-    """
-    line, turn = table.next_turn(rows, front)
-    crosses = (line <= front + moved) & (turn >= 0)
-    for i in np.flatnonzero(crosses):
-        found = table.turns[turn[i]]
-        time = float(begin[i]) + float((line[i] - front[i]) / moved[i]) * seconds
-        crosses[i] = is_red(found.junction.control, found.connection.id, time)
-    return np.asarray(crosses)
+        `line` (n,): their lines, `front` (n,): arc lengths of their fronts then, `moved` (n,) how
+        far they have come in the `seconds` since. Who is over the line at the start does not cross
+        it.
+        """
+        stop = self.along[line]
+        agent, column = np.nonzero((stop > front[:, None]) & (stop <= (front + moved)[:, None]))
+        time = begin[agent] + (stop[agent, column] - front[agent]) / moved[agent] * seconds
+        is_red = self.lights.is_red(self.connection[line[agent], column], time)
+        crossed = np.zeros(len(line), dtype=bool)
+        crossed[agent[is_red]] = True
+        return crossed

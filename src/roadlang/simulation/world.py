@@ -18,7 +18,6 @@ from .motion import Advance, Motion, Track, advance
 from .placing import Placing
 from .poses import Poses, poses_of
 from .route_table import Place, RouteTable
-from .stop_lines import crossed_at_red, has_signals
 
 ARRIVED = 0.5
 """Meters before the end of a line from which on an agent has arrived."""
@@ -183,7 +182,7 @@ class World:
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
         self.moves.advance(self.motion.speed, seconds)
-        if has_signals(self.table):
+        if not self.table.stop_lines.is_empty:
             self._count_red_lights(before[0], moved, seconds)
         self._wrap()
         self.tick += steps
@@ -192,7 +191,9 @@ class World:
         rows = np.flatnonzero(self.has_route)
         front = before[rows] + 0.5 * self.bodies.length[rows]
         front = np.where(self.closed[rows], front % self.length[rows], front)
-        crossed = crossed_at_red(self.table, rows, front, moved[rows], self.age[rows], seconds)
+        crossed = self.table.stop_lines.crossed_at_red(
+            self.table.line[rows], front, moved[rows], self.age[rows], seconds
+        )
         self.red_lights = self.red_lights.copy()
         self.red_lights[rows] += crossed
 

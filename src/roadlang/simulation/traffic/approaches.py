@@ -68,11 +68,11 @@ class Approaches:
             is_behind = is_over | (closed & (to_line > 0.5 * world.length[rows, None]))
         number = tables.first[junction] + crossings.connection[rows]
         number = np.where(none, 0, number)
-        green, to_red = lights.at(world.time)
+        green, to_red = lights.at(number, world.age[rows, None])
         speed = world.motion.speed[rows, None]
         needed = braking_to_stop(speed, to_line - STOP_GAP)
-        left = np.minimum(to_red[number], FAR)
-        ends = ~green[number] | (to_red[number] < WARNING)
+        left = np.minimum(to_red, FAR)
+        ends = ~green | (to_red < WARNING)
         in_time = (needed > COMFORTABLE) & (to_line < IN_TIME * speed * left)
         may_go = ~ends | in_time
         must_stop = ~may_go & (needed < HARDEST) & (to_line >= 0.0)
