@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from roadlang.drive.figure import color_shares, drive_figure, robustness_color
-from roadlang.ir.scene import SceneActor
+from roadlang.ir.scene import SceneActor, SceneNetwork
+from roadlang.ir.scene_junctions import SceneArm, SceneJunction
 from roadlang.ir.trace import AgentTrace, Trace
 from tests.backends.handmade_scenes import actor, bend, road
 
@@ -101,3 +102,15 @@ def test_shades_are_eighths_of_the_largest_of_a_sign() -> None:
 def test_the_color_is_green_yellow_or_red(share: float, color: str) -> None:
     """At a quarter halfway from yellow (245, 159, 0) to green (47, 158, 68)."""
     assert robustness_color(share) == color
+
+
+def test_roads_end_where_junctions_begin() -> None:
+    """The road from x = 0 m to 85.2 m reaches up to 5.2 m before its end, where the area begins."""
+    main = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400, trim=(0.0, 5.2))
+    area = ((80.0, -4.0), (85.2, -4.0), (85.2, 0.0), (80.0, 0.0))
+    place = SceneJunction(1, (1,), "junction", area, (SceneArm("main", "end", 5.2, 3, 0),), ())
+    town = SceneNetwork("town", (), ("main",), junctions=(place,))
+    root = figure(roads=(main,), networks=(town,))
+    assert line(root.findall("polyline")[0])[-1][0] == pytest.approx(824, abs=2.2)
+    (drawn,) = root.findall("polygon")
+    assert line(drawn) == [(824, 98), (876, 98), (876, 58), (824, 58)]

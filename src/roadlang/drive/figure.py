@@ -8,7 +8,7 @@ from xml.sax.saxutils import escape
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..ir.scene import Scene, SceneActor
+from ..ir.scene import Scene, SceneActor, SceneRoad
 from ..ir.trace import AgentTrace, Trace
 
 COLOR_STEPS = 8
@@ -43,8 +43,12 @@ def drive_figure(
 
     height = _HEAD + 2 * _MARGIN + high * scale
     parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
+    shown = {road.name for road in roads}
+    for junction in (one for network in scene.networks for one in network.junctions):
+        if shown.issuperset(arm.road for arm in junction.arms):
+            parts.append(_area(place(*np.array(junction.area).T)))
     for road in roads:
-        line = place(np.array(road.x), np.array(road.y))
+        line = place(*_between_junctions(road))
         width = max(float(np.mean(road.width)) * scale, 1.0)
         parts.append(_polyline(line, _ROAD, width))
     parts += (_footprint(thing, place, scale) for thing in scene.objects)
@@ -63,6 +67,19 @@ def drive_figure(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
         f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
     )
+
+
+def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats]:
+    """x and y of what the junctions leave of a road; of one inside a junction, nothing."""
+    stations = np.array(road.stations)
+    first, last = stations[0] + road.trim[0], stations[-1] - road.trim[1]
+    inside = (stations >= first - 1e-6) & (stations <= last + 1e-6)
+    return np.array(road.x)[inside], np.array(road.y)[inside]
+
+
+def _area(ring: Floats) -> str:
+    points = " ".join(f"{x:.1f},{y:.1f}" for x, y in ring.tolist())
+    return f'<polygon points="{points}" fill="{_ROAD}" stroke="{_ROAD}" stroke-width="2"/>'
 
 
 def _footprint(thing: SceneActor, place: Callable[[Floats, Floats], Floats], scale: float) -> str:
