@@ -118,3 +118,11 @@ require sure: confidence(town) > {share}
     (tmp_path / "town.rl").write_text(scene)
     command = [sys.executable, "-m", "roadlang", "compile", "town.rl", "-n", "1", "-o", "out"]
     assert subprocess.run(command, cwd=tmp_path, capture_output=True).returncode == code
+
+
+def test_a_typed_road_has_the_width_that_is_asked_for() -> None:
+    """A cell of 30 m is no road of 30 m."""
+    typed = Picture(None, 30.0, {"#": "road"}, ("#####",))
+    for width, expected in ((None, 30.0), (7.0, 7.0)):
+        (road,) = Auto(width=width).extract(typed).network.edges
+        assert float(road.width.at(60.0)) == pytest.approx(expected)

@@ -50,7 +50,7 @@ class Auto(Extractor):
 
         if picture.characters is not None or picture.legend:
             kind = "typed grid" if picture.characters is not None else "drawing with a legend"
-            found = Pixel().extract(picture)
+            found = Pixel(thickness=in_pixels(self.width, picture)).extract(picture)
         else:
             assert picture.pixels is not None
             seen = picture_kind(picture.pixels)

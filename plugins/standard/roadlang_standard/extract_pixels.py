@@ -16,7 +16,7 @@ class Pixel(Extractor):
     """Text images and drawings: the legend says which characters or colors are roads or objects."""
 
     name: ClassVar[str] = "pixels"
-    thickness: Pixels = option(
+    thickness: Pixels | None = option(
         None, above=0, help="road width; by default one cell of a text image, or the drawn width"
     )
 
