@@ -21,7 +21,7 @@ def agent(name: str, speed: float, contacts: float = 0.0) -> AgentTrace:
     time = np.array([0.0, 0.5, 1.0])
     values = {column: np.zeros(3) for column in COLUMNS}
     values |= {"speed": speed * time, "contacts": np.full(3, contacts)}
-    return AgentTrace(name, time, *(values[column] for column in COLUMNS))  # type: ignore[arg-type]
+    return AgentTrace(name, time, **values)  # type: ignore[arg-type]
 
 
 def trace(*agents: AgentTrace) -> Trace:
@@ -117,7 +117,8 @@ def test_traces_fit_their_schema() -> None:
     document = json.loads(to_json(trace(agent("ego", 8.0, math.nan))))
     jsonschema.validate(document, schema)
     columns = schema["$defs"]["AgentColumns"]
-    assert set(columns["required"]) == {*COLUMNS, "length", "width"}
+    assert set(columns["properties"]) == {*COLUMNS, "length", "width"}
+    assert {"x", "y", "speed", "contacts"} <= set(columns["required"])
     del document["agents"]["ego"]["x"]
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate(document, schema)

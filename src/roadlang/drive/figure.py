@@ -43,14 +43,7 @@ def drive_figure(
 
     height = _HEAD + 2 * _MARGIN + high * scale
     parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
-    shown = {road.name for road in roads}
-    for junction in (one for network in scene.networks for one in network.junctions):
-        if shown.issuperset(arm.road for arm in junction.arms):
-            parts.append(_area(place(*np.array(junction.area).T)))
-    for road in roads:
-        line = place(*_between_junctions(road))
-        width = max(float(np.mean(road.width)) * scale, 1.0)
-        parts.append(_polyline(line, _ROAD, width))
+    parts += _surfaces(scene, roads, place, scale)
     parts += (_footprint(thing, place, scale) for thing in scene.objects)
     for agent in agents:
         line = place(agent.x, agent.y)
@@ -67,6 +60,22 @@ def drive_figure(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
         f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
     )
+
+
+def _surfaces(
+    scene: Scene,
+    roads: list[SceneRoad],
+    place: Callable[[Floats, Floats], Floats],
+    scale: float,
+) -> Iterator[str]:
+    """Junctions and the roads between them."""
+    shown = {road.name for road in roads}
+    for junction in (one for network in scene.networks for one in network.junctions):
+        if shown.issuperset(arm.road for arm in junction.arms):
+            yield _area(place(*np.array(junction.area).T))
+    for road in roads:
+        line = place(*_between_junctions(road))
+        yield _polyline(line, _ROAD, max(float(np.mean(road.width)) * scale, 1.0))
 
 
 def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats]:
