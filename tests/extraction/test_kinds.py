@@ -49,7 +49,7 @@ def test_a_circuit_comes_out_closed_and_in_meters() -> None:
 def test_the_world_has_y_up_and_its_origin_at_the_lower_left() -> None:
     found = Pixel().extract(Picture(None, 10.0, {"#": "road"}, ("###", "...")))
     (edge,) = found.network.edges
-    assert edge.curve.points.tolist() == [[5, 15], [15, 15], [25, 15]]
+    assert edge.curve.at([0, 10, 20]).tolist() == [[5, 15], [15, 15], [25, 15]]
 
 
 @pytest.mark.parametrize(

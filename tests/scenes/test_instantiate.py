@@ -82,3 +82,11 @@ def test_workers_change_neither_provenance_nor_remarks(sample: Sample) -> None:
     alone, together = sample(DRAWN_SCALE, 40, jobs=1), sample(DRAWN_SCALE, 40, jobs=2)
     assert [s.provenance for s in together.scenes] == [s.provenance for s in alone.scenes]
     assert together.remarks == alone.remarks
+
+
+def test_a_typed_ring_that_meets_no_other_road_is_a_scene(sample: Sample) -> None:
+    plan = 'image plan from """\n  ###\n  #.#\n  ###\n""" { scale: 8m/px }\n'
+    (scene,) = sample(plan + "network town from plan\n").scenes
+    (road,) = scene.roads
+    assert road.closed
+    assert road.length == pytest.approx(32 + 8 * np.pi, rel=1e-3)

@@ -35,7 +35,9 @@ class NetworkPlans:
         close = _CLOSE * length / len(stations)
         found = stations.copy()
         for start, end in sorted({plan.trims[edge] for plan in self.plans.values()}):
-            for trim in (start, length - end):
+            inner = [start] if start > 0.0 else []
+            inner += [length - end] if end > 0.0 else []
+            for trim in inner:
                 place = int(np.abs(found - trim).argmin())
                 is_end = place in (0, len(found) - 1)
                 if abs(found[place] - trim) <= (1e-9 if is_end else close):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from roadlang.geometry import Curve
 
 _DOUBTFUL = 0.5
+_WIDEST_CORNER = 2.0  # cells: more than a fillet of half a link has, so that each fills its cell
 
 
 def extraction(
@@ -31,11 +33,19 @@ def extraction(
     from roadlang.geometry import Edge, Node, RoadNetwork
 
     where = picture.to_world(found.nodes) if len(found.nodes) else found.nodes
+    where = np.array(where, dtype=np.float64)
+    met = Counter(node for road in found.roads for node in (road.start, road.end))
     edges: list[Edge] = []
     errors: list[float] = []
     for road in found.roads:
-        curve = _curve(picture, road, where, cells=found.method == "cells")
+        ring = road.closed and met[road.start] == 2
+        if found.method == "cells":
+            curve = _through_cells(picture, road, ring)
+        else:
+            curve = _spline(picture, road, where)
         if curve is not None:
+            if ring:
+                where[road.start] = curve.at(0.0)
             widths = np.maximum(road.widths * picture.scale, 1e-3)
             ids = (road.start, road.end)
             edges.append(Edge(len(edges) + 1, *ids, curve, widths, road.confidence))
@@ -52,13 +62,26 @@ def extraction(
     )
 
 
-def _curve(picture: Picture, road: FoundRoad, where: Floats, cells: bool) -> Curve | None:
+def _through_cells(picture: Picture, road: FoundRoad, ring: bool) -> Curve | None:
+    """Straight lines through centers of cells, each corner an arc between the sides of its cell.
+
+    None for a road without length. A `ring` meets no other road, so its first corner is round too
+    and it begins after it; any other loop keeps the corner at the junction that it leaves.
+    """
+    from roadlang.geometry import filleted
+
+    if len(road.points) < 2:
+        return None
+    world = picture.to_world(road.points[:-1] if ring else road.points)
+    return filleted(world, _WIDEST_CORNER * picture.scale, closed=ring)
+
+
+def _spline(picture: Picture, road: FoundRoad, where: Floats) -> Curve | None:
     """A spline through points about half a width apart; None for a road without length."""
     from roadlang.geometry import Curve
 
     usual = float(np.median(road.widths))
-    points = road.points if cells else resample(road.points, max(2.0, 0.5 * usual))
-    world = picture.to_world(points)
+    world = picture.to_world(resample(road.points, max(2.0, 0.5 * usual)))
     world[0], world[-1] = where[road.start], where[road.end]
     apart = np.r_[True, np.hypot(*np.diff(world, axis=0).T) > 1e-6]
     world = world[apart]
