@@ -284,26 +284,26 @@ def test_two_that_change_to_each_others_lane_side_by_side_do_not_touch(apart: fl
     assert min(agent.progress[-1] for agent in trace.agents.values()) > 0.9
 
 
-def test_left_hand_traffic_drives_as_the_mirror_image_of_right_hand_traffic() -> None:
+@pytest.mark.parametrize("rule", RULES)
+def test_left_hand_traffic_drives_as_the_mirror_image_of_right_hand_traffic(rule: str) -> None:
     arm = "." * 12 + "#" + "." * 17
     plan = "\n".join([arm] * 14 + ["#" * 30] + [arm] * 9)
     other = "\n".join(row[::-1] for row in plan.splitlines())
-    for rule in ("right_first", "all_way_stop"):
-        right = scene_with(rule, plan)
-        left = scene_with(rule, other, world="traffic: left")
-        agents, images = [], []
-        for number, (road, lane) in enumerate(entries(right)):
-            for turn, distance in (("left", 20.0), ("right", 34.0), ("straight", 48.0)):
-                start = before_junction(right, road, lane, distance + number)
-                path = route(right, road, lane, start, [turn])
-                agents.append(car(right, f"{number}.{turn}", path, drive=call("traffic")))
-                images.append(image_of(agents[-1], turn, distance + number, left, 30 * 8.0))
-        (trace,) = drive_scenes([replace(right, agents=tuple(agents))], duration=40.0)
-        (mirrored,) = drive_scenes([replace(left, agents=tuple(images))], duration=40.0)
-        for name, one in trace.agents.items():
-            image = mirrored.agents[name]
-            assert np.abs(one.x + image.x - 30 * 8.0).max() < 1e-9
-            assert np.abs(one.y - image.y).max() < 1e-9
+    right = scene_with(rule, plan)
+    left = scene_with(rule, other, world="traffic: left")
+    agents, images = [], []
+    for number, (road, lane) in enumerate(entries(right)):
+        for turn, distance in (("left", 20.0), ("right", 34.0), ("straight", 48.0)):
+            start = before_junction(right, road, lane, distance + number)
+            path = route(right, road, lane, start, [turn])
+            agents.append(car(right, f"{number}.{turn}", path, drive=call("traffic")))
+            images.append(image_of(agents[-1], turn, distance + number, left, 30 * 8.0))
+    (trace,) = drive_scenes([replace(right, agents=tuple(agents))], duration=40.0)
+    (mirrored,) = drive_scenes([replace(left, agents=tuple(images))], duration=40.0)
+    for name, one in trace.agents.items():
+        image = mirrored.agents[name]
+        assert np.abs(one.x + image.x - 30 * 8.0).max() < 1e-9
+        assert np.abs(one.y - image.y).max() < 1e-9
 
 
 def image_of(

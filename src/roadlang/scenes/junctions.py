@@ -66,7 +66,9 @@ def _yields(junction: Junction, rule: RightOfWay) -> tuple[tuple[int, int], ...]
     what has green in the same phase."""
     if rule.rule == "all_way_stop":
         return ()
-    found = yields(junction.connections, junction.conflicts, rule.minor)
+    found = yields(
+        junction.connections, junction.conflicts, rule.minor, left_hand=junction.left_hand
+    )
     if rule.rule != "signals":
         return found
     phases = [set(phase.connections) for phase in rule.phases]

@@ -22,6 +22,7 @@ def _junction(junction: Junction) -> Junction:
         arms=tuple(_arm(arm, count) for arm in reversed(junction.arms)),
         connections=tuple(_connection(connection) for connection in junction.connections),
         refused=tuple(_refusal(refusal) for refusal in junction.refused),
+        left_hand=not junction.left_hand,
     )
 
 

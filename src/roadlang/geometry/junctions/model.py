@@ -109,6 +109,8 @@ class Junction:
     refused: tuple[Refusal, ...] = ()
     inside: tuple[int, ...] = ()
     """the roads that lie wholly within its area"""
+    left_hand: bool = False
+    """traffic keeps left"""
 
 
 @dataclass(frozen=True, slots=True)
