@@ -239,6 +239,7 @@ class _Grower:
         }
         if name == "source":
             expressions["source"] = self.one_of(self.source, self.text)
+        expressions["target"] = self.reference
         make = {
             "str": lambda _: self.draw(st.sampled_from(node.words)),
             "Word": self.word,

@@ -179,3 +179,13 @@ def test_a_part_of_a_broken_line_has_a_hundred_columns_as_well(columns: int, lin
 def test_a_number_and_its_power_are_kept_apart() -> None:
     """`2m^2` is one number, two square meters; `a^2` is no unit."""
     assert formatted("let a = 2m ^ 2\nlet b = a ^ 2\n") == "let a = 2m ^ 2\nlet b = a^2\n"
+
+
+def test_an_override_has_one_form() -> None:
+    text = "override   left.ego{drive with stanley,lane:-2}\n"
+    assert formatted(text) == "override left.ego { drive with stanley, lane: -2 }\n"
+
+
+def test_override_is_free_as_the_name_of_an_option() -> None:
+    text = "agent ego is car on main at 5m { override: 3m }\n"
+    assert formatted(text) == text

@@ -49,6 +49,14 @@ REFERENCE = (
         'include "street.rl"',
     ),
     StatementReference(
+        "override",
+        "override NAME { ... }",
+        "Replaces options and passes of an image, network, road, agent or object that an included "
+        "file declares. An option replaces that option; passes of a verb (`drive with`, ...) "
+        "replace all passes of that verb; the rest stays.",
+        'include "street.rl" as left\noverride left.street { width: 6m }',
+    ),
+    StatementReference(
         "param",
         "param NAME = value",
         "A value that can be set from outside: by `--set NAME=value`, or by a file that includes "

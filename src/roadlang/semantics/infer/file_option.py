@@ -22,7 +22,7 @@ def check_file(
     if typed is None or not isinstance(typed.type, StringType) or not typed.type.values:
         return typed
     declared = checker.program.declarations.get(context.user)
-    folder = declared.folder if declared else checker.program.path.parent
+    folder = declared.folder_at(value.span) if declared else checker.program.path.parent
     for name in sorted(typed.type.values):
         fault = file_fault(folder, name, typed.span, picture=False)
         if fault is not None:

@@ -7,12 +7,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...diagnostics import Code, Diagnostic, Label, Source, Span, diagnose, did_you_mean, nearest
+from ...diagnostics import (
+    Code,
+    Diagnostic,
+    Fix,
+    Label,
+    Source,
+    Span,
+    diagnose,
+    did_you_mean,
+    nearest,
+)
 from ...files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
 from ...syntax import parse, parse_value
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
 from .namespaces import Namespace, resolved
+from .overriding import PlacedOverride, apply_overrides
 from .program import Declaration, Program, Setting
 
 MOST_INCLUDES = 200
@@ -33,12 +44,12 @@ def load(path: Path, text: str, overrides: Mapping[str, str | Source]) -> Progra
 
 @dataclass(frozen=True, slots=True)
 class _Found:
-    """A statement as it was read; `is_main`: of the main file."""
+    """A statement as it was read; `depth`: how many includes lead to its file."""
 
     statement: ast.Statement
     folder: Path
     space: Namespace
-    is_main: bool
+    depth: int
 
 
 class _Loader:
@@ -59,14 +70,14 @@ class _Loader:
         self._program.diagnostics.extend(found)
         self._program.spoiled.update(space.prefix + word.text for word in tree.spoiled)
         self._program.inputs.append(source.path)
-        is_main = not chain
+        depth = len(chain)
         chain = (*chain, os.path.realpath(path))
         params: set[str] = set()
         for statement in tree.statements:
             if isinstance(statement, ast.Include):
                 params |= self._include(statement, path.parent, chain, space)
                 continue
-            self._found.append(_Found(statement, path.parent, space, is_main))
+            self._found.append(_Found(statement, path.parent, space, depth))
             name = getattr(statement, "name", None)
             if name is not None and not isinstance(statement, ast.Header):
                 space.declared.add(name.text)
@@ -81,16 +92,23 @@ class _Loader:
             if setting in settings:
                 value = resolved(settings[setting].value, space, self._report_unknown_member)
                 settings[setting] = replace(settings[setting], value=value)
+        overrides: list[PlacedOverride] = []
+        depths: dict[str, int] = {}
         for found in self._found:
             statement = resolved(found.statement, found.space, self._report_unknown_member)
-            if isinstance(statement, ast.Header):
+            if isinstance(statement, ast.Override):
+                place = (found.folder, found.depth, found.space)
+                overrides.append(PlacedOverride(statement, *place))
+            elif isinstance(statement, ast.Header):
                 if not found.space.prefix:
-                    self._header(statement, found.is_main)
+                    self._header(statement, found.depth == 0)
             elif name := getattr(statement, "name", None):
                 self._declare(name, statement, found.folder)
+                depths.setdefault(name.text, found.depth)
                 self._check_alias(name, found.space)
             elif not found.space.prefix:  # under a name a file gives its declarations alone
                 self._program.add_unnamed(statement, found.folder)
+        apply_overrides(self._program, overrides, depths)
 
     def _report_unknown_member(self, member: ast.Member, inner: Namespace, alias: str) -> None:
         name = member.name.text
@@ -102,6 +120,7 @@ class _Loader:
         self._report(
             Code.UNKNOWN_INCLUDED_NAME, member.name.span, name=name, alias=alias,
             help=f"did you mean `{alias}.{meant}`?" if meant else _list_of_names(inner),
+            fixes=[Fix(member.name.span, meant)] if meant else [],
         )  # fmt: skip
 
     def override(self, name: str, value: str | Source) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -30,6 +31,12 @@ class Declaration(PlacedStatement):
     """A statement that declares a name."""
 
     name: ast.Word = field(kw_only=True)
+    override_folders: Mapping[str, Path] = field(default_factory=dict, kw_only=True)
+    """of the files that override some of it, by the paths of these files"""
+
+    def folder_at(self, span: Span) -> Path:
+        """What a path that is written at a place of the statement is relative to."""
+        return self.override_folders.get(span.source.path, self.folder)
 
 
 @dataclass(frozen=True, slots=True)

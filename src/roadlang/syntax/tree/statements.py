@@ -49,6 +49,16 @@ class Include(Statement):
 
 
 @dataclass(frozen=True, slots=True)
+class Override(Statement):
+    """`override NAME { ... }`: other options and passes of what was included."""
+
+    words = ("override",)
+    layout = "override {target} {block}"
+    target: Expression
+    block: Block | None
+
+
+@dataclass(frozen=True, slots=True)
 class Param(Statement):
     """`param NAME = value`."""
 
@@ -138,7 +148,7 @@ class Emit(Statement):
 
 
 STATEMENTS: tuple[type[Statement], ...] = (
-    Header, Include, Param, Let, Geometry, Constraint, Actor, World, RunStep, Emit,
+    Header, Include, Override, Param, Let, Geometry, Constraint, Actor, World, RunStep, Emit,
 )  # fmt: skip
 BY_RULE: dict[str, type[Statement]] = {
     re.sub(r"(?<=[a-z])(?=[A-Z])", "_", node.__name__).lower(): node for node in STATEMENTS

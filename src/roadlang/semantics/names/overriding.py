@@ -1,0 +1,158 @@
+"""`override left.ego { ... }`: other options and passes of what an included file declares."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ...diagnostics import Code, Fix, Label, Span, diagnose, did_you_mean, nearest
+from ...syntax.tree import nodes as ast
+from .namespaces import Namespace
+from .program import Declaration, Program
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedOverride:
+    """An override with its names in full; `depth`: how many includes lead to its file."""
+
+    statement: ast.Override
+    folder: Path
+    depth: int
+    space: Namespace
+
+
+def apply_overrides(
+    program: Program, overrides: Sequence[PlacedOverride], depths: Mapping[str, int]
+) -> None:
+    """Put what overrides hold into the declarations that they name.
+
+    `depths` are those of the declarations. Outer files come last: what they say wins over what the
+    files that they include say.
+    """
+    first: dict[tuple[str, int], Span] = {}
+    for override in sorted(overrides, key=lambda placed: -placed.depth):
+        target = override.statement.target
+        declared = _declaration(program, override)
+        if declared is None or not _is_included(program, override, declared, depths):
+            continue
+        known = first.setdefault((declared.name.text, override.depth), target.span)
+        if known is not target.span:
+            labels = [Label(known, "the first one")]
+            _report(program, Code.DUPLICATE_OVERRIDE, target, labels=labels)
+            continue
+        block = override.statement.block
+        if block is None or (block.complete and not block.items):
+            _report(program, Code.EMPTY_OVERRIDE, target)
+            continue
+        _apply(program, override, declared, block)
+
+
+def _declaration(program: Program, override: PlacedOverride) -> Declaration | None:
+    """What an override names, or None, reported."""
+    target = override.statement.target
+    front = target
+    while isinstance(front, ast.Member):
+        front = front.of
+    assert isinstance(front, ast.Name), "the grammar lets only names and members through"
+    if front.text in program.spoiled:
+        return None
+    declared = program.declarations.get(front.text)
+    if isinstance(target, ast.Name) and target.text in override.space.aliases:
+        help_ = f"name what it declares: `override {target.text}.NAME {{ ... }}`"
+        _report(program, Code.NOT_OVERRIDABLE, target, what="a whole file", help=help_)
+    elif declared is None:
+        _report_unknown(program, front, override.space)
+    elif front is not target:
+        help_ = f"name the declaration, `{front.span.text}`, and write options in the braces"
+        _report(program, Code.NOT_OVERRIDABLE, target, what="a member of a declaration", help=help_)
+    elif not isinstance(declared.statement, ast.Geometry | ast.Actor):
+        _report_other(program, target, declared.role)
+    else:
+        return declared
+    return None
+
+
+def _report_unknown(program: Program, name: ast.Name, space: Namespace) -> None:
+    if program.incomplete:
+        return
+    known = sorted({*space.declared, *space.aliases})
+    meant = nearest(name.text, known)
+    fixes = [Fix(name.span, meant)] if meant else []
+    help_ = did_you_mean(name.text, known)
+    program.diagnostics.append(
+        diagnose(Code.UNKNOWN_NAME, name.span, name=name.text, help=help_, fixes=fixes)
+    )
+
+
+def _report_other(program: Program, target: ast.Expression, role: str) -> None:
+    help_ = "only images, networks, roads, agents and objects have options and passes"
+    if role == "param":
+        help_ = 'set it where the file is included: `include "FILE" { PARAM: value }`'
+    article = "an" if role[0] in "aeiou" else "a"
+    _report(program, Code.NOT_OVERRIDABLE, target, what=f"{article} `{role}`", help=help_)
+
+
+def _is_included(
+    program: Program,
+    override: PlacedOverride,
+    declared: Declaration,
+    depths: Mapping[str, int],
+) -> bool:
+    """Whether what is overridden is of a file further in; reported if not."""
+    if depths[declared.name.text] > override.depth:
+        return True
+    target = override.statement.target
+    place = declared.name.span
+    same = place.source is target.span.source
+    _report(
+        program, Code.NOT_INCLUDED, target,
+        labels=[Label(place, "declared here")],
+        help="it is of this file: edit its declaration" if same
+        else f"it is of `{place.source.path}`, which this file does not include",
+    )  # fmt: skip
+    return False
+
+
+def _apply(
+    program: Program, override: PlacedOverride, declared: Declaration, block: ast.Block
+) -> None:
+    statement = declared.statement
+    assert isinstance(statement, ast.Geometry | ast.Actor)
+    source = override.statement.span.source
+    program.declarations[declared.name.text] = replace(
+        declared,
+        statement=replace(statement, block=_merged(statement.block, block)),
+        override_folders={**declared.override_folders, source.path: override.folder},
+    )
+
+
+def _merged(before: ast.Block | None, after: ast.Block) -> ast.Block:
+    """The items of both; those of `after` stand where what they replace stood, else at the end."""
+    if before is None:
+        return after
+    waiting: dict[tuple[str, str], list[ast.Option | ast.Pass]] = {}
+    for item in after.items:
+        waiting.setdefault(_replaced_by(item), []).append(item)
+    replaced = set(waiting)
+    items: list[ast.Option | ast.Pass] = []
+    for item in before.items:
+        if _replaced_by(item) in replaced:
+            items.extend(waiting.pop(_replaced_by(item), ()))
+        else:
+            items.append(item)
+    for rest in waiting.values():
+        items.extend(rest)
+    return replace(before, items=tuple(items), complete=before.complete and after.complete)
+
+
+def _replaced_by(item: ast.Option | ast.Pass) -> tuple[str, str]:
+    """What an item replaces: the option of its name, or all passes of its verb."""
+    if isinstance(item, ast.Option):
+        return "option", item.key.text
+    return "pass", item.verb.text
+
+
+def _report(program: Program, code: str, target: ast.Expression, **values: object) -> None:
+    found = diagnose(code, target.span, name=target.span.text, **values)  # type: ignore[arg-type]
+    program.diagnostics.append(found)
