@@ -52,10 +52,13 @@ def digest(scenario: Scenario, settings: dict[str, Any]) -> str:
     return content.hexdigest()
 
 
+_PLACES = ("span", "option_spans", "resolved")
+
+
 def _without_places(value: Any) -> Any:
     """The record without places in the source, which change with every comment."""
     if isinstance(value, dict):
-        return {k: _without_places(v) for k, v in value.items() if k not in ("span", "resolved")}
+        return {k: _without_places(v) for k, v in value.items() if k not in _PLACES}
     if isinstance(value, list | tuple):
         return [_without_places(item) for item in value]
     return value

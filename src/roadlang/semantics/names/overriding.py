@@ -39,11 +39,11 @@ def apply_overrides(
         known = first.setdefault((declared.name.text, override.depth), target.span)
         if known is not target.span:
             labels = [Label(known, "the first one")]
-            _report(program, Code.DUPLICATE_OVERRIDE, target, labels=labels)
+            _refused(Code.DUPLICATE_OVERRIDE, program, target, labels=labels)
             continue
         block = override.statement.block
         if block is None or (block.complete and not block.items):
-            _report(program, Code.EMPTY_OVERRIDE, target)
+            _refused(Code.EMPTY_OVERRIDE, program, target)
             continue
         _apply(program, override, declared, block)
 
@@ -60,12 +60,14 @@ def _declaration(program: Program, override: PlacedOverride) -> Declaration | No
     declared = program.declarations.get(front.text)
     if isinstance(target, ast.Name) and target.text in override.space.aliases:
         help_ = f"name what it declares: `override {target.text}.NAME {{ ... }}`"
-        _report(program, Code.NOT_OVERRIDABLE, target, what="a whole file", help=help_)
+        _refused(Code.NOT_OVERRIDABLE, program, target, what="a whole file", help=help_)
     elif declared is None:
         _report_unknown(program, front, override.space)
     elif front is not target:
         help_ = f"name the declaration, `{front.span.text}`, and write options in the braces"
-        _report(program, Code.NOT_OVERRIDABLE, target, what="a member of a declaration", help=help_)
+        _refused(
+            Code.NOT_OVERRIDABLE, program, target, what="a member of a declaration", help=help_
+        )
     elif not isinstance(declared.statement, ast.Geometry | ast.Actor):
         _report_other(program, target, declared.role)
     else:
@@ -90,7 +92,7 @@ def _report_other(program: Program, target: ast.Expression, role: str) -> None:
     if role == "param":
         help_ = 'set it where the file is included: `include "FILE" { PARAM: value }`'
     article = "an" if role[0] in "aeiou" else "a"
-    _report(program, Code.NOT_OVERRIDABLE, target, what=f"{article} `{role}`", help=help_)
+    _refused(Code.NOT_OVERRIDABLE, program, target, what=f"{article} `{role}`", help=help_)
 
 
 def _is_included(
@@ -105,8 +107,8 @@ def _is_included(
     target = override.statement.target
     place = declared.name.span
     same = place.source is target.span.source
-    _report(
-        program, Code.NOT_INCLUDED, target,
+    _refused(
+        Code.NOT_INCLUDED, program, target,
         labels=[Label(place, "declared here")],
         help="it is of this file: edit its declaration" if same
         else f"it is of `{place.source.path}`, which this file does not include",
@@ -153,6 +155,6 @@ def _replaced_by(item: ast.Option | ast.Pass) -> tuple[str, str]:
     return "pass", item.verb.text
 
 
-def _report(program: Program, code: str, target: ast.Expression, **values: object) -> None:
+def _refused(code: str, program: Program, target: ast.Expression, **values: object) -> None:
     found = diagnose(code, target.span, name=target.span.text, **values)  # type: ignore[arg-type]
     program.diagnostics.append(found)
