@@ -37,7 +37,7 @@ def test_a_lane_keeper_of_the_user_is_falsified(folder: Path) -> None:
     assert len(failures) == 5
     name = failures[0].relative_to(folder).as_posix()
     again = run(folder, "-m", "roadlang", "run", name, "-o", "again")
-    assert "violated in_lane" in again
+    assert "violated  in_lane" in again
 
 
 def test_a_policy_is_trained_and_keeps_its_lane(folder: Path) -> None:

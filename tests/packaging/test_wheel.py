@@ -85,7 +85,9 @@ def test_the_grammar_and_the_godot_project_are_found_in_an_install(
 BY_IMPORT = {"cv2": "opencv-python-headless", "yaml": "pyyaml"}
 OPTIONAL = {
     "distributed": "the extra `dask`: searches and runs on a cluster",
+    "gymnasium": "the extra `gym`: scenes as environments",
     "numba": "the extra `fast`: motion of the embedded engine, compiled",
+    "onnxruntime": "the extra `onnx`: policy networks that drive",
     "pandas": "traces as data frames, for those who have it",
     "pytest": "the fixture of `roadlang.testing`",
 }

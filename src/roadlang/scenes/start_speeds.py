@@ -21,6 +21,8 @@ from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
 from ..world.routes import has_route
 
+STOPS_BEFORE = 1.0
+"""Meters before a stop line."""
 CALM_LATERAL, CALM_BRAKING = 3.0, 3.0
 """m/s^2: of controllers that do not say with what they take bends, on a route. They may obey right
 of way: they begin so slowly that they can stop where the next junction begins."""
@@ -78,7 +80,8 @@ def _wanted(
     limit = _fastest(road, start, backward, float(lateral), float(braking), candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
-        ahead, curvature = bends_of_route(route, str(actor.on), candidates, stops=plain)
+        front = 0.5 * float(where.length[0, copy]) + STOPS_BEFORE if plain else None
+        ahead, curvature = bends_of_route(route, str(actor.on), candidates, front=front)
         limit = _slowest(ahead, curvature, float(lateral), float(braking))
     return min(float(speed), limit)
 

@@ -18,11 +18,16 @@ _FARTHEST = 400.0
 
 
 def bends_of_route(
-    route: PlannedRoute | None, network: str, candidates: CandidateBatch, *, stops: bool = False
+    route: PlannedRoute | None,
+    network: str,
+    candidates: CandidateBatch,
+    *,
+    front: float | None = None,
 ) -> tuple[Floats, Floats]:
     """Meters ahead (n,), and the curvature there, of a single candidate; of the center lines of
-    roads, and of connections at both ends of each piece. With `stops`, it is infinite where a lane
-    ends at a junction: who may have to stop there has to be able to."""
+    roads, and of connections at both ends of each piece. It is infinite where a lane ends
+    at a junction, for an agent whose `front` is so many meters ahead: who may have to stop there
+    has to be able to."""
     thing = candidates.scenario.networks[network]
     lanes = lanes_of_network(thing, candidates)
     plan = network_root(thing, candidates).junctions.plans[network]
@@ -43,8 +48,8 @@ def bends_of_route(
         driven += length
         turn = None if leg.turn is None else connections.get(_key(leg))
         if turn is not None:
-            if stops and kinds[_key(leg)[0]] != "joint":
-                ahead.append(np.array([driven]))
+            if front is not None and kinds[_key(leg)[0]] != "joint":
+                ahead.append(np.array([max(driven - front, 0.0)]))
                 curvature.append(np.array([np.inf]))
             places, bends = _of_turn(turn)
             ahead.append(driven + places)
