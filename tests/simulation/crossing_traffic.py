@@ -8,7 +8,7 @@ import numpy as np
 
 from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.trace import Trace
-from roadlang.simulation.crossings import crossings_of
+from roadlang.simulation.crossed_junctions import crossings_of
 from roadlang.simulation.signal_lights import Lights
 from roadlang.simulation.world_building import world_of
 

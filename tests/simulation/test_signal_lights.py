@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from roadlang.ir.scene_junctions import SceneControl, SceneJunction, SignalPhase
 from roadlang.simulation.signal_lights import Lights
-from roadlang.simulation.stop_lines import StopLines
 from roadlang.simulation.world_building import world_of
 
 from .crossing_traffic import before_junction, entries
@@ -63,5 +62,4 @@ def test_where_there_are_no_signals_nothing_is_red() -> None:
     road, lane = entries(scene)[0]
     path = route(scene, road, lane, before_junction(scene, road, lane, 40.0), ["straight"])
     world = world_of([replace(scene, agents=(car(scene, "ego", path),))], {}, 0.02, 0.1)
-    assert isinstance(world.table.stop_lines, StopLines)
-    assert world.table.stop_lines.is_empty
+    assert world.stop_lines.is_empty

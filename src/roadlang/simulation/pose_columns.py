@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -12,6 +13,8 @@ from ..geometry.footprints import Footprints, distance_between
 from ..ir.scene import Scene, SceneRoad
 from ..ir.trace import AgentTrace, Trace
 from .lane_columns import RoadLanes, on_road
+from .stop_lines import StopLines, has_signals
+from .world_building import world_of
 
 
 def with_pose_columns(trace: Trace, scene: Scene) -> Trace:
@@ -22,13 +25,20 @@ def with_pose_columns(trace: Trace, scene: Scene) -> Trace:
     """
     roads = {road.name: number for number, road in enumerate(scene.roads)}
     agents = dict(trace.agents)
-    for actor in scene.agents:
+    stop_lines = world_of([scene], {}, 1.0, 1.0).stop_lines if has_signals(scene) else None
+    for row, actor in enumerate(scene.agents):
         agent = agents[actor.name]
         agent = replace(agent, collision=_impacts(agent, trace))
         if actor.road in roads and actor.route is None:
             number = roads[actor.road]
-            columns = _on_one_road(agent, scene.roads[number], actor.facing == "back")
+            road, backward = scene.roads[number], actor.facing == "back"
+            columns = _on_one_road(agent, road, backward)
             columns["road"] = np.full(len(agent.time), float(number))
+            if stop_lines is not None and not stop_lines.is_empty:
+                begin = road.length - agent.station[0] if backward else agent.station[0]
+                along = begin + columns["route_progress"]
+                lap = road.length if road.closed else math.inf
+                columns["red_light"] = _red_lights(agent, along, lap, (stop_lines, row))
             changes: dict[str, Any] = dict(columns)
             agent = replace(agent, **changes)
         agents[actor.name] = agent
@@ -47,6 +57,19 @@ def _on_one_road(agent: AgentTrace, road: SceneRoad, backward: bool) -> dict[str
     zero = np.zeros(len(agent.time))
     columns = {name: values[0] for name, values in found.items()}
     return {**columns, "route_progress": driven, "red_light": zero}
+
+
+def _red_lights(
+    agent: AgentTrace, along: Floats, lap: float, before: tuple[StopLines, int]
+) -> Floats:
+    """(T,) how many stop lines the front has crossed at red so far. `along`: arc lengths of the
+    line; `before`: the stop lines of all agents, and the number of this one."""
+    stop_lines, row = before
+    count = len(along) - 1
+    front, span = along[:-1] + 0.5 * agent.length, (agent.time[:-1], np.diff(agent.time))
+    laps, rows = np.full(count, lap), np.full(count, row)
+    crossed = stop_lines.crossed_at_red(rows, front, np.diff(along), laps, span)
+    return np.concatenate([[0.0], np.cumsum(crossed.astype(np.float64))])
 
 
 def _impacts(agent: AgentTrace, trace: Trace) -> Floats:

@@ -1,4 +1,4 @@
-"""What the lines of a world lead over: road, lane, station, stop lines, limits, by arc length."""
+"""What the lines of a world lead over: road, lane, station, limits, by arc length."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy as np
 
 from ..geometry.arrays import Floats, Integers
 from .route_lines import RouteLine, Turn
-from .stop_lines import StopLines
 
 STATION_SPACING = 1.0
 """Meters of a leg between two stations of the table, at most."""
@@ -72,8 +71,6 @@ class RouteTable:
     """meters before and after its begin in which the line changes to the lane of the leg; 0: not"""
     has_changes: bool
     """whether any line changes lanes"""
-    stop_lines: StopLines
-    """those with signals"""
 
     @classmethod
     def of(cls, lines: Sequence[RouteLine], line: Integers) -> RouteTable:
@@ -110,7 +107,6 @@ class RouteTable:
         return cls(
             line, begin, step, road, lane, limit, turn, tuple(turns), first, last, per_meter,
             np.concatenate(stations), direction, changed, bool(changed.any()),
-            StopLines.of(lines),
         )  # fmt: skip
 
     def take(self, agents: Integers) -> RouteTable:

@@ -1,70 +1,86 @@
-"""The stop lines with signals on the routes of agents, and who crosses them at red."""
+"""The stop lines with signals before agents, and who crosses them at red."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
-from .route_lines import RouteLine
+from ..ir.scene import Scene
+from .crossings import Crossings
 from .signal_lights import Lights
 
 
 @dataclass(frozen=True)
 class StopLines:
-    """Of L lines, at most X each, in their order."""
+    """Of N agents, at most X each, in the order of their lines."""
 
     along: Floats
-    """(L, X) arc lengths of the line; infinite where it has fewer"""
+    """(N, X) arc lengths of the lines of the agents; infinite where there are fewer"""
     connection: Integers
-    """(L, X) numbers in `lights` of the connections that begin there"""
+    """(N, X) numbers in `lights` of the connections that begin there"""
     lights: Lights
 
     @classmethod
-    def of(cls, lines: Sequence[RouteLine]) -> StopLines:
-        """Those of lines, in their order."""
-        found = [
-            [(leg.begin, leg.turn) for leg in line.legs if leg.turn and leg.begin > 0.0]
-            for line in lines
-        ]
-        found = [
-            [(at, turn) for at, turn in row if turn.junction.control.kind == "signals"]
-            for row in found
-        ]
-        junctions = {id(turn.junction): turn.junction for row in found for _, turn in row}
-        lights = Lights.of(tuple(junctions.values()))
-        numbers = {key: number for number, key in enumerate(junctions)}
-        shape = len(lines), max((len(row) for row in found), default=0)
-        along, connection = np.full(shape, math.inf), np.zeros(shape, dtype=np.int64)
-        for place, row in enumerate(found):
-            for column, (at, turn) in enumerate(row):
-                ids = [one.id for one in turn.junction.connections]
-                first = int(lights.first[numbers[id(turn.junction)]])
-                along[place, column] = at
-                connection[place, column] = first + ids.index(turn.connection.id)
-        return cls(along, connection, lights)
+    def of(cls, crossings: Crossings) -> StopLines:
+        """Those of crossings whose junctions have signals."""
+        lights = Lights.of(crossings.junctions)
+        has_signals = np.append(lights.has_signals, False)[crossings.junction]
+        if not has_signals.any():
+            return cls.none(len(has_signals))
+        first = np.append(lights.first, 0)[crossings.junction]
+        along = np.where(has_signals, crossings.stop, math.inf)
+        return cls(along, np.where(has_signals, first + crossings.connection, 0), lights)
+
+    @classmethod
+    def none(cls, agents: int) -> StopLines:
+        """Where no junction has signals."""
+        return cls(np.zeros((agents, 0)), np.zeros((agents, 0), dtype=np.int64), Lights.of(()))
 
     @property
     def is_empty(self) -> bool:
-        """Whether no line crosses one."""
-        return not self.along.shape[1]
+        """Whether no agent has one."""
+        return not self.along.size
+
+    def take(self, agents: Integers) -> StopLines:
+        """Those of some agents."""
+        return replace(self, along=self.along[agents], connection=self.connection[agents])
 
     def crossed_at_red(
-        self, line: Integers, front: Floats, moved: Floats, begin: Floats, seconds: float
+        self,
+        agents: Integers,
+        front: Floats,
+        moved: Floats,
+        lap: Floats,
+        span: tuple[Floats, Floats | float],
     ) -> Booleans:
-        """(n,) which of some agents have crossed one at red since the times `begin` (n,).
+        """(n,) which of some agents have crossed one at red in a `span`: times (n,) at its begin,
+        and the seconds since.
 
-        `line` (n,): their lines, `front` (n,): arc lengths of their fronts then, `moved` (n,) how
-        far they have come in the `seconds` since. Who is over the line at the start does not cross
-        it.
+        `front` (n,): arc lengths of their fronts at its begin, `moved` (n,) how far they have come
+        since, `lap` (n,) the lengths of closed lines, infinite for others. Who is over the line at
+        the begin does not cross it.
         """
-        stop = self.along[line]
-        agent, column = np.nonzero((stop > front[:, None]) & (stop <= (front + moved)[:, None]))
-        time = begin[agent] + (stop[agent, column] - front[agent]) / moved[agent] * seconds
-        is_red = self.lights.is_red(self.connection[line[agent], column], time)
-        crossed = np.zeros(len(line), dtype=bool)
+        begin, seconds = span
+        ahead = self.along[agents] - front[:, None]
+        closed = np.isfinite(lap) & (moved > 0.0)
+        laps = np.floor(ahead[closed] / lap[closed, None])
+        ahead[closed] -= np.where(np.isfinite(laps), laps, 0.0) * lap[closed, None]
+        agent, column = np.nonzero((ahead > 0.0) & (ahead <= moved[:, None]))
+        passed = ahead[agent, column] / moved[agent]
+        time = begin[agent] + passed * np.broadcast_to(seconds, begin.shape)[agent]
+        is_red = self.lights.is_red(self.connection[agents[agent], column], time)
+        crossed = np.zeros(len(agents), dtype=bool)
         crossed[agent[is_red]] = True
         return crossed
+
+
+def has_signals(scene: Scene) -> bool:
+    """Whether a junction of a scene has signals."""
+    return any(
+        junction.control.kind == "signals"
+        for network in scene.networks
+        for junction in network.junctions
+    )

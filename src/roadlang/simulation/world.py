@@ -18,6 +18,7 @@ from .motion import Advance, Motion, Track, advance
 from .placing import Placing
 from .poses import Poses, poses_of
 from .route_table import Place, RouteTable
+from .stop_lines import StopLines
 
 ARRIVED = 0.5
 """Meters before the end of a line from which on an agent has arrived."""
@@ -69,6 +70,8 @@ class World:
     """along and to the left of the lines, in the last step"""
     began: Integers
     """the tick at which the drive of each agent began"""
+    stop_lines: StopLines
+    """those with signals"""
     tick: int = 0
     placing: Placing | None = None
     """agents that go by recordings, in the last step"""
@@ -182,20 +185,17 @@ class World:
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
         self.moves.advance(self.motion.speed, seconds)
-        if not self.table.stop_lines.is_empty:
+        if not self.stop_lines.is_empty:
             self._count_red_lights(before[0], moved, seconds)
         self._wrap()
         self.tick += steps
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
-        rows = np.flatnonzero(self.has_route)
-        front = before[rows] + 0.5 * self.bodies.length[rows]
-        front = np.where(self.closed[rows], front % self.length[rows], front)
-        crossed = self.table.stop_lines.crossed_at_red(
-            self.table.line[rows], front, moved[rows], self.age[rows], seconds
-        )
-        self.red_lights = self.red_lights.copy()
-        self.red_lights[rows] += crossed
+        front = before + 0.5 * self.bodies.length
+        lap = np.where(self.closed, self.length, math.inf)
+        everyone, span = np.arange(len(front)), (self.age, seconds)
+        crossed = self.stop_lines.crossed_at_red(everyone, front, moved, lap, span)
+        self.red_lights = self.red_lights + crossed
 
     @property
     def line_offset(self) -> Floats:
@@ -273,6 +273,7 @@ class World:
             bodies=self.bodies.take(agents),
             track=self.track.of_rows(agents),
             table=self.table.take(agents),
+            stop_lines=self.stop_lines.take(agents),
             start=self.start.take(agents),
             motion=self.motion.take(agents),
             moves=self.moves.take(agents),

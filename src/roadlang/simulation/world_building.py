@@ -11,12 +11,14 @@ import numpy as np
 
 from ..ir.scene import Scene, SceneActor
 from .bodies import Bodies, Body
+from .crossed_junctions import crossings_of
 from .line_moves import LineMoves
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
 from .route_lines import RouteLine, plain_line, route_line, speed_limit
 from .route_table import RouteTable
 from .starting import LineOffsets, start_of
+from .stop_lines import StopLines, has_signals
 from .world import World
 
 USUAL_FRICTION = 0.9
@@ -123,6 +125,9 @@ def _started(
         has_road, has_route, backward, road, moves, start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),
+        StopLines.none(count),
     )  # fmt: skip
+    if any(map(has_signals, scenes)):
+        world.stop_lines = StopLines.of(crossings_of(world))
     world.reset()
     return world

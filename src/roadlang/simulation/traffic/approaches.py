@@ -61,9 +61,10 @@ class Approaches:
         is_over = none | (to_leave < 0.0)
         is_behind = is_over
         if world.track.has_closed:
-            closed = world.closed[rows, None]
-            lap = np.where(is_over & closed, world.length[rows, None], 0.0)
-            to_line, to_leave = to_line + lap, to_leave + lap
+            closed, length = world.closed[rows, None], world.length[rows, None]
+            counts = closed & ~none  # a rear still inside has not passed the seam of the lap
+            lap = np.floor(np.where(counts, to_leave, 0.0) / length) * length
+            to_line, to_leave = to_line - lap, to_leave - lap
             is_over = none | (is_over & ~closed)
             is_behind = is_over | (closed & (to_line > 0.5 * world.length[rows, None]))
         number = tables.first[junction] + crossings.connection[rows]

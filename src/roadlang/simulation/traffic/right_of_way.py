@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ..crossings import STOP_GAP, crossings_of
+from ..crossed_junctions import crossings_of
+from ..crossings import STOP_GAP
 from ..leaders import Leaders
 from ..world import World
 from . import rules
