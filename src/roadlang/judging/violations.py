@@ -35,7 +35,7 @@ def violated_stretches(
 def _in_window(formula: Always, trace: ConditionTrace) -> Booleans:
     """(S,) the samples that `always[a, b]` looks at from the first one."""
     counted = np.zeros(len(trace.positions), dtype=bool)
-    axis = SamplePositions(trace.positions, trace.wrap)
+    axis = SamplePositions.of(trace.positions, trace.wrap)
     windows = axis.windows(formula.interval, (0, 0), past=False)
     if windows is not None:
         counted[windows.samples(0)] = True

@@ -13,9 +13,10 @@ from ..formula.interval import UNBOUNDED, Interval
 from .trace import FloatArray
 
 IntArray = NDArray[np.intp]
+BoolArray = NDArray[np.bool_]
 
-TOLERANCE = 1e-9
-"""A sample belongs to a window if it misses it by at most TOLERANCE * max(1, |bound|)."""
+TOLERANCE = 1e-6
+"""A sample belongs to a window if it misses it by at most this share of the median step."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,19 @@ class Windows:
         window."""
         return self._on_axis(np.arange(self.first + window, self.starts[window] + sample))
 
+    def reached(self, chosen: BoolArray, *, path: bool) -> BoolArray:
+        """(span,) which samples of the span the `chosen` windows (count,) hold; `path`: and those
+        on the way to them."""
+        held = chosen & (self.ends >= self.starts)
+        starts = self.first + np.flatnonzero(held) if path else self.starts[held]
+        samples = self.span[1] - self.span[0] + 1
+        edges = np.zeros(samples * self.laps + 1, dtype=np.intp)
+        np.add.at(edges, starts, 1)
+        np.add.at(edges, self.ends[held] + 1, -1)
+        covered = (np.cumsum(edges[:-1]) > 0).reshape(self.laps, samples)
+        reached: BoolArray = np.asarray(covered.any(axis=0))
+        return reached[::-1] if self.flipped else reached
+
     def _on_axis(self, counted: IntArray) -> IntArray:
         low, high = self.span
         counted = counted % (high - low + 1)
@@ -68,15 +82,29 @@ class Windows:
 
 @dataclass(frozen=True)
 class SamplePositions:
-    """The samples of a trace: `positions` (S,), and the length of the road if it is closed.
+    """The samples of a trace: `positions` (S,), counted from the first one, and the length of the
+    road if it is closed.
 
     `ends` (S,) differs from `positions` for stand-ins only (`ahead.py`): such a sample is anywhere
-    between the two.
+    between the two. `tolerance`: how far from a window a sample may lie and still belong to it.
     """
 
     positions: FloatArray
+    tolerance: float
     wrap: float | None = None
     ends: FloatArray | None = None
+
+    @classmethod
+    def of(cls, positions: FloatArray, wrap: float | None = None) -> SamplePositions:
+        """The samples at these positions, whatever the origin of their clock.
+
+        Counted from the first sample, windows of time stamps since 1970 are as exact as those
+        that start at 0. The tolerance covers what the stamps themselves cannot resolve.
+        """
+        steps = np.diff(positions)
+        step = float(np.median(steps)) if steps.size else 0.0
+        furthest = max(abs(float(positions[0])), abs(float(positions[-1])))
+        return cls(positions - positions[0], TOLERANCE * step + 2 * math.ulp(furthest), wrap)
 
     @property
     def size(self) -> int:
@@ -98,15 +126,15 @@ class SamplePositions:
         interval = interval or UNBOUNDED
         laps = 1
         if self.wrap is not None:
-            interval = _unrolled(interval, self.wrap, keep_lead=path)
-            laps = 1 + math.ceil((interval.hi - TOLERANCE) / self.wrap)
+            interval = _unrolled(interval, self.wrap, self.tolerance, keep_lead=path)
+            laps = 1 + math.ceil((interval.hi - self.tolerance) / self.wrap)
         lows, highs = self.positions, self.positions if self.ends is None else self.ends
         if past:
             lows, highs = -highs[::-1], -lows[::-1]
             targets = (self.size - 1 - targets[1], self.size - 1 - targets[0])
         if laps > 1 and self.wrap is not None:
             lows = highs = (lows + self.wrap * np.arange(laps)[:, None]).ravel()
-        starts, ends = _bounds(lows, highs, interval, targets)
+        starts, ends = _bounds(lows, highs, interval, targets, self.tolerance)
         if (ends < starts).all():
             return None
         return self._relative(starts, ends, targets, laps, past, path)
@@ -136,31 +164,37 @@ class SamplePositions:
 
 
 def _bounds(
-    lows: FloatArray, highs: FloatArray, interval: Interval, targets: tuple[int, int]
+    lows: FloatArray,
+    highs: FloatArray,
+    interval: Interval,
+    targets: tuple[int, int],
+    tolerance: float,
 ) -> tuple[IntArray, IntArray]:
     """First and last sample that meets the window of each sample that is evaluated."""
     indices = np.arange(targets[0], targets[1] + 1)
     near = lows[indices] + interval.lo
-    starts = np.maximum(np.searchsorted(highs, near - _slack(near), "left"), indices)
+    starts = np.maximum(np.searchsorted(highs, near - slack(near, tolerance), "left"), indices)
     if math.isinf(interval.hi):
         return starts, np.full(starts.shape, lows.size - 1, dtype=np.intp)
     far = highs[indices] + interval.hi
-    ends = np.searchsorted(lows, far + _slack(far), "right") - 1
+    ends = np.searchsorted(lows, far + slack(far, tolerance), "right") - 1
     return starts, ends
 
 
-def _slack(bound: FloatArray) -> FloatArray:
-    slack: FloatArray = TOLERANCE * np.maximum(1.0, np.abs(bound))
-    return np.where(np.isinf(slack), 0.0, slack)
+def slack(bounds: FloatArray, tolerance: float) -> FloatArray:
+    """The tolerance at each bound of a window, with room for the rounding of the bound itself."""
+    with np.errstate(invalid="ignore"):
+        rounding: FloatArray = 4 * np.spacing(np.abs(bounds))
+    return np.where(np.isinf(bounds), 0.0, tolerance + rounding)
 
 
-def _unrolled(interval: Interval, period: float, *, keep_lead: bool) -> Interval:
+def _unrolled(interval: Interval, period: float, tolerance: float, *, keep_lead: bool) -> Interval:
     """The same window on a closed road, at most one lap long and begun in an early lap.
 
     Until keeps one whole lap before the window (`keep_lead`): its left operand holds there.
     """
     length = min(interval.hi - interval.lo, period)
-    laps = math.floor((interval.lo + TOLERANCE) / period)
+    laps = math.floor((interval.lo + tolerance) / period)
     lead = 1 if keep_lead and laps >= 1 else 0
     lo = max(0.0, interval.lo - (laps - lead) * period)
     return Interval(lo, lo + length)

@@ -86,7 +86,7 @@ def _plan_at_start(
     formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
 ) -> EvaluationPlan:
     """Kept, as batch after batch of candidates is evaluated on the same stations."""
-    axis = SamplePositions(np.frombuffer(positions), wrap)
+    axis = SamplePositions.of(np.frombuffer(positions), wrap)
     return EvaluationPlan.of(
         FormulaGraph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0)
     )
@@ -108,7 +108,7 @@ def everywhere(
     formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at every sample of each variant, (V, S)."""
-    axis = SamplePositions(trace.positions, trace.wrap)
+    axis = SamplePositions.of(trace.positions, trace.wrap)
 
     def value(infinite: bool) -> FloatArray:
         plan = EvaluationPlan.of(

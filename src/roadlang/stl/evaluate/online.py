@@ -11,6 +11,7 @@ from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon
+from .position_text import position_text
 from .ranges import range_at_start
 from .trace import SampledSignals
 from .verdicts import Verdict, decided
@@ -42,7 +43,9 @@ class OnlineMonitor:
         Raises DiagnosticError RL301 to RL304 for a sample that does not fit, and forgets it.
         """
         if self._positions and not position > self._positions[-1]:
-            pair = f"{self._positions[-1]:g} is followed by {position:g}"
+            pair = " is followed by ".join(
+                position_text(place) for place in (self._positions[-1], position)
+            )
             raise stl_error(Code.INVALID_POSITIONS, problem=pair)
         SampledSignals.of([position], values, self._names).check()
         self._positions.append(float(position))

@@ -56,7 +56,7 @@ def _range_at_start(
     plain = normal_form(formula)
     if trace.wrap is not None or not plain.looks_ahead:
         graph = FormulaGraph.of(formula, leaves, infinite)
-        exact = run_at_start(graph, trace, SamplePositions(trace.positions, trace.wrap))
+        exact = run_at_start(graph, trace, SamplePositions.of(trace.positions, trace.wrap))
         return exact, exact
     infinite = infinite or can_be_infinite(formula)
     lower, upper = BoundGraph(trace, leaves, infinite), BoundGraph(trace, leaves, infinite)

@@ -62,7 +62,7 @@ def smooth_rho(
     def value(infinite: bool) -> Smooth:
         graph = FormulaGraph.of(formula, infinite_signals=infinite)
         return _Tape(trace, sharpness).run(
-            EvaluationPlan.of(graph, SamplePositions(trace.positions, wrap), (0, 0))
+            EvaluationPlan.of(graph, SamplePositions.of(trace.positions, wrap), (0, 0))
         )
 
     return finite_first(value)

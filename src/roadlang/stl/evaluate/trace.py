@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...diagnostics import Code, did_you_mean
 from ..errors import stl_error
+from .position_text import position_text
 
 FloatArray: TypeAlias = NDArray[np.float64]
 Positions: TypeAlias = ArrayLike
@@ -135,7 +136,9 @@ def checked_positions(positions: Positions) -> FloatArray:
     steps = np.diff(stations)
     if steps.size and not steps.min() > 0:
         index = int(np.argmax(steps <= 0))
-        pair = f"{stations[index]:g} is followed by {stations[index + 1]:g}"
+        pair = " is followed by ".join(
+            position_text(position) for position in stations[index : index + 2]
+        )
         raise stl_error(Code.INVALID_POSITIONS, problem=f"{pair} (sample {index + 1})")
     return stations
 
@@ -170,7 +173,9 @@ def _check_numbers(name: str, values: FloatArray, first: int, positions: FloatAr
     if not wrong.any():
         return
     row, column = (int(index) for index in np.argwhere(wrong)[0])
-    place = f"position {positions[column]:g}" if values.shape[1] > 1 else "every position"
+    place = "every position"
+    if values.shape[1] > 1:
+        place = f"position {position_text(positions[column])}"
     if values.shape[0] > 1:
         place += f" of variant {first + row}"
     raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=values[row, column], place=place)

@@ -52,7 +52,7 @@ class _Blame:
 
     def __init__(self, trace: SampledSignals) -> None:
         self.trace = trace
-        self.axis = SamplePositions(trace.positions, trace.wrap)
+        self.axis = SamplePositions.of(trace.positions, trace.wrap)
         self.guarded: dict[f.Comparison, Mask] = {}
 
     def spread(self, formula: f.Formula, samples: Mask, holding: bool) -> None:
@@ -90,15 +90,10 @@ class _Blame:
         past = formula.past
         reached = np.zeros(self.trace.samples, dtype=bool)
         windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, path=path)
-        if windows is None:
-            return reached
-        samples = self.trace.samples
-        for sample in np.flatnonzero(asked).tolist():
-            window = samples - 1 - sample if past else sample
-            reached[windows.samples(window)] = True
-            if path:
-                held = int(windows.ends[window] - windows.starts[window] + 1)
-                reached[windows.before(window, held)] = True
+        if windows is not None:
+            low, high = windows.span
+            chosen = asked[::-1] if past else asked
+            reached[low : high + 1] = windows.reached(chosen, path=path)
         return reached
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..evaluate.axis import SamplePositions
 from ..evaluate.evaluation import everywhere
+from ..evaluate.position_text import position_text
 from ..evaluate.ranges import range_at_start
 from ..evaluate.trace import FloatArray, Positions, SampledSignals, Signals
 from ..evaluate.verdicts import Verdict, verdicts_of
@@ -56,20 +57,21 @@ class Explanation:
         """The explanation in words, one finding a line."""
         lo, hi = self.range
         lines = [f"{self.verdict}: robustness {self.rho:.6g}, range [{lo:.6g}, {hi:.6g}]"]
+        place = position_text(self.position)
         if self.window_empty:
-            lines.append(
-                f"decided at {self.position:g}: no sample in the window of {self.predicate}"
-            )
+            lines.append(f"decided at {place}: no sample in the window of {self.predicate}")
         else:
             values = ", ".join(f"{name} = {value:.6g}" for name, value in self.values.items())
             lines.append(
-                f"decided at {self.position:g}: {self.predicate}"
-                + f", where {values}" * bool(values)
+                f"decided at {place}: {self.predicate}" + f", where {values}" * bool(values)
             )
         for interval in self.stretches:
+            start, end, worst = map(
+                position_text, (interval.start, interval.end, interval.worst_position)
+            )
             lines.append(
-                f"from {interval.start:g} to {interval.end:g} not {interval.predicate}, "
-                f"worst {interval.worst:.6g} at {interval.worst_position:g}"
+                f"from {start} to {end} not {interval.predicate}, "
+                f"worst {interval.worst:.6g} at {worst}"
             )
         return lines
 
@@ -139,7 +141,7 @@ class _Finder:
 
     def __init__(self, trace: SampledSignals) -> None:
         self.trace = trace
-        self.axis = SamplePositions(trace.positions, trace.wrap)
+        self.axis = SamplePositions.of(trace.positions, trace.wrap)
         self._traces: dict[f.Formula, FloatArray] = {}
 
     def values(self, formula: f.Formula) -> FloatArray:
