@@ -19,6 +19,7 @@ from ..simulation.samples import Samples
 from ..simulation.world import World
 from ..simulation.world_building import world_of
 from .margins import Margins
+from .off_road import OffRoad
 from .rewards import Transition
 from .scene_pool import ScenePool
 from .settings import EnvSettings
@@ -76,6 +77,7 @@ class Episodes:
         depth = max((one.looks_back for one in self._margins), default=0)
         self._samples = Samples(depth, settings.step)
         self._samples.add(world, self._poses)
+        self._off_road = OffRoad(world)
 
     def restart(self, rows: Integers) -> None:
         """Some scenes begin again."""
@@ -130,7 +132,6 @@ class Episodes:
         motion = world.motion
         self._samples.add(world, poses)
         margins = {one.name: one.values(self._samples)[rows] for one in self._margins}
-        beside = np.abs(motion.offset[agents]) > 0.5 * poses.road_width[agents]
         return Transition(
             margins=margins,
             moved=moved,
@@ -146,7 +147,7 @@ class Episodes:
             action=actions,
             previous_action=self._before[rows],
             collided=world.contacts[agents] > 0.0,
-            off_road=world.has_road[agents] & beside,
+            off_road=self._off_road.of(world, self._samples, self._agents[rows]),
             arrived=world.at_end[agents],
         )
 

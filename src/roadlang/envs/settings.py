@@ -43,7 +43,7 @@ class EnvSettings:
     agents: int = 4
     """how many of the nearest other agents are seen"""
     off_road_ends: bool = True
-    """whether an episode ends where the center of the agent leaves the road"""
+    """whether an episode ends where the signal `off_road` of the agent is above zero"""
     violation_ends: bool = False
     """whether an episode ends where the margin of an `expect` is negative"""
 

@@ -1,0 +1,70 @@
+"""Which driven agents have left the road: where the signal `off_road` is above zero."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..geometry.cross_section import drivable_borders
+from ..ir.scene import SceneRoad
+from ..simulation.lane_columns import RoadLanes
+from ..simulation.samples import Samples
+from ..simulation.world import World
+
+
+class OffRoad:
+    """Of the agents of a world as it was built.
+
+    The signal is read only of agents whose footprints may reach beyond the lanes around their
+    lines; all others are on the road for certain.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._half_width = np.array([_half_width(world, n) for n in range(len(world.present))])
+
+    def of(self, world: World, samples: Samples, agents: Integers) -> Booleans:
+        """(n,) whether some agents are outside the drivable area. `samples`: of the world now."""
+        out = np.zeros(len(agents), dtype=bool)
+        unsure = np.flatnonzero(world.has_road[agents] & ~self._inside(world, agents))
+        if len(unsure):
+            out[unsure] = samples.column("off_road", agents[unsure], 0)[-1] > 0.0
+        return out
+
+    def _inside(self, world: World, agents: Integers) -> Booleans:
+        """(n,) who is between the borders for certain: a corner that is `a` meters ahead and `m`
+        to the side of the foot point is at most `m + |k| a^2 / (2 (1 - |k| m))` beside a line of
+        curvature `k`."""
+        motion, bodies = world.motion, world.bodies
+        cosine, sine = np.abs(motion.cosine[agents]), np.abs(motion.sine[agents])
+        half_length, half_width = 0.5 * bodies.length[agents], 0.5 * bodies.width[agents]
+        side = np.abs(motion.offset[agents]) + half_width * cosine + half_length * sine
+        ahead = half_length * cosine + half_width * sine
+        track = world.track.of_rows(agents)
+        cell, _ = track.cell(motion.along[agents])
+        curvature = np.abs(track.lines.curvature[cell])
+        bends = curvature * side
+        bulge = curvature * ahead * ahead / (2.0 * np.maximum(1.0 - bends, 0.5))
+        return np.asarray((bends <= 0.5) & (side + bulge <= self._half_width[agents]))
+
+
+def _half_width(world: World, agent: int) -> float:
+    """Meters to each side of the line of an agent that are drivable all along it."""
+    if not world.present[agent] or not world.has_road[agent]:
+        return 0.0
+    if world.has_route[agent]:
+        return 0.5 * _line_width(world, agent)
+    return _drivable(world.scenes[agent // world.slots].roads[world.road[agent]])
+
+
+def _line_width(world: World, agent: int) -> float:
+    """Of the narrowest lane of a route."""
+    lines, row = world.track.lines, int(world.track.row[agent])
+    first = row * lines.cells
+    return float(lines.width[first : first + int(lines.last[row]) + 1].min())
+
+
+def _drivable(road: SceneRoad) -> float:
+    lanes = RoadLanes.of(road)
+    first, last = drivable_borders(np.array([one.drivable for one in lanes.section.lanes]))
+    borders: Floats = lanes.section.border_offsets(np.array(road.stations))
+    return float(min(borders[first].min(), -borders[last].max()))
