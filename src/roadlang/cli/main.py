@@ -73,6 +73,7 @@ def _plugins_refused(names: tuple[str, ...]) -> Iterator[None]:
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """The console script."""
+    _one_thread_for_matrices()
     claim_standard_output()
     try:
         end_on_sigterm()
@@ -87,6 +88,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
         os._exit(exit_codes.TERMINATED)
     _flush()
     sys.exit(code)
+
+
+def _one_thread_for_matrices() -> None:
+    """Before numpy is imported: ours are small, for which threads cost more than they give, and
+    sums would depend on how many cores there are. Workers have the same environment."""
+    for library in ("OPENBLAS", "MKL"):
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 
 def _flush() -> None:

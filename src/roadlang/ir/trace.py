@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
@@ -67,6 +67,30 @@ class AgentTrace(Frozen):
 
                 object.__setattr__(self, name, np.broadcast_to(value, self.time.shape))
         Frozen.__post_init__(self)
+
+    @classmethod
+    def recorded(
+        cls, actor: SceneActor, time: Floats, column: Callable[[str], Floats]
+    ) -> AgentTrace:
+        """Of an agent whose `column`s, by the names of the members, are read when they are first
+        needed; they are read-only."""
+        trace: AgentTrace = object.__new__(cls)
+        trace.__dict__.update(
+            name=actor.name, time=time, length=actor.length, width=actor.width, _column=column
+        )
+        return trace
+
+    if not TYPE_CHECKING:  # where it would hide what is no member
+
+        def __getattr__(self, name: str) -> Floats:
+            column = self.__dict__.get("_column")
+            if column is None or name not in self.__dataclass_fields__:
+                raise AttributeError(f"an agent's trace has no member `{name}`")
+            values = self.__dict__[name] = column(name)
+            return values
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {one.name: getattr(self, one.name) for one in fields(self)}
 
     @classmethod
     def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:

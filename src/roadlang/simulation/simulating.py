@@ -92,7 +92,7 @@ def _drive_block(
     crew = Crew(world, controllers, held * dt)
     contacts = Contacts(world)
     poses = world.poses
-    recorder = Recorder(world, poses)
+    recorder = Recorder(world)
     recorder.note(world, contacts.watch(world, poses, 0.0))
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
@@ -105,7 +105,7 @@ def _drive_block(
             crew.take(agents, len(world.present))
             contacts.take(agents, len(world.present))
             world, poses = world.take(going_on), poses.take(agents)
-            recorder.go_on_with(going_on, poses)
+            recorder.go_on_with(going_on)
         decision = crew.decide(world, poses)
         steps = min(held, last - world.tick)
         samples = range(sampled - world.tick % sampled, steps, sampled)
