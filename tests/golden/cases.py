@@ -1,0 +1,79 @@
+"""The golden cases: a name, what makes its lines, and how far its numbers may be off."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import partial
+
+from tests.golden.comparing import FIGURE, NUMBERS
+from tests.golden.engine_views import layout_lines
+from tests.golden.scene_views import (
+    console_lines,
+    drive_lines,
+    figure_lines,
+    sampled,
+    scene_lines,
+)
+from tests.golden.search_views import command_lines, environment_lines, search_lines, vector_lines
+
+
+@dataclass(frozen=True)
+class Case:
+    """Lines that are stored in `expected/NAME.txt`; `room` is the test file that compares them."""
+
+    room: str
+    name: str
+    lines: Callable[[], Iterable[str]]
+    absolute: float = NUMBERS
+
+
+STILL = {"pieces": 1, "bent": 2, "values": 3, "picture": 2, "table": None, "guided": 3, "halton": 3}
+TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", "cross_yield")
+DRIVEN = ("controllers", "lane_changes", "overtake", "replay", *TOWNS)
+FIGURES = ("pieces", "bent", "values", "picture", "town", "cross_signals")
+BUILT = ("pieces", "values", "town", "cross_signals", "controllers", "picture")
+
+
+def _scenes(name: str, count: int | None) -> Iterable[str]:
+    return scene_lines(sampled(name, count))
+
+
+def _drive(name: str) -> Iterable[str]:
+    return drive_lines(sampled(name, 1)[0].run())
+
+
+def _figure(name: str) -> Iterable[str]:
+    return figure_lines(sampled(name, 1))
+
+
+def _built(name: str, road: str) -> Iterable[str]:
+    return layout_lines(sampled(name, 1)[0], road)
+
+
+def _cases() -> Iterable[Case]:
+    for name, count in STILL.items():
+        yield Case("scenes", f"{name}.scenes", partial(_scenes, name, count))
+    for name in DRIVEN:
+        yield Case("drives", f"{name}.scene", partial(_scenes, name, 1))
+        yield Case("drives", f"{name}.drive", partial(_drive, name))
+    for name in FIGURES:
+        yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
+    for name in BUILT:
+        yield Case("engine", f"{name}.mesh", partial(_built, name, "mesh"))
+    yield Case("engine", "picture.tiles", partial(_built, "picture", "tiles"))
+    yield Case("scenes", "pieces.console", partial(console_lines, "pieces", "-n", "2"))
+    yield Case("scenes", "table.console", partial(console_lines, "table", "-n", "4"))
+    few = {"evaluations": 60, "batch": 20}
+    for kind in ("cma", "random", "grid", "halton"):
+        lines = partial(search_lines, "search", searcher=kind, **few)
+        yield Case("searches", f"search.{kind}", lines)
+    falsify = ("falsify", "--evaluations", "40", "--seed", "5", "--batch", "20")
+    yield Case("searches", "search.page", partial(command_lines, *falsify), FIGURE)
+    yield Case("searches", "run.page", partial(command_lines, "run", "-n", "2"), FIGURE)
+    yield Case("searches", "rival.env", partial(environment_lines, "rival", scenes=3))
+    side_by_side = partial(vector_lines, "rival", scenes=6, duration=5.0)
+    yield Case("searches", "rival.envs", side_by_side)
+
+
+CASES = {case.name: case for case in _cases()}
