@@ -9,6 +9,7 @@ import pytest
 from roadlang.cli.compilation import Compilation
 from roadlang.cli.console import holding, report, violations
 from roadlang.diagnostics import Code, Source, diagnose
+from roadlang.search.worker_pool import ALONE
 from roadlang.session.expectations import Expectation
 from roadlang.session.loading import loads
 
@@ -51,7 +52,7 @@ def test_a_scene_that_violates_two_expectations_counts_once(
 ) -> None:
     run = Compilation(loads(TEXT), tmp_path / "out")
     assert run.check()
-    run.compile(3, 0, 1)
+    run.compile(3, 0, ALONE)
     run.report()
     assert "; all expectations hold in 0 of 3 scenes" in capsys.readouterr().out
     assert run.exit_code == 4

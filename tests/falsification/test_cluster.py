@@ -5,14 +5,24 @@ from __future__ import annotations
 import platform
 from collections.abc import Callable, Iterator
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+import roadlang
 from roadlang import DiagnosticError
+from roadlang.search.worker_pool import ALONE, Workers
 from roadlang.session.cluster import cluster
 from roadlang.testing import scenario
+from tests.cli.command_lines import roadlang as command
 from tests.falsification.slider import TEXT, Slider
+
+BUMPS = """
+road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }
+road bent from main { perturb with bump { height: 0m..8m, at: 50m..110m, length: 40m } }
+require high: sup_distance(bent, main) > 2m
+"""
 
 distributed = pytest.importorskip("distributed")
 
@@ -27,12 +37,48 @@ def address() -> Iterator[str]:
 
 def test_a_cluster_gives_the_same_outcomes(address: str) -> None:
     alone = scenario(TEXT, kinds=[Slider]).falsify(evaluations=120, seed=2)
-    with cluster(address, 1) as (count, executor):
-        assert count == 2
+    with cluster(address, 1) as workers:
+        assert workers.jobs == 2
         found = scenario(TEXT, kinds=[Slider]).falsify(
-            evaluations=120, seed=2, jobs=count, executor=executor
+            evaluations=120, seed=2, jobs=workers.jobs, executor=workers.executor
         )
     assert found.outcomes == alone.outcomes
+
+
+@pytest.mark.parametrize("sampler", ["random", "guided", "halton", "grid { steps: 40 }"])
+def test_a_cluster_makes_the_same_scenes(address: str, sampler: str) -> None:
+    def sampled(workers: Workers) -> list[str]:
+        scenes = roadlang.loads(f"{BUMPS}\nsample with {sampler}").sample(
+            40, seed=3, jobs=workers.jobs, executor=workers.executor
+        )
+        return [scene.to_json() for scene in scenes]
+
+    with cluster(address, 1) as workers:
+        assert sampled(workers) == sampled(ALONE)
+
+
+def test_compile_writes_the_same_files_on_a_cluster(address: str, tmp_path: Path) -> None:
+    (tmp_path / "scene.rl").write_text(BUMPS)
+    for folder, options in {"alone": [], "cluster": ["--cluster", address]}.items():
+        arguments = ["compile", "scene.rl", "-n", "20", *options, "-o", folder]
+        done = command(*arguments, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+    files = sorted(path.name for path in (tmp_path / "alone").iterdir())
+    assert len(files) > 20
+    for name in files:
+        one, other = (tmp_path / folder / name for folder in ("alone", "cluster"))
+        assert one.read_bytes() == other.read_bytes()
+
+
+def test_compile_names_a_cluster_that_does_not_answer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("roadlang.session.cluster._PATIENCE", "200ms")
+    (tmp_path / "scene.rl").write_text(BUMPS)
+    done = command("compile", "scene.rl", "--cluster", "tcp://127.0.0.1:9", cwd=tmp_path)
+    assert done.returncode == 5
+    assert "RL704" in done.stderr
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_cluster_that_does_not_answer_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -71,4 +117,4 @@ def test_workers_with_another_version_are_refused(
 
 def test_without_an_address_there_are_processes() -> None:
     with cluster(None, 3) as found:
-        assert found == (3, None)
+        assert found == Workers(3)

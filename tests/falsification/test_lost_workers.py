@@ -104,9 +104,9 @@ def test_a_cluster_that_loses_a_worker_gives_the_same_table(
             killed.append(first.pid)
             os.kill(first.pid, signal.SIGKILL)
 
-    with cluster(workers.scheduler_address, 1) as (count, executor):
+    with cluster(workers.scheduler_address, 1) as crew:
         found = roadlang.loads(TEXT).falsify(
-            **FEW, jobs=count, executor=executor, progress=kill_one
+            **FEW, jobs=crew.jobs, executor=crew.executor, progress=kill_one
         )
     assert killed
     assert found.outcomes == alone.outcomes

@@ -11,6 +11,7 @@ from .console import echo, holding, note, report, shown, violations
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
+    from ..search.worker_pool import Workers
     from ..session.loading import LoadedScenario
     from ..session.scene_set import SceneSet
     from .pass_output import PassPrinter
@@ -32,15 +33,17 @@ class Compilation:
         return not any(diagnostic.is_error for diagnostic in self.found)
 
     def compile(
-        self, count: int | None, seed: int, jobs: int, print_after: str | None = None
+        self, count: int | None, seed: int, workers: Workers, print_after: str | None = None
     ) -> None:
         """Sample scenes and write them; what is wrong is kept for the report."""
         try:
-            self._compile(count, seed, jobs, print_after)
+            self._compile(count, seed, workers, print_after)
         except DiagnosticError as error:
             self.found += error.diagnostics
 
-    def _compile(self, count: int | None, seed: int, jobs: int, print_after: str | None) -> None:
+    def _compile(
+        self, count: int | None, seed: int, workers: Workers, print_after: str | None
+    ) -> None:
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 
@@ -48,7 +51,12 @@ class Compilation:
         try:
             with ProgressBar("scenes") as progress:
                 self.scenes = self.loaded.sample(
-                    count, seed=seed, jobs=jobs, progress=progress, after_pass=printer
+                    count,
+                    seed=seed,
+                    jobs=workers.jobs,
+                    executor=workers.executor,
+                    progress=progress,
+                    after_pass=printer,
                 )
         except NoSceneError as error:
             self.scenes = error.result

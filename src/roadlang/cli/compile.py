@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 @shared_options.count
 @shared_options.seed
 @shared_options.jobs
+@shared_options.cluster
 @shared_options.settings
 @shared_options.params
 @click.option(
@@ -45,6 +47,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     count: int | None,
     seed: int,
     jobs: int,
+    cluster: str | None,
     settings: tuple[str, ...],
     params: str | None,
     emit: str | None,
@@ -59,17 +62,18 @@ def command(  # noqa: PLR0913 - one parameter per option
     DIR/run-000, ..., and DIR/runs.csv lists the runs. The exit code is 4 if a road violates an
     `expect`; expectations of drives are evaluated by `roadlang run`.
     """
+    from ..session.cluster import cluster as workers_of
+
     target = Path(folder).absolute()  # before a plugin can change the current folder
     try:
         runs, is_list = _runs(file, parse_overrides(settings), params, emit, target)
         checked = [run.check() for run in runs]
         if all(checked):
-            for run in runs:
-                run.compile(count, seed, jobs, print_after)
+            with workers_of(cluster, jobs) as workers:
+                for run in runs:
+                    run.compile(count, seed, workers, print_after)
             if is_list:
-                from ..session.runs import write_runs
-
-                write_runs(target, [run.row() for run in runs])
+                _write_table(runs, target)
     except DiagnosticError as error:
         _refuse(error, as_json)
         return
@@ -81,8 +85,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     else:
         for run in runs:
             run.report()
-    code = exit_codes.severest(run.exit_code for run in runs)
-    click.get_current_context().exit(code)
+    click.get_current_context().exit(exit_codes.severest(run.exit_code for run in runs))
 
 
 def _runs(
@@ -100,6 +103,12 @@ def _runs(
         loaded = [each.with_outputs(outputs) for each in loaded]
     folders = run_folders(target, len(loaded)) if is_list else [target]
     return [Compilation(*pair) for pair in zip(loaded, folders, strict=True)], is_list
+
+
+def _write_table(runs: Sequence[Compilation], target: Path) -> None:
+    from ..session.runs import write_runs
+
+    write_runs(target, [run.row() for run in runs])
 
 
 def _refuse(error: DiagnosticError, as_json: bool) -> None:

@@ -70,19 +70,19 @@ def command(
     come before those of the file's `falsify`. The exit code is 4 if there is a failure, 3 if no
     scene satisfies the requirements.
     """
-    from ..session.cluster import cluster as workers
+    from ..session.cluster import cluster as workers_of
     from ..session.loading import load
     from .progress import ProgressBar
 
     target = Path(folder).absolute()  # before a plugin can change the current folder
     loaded = load(file).with_params(parse_overrides(settings))
     report(loaded.check())
-    with workers(cluster, jobs) as (count, executor), ProgressBar("evaluations") as progress:
+    with workers_of(cluster, jobs) as workers, ProgressBar("evaluations") as progress:
         search = loaded.falsify(
             expects or None,
             options={} if duration is None else {"duration": duration},
-            jobs=count,
-            executor=executor,
+            jobs=workers.jobs,
+            executor=workers.executor,
             folder=target,
             progress=progress,
             **options,

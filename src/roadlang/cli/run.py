@@ -15,7 +15,7 @@ from .console import echo, report, shown
 
 if TYPE_CHECKING:
     from ..drive.batches import DriveTask
-    from ..search.worker_pool import Executor
+    from ..search.worker_pool import Workers
     from ..session.loading import LoadedScenario
     from ..session.scene import Scene
     from ..session.scene_set import SceneSet
@@ -67,8 +67,8 @@ def command(  # noqa: PLR0913 - one parameter per option
     options: dict[str, Any] = {} if duration is None else {"duration": duration}
     if window:
         options["headless"] = False
-    with workers_of(cluster, jobs) as (workers, executor):
-        batch = RunBatch(target, engine, options, workers, executor, resume, as_json)
+    with workers_of(cluster, jobs) as workers:
+        batch = RunBatch(target, engine, options, workers, resume, as_json)
         if file.endswith(_CONCRETE):
             batch.add_scene(file)
         else:
@@ -90,15 +90,14 @@ class RunBatch:
         target: Path,
         engine: str | None,
         options: dict[str, Any],
-        workers: int,
-        executor: Executor | None,
+        workers: Workers,
         resume: bool,
         as_json: bool,
     ) -> None:
         self._target = target
         self._engine = engine
         self._options = options
-        self._workers = workers, executor
+        self._workers = workers
         self._resume = resume
         self._as_json = as_json
         self._rows: list[dict[str, Any]] = []
@@ -142,10 +141,12 @@ class RunBatch:
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 
-        jobs = 1 if self._workers[1] is not None else self._workers[0]
+        jobs, executor = self._workers.jobs, self._workers.executor
         try:
             with ProgressBar("scenes") as progress:
-                scenes = loaded.sample(count, seed=seed, jobs=jobs, progress=progress)
+                scenes = loaded.sample(
+                    count, seed=seed, jobs=jobs, executor=executor, progress=progress
+                )
         except NoSceneError as error:
             if not run:
                 raise
@@ -182,7 +183,7 @@ class RunBatch:
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: list[Any] = []
         with ProgressBar("drives") as progress:
-            for drives in drive_in_parts(open_, task, places, *self._workers):
+            for drives in drive_in_parts(open_, task, places, self._workers):
                 folder.add(drives)
                 found += drives.diagnostics
                 for drive in () if self._as_json else drives:

@@ -19,9 +19,9 @@ from ..judging.acceptance import Acceptance
 from ..plugins.registry import Registry
 from ..search.accepted import Concretize
 from ..search.rejection_report import RejectionRow, RejectionStats, as_text, rows_of
-from ..search.samplers import Progress
 from ..search.scene_search import SceneSearch
 from ..search.searching import search
+from ..search.worker_pool import ALONE, Workers
 from ..world.index import index_scenario
 from .instantiate import ConcreteScene, fixed_remarks, instantiate
 
@@ -64,26 +64,26 @@ def sample_scenes(
     registry: Registry,
     n: int | None = None,
     seed: int = 0,
-    jobs: int = 1,
-    progress: Progress | None = None,
     overrides: dict[str, str] | None = None,
     observer: SceneObserver | None = None,
+    workers: Workers = ALONE,
 ) -> SamplingResult:
     """The first `n` scenes (all of a grid, one of anything else, where `n` is None).
 
-    Neither `n` nor `jobs` changes a scene. `observer` sees what each pass makes of each scene, and
-    keeps the search in this process. Raises DiagnosticError for what is wrong with the
-    inputs or a plugin; that nothing was accepted is no error, but told by the result.
+    Neither `n` nor the workers change a scene. `observer` sees what each pass makes of each scene,
+    and keeps the search in this process. Raises DiagnosticError for what is wrong with the inputs
+    or a plugin; that nothing was accepted is no error: the result shows it.
     """
     scenario = index_scenario(source, registry)
     concretize: Concretize[ConcreteScene] = partial(instantiate, overrides=overrides or {})
     if observer is not None:
-        concretize, jobs = partial(_observed, concretize, observer), 1
+        concretize = partial(_observed, concretize, observer)
+        workers = Workers(progress=workers.progress)
     task = SceneSearch(scenario, seed, concretize)
     impossible = _impossible(task.acceptance, seed)
     if impossible:
         return _nothing(task.acceptance, impossible, n or 1)
-    found = search(task, n, jobs, progress)
+    found = search(task, n, workers)
     concrete = [sample.result for sample in found.samples]
     _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
     remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))

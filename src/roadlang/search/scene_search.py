@@ -44,6 +44,14 @@ class SceneSearch(Generic[T]):
         missing = tuple(scene for scene in scenes if scene not in found)
         return SearchedBlock(samples, missing, stats)
 
+    def search_blocks(self, blocks: Sequence[Sequence[int]]) -> list[SearchedBlock[T]]:
+        """Several blocks, each by itself."""
+        return [self.search_block(block) for block in blocks]
+
+    def samples(self, accepted: Sequence[Accepted]) -> list[Sample[T]]:
+        """What accepted candidates become."""
+        return [self.sample(each) for each in accepted]
+
     def sample(self, accepted: Accepted) -> Sample[T]:
         """What an accepted candidate becomes."""
         record = DrawRecord()

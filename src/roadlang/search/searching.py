@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeVar
 
 from .accepted import SearchResult
@@ -9,22 +10,25 @@ from .rejection_report import RejectionStats
 from .samplers import Progress
 from .scene_search import SceneSearch
 from .streams import accepted_of_stream
-from .worker_pool import WorkerPool
+from .worker_pool import ALONE, WorkerPool, Workers
 
 BLOCK = 16
 """Scenes searched for together; the blocks are the same however many workers there are."""
 _FEWEST_FOR_PROCESSES = 8
+_PARTS = 4
+"""Parts of the work for each worker: few, for each costs a message, but all should end together."""
+_MOST_BLOCKS, _MOST_SAMPLES = 16, 64
+"""The most of them in a part, so that a lost worker loses little."""
 T = TypeVar("T")
+J = TypeVar("J")
 
 
-def search(
-    task: SceneSearch[T], n: int | None, processes: int = 1, progress: Progress | None = None
-) -> SearchResult[T]:
+def search(task: SceneSearch[T], n: int | None, workers: Workers = ALONE) -> SearchResult[T]:
     """The first `n` scenes by the scenario's sampler."""
-    with WorkerPool(task, processes) as pool:
+    with WorkerPool(task, workers) as pool:
         if task.sampler.kind.sequential:
-            return _search_stream(task, n, pool, progress)
-        return _search_scenes(task, n or 1, pool, progress)
+            return _search_stream(task, n, pool, workers.progress)
+        return _search_scenes(task, n or 1, pool, workers.progress)
 
 
 def _search_scenes(
@@ -35,10 +39,12 @@ def _search_scenes(
     blocks = [range(1)]
     blocks += [range(start, min(start + BLOCK, n)) for start in range(1, n, BLOCK)]
     for part in (blocks[:1], blocks[1:]):
-        for block in pool.map(SceneSearch.search_block, part):
-            found.samples.extend(block.samples)
-            found.missing.extend(block.missing)
-            found.stats.add(block.stats)
+        shares = _shares(part, pool.workers, _MOST_BLOCKS)
+        for searched in pool.map(SceneSearch.search_blocks, shares):
+            for block in searched:
+                found.samples.extend(block.samples)
+                found.missing.extend(block.missing)
+                found.stats.add(block.stats)
             if progress is not None:
                 progress(len(found.samples) + len(found.missing), n)
         if not found.samples:
@@ -55,8 +61,16 @@ def _search_stream(
 ) -> SearchResult[T]:
     stream = accepted_of_stream(task.acceptance, task.sampler, task.seed, n)
     found = SearchResult[T](stream.wanted, stream.stats, missing=list(stream.missing))
-    for sample in pool.map(SceneSearch.sample, stream.accepted, _FEWEST_FOR_PROCESSES):
-        found.samples.append(sample)
+    workers = pool.workers if len(stream.accepted) >= _FEWEST_FOR_PROCESSES else 1
+    shares = _shares(stream.accepted, workers, _MOST_SAMPLES)
+    for samples in pool.map(SceneSearch.samples, shares):
+        found.samples.extend(samples)
         if progress is not None:
             progress(len(found.samples), len(stream.accepted))
     return found
+
+
+def _shares(jobs: Sequence[J], workers: int, most: int) -> list[Sequence[J]]:
+    """Jobs in parts that are worth a message each; alone, one by one, to see how it goes."""
+    size = 1 if workers == 1 else max(1, min(most, -(-len(jobs) // (_PARTS * workers))))
+    return [jobs[start : start + size] for start in range(0, len(jobs), size)]

@@ -32,18 +32,31 @@ class Executor(Protocol):
         ...
 
 
+@dataclass(frozen=True)
+class Workers:
+    """Who does the work: `jobs` processes, or an `executor` with as many workers. `progress` is
+    called with what is done and wanted."""
+
+    jobs: int = 1
+    executor: Executor | None = None
+    progress: Callable[[int, int], None] | None = None
+
+
+ALONE = Workers()
+
+
 class WorkerPool(Generic[State]):
-    """Holds `state` here and, with `processes` above 1, a copy of it in each of as many processes.
+    """Holds `state` here and, with several workers, a copy of it in each of as many processes.
 
     The state is pickled, once for each process, when the first work is handed out to them. With an
-    `executor` of `processes` workers the jobs are submitted to that, each with the state, of which
-    every worker keeps one copy.
+    executor the jobs are submitted to that, each with the state, of which every worker keeps one
+    copy.
     """
 
-    def __init__(self, state: State, processes: int, executor: Executor | None = None) -> None:
+    def __init__(self, state: State, workers: Workers = ALONE) -> None:
         self._state = state
-        self._processes = max(1, processes)
-        self._given = executor
+        self._processes = max(1, workers.jobs)
+        self._given = workers.executor
         self._executor: ProcessPoolExecutor | None = None
         self._other_children = frozenset(multiprocessing.active_children())
 

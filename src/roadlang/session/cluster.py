@@ -7,12 +7,12 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..search.worker_pool import Workers
 from ..version import __version__
 
 if TYPE_CHECKING:
     from distributed import Client
 
-    from ..search.worker_pool import Executor
 
 _PATIENCE = "10s"
 _RETRIES = 5
@@ -20,11 +20,13 @@ _RETRIES = 5
 
 
 @contextmanager
-def cluster(address: str | None, jobs: int) -> Iterator[tuple[int, Executor | None]]:
-    """How many workers there are at the scheduler `address`, and an executor of them; without an
-    address `jobs` and None. Raises `DiagnosticError` RL704 where the cluster cannot be used."""
+def cluster(address: str | None, jobs: int) -> Iterator[Workers]:
+    """The workers at the scheduler `address`, without an address `jobs` processes.
+
+    Raises `DiagnosticError` RL704 where the cluster cannot be used.
+    """
     if address is None:
-        yield jobs, None
+        yield Workers(jobs)
         return
     try:
         from distributed import Client
@@ -43,7 +45,7 @@ def cluster(address: str | None, jobs: int) -> Iterator[tuple[int, Executor | No
         unfit = _unfit(client) if workers else "it has no workers"
         if unfit:
             raise DiagnosticError(diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=unfit))
-        yield workers, client.get_executor(retries=_RETRIES, pure=False)
+        yield Workers(workers, client.get_executor(retries=_RETRIES, pure=False))
 
 
 def worker_version() -> str:

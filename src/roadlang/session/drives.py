@@ -17,7 +17,7 @@ from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..judging.badness import badness
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
 from ..judging.robustness_series import robustness_series
-from ..search.worker_pool import Executor, WorkerPool
+from ..search.worker_pool import ALONE, WorkerPool, Workers
 from .expectations import Expectation, expectations_of
 from .scene import Scene
 from .tables import columns_of
@@ -51,14 +51,13 @@ def drive_in_parts(
     scenes: Sequence[Scene],
     task: DriveTask,
     places: Mapping[str, Span | None],
-    jobs: int = 1,
-    executor: Executor | None = None,
+    workers: Workers = ALONE,
 ) -> Iterator[DriveSet]:
     """The drives of parts of the scenes, in order, each part as soon as it and those before it are
-    done; `jobs` processes or an `executor` of as many workers drive them."""
-    parts = parts_of(len(scenes), jobs)
+    done."""
+    parts = parts_of(len(scenes), workers.jobs)
     records = [[scenes[number].record for number in part] for part in parts]
-    with WorkerPool(task, jobs, executor) as pool:
+    with WorkerPool(task, workers) as pool:
         for part, driven in zip(parts, pool.map(DriveTask.drive, records), strict=True):
             pairs = zip(part, driven, strict=True)
             yield DriveSet(Drive(scenes[number], found, places) for number, found in pairs)

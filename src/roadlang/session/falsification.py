@@ -5,7 +5,7 @@ A facade: a scenario is falsified, and a failure is a scene that can be driven a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -30,7 +30,7 @@ from ..falsification.statistics import (
     coverage,
     failure_rate,
 )
-from ..search.worker_pool import Executor, WorkerPool
+from ..search.worker_pool import WorkerPool, Workers
 from ..world.index import index_scenario
 from .scene import Scene
 from .tables import columns_of
@@ -39,20 +39,9 @@ if TYPE_CHECKING:
     from .drives import Drive, DriveSet
     from .loading import LoadedScenario
 
-Progress = Callable[[int, int], None]
 JOURNAL = "journal.jsonl"
 SAFE_DRIVES = 12
 """Scenes in which nothing is violated that are written beside the failures, to compare."""
-
-
-@dataclass(frozen=True)
-class Workers:
-    """Who evaluates: `jobs` processes, or an `executor` with as many workers. `progress` is called
-    with what is done and wanted."""
-
-    jobs: int = 1
-    executor: Executor | None = None
-    progress: Progress | None = None
 
 
 @dataclass(frozen=True)
@@ -227,7 +216,7 @@ def falsified(
     journal: Journal = NoJournal()
     if folder is not None:
         journal = SearchJournal(folder / JOURNAL, search_key(task, plan), resume)
-    with WorkerPool(evaluator, workers.jobs, workers.executor) as pool:
+    with WorkerPool(evaluator, workers) as pool:
         expired = deadline(plan.seconds)
         result = search_failures(plan, axes, pool, expects, journal, workers.progress, expired)
     return Falsification(loaded, plan, evaluator, result)

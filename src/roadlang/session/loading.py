@@ -151,22 +151,32 @@ class LoadedScenario:
         jobs: int = 1,
         progress: Progress | None = None,
         after_pass: SceneObserver | None = None,
+        executor: Executor | None = None,
         **params: ParamValue,
     ) -> SceneSet:
         """`n` scenes that satisfy the requirements; one, or all of a grid, where `n` is None.
 
         The same file, inputs, params and seed give the same scenes: neither `n` nor the number
-        of processes (`jobs`) changes one. `progress` is called with the scenes done and wanted,
-        `after_pass` with the number of a scene, each pass and what it made (in one process).
+        of processes (`jobs`) changes one, nor does an `executor` (anything with `submit`, of `jobs`
+        workers). `progress` is called with the scenes done and wanted, `after_pass` with the number
+        of a scene, each pass and what it made (in one process).
         Raises `DiagnosticError` for what is wrong with the file, its inputs or a plugin, and
         `NoSceneError` (RL600, RL601) where no candidate satisfies the requirements.
         """
         if params:
             changed = self.with_params(params)
-            return changed.sample(n, seed=seed, jobs=jobs, progress=progress)
+            return changed.sample(
+                n,
+                seed=seed,
+                jobs=jobs,
+                progress=progress,
+                after_pass=after_pass,
+                executor=executor,
+            )
+        from ..search.worker_pool import Workers
         from .scene_set import sampled
 
-        return sampled(self, n, seed, jobs, progress, after_pass)
+        return sampled(self, n, seed, Workers(jobs, executor, progress), after_pass)
 
     def falsify(  # noqa: PLR0913 - one parameter for each option
         self,
@@ -193,7 +203,8 @@ class LoadedScenario:
         Raises `DiagnosticError` (RL702 for the journal of another search, RL703, RL705 where there
         is nothing to violate or to search).
         """
-        from .falsification import Drives, Workers, falsified
+        from ..search.worker_pool import Workers
+        from .falsification import Drives, falsified
 
         names = [expects] if isinstance(expects, str) else expects
         given = {"expects": names, **settings}

@@ -15,6 +15,7 @@ from .tables import columns_of
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
     from ..search.rejection_report import RejectionRow
+    from ..search.worker_pool import Workers
     from .drives import DriveSet
     from .loading import LoadedScenario
 
@@ -36,13 +37,12 @@ def sampled(
     loaded: LoadedScenario,
     n: int | None,
     seed: int,
-    jobs: int,
-    progress: Progress | None,
+    workers: Workers,
     after_pass: SceneObserver | None = None,
 ) -> SceneSet:
     """The scenes of a scenario; `LoadedScenario.sample` tells what is raised."""
     source, registry, params = loaded.scenario, loaded.registry, loaded.params
-    result = sample_scenes(source, registry, n, seed, jobs, progress, params, after_pass)
+    result = sample_scenes(source, registry, n, seed, params, after_pass, workers)
     scenes = SceneSet(loaded, seed, result)
     if not scenes:
         raise NoSceneError(scenes)
