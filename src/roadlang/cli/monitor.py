@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from . import exit_codes
-from .console import echo
+from .console import echo, report
 
 if TYPE_CHECKING:
     from ..stl import Formula
@@ -35,6 +35,9 @@ if TYPE_CHECKING:
     metavar="LENGTH",
     help="Length of the closed road that the traces go around.",
 )
+@click.option(
+    "--strict", is_flag=True, help="Count a vacuous verdict as a violation (exit code 4)."
+)
 def command(
     formula: str,
     traces: tuple[str, ...],
@@ -42,12 +45,14 @@ def command(
     as_json: bool,
     plot: str | None,
     wrap: float | None,
+    strict: bool,
 ) -> None:
     """Evaluate FORMULA on each TRACE (CSV with the positions in the first column, or JSON).
 
     In traces of `roadlang run` the signals are `ego.speed` and so on; those of --agent, or of the
     only agent, are also called `speed`. Numbers are in the units of the trace unless they have a
-    unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula.
+    unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula. A verdict is
+    vacuous if it depends on a window that holds no sample.
 
     The JSON of one TRACE is an object with formula, robustness (at the start), range, verdict,
     positions, trace (the robustness at each position) and explanation; of several it is a list of
@@ -64,7 +69,10 @@ def command(
     else:
         echo(str(parsed))
         echo(_table(findings))
-    broken = any(finding["verdict"] == "violated" for finding in findings)
+    for finding in findings:
+        _warn_of_empty_windows(finding)
+    failing = ("violated", "vacuous") if strict else ("violated",)
+    broken = any(finding["verdict"] in failing for finding in findings)
     click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
 
 
@@ -92,6 +100,16 @@ def _finding(
         "explanation": explanation,
         "lines": why.lines(),
     }
+
+
+def _warn_of_empty_windows(finding: dict[str, Any]) -> None:
+    from ..diagnostics import Code, diagnose
+
+    name = Path(finding["file"]).name
+    report(
+        diagnose(Code.WINDOW_BETWEEN_SAMPLES, None, formula=formula, trace=f"`{name}`")
+        for formula in finding["explanation"]["between_samples"]
+    )
 
 
 def _table(findings: list[dict[str, Any]]) -> str:

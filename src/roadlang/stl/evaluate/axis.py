@@ -123,6 +123,23 @@ class SamplePositions:
 
         `path` extends the operand's span to the samples that are evaluated, as until needs.
         """
+        counted = self._counted(interval, targets, past=past, path=path)
+        return None if (counted.ends < counted.starts).all() else self._relative(counted, path)
+
+    def between_samples(
+        self, interval: Interval | None, targets: tuple[int, int], *, past: bool
+    ) -> BoolArray:
+        """Which of the samples `targets` have a window that falls between two samples.
+
+        A window beyond the end of the trace, or before its start, is not one of them.
+        """
+        counted = self._counted(interval, targets, past=past, path=False)
+        empty = (counted.ends < counted.starts) & (counted.starts < self.size * counted.laps)
+        return empty[::-1] if past else empty
+
+    def _counted(
+        self, interval: Interval | None, targets: tuple[int, int], *, past: bool, path: bool
+    ) -> _CountedWindows:
         interval = interval or UNBOUNDED
         laps = 1
         if self.wrap is not None:
@@ -135,32 +152,37 @@ class SamplePositions:
         if laps > 1 and self.wrap is not None:
             lows = highs = (lows + self.wrap * np.arange(laps)[:, None]).ravel()
         starts, ends = _bounds(lows, highs, interval, targets, self.tolerance)
-        if (ends < starts).all():
-            return None
-        return self._relative(starts, ends, targets, laps, past, path)
+        return _CountedWindows(starts, ends, targets, laps, past)
 
-    def _relative(
-        self,
-        starts: IntArray,
-        ends: IntArray,
-        targets: tuple[int, int],
-        laps: int,
-        past: bool,
-        path: bool,
-    ) -> Windows:
+    def _relative(self, counted: _CountedWindows, path: bool) -> Windows:
+        """Counted from the first sample that any of the windows needs."""
+        starts, ends, laps = counted.starts, counted.ends, counted.laps
         held = ends >= starts
-        low = targets[0] if path else int(starts[held].min())
+        low = counted.targets[0] if path else int(starts[held].min())
         low, high = (0, self.size - 1) if laps > 1 else (low, int(ends.max()))
+        past = counted.flipped
         span = (self.size - 1 - high, self.size - 1 - low) if past else (low, high)
         limit = (high - low + 1) * laps
         return Windows(
             starts=np.clip(starts - low, 0, limit),
             ends=np.clip(ends - low, -1, limit - 1),
-            first=targets[0] - low,
+            first=counted.targets[0] - low,
             span=span,
             flipped=past,
             laps=laps,
         )
+
+
+@dataclass(frozen=True)
+class _CountedWindows:
+    """As `Windows`, counted from the first sample of the axis as the operator looks at it; of an
+    empty window `starts` is the next sample, `targets` are counted likewise."""
+
+    starts: IntArray
+    ends: IntArray
+    targets: tuple[int, int]
+    laps: int
+    flipped: bool
 
 
 def _bounds(

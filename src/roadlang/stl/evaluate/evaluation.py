@@ -92,9 +92,15 @@ def _plan_at_start(
     )
 
 
-def run_at_start(graph: FormulaGraph, trace: SampledSignals, axis: SamplePositions) -> FloatArray:
+def run_at_start(
+    graph: FormulaGraph,
+    trace: SampledSignals,
+    axis: SamplePositions,
+    *,
+    reverse_empty: bool = False,
+) -> FloatArray:
     """The last node of `graph` at the first sample of each variant, (V,)."""
-    return _run(EvaluationPlan.of(graph, axis, (0, 0)), trace)
+    return _run(EvaluationPlan.of(graph, axis, (0, 0), reverse_empty=reverse_empty), trace)
 
 
 def _run(plan: EvaluationPlan, trace: SampledSignals) -> FloatArray:

@@ -14,7 +14,7 @@ from ..formula.horizon import horizon
 from .position_text import position_text
 from .ranges import range_at_start
 from .trace import SampledSignals
-from .verdicts import Verdict, decided
+from .verdicts import Verdict, verdicts_of
 
 _SETTLED_AT_ONCE = 64
 
@@ -57,7 +57,7 @@ class OnlineMonitor:
     def _update(self) -> None:
         trace = self._trace()
         ends = range_at_start(self.formula, trace)
-        verdict: Verdict = decided(self.formula, trace, *ends)[0].item()
+        verdict: Verdict = verdicts_of(self.formula, trace, ends)[0].item()
         lo, hi = (float(end[0]) for end in ends)
         if self._settled is not None:
             assert isinstance(self.formula, f.UnaryTemporal)

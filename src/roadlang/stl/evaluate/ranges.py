@@ -44,35 +44,50 @@ Side: TypeAlias = Literal["lower", "upper"]
 
 
 def range_at_start(
-    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
+    formula: f.Formula,
+    trace: SampledSignals,
+    leaves: Mapping[str, Function] = ROBUST,
+    *,
+    reverse_empty: bool = False,
 ) -> tuple[FloatArray, FloatArray]:
-    """(lo, hi) at the first sample of each variant, each (V,)."""
-    return finite_first(lambda infinite: _range_at_start(formula, trace, leaves, infinite))
+    """(lo, hi) at the first sample of each variant, each (V,).
+
+    `reverse_empty`: a window between two samples counts the other way (see `EvaluationPlan.of`).
+    """
+    return finite_first(
+        lambda infinite: _range_at_start(formula, trace, leaves, infinite, reverse_empty)
+    )
 
 
 def _range_at_start(
-    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function], infinite: bool
+    formula: f.Formula,
+    trace: SampledSignals,
+    leaves: Mapping[str, Function],
+    infinite: bool,
+    reverse_empty: bool,
 ) -> tuple[FloatArray, FloatArray]:
     plain = normal_form(formula)
     if trace.wrap is not None or not plain.looks_ahead:
         graph = FormulaGraph.of(formula, leaves, infinite)
-        exact = run_at_start(graph, trace, SamplePositions.of(trace.positions, trace.wrap))
+        axis = SamplePositions.of(trace.positions, trace.wrap)
+        exact = run_at_start(graph, trace, axis, reverse_empty=reverse_empty)
         return exact, exact
     infinite = infinite or can_be_infinite(formula)
     lower, upper = BoundGraph(trace, leaves, infinite), BoundGraph(trace, leaves, infinite)
     other = strengthened(normal_form(formula, greatest=True))
     return (
-        _bound_at_start(strengthened(plain), trace, "lower", lower),
-        _bound_at_start(other, trace, "upper", upper),
+        _bound_at_start(strengthened(plain), trace, "lower", lower, reverse_empty),
+        _bound_at_start(other, trace, "upper", upper, reverse_empty),
     )
 
 
 def _bound_at_start(
-    formula: f.Formula, trace: SampledSignals, side: Side, graph: BoundGraph
+    formula: f.Formula, trace: SampledSignals, side: Side, graph: BoundGraph, reverse_empty: bool
 ) -> FloatArray:
     graph.bound(formula, side, False)
     extended = replace(trace, signals={**trace.signals, **graph.supplied})
-    return run_at_start(graph, extended, extended_axis(formula, trace.positions))
+    axis = extended_axis(formula, trace.positions)
+    return run_at_start(graph, extended, axis, reverse_empty=reverse_empty)
 
 
 class BoundGraph(FormulaGraph):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .axis import SamplePositions, Windows
+from .axis import BoolArray, SamplePositions, Windows
 from .graph import FormulaGraph, FormulaNode
 from .kernels import slide, until
 from .operations import (
@@ -32,6 +32,8 @@ class ScheduledStep:
     span: Span
     needs: tuple[Span | None, ...]
     windows: Windows | None = None
+    reversed_at: BoolArray | None = None
+    """The samples of `span` whose empty window counts the other way."""
 
 
 @dataclass(frozen=True)
@@ -49,14 +51,26 @@ class EvaluationPlan:
     infinite: bool = False
 
     @classmethod
-    def of(cls, graph: FormulaGraph, axis: SamplePositions, targets: Span) -> EvaluationPlan:
-        """Schedule the last node of `graph` over the samples `targets` (first, last)."""
+    def of(
+        cls,
+        graph: FormulaGraph,
+        axis: SamplePositions,
+        targets: Span,
+        *,
+        reverse_empty: bool = False,
+    ) -> EvaluationPlan:
+        """Schedule the last node of `graph` over the samples `targets` (first, last).
+
+        `reverse_empty`: a window between two samples makes `always` false and `eventually` true.
+        """
         needed: dict[int, Span] = {len(graph.nodes) - 1: targets}
         steps: list[ScheduledStep | None] = [None] * len(graph.nodes)
         for index in range(len(graph.nodes) - 1, -1, -1):
             if index not in needed:
                 continue
             step = _step(graph.nodes[index], axis, needed[index])
+            if reverse_empty:
+                step = _reversing(step, axis)
             steps[index] = step
             for source, need in zip(step.node.inputs, step.needs, strict=True):
                 if need is not None:
@@ -66,6 +80,11 @@ class EvaluationPlan:
         time_major = any(windows is not None and windows.count > 1 for windows in windowed)
         reaching = any(step and isinstance(step.node.operation, Reaching) for step in steps)
         return cls(tuple(steps), _spent(graph), time_major or reaching, graph.infinite)
+
+    @property
+    def reverses(self) -> bool:
+        """Whether any window is empty and counts the other way."""
+        return any(step is not None and step.reversed_at is not None for step in self.steps)
 
     @property
     def width(self) -> int:
@@ -109,7 +128,8 @@ class EvaluationPlan:
             self._slice(values, source, need)
             for source, need in zip(step.node.inputs, step.needs, strict=True)
         ]
-        return _derived(step, inputs)
+        result = _derived(step, inputs)
+        return result if step.reversed_at is None else _with_reversed(step, result)
 
     def _slice(self, values: list[FloatArray | None], source: int, need: Span | None) -> FloatArray:
         step, value = self.steps[source], values[source]
@@ -170,6 +190,24 @@ def _step(node: FormulaNode, axis: SamplePositions, targets: Span) -> ScheduledS
         case AtUnseen(seen):
             return ScheduledStep(node, targets, (targets, _behind(targets, seen)))
     return ScheduledStep(node, targets, (targets,) * len(node.inputs))
+
+
+def _reversing(step: ScheduledStep, axis: SamplePositions) -> ScheduledStep:
+    match step.node.operation:
+        case Sliding(_, interval, past) | Reaching(interval, past):
+            empty = axis.between_samples(interval, step.span, past=past)
+            return replace(step, reversed_at=empty) if empty.any() else step
+    return step
+
+
+def _with_reversed(step: ScheduledStep, values: FloatArray) -> FloatArray:
+    assert step.reversed_at is not None
+    operation = step.node.operation
+    identity = operation.extreme.identity if isinstance(operation, Sliding) else -np.inf
+    samples = step.span[1] - step.span[0] + 1
+    result = np.array(np.broadcast_to(values, (samples, values.shape[1])))
+    result[step.reversed_at] = -identity
+    return result
 
 
 def _before(span: Span, seen: int) -> Span | None:

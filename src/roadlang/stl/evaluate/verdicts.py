@@ -1,4 +1,4 @@
-"""Satisfied, violated or unknown: what a trace says about a formula, whatever comes next."""
+"""What a trace says about a formula, whatever comes next: satisfied, violated, unknown, vacuous."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from .operations import BOOLEAN
 from .ranges import range_at_start
 from .satisfaction import is_satisfied
 from .trace import FloatArray, Positions, SampledSignals, Signals
+from .vacuity import operators_between_samples
 
-Verdict: TypeAlias = Literal["satisfied", "violated", "unknown"]
+Verdict: TypeAlias = Literal["satisfied", "violated", "unknown", "vacuous"]
 
 
 class Range(NamedTuple):
@@ -45,19 +46,34 @@ def verdict(
     return alone
 
 
-def verdicts_of(formula: f.Formula, trace: SampledSignals) -> NDArray[np.str_]:
-    """Verdicts (V,) at the first sample."""
-    return decided(formula, trace, *range_at_start(formula, trace))
+def verdicts_of(
+    formula: f.Formula, trace: SampledSignals, ends: tuple[FloatArray, FloatArray] | None = None
+) -> NDArray[np.str_]:
+    """Verdicts (V,) at the first sample; `ends` is the range, if it is known.
+
+    A verdict is vacuous if it would be another one had every window that falls between two
+    samples counted the other way: it says something about the sampling, not about the signals.
+    """
+    found = _decided(formula, trace, *(ends or range_at_start(formula, trace)), False)
+    if not operators_between_samples(formula, trace):
+        return found
+    reverse = range_at_start(formula, trace, reverse_empty=True)
+    other = _decided(formula, trace, *reverse, True)
+    return np.where((found != "unknown") & (found != other), "vacuous", found)
 
 
-def decided(
-    formula: f.Formula, trace: SampledSignals, lo: FloatArray, hi: FloatArray
+def _decided(
+    formula: f.Formula,
+    trace: SampledSignals,
+    lo: FloatArray,
+    hi: FloatArray,
+    reverse_empty: bool,
 ) -> NDArray[np.str_]:
     """Verdicts (V,) by the range (lo, hi): both ends of it satisfy the formula, none, or one."""
 
     @cache
     def boolean() -> tuple[FloatArray, FloatArray]:
-        return range_at_start(formula, trace, BOOLEAN)
+        return range_at_start(formula, trace, BOOLEAN, reverse_empty=reverse_empty)
 
     always = is_satisfied(lo, lambda rows: boolean()[0][rows] > 0)
     ever = is_satisfied(hi, lambda rows: boolean()[1][rows] > 0)

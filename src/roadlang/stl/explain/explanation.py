@@ -12,6 +12,7 @@ from ..evaluate.evaluation import everywhere
 from ..evaluate.position_text import position_text
 from ..evaluate.ranges import range_at_start
 from ..evaluate.trace import FloatArray, Positions, SampledSignals, Signals
+from ..evaluate.vacuity import operators_between_samples
 from ..evaluate.verdicts import Verdict, verdicts_of
 from ..formula import formulas as f
 from .causes import ViolationInterval, violated_stretches
@@ -31,7 +32,8 @@ class Explanation:
     """`chain` leads from the formula to the comparison that decides; `stretches` are all the
     stretches where a comparison fails that the formula would have needed; `values` are the
     signals of the deciding comparison at `position`. `window_empty`: what decides is that an
-    operator has no sample to look at.
+    operator has no sample to look at. `between_samples` are the operators with a window that
+    falls between two samples; a verdict that depends on them is vacuous.
     """
 
     formula: str
@@ -44,6 +46,7 @@ class Explanation:
     values: dict[str, float]
     window_empty: bool
     stretches: tuple[ViolationInterval, ...]
+    between_samples: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """Plain dicts, lists and numbers; infinities as the texts "inf" and "-inf"."""
@@ -86,7 +89,7 @@ def explain(
 ) -> Explanation:
     """Explain the robustness at the first sample of one variant."""
     trace = SampledSignals.of(positions, signals, formula.variables, wrap).alone(variant)
-    lo, hi = range_at_start(formula, trace)
+    lo, hi = ends = range_at_start(formula, trace)
     finder = _Finder(trace)
     chain, empty = finder.chain(formula)
     last, sample = chain[-1]
@@ -99,7 +102,7 @@ def explain(
         formula=str(formula),
         rho=finder.value(formula, 0),
         range=(float(lo[0]), float(hi[0])),
-        verdict=verdicts_of(formula, trace)[0].item(),
+        verdict=verdicts_of(formula, trace, ends)[0].item(),
         chain=tuple(
             Link(str(part), float(trace.positions[at]), finder.value(part, at))
             for part, at in chain
@@ -109,6 +112,7 @@ def explain(
         values=values,
         window_empty=empty,
         stretches=violated_stretches(formula, trace),
+        between_samples=tuple(map(str, operators_between_samples(formula, trace))),
     )
 
 
