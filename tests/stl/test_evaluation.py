@@ -196,3 +196,40 @@ def test_comparisons_with_infinity(formula: str, rho: float, truth: bool) -> Non
     parsed = stl.parse(formula)
     assert parsed.rho([0.0, 1.0], {"x": [1.0, 2.0]}) == rho
     assert bool(parsed.satisfied([0.0, 1.0], {"x": [1.0, 2.0]})) is truth
+
+
+@pytest.mark.parametrize(
+    ("text", "x", "rho"),
+    [
+        ("x * y - x * y < 2", 1e200, 2.0),
+        ("x * y < x * y + 1", 1e200, 0.0),
+        ("x * y > 5", 1e200, math.inf),
+        ("always (1e200 * x * 1e200 - 1e200 * x * 1e200 < 1)", 3.0, 1.0),
+        ("x + y < 1", 1.7e308, -math.inf),
+        ("x ^ 2 - x ^ 2 <= 0", 1e200, 0.0),
+    ],
+)
+def test_numbers_that_overflow_are_infinite_and_never_nan(text: str, x: float, rho: float) -> None:
+    formula = stl.parse(text)
+    signals = {"x": [x, x], "y": [x, x]}
+
+    assert formula.rho([0, 1], signals) == rho
+    assert formula.verdict([0, 1], signals) in ("satisfied", "violated", "unknown")
+    assert not np.isnan(formula.range([0, 1], signals)).any()
+
+
+def test_masked_samples_are_refused_where_a_formula_reads_them() -> None:
+    masked = np.ma.array([1.0, 99.0, 2.0], mask=[False, True, False])
+    whole = np.ma.array([1.0, 3.0, 2.0])
+
+    with pytest.raises(DiagnosticError, match="RL302"):
+        stl.parse("always (x < 5)").rho([0, 1, 2], {"x": masked})
+    with pytest.raises(DiagnosticError, match="RL301"):
+        stl.parse("always (x < 5)").rho(masked, {"x": whole})
+    assert stl.parse("always (x < 5)").rho([0, 1, 2], {"x": whole, "y": masked}) == 2
+
+
+def test_an_interval_from_zero_without_end_is_none() -> None:
+    assert stl.parse("always[0, inf] (x > 0)") == stl.parse("always (x > 0)")
+    assert stl.parse("(x > 0) since[0, inf] (y > 0)") == stl.parse("(x > 0) since (y > 0)")
+    assert str(stl.Once(stl.UNBOUNDED, stl.parse("x > 0"))) == "once (x > 0)"

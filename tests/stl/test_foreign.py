@@ -37,7 +37,7 @@ def test_breach(pasted: str, formula: str) -> None:
         (
             r"$\phi_3 := \Box_{[0,\infty)} \left( |e_1| \geq 10 \rightarrow"
             r" \Diamond_{[5,20]} \square_{[0,30]} (d_{1} < 10 \wedge e_1 < 10) \right)$",
-            "always[0, inf] (abs(e_1) >= 10 implies"
+            "always (abs(e_1) >= 10 implies"
             " eventually[5, 20] always[0, 30] (d_1 < 10 and e_1 < 10))",
         ),
         (

@@ -104,3 +104,28 @@ def test_formulas_of_breach_are_recognized(text: str) -> None:
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse(text)
     assert any("read_breach" in hint for hint in refusal.value.diagnostics[0].help)
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "line"),
+    [
+        ("always (1/x < 2)", "RL324", "put spaces around `/`: `1 / x`"),
+        ("always (x > 5m/v)", "RL324", "put spaces around `/`: `5m / v`"),
+        ("always (x > 5qq)", "RL324", "leave the unit away (`5`)"),
+        ("always[0, 5deg] (x < 1)", "RL328", "an interval cannot be in `deg`"),
+        ("always[0, 5%] (x < 1)", "RL328", "an interval cannot be in `%`"),
+        ("always[0, 5m/s] (x < 1)", "RL328", "an interval cannot be in `m/s`"),
+        ("always[0, 5) (x < 1)", "RL026", "intervals include both ends: close it with `]`"),
+        ("F[0, 5s) (x < 1)", "RL026", "intervals include both ends: close it with `]`"),
+        ("(x < 1) until[0, 5) (x > 1)", "RL026", "intervals include both ends"),
+    ],
+)
+def test_numbers_and_intervals_that_make_no_sense_are_explained(
+    text: str, code: str, line: str
+) -> None:
+    with pytest.raises(DiagnosticError) as raised:
+        stl.parse(text)
+
+    diagnostic = raised.value.diagnostics[0]
+    assert diagnostic.code == code
+    assert any(line in said for said in (diagnostic.message, *diagnostic.help))

@@ -19,7 +19,7 @@ from .operations import (
     Read,
     Sliding,
 )
-from .trace import FloatArray, SampledSignals
+from .trace import FloatArray, InfiniteSignal, SampledSignals
 
 Span = tuple[int, int]
 
@@ -94,8 +94,16 @@ class EvaluationPlan:
     def run(self, trace: SampledSignals, first: int, last: int) -> FloatArray:
         """The result for variants first..last-1, shape (targets, rows).
 
-        Raises `InfiniteSignal` where a signal is infinite and the plan is not for such.
+        Raises `InfiniteSignal` where a number is infinite and the plan is not for such.
         """
+        # Numbers that overflow become infinite; only the slower functions can add those.
+        with np.errstate(over="ignore" if self.infinite else "raise"):
+            try:
+                return self._result(trace, first, last)
+            except FloatingPointError:
+                raise InfiniteSignal from None
+
+    def _result(self, trace: SampledSignals, first: int, last: int) -> FloatArray:
         values: list[FloatArray | None] = []
         for step, spent in zip(self.steps, self.spent, strict=True):
             values.append(None if step is None else self._compute(step, values, trace, first, last))

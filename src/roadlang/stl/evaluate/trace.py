@@ -121,7 +121,7 @@ def _variants(signals: Signals) -> int | None:
 def checked_positions(positions: Positions) -> FloatArray:
     """Positions as a float array (S,). Raises DiagnosticError RL300 or RL301."""
     try:
-        stations = np.asarray(positions, dtype=np.float64)
+        stations = np.asarray(_unmasked(positions), dtype=np.float64)
     except (TypeError, ValueError):
         raise stl_error(Code.INVALID_POSITIONS, problem="they are not numbers") from None
     if stations.ndim != 1:
@@ -148,7 +148,7 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
         known = ", ".join(f"`{other}`" for other in sorted(signals)) or "none"
         hints = (*did_you_mean(name, signals), f"the signals given are: {known}")
         raise stl_error(Code.MISSING_SIGNAL, name=name, help=hints)
-    array: NDArray[np.generic] = np.asarray(signals[name])
+    array = _unmasked(signals[name])
     if array.dtype.kind not in "fiub":
         raise stl_error(
             Code.WRONG_SIGNAL_SHAPE,
@@ -165,6 +165,13 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
     if array.ndim == 2 and array.shape[0] == 0:
         raise stl_error(Code.EMPTY_TRACE)
     return array
+
+
+def _unmasked(values: ArrayLike) -> NDArray[np.generic]:
+    """As an array; masked values are NaN, which a formula that reads them refuses."""
+    if isinstance(values, np.ma.MaskedArray):
+        return np.ma.filled(values.astype(np.float64), np.nan)
+    return np.asarray(values)
 
 
 def _check_numbers(name: str, values: FloatArray, first: int, positions: FloatArray) -> None:

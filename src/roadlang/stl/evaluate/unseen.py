@@ -186,13 +186,15 @@ def _highest_least(functions: tuple[Affine, ...]) -> FloatArray:
     """sup over the signals of the least of `functions`: the dual's best corner, (V,) or (1,)."""
     names = sorted({name for affine in functions for name, _ in affine.slopes})
     slopes = np.array([[dict(a.slopes).get(name, 0.0) for name in names] for a in functions])
+    if not np.isfinite(slopes).all():  # products of constants that overflow: anything may come
+        return _OPEN
     best = _OPEN
     for size in range(1, min(len(functions), len(names) + 1) + 1):
         for chosen in combinations(range(len(functions)), size):
             weights = _balance(slopes[list(chosen)])
             if weights is not None:
                 offsets = [w * functions[i].offset for w, i in zip(weights, chosen, strict=True)]
-                best = np.minimum(best, reduce(np.add, offsets))
+                best = np.fmin(best, reduce(np.add, offsets))
     return best
 
 

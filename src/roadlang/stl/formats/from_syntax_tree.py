@@ -156,11 +156,7 @@ class FormulaReader:
         try:
             return node.value * units.factor(node.unit)
         except KeyError:
-            hints = (
-                *did_you_mean(node.unit, units.known_units()),
-                f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
-            )
-            fixes = (Fix(node.span, node.digits),)
+            hints, fixes = _unit_help(node)
             self._fault(
                 Code.UNKNOWN_FORMULA_UNIT, node.span, help=hints, fixes=fixes, unit=node.unit
             )
@@ -196,8 +192,13 @@ class FormulaReader:
     def _check_axis(self, node: ast.IntervalExpression) -> None:
         """A formula is about one axis: meters along a road, or seconds."""
         for bound in (node.low, node.high):
-            axis = units.axis_of(bound.unit) if isinstance(bound, ast.NumberLiteral) else None
+            if not isinstance(bound, ast.NumberLiteral) or not bound.unit:
+                continue
+            axis = units.axis_of(bound.unit)
             if axis is None:
+                if units.is_unit(bound.unit):
+                    hint = "write meters along a road, seconds of a drive, or no unit"
+                    self._fault(Code.NO_AXIS_UNIT, bound.span, help=hint, unit=bound.unit)
                 continue
             self._axes.setdefault(axis, bound.span)
             if len(self._axes) == 2:
@@ -225,6 +226,21 @@ class FormulaReader:
 
     def _fault(self, code: str, span: Span, **values: Any) -> None:
         self.faults.append(diagnose(code, span, **values))
+
+
+def _unit_help(node: ast.NumberLiteral) -> tuple[tuple[str, ...], tuple[Fix, ...]]:
+    """For a unit that is none; in `1/x` it is a division."""
+    above, slash, below = node.unit.rpartition("/")
+    if slash and below.isidentifier() and (not above or units.is_unit(above)):
+        meant = f"{node.digits}{above} / {below}"
+        return (f"to divide by a signal, put spaces around `/`: `{meant}`",), (
+            Fix(node.span, meant),
+        )
+    hints = (
+        *did_you_mean(node.unit, units.known_units()),
+        f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
+    )
+    return hints, (Fix(node.span, node.digits),)
 
 
 def _dotted(node: ast.Expression) -> str:

@@ -26,6 +26,15 @@ def factor(unit: str) -> float:
     return _product(above) / _product(below[0] if below else "")
 
 
+def is_unit(unit: str) -> bool:
+    """Whether `factor` knows this unit."""
+    try:
+        factor(unit)
+    except KeyError:
+        return False
+    return True
+
+
 def axis_of(unit: str) -> str | None:
     """What positions an interval in this unit spans: "length", "time", or neither."""
     quantity = UNITS[unit].quantity if unit in UNITS else None

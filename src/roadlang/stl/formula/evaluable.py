@@ -75,7 +75,7 @@ class Evaluable:
     def verdict(
         self, positions: Positions, signals: Signals, *, wrap: float | None = None
     ) -> NDArray[np.str_] | Verdict:
-        """ "satisfied", "violated", "unknown" or "vacuous"; an array (V,) of them for a batch."""
+        """Satisfied, violated, unknown or vacuous: a word, or an array (V,) of them for a batch."""
         from ..evaluate.verdicts import verdict
 
         return verdict(self._formula, positions, signals, wrap=wrap)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias
 
 from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
-from .interval import Interval
+from .interval import UNBOUNDED, Interval
 from .terms import Term
 
 if TYPE_CHECKING:
@@ -207,6 +207,10 @@ class UnaryTemporal(TemporalOperator):
     operand: Formula
     least: ClassVar[bool]
 
+    def __post_init__(self) -> None:
+        if self.interval == UNBOUNDED:  # `always[0, inf] p` is `always p`
+            object.__setattr__(self, "interval", None)
+
     @property
     def window(self) -> Interval | None:
         """The interval, None for all later (or earlier) samples."""
@@ -230,6 +234,10 @@ class BinaryTemporal(TemporalOperator):
     interval: Interval | None
     left: Formula
     right: Formula
+
+    def __post_init__(self) -> None:
+        if self.interval == UNBOUNDED:  # `always[0, inf] p` is `always p`
+            object.__setattr__(self, "interval", None)
 
     @property
     def window(self) -> Interval | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
+from ..operators import token_kinds
 from ..parsing.grammar import END
 from ..parsing.line_positions import indentation, starts_line
 from ..parsing.tokens import Token
@@ -34,9 +35,16 @@ def _exchange(
     wrong, closer = tokens[place], SIGNS[OPENERS[kind]]
     there = source.span(wrong[2], wrong[3])
     line = source.span(start, end).line
-    help = f"`{text}` of line {line} is closed by `{closer}`"
     fixes = [Fix(there, closer)]
-    found.append(diagnose(Code.UNMATCHED_BRACKET, there, what=wrong[1], help=help, fixes=fixes))
+    if kind == "LSQB" and tokens[opener - 1][0] in token_kinds("temporal", "binding"):
+        help = f"intervals include both ends: close it with `{closer}`"
+        fault = diagnose(
+            Code.MALFORMED_INTERVAL, source.span(start, wrong[3]), help=help, fixes=fixes
+        )
+    else:
+        help = f"`{text}` of line {line} is closed by `{closer}`"
+        fault = diagnose(Code.UNMATCHED_BRACKET, there, what=wrong[1], help=help, fixes=fixes)
+    found.append(fault)
     return [*tokens[:place], (OPENERS[kind], closer, *wrong[2:]), *tokens[place + 1 :]]
 
 
