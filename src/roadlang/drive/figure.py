@@ -110,7 +110,7 @@ def _text(content: str) -> str:
 
 def _polyline(line: Floats, color: str, width: float) -> str:
     line = line[np.isfinite(line).all(axis=1)]
-    points = " ".join(f"{x:.1f},{y:.1f}" for x, y in line.tolist())
+    points = " ".join(["%.1f,%.1f"] * len(line)) % tuple(line.ravel().tolist())
     return (
         f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="{width:.1f}"'
         ' stroke-linejoin="round"/>'

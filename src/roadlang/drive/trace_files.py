@@ -8,12 +8,14 @@ import json
 import math
 from typing import TYPE_CHECKING, Any
 
+from ..ir.number_text import floats_text
 from ..ir.trace import AgentTrace, Trace
 from ..ir.trace_document import TRACE_SCHEMA
 
 if TYPE_CHECKING:
     import numpy as np
 
+_TIGHT = (",", ":")
 _FIRST_SCHEMA = "roadlang.trace/1"
 """The first version has `cross_track` for `cross_track_error`; it is still read."""
 ADDED_COLUMNS = (
@@ -32,24 +34,26 @@ def to_csv(trace: Trace) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(("time", "agent", *COLUMNS))
-    for index, time in enumerate(trace.time):
-        for name, agent in trace.agents.items():
-            row = (_shown(getattr(agent, column)[index]) for column in COLUMNS)
-            writer.writerow((_shown(time), name, *row))
+    time = _shown(trace.time)
+    tables = [
+        zip(time, [name] * len(time), *(_shown(getattr(agent, c)) for c in COLUMNS), strict=True)
+        for name, agent in trace.agents.items()
+    ]
+    for rows in zip(*tables, strict=True):
+        writer.writerows(rows)
     return out.getvalue()
 
 
 def to_json(trace: Trace) -> str:
     """Columns by agent; what an engine does not report is null."""
-    agents = {name: _columns(agent) for name, agent in trace.agents.items()}
-    document = {
-        "schema": TRACE_SCHEMA,
-        "engine": trace.engine,
-        "time": _numbers(trace.time),
-        "agents": agents,
-        "events": [dict(event) for event in trace.events],
-    }
-    return json.dumps(document, allow_nan=False, separators=(",", ":")) + "\n"
+    agents = ",".join(
+        f"{json.dumps(name)}:{_columns(agent)}" for name, agent in trace.agents.items()
+    )
+    events = json.dumps([dict(event) for event in trace.events], allow_nan=False, separators=_TIGHT)
+    return (
+        f'{{"schema":"{TRACE_SCHEMA}","engine":{json.dumps(trace.engine)},'
+        f'"time":{_numbers(trace.time)},"agents":{{{agents}}},"events":{events}}}\n'
+    )
 
 
 def from_json(text: str) -> Trace:
@@ -95,14 +99,26 @@ def _column(values: dict[str, Any], name: str) -> list[float | None]:
     return column
 
 
-def _columns(agent: AgentTrace) -> dict[str, Any]:
-    columns: dict[str, Any] = {name: _numbers(getattr(agent, name)) for name in COLUMNS}
-    return {**columns, "length": agent.length, "width": agent.width}
+def _columns(agent: AgentTrace) -> str:
+    columns = {name: _numbers(getattr(agent, name)) for name in COLUMNS}
+    columns |= {name: json.dumps(getattr(agent, name)) for name in ("length", "width")}
+    return "{" + ",".join(f'"{name}":{text}' for name, text in columns.items()) + "}"
 
 
-def _numbers(values: np.ndarray[Any, Any]) -> list[float | None]:
-    return [value if math.isfinite(value) else None for value in values.tolist()]
+def _numbers(values: np.ndarray[Any, Any]) -> str:
+    return f"[{floats_text(values.tolist(), ',')}]"
 
 
-def _shown(value: float) -> str:
-    return f"{float(value):.9g}" if math.isfinite(value) else ""
+def _shown(values: np.ndarray[Any, Any]) -> list[str]:
+    """Each with 9 significant digits; what is not finite is empty."""
+    import numpy as np
+
+    values = np.asarray(values, dtype=np.float64)
+    bits = values.view(np.int64)
+    if len(bits) > 1 and (bits == bits[0]).all():  # as most columns of counts are
+        return _shown(values[:1]) * len(bits)
+    numbers = values.tolist()
+    texts = ("%.9g\n" * len(numbers) % tuple(numbers)).split("\n")[:-1]
+    if np.isfinite(values).all():
+        return texts
+    return [text if math.isfinite(x) else "" for text, x in zip(texts, numbers, strict=True)]

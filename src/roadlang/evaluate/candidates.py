@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
+from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
@@ -12,7 +13,7 @@ from ..geometry.arrays import Floats
 from ..ir.batch import BatchRandom, RoadBatch, unit_interval
 from .draw_record import DrawRecord
 from .indexed_scenario import IndexedScenario
-from .randomness import place_keys, variant_keys
+from .randomness import Words, place_keys, variant_keys
 
 T = TypeVar("T")
 
@@ -40,10 +41,14 @@ class CandidateBatch:
         self.scenes = scenes
         self.attempts = attempts
         self.given = given or {}
-        self.keys = variant_keys(seed, scenes, attempts)
         self.record = record
         self._computed: dict[Hashable, Any] = {}
         self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
+
+    @cached_property
+    def keys(self) -> Words:
+        """(V,) one word for each candidate, of which its draws are made."""
+        return variant_keys(self.seed, self.scenes, self.attempts)
 
     @property
     def count(self) -> int:

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..ir.contained_values import values_in
 from ..ir.scenario import Named
-from ..ir.values import Entity, RandomValue, Reference, Value
+from ..ir.values import Entity, Measure, RandomValue, Reference, Value
 
 
 class Dependencies:
@@ -38,6 +38,11 @@ class Dependencies:
         return tuple(
             i for value in values for i in self.contents(value) if isinstance(i, RandomValue)
         )
+
+    def differ(self, *values: Value | None) -> bool:
+        """Whether values depend on draws, or on what is measured of a scene."""
+        kinds = (RandomValue, Measure)
+        return any(isinstance(i, kinds) for value in values for i in self.contents(value))
 
     def entities(self, *values: Value | None) -> tuple[Entity, ...]:
         """All declared things that values name."""

@@ -96,8 +96,21 @@ class Evaluator:
         return [outcomes[row] for row in range(len(proposals))]
 
     def full_scene(self, proposal: Proposal) -> Scene:
-        """The same with all that people and figures want."""
-        return instantiate(self._single(proposal), proposal.index, self.task.overrides).scene
+        """The scene of a point with all that people and figures want."""
+        return self.full_scenes([proposal])[0]
+
+    def full_scenes(self, proposals: Sequence[Proposal]) -> list[Scene]:
+        """Those of several points."""
+        if not proposals:
+            return []
+        candidates = self._candidates(proposals)
+        prepare_scenes(candidates)
+        return [
+            instantiate(
+                _part(candidates, np.array([row])), proposal.index, self.task.overrides
+            ).scene
+            for row, proposal in enumerate(proposals)
+        ]
 
     def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
         """What came of a drive. Raises DiagnosticError where an expectation has no verdict."""
@@ -146,15 +159,6 @@ class Evaluator:
         scenes = np.zeros_like(attempts)
         record = DrawRecord()
         return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, given, record)
-
-    def _single(self, proposal: Proposal) -> CandidateBatch:
-        point = {
-            name: np.array([value])
-            for name, value in zip(self.task.axes, proposal.point, strict=True)
-        }
-        first, attempt = np.zeros(1, np.int64), np.array([proposal.index])
-        record = DrawRecord()
-        return CandidateBatch(self.scenario, self.task.seed, first, attempt, point, record)
 
     def _violations(self, measured: Measurements) -> Floats:
         """(V,) over the violated requirements the sum of their lack of robustness, measured in what

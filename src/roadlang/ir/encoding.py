@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
+
+from .number_text import floats_text, is_floats
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -28,8 +29,11 @@ def to_json(value: Any) -> str:
     import msgspec
 
     plain = msgspec.to_builtins(value, enc_hook=_plain_number, order="deterministic")
-    _refuse_non_finite(plain, "")
-    return _written(_ordered(value, plain), 0) + "\n"
+    try:
+        return _written(_ordered(value, plain), 0) + "\n"
+    except ValueError:
+        _refuse_non_finite(plain, "")
+        raise
 
 
 def scene_from_json(text: str | bytes) -> Scene:
@@ -70,15 +74,25 @@ def _ordered(value: Any, plain: dict[str, Any]) -> dict[str, Any]:
 
 
 def _written(value: Any, depth: int) -> str:
-    if isinstance(value, Mapping) and value:
+    """Raises `ValueError` for a number that is not finite."""
+    if isinstance(value, dict) and value:
         inner = "  " * (depth + 1)
         members = (
-            f"{inner}{json.dumps(key, ensure_ascii=False)}: {_written(member, depth + 1)}"
-            for key, member in value.items()
+            f"{inner}{_leaf(key)}: {_written(member, depth + 1)}" for key, member in value.items()
         )
         return "{\n" + ",\n".join(members) + "\n" + "  " * depth + "}"
-    if isinstance(value, list | tuple) and any(isinstance(item, dict | list) for item in value):
+    if not isinstance(value, list | tuple):
+        return _leaf(value)
+    if is_floats(value):
+        text = floats_text(value)
+        if "null" in text:
+            raise ValueError("a number is not finite")
+        return f"[{text}]"
+    if any(isinstance(item, dict | list) for item in value):
         inner = "  " * (depth + 1)
         items = (inner + _written(item, depth + 1) for item in value)
         return "[\n" + ",\n".join(items) + "\n" + "  " * depth + "]"
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+    return _leaf(value)
+
+
+_leaf = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode

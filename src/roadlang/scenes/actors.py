@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from ..evaluate.candidates import CandidateBatch
@@ -116,6 +117,13 @@ def _concrete_options(found: KindInstance) -> Any:
 
 def _drives(actor: ScenarioActor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
     """The controllers of each copy, or, where all copies have the same, of all."""
+    if not is_group(actor) and not candidates.scenario.dependencies.differ(*actor.drive):
+        key = ("controllers", actor.name)
+        return candidates.root(key, is_drawn=False, make=partial(_all_drives, actor))
+    return _all_drives(actor, candidates)
+
+
+def _all_drives(actor: ScenarioActor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
     count = most_copies(actor, candidates)
     values = [
         value for call in actor.drive for value in candidates.scenario.dependencies.contents(call)

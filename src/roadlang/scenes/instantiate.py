@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -91,8 +91,19 @@ def _driven(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]
         agents=scene_actors(source.agents, candidates),
         objects=(*scene_actors(source.objects, candidates), *legend),
         world=world,
-        expectations=tuple(verdict(item, candidates) for item in source.expectations),
+        expectations=tuple(_expected(item, candidates) for item in source.expectations),
         simulate=None if source.simulate is None else call_of(source.simulate, candidates),
+    )
+
+
+def _expected(constraint: ScenarioConstraint, candidates: CandidateBatch) -> Verdict:
+    """What is expected of a drive is made once where it is the same in every scene."""
+    test, dependencies = constraint.test, candidates.scenario.dependencies
+    is_of_drive = isinstance(test, Condition) and test.domain == "drive"
+    if not is_of_drive or dependencies.differ(test):
+        return verdict(constraint, candidates)
+    return candidates.root(
+        ("expected", constraint.name), is_drawn=False, make=partial(verdict, constraint)
     )
 
 

@@ -93,7 +93,7 @@ class Failure:
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
         for place, found in enumerate(self._search.failures):
-            if found.outcome == self.outcome:
+            if found.outcome.index == self.outcome.index and found.outcome == self.outcome:
                 return self._search.failure_drives[place]
         return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 
@@ -128,7 +128,7 @@ class Falsification:
     @cached_property
     def failure_drives(self) -> DriveSet:
         """The failures, driven once more."""
-        return self._driven([failure.scene for failure in self.failures])
+        return self._driven(self._scenes([failure.outcome for failure in self.failures]))
 
     @cached_property
     def safe_drives(self) -> DriveSet:
@@ -140,12 +140,16 @@ class Falsification:
         finite.sort(key=lambda outcome: (outcome.expectations[name], outcome.index))
         count = min(SAFE_DRIVES, len(finite))
         places = [step * (len(finite) - 1) // max(count - 1, 1) for step in range(count)]
-        return self._driven([self.scene(finite[place]) for place in places])
+        return self._driven(self._scenes([finite[place] for place in places]))
 
     def scene(self, outcome: Outcome) -> Scene:
         """The scene of a candidate; its number is that of the evaluation."""
-        record = self.evaluator.full_scene(Proposal(outcome.index, outcome.point))
-        return Scene(record, self.loaded.registry)
+        return self._scenes([outcome])[0]
+
+    def _scenes(self, outcomes: Sequence[Outcome]) -> list[Scene]:
+        proposals = [Proposal(outcome.index, outcome.point) for outcome in outcomes]
+        records = self.evaluator.full_scenes(proposals)
+        return [Scene(record, self.loaded.registry) for record in records]
 
     def _driven(self, scenes: Sequence[Scene]) -> DriveSet:
         from .drives import drive
