@@ -1,4 +1,4 @@
-"""Random traffic scenes in the embedded engine: contacts, red lights, seconds.
+"""Random traffic scenes in the embedded engine: contacts, red lights, who gets stuck, seconds.
 
     python -m benchmarks.traffic [--scenes 200] [--first 0] [--duration 60]
 
@@ -9,11 +9,47 @@ from __future__ import annotations
 
 import argparse
 import sys
+import tempfile
 import time
+from dataclasses import dataclass
+from pathlib import Path
 
 from roadlang import testing
+from roadlang.ir.trace import AgentTrace, Trace
 
-from .random_traffic import scene_text
+from .random_traffic import random_scene
+
+STUCK = 30.0
+"""Seconds at the end for which who has not moved is stuck, where no signals hold it."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What one scene came to."""
+
+    contacts: list[tuple[str, str]]
+    red: list[str]
+    stuck: list[str]
+    agents: int
+    meters: float
+
+    @classmethod
+    def of(cls, trace: Trace, rule: str) -> Outcome:
+        """Of a drive."""
+        cars = list(trace.agents.values())
+        return cls(
+            [(event["agent"], event["other"]) for event in trace.events],
+            [car.name for car in cars if car.red_light[-1] > 0],
+            [car.name for car in cars if rule != "signals" and _is_stuck(car)],
+            len(cars),
+            sum(float(car.route_progress[-1]) for car in cars),
+        )
+
+    @property
+    def words(self) -> str:
+        """What was wrong; empty for nothing."""
+        wrong = {"contacts": self.contacts, "red lights": self.red, "stuck": self.stuck}
+        return ", ".join(f"{name} {found}" for name, found in wrong.items() if found)
 
 
 def main() -> int:
@@ -23,26 +59,33 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--duration", type=float, default=60.0)
     options = parser.parse_args()
-    touched = ran = agents = 0
-    meters = spent = 0.0
-    for seed in range(options.first, options.first + options.scenes):
-        scenes = testing.sample(scene_text(seed), 1, seed=seed)
-        begin = time.process_time()
-        (driven,) = scenes.run("builtin", duration=options.duration)
-        spent += time.process_time() - begin
-        trace = driven.trace
-        cars = trace.agents.values()
-        agents += len(trace.agents)
-        meters += sum(float(car.route_progress[-1]) for car in cars)
-        red = [car.name for car in cars if car.red_light[-1] > 0]
-        contacts = [(event["agent"], event["other"]) for event in trace.events]
-        touched, ran = touched + bool(contacts), ran + len(red)
-        if red or contacts:
-            print(f"scene {seed}: contacts {contacts}, red lights {red}")
-    print(f"{options.scenes} scenes, {agents} cars, {meters / agents:.0f} m for each")
-    print(f"scenes with contacts: {touched}; red lights run: {ran}")
-    print(f"{options.scenes * options.duration / spent:.0f} simulated seconds for each CPU second")
+    outcomes = []
+    spent = 0.0
+    with tempfile.TemporaryDirectory() as folder:
+        for seed in range(options.first, options.first + options.scenes):
+            scene = random_scene(seed, Path(folder))
+            scenes = testing.sample(scene.text, 1, seed=seed, folder=folder)
+            begin = time.process_time()
+            (driven,) = scenes.run("builtin", duration=options.duration)
+            spent += time.process_time() - begin
+            outcomes.append(Outcome.of(driven.trace, scene.rule))
+            if outcomes[-1].words:
+                print(f"{seed}: {scene.roads}, {scene.rule}: {outcomes[-1].words}", flush=True)
+    agents = sum(one.agents for one in outcomes)
+    meters = sum(one.meters for one in outcomes)
+    touched = sum(bool(one.contacts) for one in outcomes)
+    ran = sum(len(one.red) for one in outcomes)
+    print(f"{len(outcomes)} scenes, {agents} agents, {meters / agents:.0f} m for each")
+    print(f"scenes with contacts: {touched}; red lights run: {ran}; ", end="")
+    print(f"scenes with somebody stuck: {sum(bool(one.stuck) for one in outcomes)}")
+    print(f"{len(outcomes) * options.duration / spent:.0f} simulated seconds for each CPU second")
     return 1 if touched or ran else 0
+
+
+def _is_stuck(car: AgentTrace) -> bool:
+    """Whether it has stood for long, and is not where its route ends."""
+    last = car.time > car.time[-1] - STUCK
+    return bool(car.speed[last].max() < 0.1 and car.progress[-1] < 0.99)
 
 
 if __name__ == "__main__":

@@ -1,88 +1,109 @@
-"""Random traffic scenes, as scene files: crossings, three arms, offset arms, towns; all rules."""
+"""Random traffic scenes, as scene files: typed maps and drawings, all rules, all vehicles."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from pathlib import Path
 from random import Random
+
+import cv2
+
+from roadlang import testing
+
+from .drawings import DRAWINGS
+from .plans import PLANS
 
 CONTROLS = (
     "",
-    "control with signals {{ green: {green}s, yellow: {yellow}s, all_red: 2s, offset: {offset}s }}",
+    "control with signals "
+    "{{ green: {green}s, yellow: {yellow}s, all_red: {red}s, offset: {start}s }}",
     "control with yield",
     "control with stop",
     "control with all_way_stop",
 )
+KINDS = (
+    "car",
+    "choice(car, van, weights: [4, 1])",
+    "choice(car, van, truck, bus, motorcycle, weights: [6, 2, 1, 1, 1])",
+)
+DRIVES = (
+    "drive with traffic { speed_factor: 0.7..1.2, aggression: 0..1, politeness: 0..1, "
+    "headway: 0.6s..1.8s }"
+)
+PICTURE = "plan.png"
+LANE = 3.5
+"""Meters."""
 
 
-def scene_text(seed: int, left: bool = False) -> str:
-    """A scene file; the same for one seed, but for the side on which traffic drives."""
-    draw = Random(seed)
-    plan = draw.choice((_crossing, _three_arms, _town, _offset_arms))(draw)
-    lanes = draw.choice((2, 2, 2, 4))
+@dataclass(frozen=True)
+class TrafficScene:
+    """A scene file."""
+
+    text: str
+    roads: str
+    """what they are like"""
+    rule: str
+    """at their junctions"""
+
+
+def random_scene(seed: int, folder: Path) -> TrafficScene:
+    """The same for one seed. The picture that it may name is written to the folder."""
+    draw = Random(f"traffic {seed}")
+    name = draw.choice((*PLANS, *DRAWINGS))
+    drawn = name in DRAWINGS
+    lanes = draw.choice((2, 2, 2, 2, 3, 4, 4) if drawn else (2, 2, 2, 2, 3, 4, 4, 6))
+    if drawn:
+        cv2.imwrite(str(folder / PICTURE), DRAWINGS[name](draw, lanes * LANE))
+        source = f'image plan from "{PICTURE}" {{ scale: 0.5m/px, legend: {{ "white": road }} }}'
+    else:
+        plan = PLANS[name](draw)
+        source = f'image plan from """\n{plan}\n""" {{ scale: {max(8.0, LANE * lanes)}m/px }}'
     control = draw.choice(CONTROLS).format(
-        green=draw.randint(6, 20), yellow=draw.choice((2, 3, 4)), offset=draw.randint(0, 30)
+        green=draw.randint(4, 24), yellow=draw.choice((0, 1, 2, 3, 4)),
+        red=draw.choice((0, 1, 2)), start=draw.randint(0, 60),
+    )  # fmt: skip
+    oneway = name in ("star", "ramp", "close_pair", "crossing") and draw.random() < 0.15
+    options = (
+        "extract with pixels" if drawn else "",
+        f"lanes: {lanes}",
+        f"speed_limit: {draw.choice((30, 50, 50, 60, 70))}km/h",
+        "oneway: true" if oneway else "",
+        "sidewalks: 2m" if draw.random() < 0.3 else "",
+        control,
     )
-    limit = draw.choice((30, 50, 50, 60))
-    count = draw.randint(8, 24)
-    side = "traffic: left" if left else ""
-    return f"""
-image plan from \"\"\"
-{plan}
-\"\"\" {{ scale: {4 * lanes if lanes == 2 else 14}m/px }}
-network town from plan {{
-  lanes: {lanes}, speed_limit: {limit}km/h
-  {control}
-}}
-agent cars is choice(car, van, weights: [4, 1]) on town at random {{
-  count: {count}, route_length: 1500m
-  drive with traffic {{ speed_factor: 0.8..1.2, aggression: 0..1, headway: 0.8s..1.6s }}
-}}
-world {{ {side} }}
-"""
+    network = "\n".join(("network town from plan {", *filter(None, options), "}"))
+    side = "world { traffic: left }" if draw.random() < 0.3 else ""
+    roads = "\n".join((source, network, side))
+    text = "\n".join((roads, *_agents(draw, _junctions(roads, folder)), ""))
+    rule = control.split()[2] if control else "right_first"
+    return TrafficScene(text, f"{name} of {lanes} lanes", rule)
 
 
-def _crossing(draw: Random) -> str:
-    arms = [draw.randint(10, 18) for _ in range(4)]
-    width, height = arms[0] + arms[1] + 1, arms[2] + arms[3] + 1
-    rows = [["."] * width for _ in range(height)]
-    rows[arms[2]] = ["#"] * width
-    for row in rows:
-        row[arms[0]] = "#"
-    return _text(rows)
+def _junctions(roads: str, folder: Path) -> list[int]:
+    """Ids of those that a lane leads into."""
+    (scene,) = testing.sample(
+        roads + "\nagent nobody is car on town at random { route_length: 20m }", 1, folder=folder
+    )
+    places = scene.record.networks[-1].junctions
+    return [one.id for one in places if one.kind != "joint" and one.connections]
 
 
-def _three_arms(draw: Random) -> str:
-    left, right, down = (draw.randint(10, 18) for _ in range(3))
-    rows = [["#"] * (left + right + 1)]
-    rows += [["."] * left + ["#"] + ["."] * right for _ in range(down)]
-    return _text(rows)
-
-
-def _offset_arms(draw: Random) -> str:
-    """Two roads that meet a third from its two sides, some way apart."""
-    first, apart, last = draw.randint(8, 14), draw.randint(6, 10), draw.randint(8, 14)
-    width = first + apart + last
-    up = [["."] * width for _ in range(draw.randint(8, 14))]
-    down = [["."] * width for _ in range(draw.randint(8, 14))]
-    for row in up:
-        row[first] = "#"
-    for row in down:
-        row[first + apart] = "#"
-    return _text([*up, ["#"] * width, *down])
-
-
-def _town(draw: Random) -> str:
-    """Streets around blocks."""
-    columns = [0]
-    rows = [0]
-    for lines in (columns, rows):
-        for _ in range(draw.randint(2, 3)):
-            lines.append(lines[-1] + draw.randint(9, 13))
-    text = [
-        ["#" if x in columns or y in rows else "." for x in range(columns[-1] + 1)]
-        for y in range(rows[-1] + 1)
+def _agents(draw: Random, junctions: list[int]) -> list[str]:
+    """Five to sixty cars, vans, trucks and buses; some close to a junction, some slow."""
+    count = draw.choice((5, 8, 12, 16, 20, 24, 30, 40, 60))
+    near = draw.randint(0, min(3, count - 3)) if junctions else 0
+    slow = draw.randint(0, 2)
+    kinds = draw.choice(KINDS)
+    length = draw.choice((300, 1500))
+    rows = [
+        f"agent cars is {kinds} on town at random "
+        f"{{ count: {count - near - slow}, route_length: {length}m, {DRIVES} }}"
     ]
-    return _text(text)
-
-
-def _text(rows: list[list[str]]) -> str:
-    return "\n".join("".join(row) for row in rows)
+    for number in range(near):
+        before = draw.choice(("0m..8m", "2m..30m", "5m..60m"))
+        place = f"junction({draw.choice(junctions)}, before: {before})"
+        rows.append(f"agent near{number} is {kinds} on town at {place} {{ {DRIVES} }}")
+    if slow:
+        drives = "drive with traffic { speed: 4m/s..7m/s }"
+        rows.append(f"agent slow is bicycle on town at random {{ count: {slow}, {drives} }}")
+    return rows

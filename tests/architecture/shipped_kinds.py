@@ -9,7 +9,7 @@ from tests.architecture.house import House, dotted
 WORDS = {
     "columns of traces, fields of scenes and networks": (
         "acceleration collision confidence contacts cross_track_error curvature gap heading lane"
-        " lane_offset length off_road progress red_light route_progress speed_limit"
+        " lane_offset length off_road present progress red_light route_progress speed_limit"
         " speed start station steering width x y yaw_rate"
     ),
     "words of the language, its units and its near misses": (

@@ -174,16 +174,15 @@ def test_a_car_without_a_route_obeys_the_signals_of_the_roads_that_it_crosses() 
     assert 1 <= waits < len(scenes)
 
 
-def test_a_route_that_ends_at_a_junction_ends_before_its_line() -> None:
+def test_a_route_that_ends_at_a_junction_ends_with_the_front_at_its_line() -> None:
     scene = scene_with("right_first")
     road, lane = entries(scene)[0]
     path = route(scene, road, lane, before_junction(scene, road, lane, 60.0), [])
     one = replace(scene, agents=(car(scene, "ego", path, drive=call("traffic"), speed=8.0),))
     (trace,) = drive_scenes([one], duration=30.0)
     ego = trace.agents["ego"]
-    assert ego.speed[-1] == pytest.approx(0.0, abs=0.05)
-    end = ego.progress[-1] * abs(path.steps[0].stop - path.steps[0].start) + 2.25
-    assert 58.0 < end < 60.0
+    assert ego.present.tolist() == [1.0] * (len(ego.time) - 1) + [0.0]
+    assert 58.0 < ego.route_progress[-2] + 2.25 < 60.0
 
 
 def test_a_queue_waits_where_the_lane_beyond_the_junction_is_full() -> None:

@@ -59,6 +59,7 @@ def _agent(
         cross_track_error=rows["cross_track_error"].astype(float),
         progress=rows["progress"].astype(float),
         contacts=rows["contacts"].astype(float),
+        present=np.ones(len(time)),
         length=actor.length,
         width=actor.width,
     )

@@ -106,6 +106,7 @@ _KINDS = {
     "drive_signal speed_limit": "drive_signals_lane:SpeedLimitSignal",
     "drive_signal off_road": "drive_signals_lane:OffRoad",
     "drive_signal red_light": "drive_signals_lane:RedLight",
+    "drive_signal present": "drive_signals:Present",
     "drive_signal collision": "drive_signals_conflict:Collision",
     "drive_signal time_headway": "drive_signals_conflict:TimeHeadway",
     "drive_signal speed": "drive_signals:Speed",

@@ -194,6 +194,20 @@ class Contacts(DriveSignal):
 
 
 @dataclass(frozen=True)
+class Present(DriveSignal):
+    """1 while the agent is there, 0 once it has left at the end of its road or route."""
+
+    name: ClassVar[str] = "present"
+    unit: ClassVar[str] = ""
+    looks_back: ClassVar[float] = 0
+    agent: AgentName = option(help="the agent")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.present
+        return values
+
+
+@dataclass(frozen=True)
 class DistanceSignal(DriveSignal):
     """Distance between the centers of two agents or objects; for a group, of its nearest member."""
 

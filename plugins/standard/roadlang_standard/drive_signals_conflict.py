@@ -79,7 +79,10 @@ class PostEncroachmentTime(DriveSignal):
     second: AgentOrObject = option(help="another agent or group")
 
     def values(self) -> Floats:
-        return nearest(self.first, self.second, _encroachment)
+        import numpy as np
+
+        # Of who has left, what was so far.
+        return np.minimum.accumulate(nearest(self.first, self.second, _encroachment), axis=0)
 
 
 def _time_to_collision(a: AgentTrace, b: AgentTrace) -> Floats:

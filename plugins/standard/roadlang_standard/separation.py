@@ -15,15 +15,24 @@ if TYPE_CHECKING:
 
 
 def nearest(one: Any, other: Any, separation: Separation) -> Floats:
-    """The least of a measure over two groups; nothing is compared with itself."""
+    """The least of a measure over two groups; nothing is compared with itself. It is infinite where
+    one of the two has left."""
     import numpy as np
 
     some = one if isinstance(one, tuple) else (one,)
     others = other if isinstance(other, tuple) else (other,)
-    pairs = [separation(a, b) for a in some for b in others if a is not b]
+    pairs = [_while_present(a, b, separation) for a in some for b in others if a is not b]
     if not pairs:
         return np.full(np.shape((*some, *others)[0].x), np.inf)
     return np.asarray(np.min(pairs, axis=0))
+
+
+def _while_present(a: AgentTrace, b: AgentTrace, separation: Separation) -> Floats:
+    import numpy as np
+
+    gone = (a.present == 0.0) | (b.present == 0.0)
+    apart = separation(a, b)
+    return np.where(gone, np.inf, apart) if gone.any() else apart
 
 
 def middles(a: AgentTrace, b: AgentTrace) -> Floats:

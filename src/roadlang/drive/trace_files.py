@@ -20,7 +20,7 @@ _FIRST_SCHEMA = "roadlang.trace/1"
 """The first version has `cross_track` for `cross_track_error`; it is still read."""
 ADDED_COLUMNS = (
     "road", "lane", "lane_offset", "route_progress", "speed_limit", "off_road", "red_light",
-    "collision",
+    "collision", "present",
 )  # fmt: skip
 """Older files lack them."""
 COLUMNS = (

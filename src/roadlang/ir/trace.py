@@ -32,8 +32,9 @@ class AgentTrace(Frozen):
     agent travels), `route_progress` meters driven along its route, `speed_limit` that of the lane
     (infinite for none), `off_road` how far the footprint sticks out of the drivable area (negative
     within), `red_light` the number of stop lines crossed at red so far, `collision` the speed of
-    the hardest impact so far, 0 before the first. What an engine does not report is NaN throughout,
-    and a signal of it is refused with a diagnostic.
+    the hardest impact so far, 0 before the first, `present` 1 and, once it has left at the end of
+    its road or route, 0. What an engine does not report is NaN throughout, and a signal of it is
+    refused with a diagnostic.
     """
 
     name: str
@@ -58,6 +59,7 @@ class AgentTrace(Frozen):
     off_road: Floats = field(default_factory=_unknown)
     red_light: Floats = field(default_factory=_unknown)
     collision: Floats = field(default_factory=_unknown)
+    present: Floats = field(default_factory=_unknown)
 
     def __post_init__(self) -> None:
         for name in _OPTIONAL:
@@ -114,6 +116,7 @@ class AgentTrace(Frozen):
             route_progress=zero,
             red_light=zero,
             collision=zero,
+            present=zero + 1.0,
             length=actor.length,
             width=actor.width,
         )

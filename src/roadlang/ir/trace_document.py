@@ -57,6 +57,8 @@ class AgentColumns:
     """how many stop lines it has crossed at red so far"""
     collision: Column = ()
     """m/s, relative speed of its hardest impact so far, 0 before the first"""
+    present: Column = ()
+    """1, and 0 once it has left at the end of its road or route"""
 
 
 @dataclass(frozen=True, slots=True)

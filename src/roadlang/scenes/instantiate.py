@@ -28,6 +28,8 @@ from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
 from .junction_warnings import junction_warnings
 from .roads import scene_networks, scene_roads
+from .start_gaps import slowed_behind
+from .start_speeds import keep_distance
 
 _NUMBERED = re.compile(r"\[\d+\]$")
 
@@ -79,17 +81,20 @@ def _driven(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]
         name: _plain(evaluate(value, candidates), candidates)
         for name, value in source.world.items()
     }
-    legend = legend_objects(candidates)
+    objects = (*scene_actors(source.objects, candidates), *legend_objects(candidates))
+    networks = scene_networks(candidates)
+    agents = scene_actors(source.agents, candidates)
+    free = keep_distance(source.agents, agents, candidates)
     return Scene(
         name=source.header.name,
         title=source.header.title,
         index=index,
         provenance=provenance(candidates, index, overrides),
         values=values,
-        networks=scene_networks(candidates),
+        networks=networks,
         roads=scene_roads(candidates),
-        agents=scene_actors(source.agents, candidates),
-        objects=(*scene_actors(source.objects, candidates), *legend),
+        agents=slowed_behind(agents, objects, free, networks),
+        objects=objects,
         world=world,
         expectations=tuple(_expected(item, candidates) for item in source.expectations),
         simulate=None if source.simulate is None else call_of(source.simulate, candidates),

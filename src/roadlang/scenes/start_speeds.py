@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -14,7 +15,9 @@ from ..geometry.bend_speeds import square_before, squares_in_bends
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
+from ..ir.scene_actor import SceneActor
 from ..ir.surroundings import USUAL_SPEED
+from ..plugins.finding import find_entry
 from ..world.bends import bends_of_route
 from ..world.copies import element_of
 from ..world.named_roads import name_of_road, named_lanes, named_road
@@ -49,6 +52,27 @@ def start_speeds(
     return [
         _wanted(calls, actor, where, copy, candidates) if in_lane[copy] else 0.0
         for copy, calls in enumerate(each)
+    ]
+
+
+def keep_distance(
+    actors: Sequence[ScenarioActor], placed: Sequence[SceneActor], candidates: CandidateBatch
+) -> list[bool]:
+    """Which of the agents of a candidate keep their distance from the start on: whose speed at the
+    start the scene file does not say, and whose first controller does that."""
+    said = {actor.name for actor in actors if "start_speed" in actor.options}
+    registry = candidates.scenario.registry
+    known: dict[str, bool] = {}
+
+    def keeps(kind: str) -> bool:
+        if kind not in known:
+            loaded = find_entry(registry, "drive", kind).load()
+            known[kind] = bool(getattr(loaded, "keeps_distance", False))
+        return known[kind]
+
+    return [
+        bool(agent.drive) and agent.group not in said and keeps(agent.drive[0].kind)
+        for agent in placed
     ]
 
 

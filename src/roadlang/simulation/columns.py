@@ -26,6 +26,7 @@ COLUMNS: Mapping[str, Column] = {
     "route_progress": lambda world, poses: world.traveled,
     "red_light": lambda world, poses: world.red_lights,
     "collision": lambda world, poses: world.collision,
+    "present": lambda world, poses: world.present.astype(np.float64),
     "along": lambda world, poses: world.motion.along,
     "offset": lambda world, poses: world.motion.offset,
     "length": lambda world, poses: world.bodies.length,

@@ -35,7 +35,8 @@ class Contact:
 class Contacts:
     """Watches the agents of a world, from one sample to the next.
 
-    Who touches something stands still from then on. On foot one touches nothing but vehicles.
+    Who touches something stands still from then on. On foot one touches nothing but vehicles. Who
+    has left touches nothing.
     """
 
     def __init__(self, world: World) -> None:
@@ -98,6 +99,7 @@ class Contacts:
         close = np.flatnonzero(off_x * off_x + off_y * off_y <= reach * reach)
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]
+            close = close[world.present[first[close]] & world.present[second[close]]]
         if not len(close):
             return []
         one, other = first[close], second[close]
@@ -114,7 +116,8 @@ class Contacts:
         """An agent that is far from an object need not be looked at until it has gone that far."""
         agent, thing = self._near
         due = np.flatnonzero(self._gone[agent] >= self._due)
-        due = due[~world.halted[agent[due]]] if len(due) else due
+        if len(due):
+            due = due[~world.halted[agent[due]] & world.present[agent[due]]]
         if not len(due):
             return []
         one, other = agent[due], thing[due]

@@ -32,6 +32,12 @@ AHEAD = 0.5
 """Meters behind the front bumper, at most, from which on something is ahead."""
 
 
+SWUNG_OUT = 0.5
+"""Meters by which the corners of cars leave the corridor in turns: no matter."""
+MOST_SWUNG_OUT = 3.0
+"""Meters by which those of long vehicles do, at most."""
+
+
 @dataclass(frozen=True)
 class Window:
     """The lines ahead of some agents I, sampled at M places: arrays (M, I)."""
@@ -45,6 +51,8 @@ class Window:
     y: Floats
     cosine: Floats
     sine: Floats
+    swung: Floats
+    """meters by which corners of the agent swing out there, positive to its left"""
 
     @classmethod
     def of(cls, world: World, agents: Integers) -> Window:
@@ -59,7 +67,18 @@ class Window:
         heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
         cosine, sine = np.cos(heading), np.sin(heading)
         offset = world.line_offset[agents]
-        return cls(agents, s, view, x - sine * offset, y + cosine * offset, cosine, sine)
+        x, y = x - sine * offset, y + cosine * offset
+        length = world.bodies.length[agents]
+        swung = swung_out(length, -track.lines.curvature[cell])
+        return cls(agents, s, view, x, y, cosine, sine, swung)
+
+
+def swung_out(length: Floats, bend: Floats) -> Floats:
+    """Meters by which the corners of a vehicle of a length are outside the circle, of curvature
+    `bend`, that its middle is on: about `l^2 bend / 8`, with its sign."""
+    out = 0.125 * length * length * np.abs(bend) - SWUNG_OUT
+    out = np.minimum(np.maximum(out, 0.0), MOST_SWUNG_OUT)
+    return np.asarray(np.where(bend < 0.0, -out, out))
 
 
 def looks_ahead(world: World) -> Floats:
@@ -96,7 +115,9 @@ def _comes_close(
     off_y = things.y[thing] - window.y[:, column]
     square = off_x * off_x + off_y * off_y
     seen = window.s[:, None] <= window.view[column]
+    swung = np.abs(window.swung).max(axis=0)[column]
     around = np.maximum(things.half_length - things.half_width, 0.0)[thing] + half + SAMPLE_SPACING
+    around = around + swung
     return np.asarray(np.where(seen, square, math.inf).min(axis=0) < around * around)
 
 
@@ -120,7 +141,9 @@ def _circles(
     left = cosine * dy - sine * dx
     begins = s - np.minimum(things.half_width, things.half_length)
     is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > own - AHEAD)
-    fits = is_ahead & (np.abs(left) < half) & (s < window.view[column] + SAMPLE_SPACING)
+    swung = window.swung[place, column]
+    free = np.where(left * swung > 0.0, half + np.abs(swung), half)
+    fits = is_ahead & (np.abs(left) < free) & (s < window.view[column] + SAMPLE_SPACING)
     gaps: Any = np.where(fits, begins - own, math.inf)
     nearest = gaps.argmin(axis=0)
     heading = np.arctan2(sine[nearest, pair], cosine[nearest, pair])

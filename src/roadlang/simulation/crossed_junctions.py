@@ -12,14 +12,12 @@ import numpy as np
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene
 from ..ir.scene_junctions import SceneConnection, SceneJunction
-from .crossings import STOP_GAP, Crossings
+from .crossings import Crossings
 from .route_lines import connection_points
-from .world import ARRIVED, World
+from .world import World
 
 TURNED = 0.6
 """Radians: at its ends, a line without a route is turned from its connection by less than this."""
-AT_LINE = 0.5
-"""Meters: a route that ends so close to a stop line ends there."""
 DETOUR = 1.5
 """A line takes a connection if it is at most so many times as long between its ends."""
 
@@ -63,33 +61,7 @@ def crossings_of(world: World) -> Crossings:
             at = agent, place
             stop[at], exit_[at] = one.stop, one.exit
             junction[at], connection[at] = numbers[id(one.junction)], one.place
-    end = np.array([_end(world, agent) for agent in range(len(found))])
-    return Crossings(stop, exit_, junction, connection, end, tuple(junctions))
-
-
-def _end(world: World, agent: int) -> float:
-    """Where the front of an agent has to stop at the end of its line."""
-    actor = world.actors[agent]
-    if actor is None or not world.has_road[agent] or world.closed[agent]:
-        return math.inf
-    length = float(world.length[agent])
-    if actor.route is None:
-        return length + 0.5 * actor.length + ARRIVED
-    last = actor.route.steps[-1]
-    stations = {
-        _stop_station(world.scenes[agent // world.slots], one)
-        for junction in _places(world.scenes[agent // world.slots]).values()
-        for one in junction.connections
-        if (one.source.road, one.source.lane) == (last.road, last.lane)
-    }
-    ends = any(abs(last.stop - station) < AT_LINE for station in stations)
-    return length - STOP_GAP if ends else length + 0.5 * actor.length + ARRIVED
-
-
-def _stop_station(scene: Scene, connection: SceneConnection) -> float:
-    """Where on its road the lane ends that a connection leaves."""
-    road = next(road for road in scene.roads if road.name == connection.source.road)
-    return road.trim[0] if connection.source.end == "start" else road.length - road.trim[1]
+    return Crossings(stop, exit_, junction, connection, tuple(junctions))
 
 
 def _places(scene: Scene) -> dict[Any, SceneJunction]:

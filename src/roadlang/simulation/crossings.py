@@ -26,9 +26,6 @@ class Crossings:
     """number in `junctions`, -1 for none"""
     connection: Integers
     """place in `SceneJunction.connections`"""
-    end: Floats
-    """(N,) where fronts have to stop at the end of their lines: at the stop line of a junction, or
-    with the middle of the agent at the end; infinite for closed lines"""
     junctions: tuple[SceneJunction, ...]
     """of all scenes"""
 
@@ -40,5 +37,4 @@ class Crossings:
             exit=self.exit[agents],
             junction=self.junction[agents],
             connection=self.connection[agents],
-            end=self.end[agents],
         )

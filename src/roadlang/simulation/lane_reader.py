@@ -62,7 +62,7 @@ class LaneReader:
 
     def _group(self, agent: int) -> int:
         world = self._world
-        if world.road[agent] < 0 or not world.present[agent]:
+        if world.road[agent] < 0 or not world.filled[agent]:
             return _ON_A_ROAD
         if world.has_route[agent]:
             return _ALONE

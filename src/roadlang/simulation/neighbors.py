@@ -38,7 +38,7 @@ class StandingObjects:
         left = along.copy()
         for number, agent in enumerate(agents):
             objects = world.scenes[agent // world.slots].objects
-            if not objects or not world.present[agent]:
+            if not objects or not world.filled[agent]:
                 continue
             row = int(world.track.row[agent])
             if row not in self._found:
@@ -85,7 +85,7 @@ class Nearby:
         world, poses = self._world, self._poses
         others = (rows // world.slots)[:, None] * world.slots + np.arange(world.slots)
         there = world.present[others] & (others != rows[:, None])
-        there &= (world.present & world.has_road)[rows][:, None]
+        there &= (world.filled & world.has_road)[rows][:, None]
         ahead, beside, line = self._along(rows, others, there, distance)
         heading, speed = poses.heading[others], world.motion.speed[others]
         turned = heading - line

@@ -34,7 +34,7 @@ class Obstacles:
         """Of all agents with a road."""
         found = []
         known: dict[int, tuple[Floats, Floats, Floats]] = {}
-        for agent in np.flatnonzero(world.has_road & world.present):
+        for agent in np.flatnonzero(world.has_road & world.filled):
             row, objects = int(world.track.row[agent]), world.scenes[agent // world.slots].objects
             if not objects:
                 continue

@@ -14,7 +14,8 @@ from .lane_reader import LaneReader
 
 RECORDED = (
     "x", "y", "heading", "speed", "steering", "station", "cross_track_error", "progress",
-    "contacts", "route_progress", "red_light", "collision", "along", "offset",
+    "contacts", "route_progress", "red_light", "collision", "present", "along",
+    "offset",
 )  # fmt: skip
 """Those of `COLUMNS` that change, but for the rate of another."""
 _PLACES = {name: place for place, name in enumerate(RECORDED)}

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
+from .arrivals import ARRIVED
 from .bodies import Bodies
 from .line_moves import LineMoves
 from .motion import Advance, Motion, Track, advance
@@ -20,8 +21,6 @@ from .poses import Poses, poses_of
 from .route_table import Place, RouteTable
 from .stop_lines import StopLines
 
-ARRIVED = 0.5
-"""Meters before the end of a line from which on an agent has arrived."""
 END_BRAKING = 4.0
 """m/s^2, at the end of a road."""
 
@@ -30,8 +29,9 @@ END_BRAKING = 4.0
 class World:
     """S scenes with at most A agents each, in columns (N,) with N = S A, scene by scene.
 
-    Slots that a scene has no agent for are not `present`. `reset` puts all agents where their
-    scenes have them, `step` moves them on.
+    Slots that a scene has no agent for are not `filled`. Who has arrived at the end of its line
+    leaves: it is no longer `present`, and nobody sees or touches it. `reset` puts all agents where
+    their scenes have them, `step` moves them on.
     """
 
     scenes: tuple[Scene, ...]
@@ -39,6 +39,7 @@ class World:
     """A"""
     dt: float
     """seconds for one step of the vehicles"""
+    filled: Booleans
     present: Booleans
     actors: tuple[SceneActor | None, ...]
     names: NDArray[np.object_]
@@ -55,6 +56,8 @@ class World:
     """the road of each agent at the start, within its scene, -1 for none"""
     moves: LineMoves
     """of the lines to follow, left of the tabled lines"""
+    end: Floats
+    """arc length of the line at which the agent arrives"""
     start: Motion
     motion: Motion
     halted: Booleans
@@ -100,23 +103,15 @@ class World:
 
     def reset(self) -> None:
         """All agents back to the start."""
-        self.motion = self.start.take(np.arange(len(self.present)))
-        self.halted = ~self.present
-        self.contacts = np.zeros(len(self.present))
-        self.collision = np.zeros(len(self.present))
-        self.red_lights = np.zeros(len(self.present))
-        self.traveled = np.zeros(len(self.present))
-        zero = np.zeros(len(self.present))
-        self.pace = (zero, zero.copy())
-        self.began = np.zeros(len(self.present), dtype=np.int64)
-        self.moves = LineMoves.at_rest(self.moves.start)
-        self.placing = None
-        self.tick = 0
+        every = np.arange(len(self.filled))
+        self.motion, self.placing, self.tick = self.start.take(every), None, 0
+        self.restart(every)
 
     def restart(self, agents: Integers) -> None:
         """Some agents back to the start, now; all of a scene."""
         self.motion.put(agents, self.start)
-        self.halted[agents] = ~self.present[agents]
+        self.present[agents] = self.filled[agents]
+        self.halted[agents] = ~self.filled[agents]
         counted = (self.contacts, self.collision, self.red_lights, self.traveled)
         for column in (*counted, *self.pace):
             column[agents] = 0.0
@@ -153,15 +148,17 @@ class World:
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()
                 between._arrive(before, end)
+                between._leave()
                 passed.append(between)
         self._arrive(before, steps)
+        self._leave()
         return passed
 
     def follow(self, pose: Floats, steering: Floats, contacts: Floats, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `passed`: whether a
         step has passed."""
         before = (self.motion.along, self.motion.offset)
-        self.placing = Placing.of(self.poses, self.motion, pose, self.present, 1)
+        self.placing = Placing.of(self.poses, self.motion, pose, self.filled, 1)
         self.placed_at = self.tick - (0 if passed else 1)
         if passed:
             self._arrive(before, 1)
@@ -190,6 +187,12 @@ class World:
         self._wrap()
         self.tick += steps
 
+    def _leave(self) -> None:
+        """Who has arrived is no longer there, unless it began where it would arrive."""
+        gone = self.at_end & ~self.closed & (self.traveled > ARRIVED)
+        if gone.any():
+            self.present = self.filled & ~gone
+
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
         front = before + 0.5 * self.bodies.length
         lap = np.where(self.closed, self.length, math.inf)
@@ -215,7 +218,7 @@ class World:
     @property
     def at_end(self) -> Booleans:
         """(N,) who has arrived at the end of its line, or has gone all around."""
-        arrived = self.length - self.motion.along < ARRIVED
+        arrived = self.end - self.motion.along < ARRIVED
         if self.track.has_closed:
             arrived = np.where(self.closed, self.traveled >= self.length, arrived)
         return np.asarray(self.has_road & arrived)
@@ -224,7 +227,7 @@ class World:
     def finished(self) -> Booleans:
         """(S,) scenes in which every agent with a road has arrived."""
         arrived = self.at_end | ~self.has_road
-        rows = (arrived | ~self.present).reshape(-1, self.slots)
+        rows = (arrived | ~self.filled).reshape(-1, self.slots)
         return np.asarray(rows.all(axis=1))
 
     @property
@@ -292,6 +295,6 @@ class World:
 
 
 _COLUMNS = (
-    "present", "names", "has_road", "has_route", "backward", "road", "halted",
+    "filled", "present", "end", "names", "has_road", "has_route", "backward", "road", "halted",
     "contacts", "collision", "red_lights", "traveled", "began",
 )  # fmt: skip

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..ir.scene import Scene, SceneActor
+from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
 from .line_moves import LineMoves
@@ -118,11 +119,14 @@ def _started(
         for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
     ]
     count = len(found)
+    arrivals = [Arrivals(scene) for scene in scenes]
+    lengths = track.length.tolist()
+    ends = [arrivals[i // slots].end(actor, lengths[i]) for i, actor in enumerate(actors)]
     moves = LineMoves.at_rest(np.where(backward, -1.0, 1.0) * np.array(offsets))
     world = World(
-        scenes, slots, dt, present, tuple(slot.actor for slot in found),
+        scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
-        has_road, has_route, backward, road, moves, start, start, ~present,
+        has_road, has_route, backward, road, moves, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),
         StopLines.none(count),

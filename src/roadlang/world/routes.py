@@ -16,11 +16,13 @@ from ..geometry.routes.walking import following_legs, straight_route
 from ..geometry.routes.wandering import random_route
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
+from .arrangement import kinds_of
 from .copies import element_of
 from .lane_graphs import lanes_of_network
 from .positions import Others, column, names_another, other_of_copies
 from .road_places import to_root
 from .route_points import route_points
+from .turning import sharpest_turn
 
 USUAL_LENGTH = 2_000.0
 """Meters of a random route whose length is not said"""
@@ -77,6 +79,7 @@ def _plan(
     leads = leading_routes(actor, copies, others) if "route" not in actor.options else None
     if candidates.record is not None:
         copies.record_in(candidates.record)
+    kinds = kinds_of(actor, candidates)
     present = where.present.astype(bool).reshape(-1)
     for row in np.flatnonzero(present).tolist():
         start = starts[row]
@@ -87,7 +90,8 @@ def _plan(
             route = shortest_route(lanes, [(start,), *points.stages(row)])
         elif "route" in actor.options:
             assert numbers is not None
-            route = random_route(lanes, start, float(lengths[row]), float(numbers[row]))
+            bend = sharpest_turn(kinds.instances[row].kind)
+            route = random_route(lanes, start, float(lengths[row]), float(numbers[row]), bend)
         else:
             lead = leads[row] if leads is not None else None
             route = _after(lanes, start, lead)

@@ -35,6 +35,8 @@ class Turn:
     length: float
     target: int
     turn: str
+    curvature: float = 0.0
+    """1/m, the greatest of its absolute values"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,8 +181,10 @@ def _turns(
             source = numbers.get(_leaving(connection.source))
             target = numbers.get(_entering(connection.target))
             if source is not None and target is not None:
+                sharpest = max((abs(bend) for _, bend in connection.pieces), default=0.0)
+                turn = connection.turn
                 found[source].append(
-                    Turn(junction.id, connection.id, connection.length, target, connection.turn)
+                    Turn(junction.id, connection.id, connection.length, target, turn, sharpest)
                 )
     at_junction = {(arm.edge, arm.end) for junction in plan.junctions for arm in junction.arms}
     for lane, number in numbers.items():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from .lane_graph import Exit, LaneGraph
 from .shortest import Leg, PlannedRoute, RoutePlace, lane_legs
 
@@ -14,19 +16,25 @@ _MOST_TURNS = 10_000
 
 
 def random_route(
-    graph: LaneGraph, origin: RoutePlace, length: float, number: float
+    graph: LaneGraph,
+    origin: RoutePlace,
+    length: float,
+    number: float,
+    sharpest: float = math.inf,
 ) -> PlannedRoute:
     """From a place on, until `length` meters are driven or the lanes end.
 
-    All roads that can be turned into are equally likely. `number` in [0, 1) decides: its leading
-    digits the first turn, those after it the next, so that close numbers begin alike.
+    All roads that can be turned into with a curvature of at most `sharpest` (1/m) are equally
+    likely; where there is none, it turns into that with the widest turn. `number` in [0, 1)
+    decides: its leading digits the first turn, those after it the next, so that close numbers
+    begin alike.
     """
     legs: list[Leg] = []
     lane, station, left = origin.lane, origin.station, length
     digits, turns = number, 0
     while True:
         room = graph.room(lane, station)
-        options = _options(graph, lane, room)
+        options = _options(graph, lane, room, sharpest)
         if room >= left or not options or turns == _MOST_TURNS:
             way = min(room, left) * (1.0 if graph.forward(lane) else -1.0)
             legs.append(Leg(lane, station, station + way))
@@ -43,9 +51,9 @@ def random_route(
         left = max(left, _LAST)  # it does not end in a junction
 
 
-def _options(graph: LaneGraph, lane: int, room: float) -> list[Exit]:
+def _options(graph: LaneGraph, lane: int, room: float, sharpest: float) -> list[Exit]:
     """The turns to choose from: one into each road, with the fewest changes of lane; back the way
-    one came only where there is no other."""
+    one came, and sharper than `sharpest`, only where there is no other."""
     found: dict[tuple[int, bool], Exit] = {}
     for exit_ in sorted(
         graph.exits(lane, room),
@@ -55,4 +63,6 @@ def _options(graph: LaneGraph, lane: int, room: float) -> list[Exit]:
         found.setdefault((target.edge, target.backward), exit_)
     onward = [exit_ for exit_ in found.values() if exit_.turn.turn != "u"]
     options = onward or list(found.values())
+    widest = min((item.turn.curvature for item in options), default=0.0)
+    options = [item for item in options if item.turn.curvature <= max(sharpest, widest)]
     return sorted(options, key=lambda item: (item.turn.junction, item.turn.connection))

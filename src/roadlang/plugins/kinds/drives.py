@@ -24,6 +24,9 @@ class Controller(Kind):
     interval: ClassVar[float] = 0.0
     """seconds for which steering and acceleration of an agent are held, if that is longer than the
     step of the simulator: drivers of other cars need not react as fast as the car under test"""
+    keeps_distance: ClassVar[bool] = False
+    """whether an agent for which nothing says how fast it begins does so slowly enough to keep its
+    distance to what is ahead in its lane"""
 
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.

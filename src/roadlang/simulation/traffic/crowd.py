@@ -51,6 +51,8 @@ class Crowd:
     scene: Integers
     speed: Floats
     length: Floats
+    present: Booleans
+    """else it has left"""
     moves: Booleans
     obeys: Booleans
     politeness: Floats

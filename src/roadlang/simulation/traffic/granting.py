@@ -134,7 +134,7 @@ def _ring_is_full(crowd: Crowd, number: Integers) -> Booleans:
     on = np.where(last >= 0, rings.onward[crowd.near.number[each, last]], -1)
     first = int(crowd.scene.min(initial=0))
     counts = np.zeros((int(crowd.scene.max(initial=0)) - first + 1, len(rings.capacity)))
-    inside = np.flatnonzero(on >= 0)
+    inside = np.flatnonzero((on >= 0) & crowd.present)
     np.add.at(counts, (crowd.scene[inside] - first, on[inside]), 1.0)
     into = rings.into[number]
     return np.asarray((into >= 0) & (counts[crowd.scene - first, into] >= rings.capacity[into]))

@@ -92,9 +92,8 @@ class RightOfWay:
         infinite for nobody; and the speed of that one. Who asks obeys from then on. `temper`: their
         politeness and aggression, each from 0 to 1."""
         if not self._crossings.junctions:
-            front = world.motion.along[rows] + 0.5 * world.bodies.length[rows]
-            stop = self._crossings.end[rows] - front
-            return stop, np.full(len(rows), math.inf), np.zeros(len(rows))
+            never = np.full(len(rows), math.inf)
+            return never, never.copy(), np.zeros(len(rows))
         if temper is not None:
             self._temper[0, rows], self._temper[1, rows] = temper
         self._look(world, leaders, rows)
@@ -127,7 +126,7 @@ class RightOfWay:
             places, world.time, crossings,
             Approaches.of(world, rows, (crossings, places.tables, places.lights)),
             self._grants.take(rows), rows // world.slots, world.motion.speed[rows],
-            world.bodies.length[rows], moves[rows], self._asked[rows],
+            world.bodies.length[rows], world.present[rows], moves[rows], self._asked[rows],
             self._temper[0, rows], self._temper[1, rows],
             leaders.gaps.reshape(-1, world.slots)[rows],
         )  # fmt: skip
@@ -140,8 +139,7 @@ class RightOfWay:
         """Where agents have to stop, and whom they follow."""
         near, held = crowd.near, crowd.held
         closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
-        front = world.motion.along[rows] + 0.5 * crowd.length
-        stop = np.minimum(closed.min(axis=1), crowd.crossings.end - front)
+        stop = closed.min(axis=1)
         gap = np.full(len(rows), math.inf)
         leader = np.full(len(rows), -1)
         if held.any():
@@ -167,7 +165,7 @@ def _remember(crowd: Crowd) -> None:
     """Forget what is over; take back what signals forbid; note who goes without asking, and who
     waits."""
     grants, near = crowd.grants, crowd.near
-    grants.forget(near.is_behind)
+    grants.forget(near.is_behind | ~crowd.present[:, None])
     obeys, speed, to_line = crowd.obeys[:, None], crowd.speed[:, None], near.to_line
     ahead = ~near.is_behind & crowd.moves[:, None]
     grants.order[near.must_stop & obeys] = NEVER
