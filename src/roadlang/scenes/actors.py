@@ -17,8 +17,7 @@ from ..ir.values import Measure, RandomValue
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
-from ..world.arrangement import kinds_of
-from ..world.copies import is_group, most_copies
+from ..world.copies import is_group, kinds_of, most_copies
 from ..world.named_roads import name_of_road
 from ..world.networks import network_root
 from ..world.placement import placed

@@ -19,7 +19,7 @@ from ..geometry import Footprints
 from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
-from .copies import CopyKinds, counts, element_of, kinds_of_copies, most_copies
+from .copies import CopyKinds, counts, element_of, kinds_of, most_copies
 from .named_roads import length_of_rows, name_of_road, named_road
 from .neighbors import COPY, Neighbors, legend_neighbors, missing_room, room_among
 from .placement_order import can_be_placed_again, placement_order
@@ -236,21 +236,6 @@ class _Turn:
         sizes = {"length": self.kinds.lengths, "width": self.kinds.widths}
         return {**pose, **sizes, "apart": self.apart, "missing": self.missing,
                 "blocker": self.blocker}  # fmt: skip
-
-
-def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
-    """The kind of every copy, candidates one after the other."""
-
-    def make() -> CopyKinds:
-        if most_copies(actor, candidates) == 0:
-            return CopyKinds(())
-        copies = CopyBatch.every(candidates, most_copies(actor, candidates))
-        kinds = kinds_of_copies(actor, copies)
-        if candidates.record is not None and candidates.count == 1:
-            copies.record_in(candidates.record)
-        return kinds
-
-    return candidates.once(("kinds", actor.name), make, inherited=False)
 
 
 def _apart(actor: ScenarioActor, copies: CopyBatch) -> Floats:

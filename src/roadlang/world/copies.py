@@ -146,3 +146,18 @@ def _rows(value: Any, count: int) -> list[Any]:
 
 def _size(kind: Any, name: str) -> float:
     return float(getattr(kind, name, None) or _UNUSUAL_SIZE)
+
+
+def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
+    """The kind of every copy, candidates one after the other."""
+
+    def make() -> CopyKinds:
+        if most_copies(actor, candidates) == 0:
+            return CopyKinds(())
+        copies = CopyBatch.every(candidates, most_copies(actor, candidates))
+        kinds = kinds_of_copies(actor, copies)
+        if candidates.record is not None and candidates.count == 1:
+            copies.record_in(candidates.record)
+        return kinds
+
+    return candidates.once(("kinds", actor.name), make, inherited=False)

@@ -16,8 +16,7 @@ from ..geometry.routes.walking import following_legs, straight_route
 from ..geometry.routes.wandering import random_route
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
-from .arrangement import kinds_of
-from .copies import element_of
+from .copies import element_of, kinds_of
 from .lane_graphs import lanes_of_network
 from .positions import Others, column, names_another, other_of_copies
 from .road_places import to_root
