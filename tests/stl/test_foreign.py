@@ -20,6 +20,8 @@ from roadlang.diagnostics import DiagnosticError
         ("not ev_[0,10] (speed[t]>100)  % km/h", "not eventually[0, 10] (speed > 100)"),
         ("(x[t] > 0) until_[1, 3] (abs(y[t]) < 2)", "x > 0 until[1, 3] abs(y) < 2"),
         ("alw ((gear[t]==2) and (v[t]~=3))", "always (gear == 2 and v != 3)"),
+        ("phi1 := alw (x[t] < 1)", "always (x < 1)"),
+        ("alw_[1, 2] (theta[t] < 1)", "always[1, 2] (theta < 1)"),
         ("ev_[0,1] (hist_[0,2] (x[t] < 1))", "eventually[0, 1] historically[0, 2] (x < 1)"),
     ],
 )
@@ -47,10 +49,47 @@ def test_breach(pasted: str, formula: str) -> None:
         (r"(x \leq 3) \, \mathbf{U} \, (\lvert y\rvert > 2 \lor \top)",
          "x <= 3 until (abs(y) > 2 or true)"),
         (r"\mathsf{always}_{[0,10]} (v \le 30)", "always[0, 10] (v <= 30)"),
+        (r"\mathbf{G}(v_{\text{ego}} \geqslant 3)", "always (v_ego >= 3)"),
+        (r"\Box_{[0,5]}(x(t) > 3 \land x_1(t) < 2 \land x_{2}(t) \ne 0)",
+         "always[0, 5] (x > 3 and x_1 < 2 and x_2 != 0)"),
+        (r"\mathbf{F} (\mathit{speed} \gt \frac{v_0}{2})", "eventually (speed > v_0 / 2)"),
+        (r"\mathbf{G} (\|x\| \leqslant \frac{\frac{a}{b}}{2})", "always (abs(x) <= a / b / 2)"),
+        (r"(x > 0) \mathbin{\mathcal{U}_{[1,2]}} (y > 0)", "x > 0 until[1, 2] y > 0"),
+        ("\\begin{equation}\n\\varphi \\coloneqq \\mathbf{G} (x < 1)\\label{eq:phi}\n"
+         "\\end{equation}", "always (x < 1)"),
+        (r"\[ \boxminus_{[0,2]} (x < 1) \land \diamondminus (y > 0) \]",
+         "historically[0, 2] (x < 1) and once (y > 0)"),
+        (r"\mathbf{P}_{[0,3]} (x > 1)", "once[0, 3] (x > 1)"),
     ],
 )  # fmt: skip
 def test_latex(pasted: str, formula: str) -> None:
     assert str(stl.read_latex(pasted)) == formula
+
+
+@pytest.mark.parametrize(
+    ("pasted", "formula"),
+    [
+        ("[]_[0, 5] (x > 3 -> <>_[0, 2] (y < 1))",
+         "always[0, 5] (x > 3 implies eventually[0, 2] (y < 1))"),
+        (r"[] (x > 3 /\ !(y < 1 \/ z > 2))", "always (x > 3 and not (y < 1 or z > 2))"),
+        ("<> [] (x < 1)", "eventually always (x < 1)"),
+        ("(x > 0) U_[1, 2] (y > 0)", "x > 0 until[1, 2] y > 0"),
+        ("[]_[2, inf) (x < 1)", "always[2, inf] (x < 1)"),
+        ("(x > 0) <-> (y > 0)", "x > 0 iff y > 0"),
+        ("globally_[0,5] (finally_[0,1] (x > 0))", "always[0, 5] eventually[0, 1] (x > 0)"),
+    ],
+)  # fmt: skip
+def test_staliro(pasted: str, formula: str) -> None:
+    assert str(stl.read_staliro(pasted)) == formula
+
+
+def test_a_formula_of_staliro_is_recognized() -> None:
+    with pytest.raises(DiagnosticError) as raised:
+        stl.parse("[]_[0, 5] (x > 3)")
+
+    assert raised.value.diagnostics[0].help[-1] == (
+        "this looks like S-TaLiRo: `roadlang.stl.read_staliro` reads it"
+    )
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .explain.mining import Mined, Parameter, mine
     from .formats.breach_and_latex import read_breach, read_latex
     from .formats.json_form import from_json, to_json
+    from .formats.staliro import read_staliro
     from .formats.text import parse
     from .formats.trace_files import read_trace
     from .formula.formulas import (
@@ -62,6 +63,7 @@ _HOMES = {
     "evaluate.online": "OnlineMonitor",
     "evaluate.smooth": "smooth_rho",
     "formula.terms": "Apply Arithmetic Constant Negate Term Variable",
+    "formats.staliro": "read_staliro",
     "formats.text": "parse",
     "formats.trace_files": "read_trace",
     "evaluate.verdicts": "Range Verdict",
@@ -111,6 +113,7 @@ __all__ = [
     "parse",
     "read_breach",
     "read_latex",
+    "read_staliro",
     "read_trace",
     "smooth_rho",
     "to_json",

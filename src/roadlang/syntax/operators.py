@@ -79,11 +79,13 @@ OPERATORS: tuple[Operator, ...] = (
     ),
     Operator(
         "historically", "temporal", PREFIX, PREFIX, "historically",
-        letter="H", breach=("hist", "historically"), rtamt="historically", mirror="always",
+        letter="H", latex=("boxminus", "blacksquare"),
+        breach=("hist", "historically"), rtamt="historically", mirror="always",
     ),
     Operator(
         "once", "temporal", PREFIX, PREFIX, "once",
-        letter="O", breach=("once",), rtamt="once", mirror="eventually",
+        letter="O", latex=("diamondminus", "blacklozenge"),
+        breach=("once",), rtamt="once", mirror="eventually",
     ),
     Operator(
         "until", "binding", UNTIL, PREFIX, "until",

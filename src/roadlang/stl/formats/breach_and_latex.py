@@ -10,7 +10,7 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from .text import parse
 
-_SIGNAL = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*t\s*([^\]]*)\]")
+_SIGNAL = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*t\b\s*([^\]]*)\]")
 _BREACH_WORDS = {
     word: operator.word
     for operator in OPERATORS
@@ -20,13 +20,23 @@ _BREACH_WORDS = {
 _TEMPORAL = "|".join(sorted(_BREACH_WORDS, key=len, reverse=True))
 _BREACH_TEMPORAL = re.compile(rf"\b({_TEMPORAL})\b_?")
 _UNDERSCORE = re.compile(rf"\b({_TEMPORAL})_(?=\s*\[)")
+_BREACH_DEFINITION = re.compile(r"^\s*\w+\s*:=")
 _COMMENT = re.compile(r"%[^\n]*")
 
-_BINARY_FONT = re.compile(r"\\math(?:bin|rel|op)\s*\{(\\math\w+\s*\{\w+\}|\w+|\\[A-Za-z]+)\s*\}")
+_MARKUP = re.compile(
+    r"\\(?:begin|end)\{\w+\*?\}|\\label\{[^}]*\}|\\(?:nonumber|notag|displaystyle)\b|\\[][()]|&|\\\\"
+)
+_BINARY = re.compile(r"\\math(?:bin|rel|op)\s*\{")
+_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_SUBSCRIPT_FONT = re.compile(r"_\{\s*\\(?:text|math)\w*\s*\{([A-Za-z0-9_]+)\}\s*\}")
 _SUBSCRIPTED_NAME = re.compile(r"([A-Za-z]\w*)_\{([A-Za-z0-9_]+)\}")
+_NOW = re.compile(r"(?<=[\w}])\s*\(\s*t\s*\)")
+_EARLIER = re.compile(r"\\mathbf\s*\{P\}|\\mathcal\s*\{P\}")
 _OPEN_INTERVAL = re.compile(r"_\s*\{?\s*([\[(])([^\[\](){}]*)([\])])\s*\}?")
-_MAGNITUDE = re.compile(r"\\lvert\s*(.*?)\s*\\rvert|(?<!\|)\|([^|]+)\|(?!\|)")
-_DEFINITION = re.compile(r"^\s*\\?[A-Za-z_]+(?:_\{?\w+\}?)?\s*(?::=|=(?!=)|\\equiv|\\triangleq)")
+_MAGNITUDE = re.compile(r"\\lvert\s*(.*?)\s*\\rvert|\\\|\s*(.*?)\s*\\\||(?<!\|)\|([^|]+)\|(?!\|)")
+_DEFINITION = re.compile(
+    r"^\s*\\?[A-Za-z_]+(?:_\{?\w+\}?)?\s*(?::=|\\coloneqq|=(?!=)|\\equiv|\\triangleq)"
+)
 
 
 def read_breach(text: str) -> f.Formula:
@@ -36,6 +46,7 @@ def read_breach(text: str) -> f.Formula:
     the text in the language.
     """
     text = _COMMENT.sub("", text)
+    text = _BREACH_DEFINITION.sub("", text)
     for match in _SIGNAL.finditer(text):
         if match[2].strip():
             span = Source("<Breach formula>", text).span(*match.span())
@@ -56,13 +67,28 @@ def read_latex(text: str) -> f.Formula:
     """
     from ...syntax.recovery.foreign_notation import from_latex
 
-    text = _DEFINITION.sub("", text.strip().strip("$"))
-    text = re.sub(r"\\(?:left|right)(?![a-z])", "", text).replace("~", " ")
-    text = _BINARY_FONT.sub(r"\1", text)
-    text = _MAGNITUDE.sub(lambda match: f"abs({match[1] or match[2]})", text)
-    text = _OPEN_INTERVAL.sub(_interval, text)
+    text = _DEFINITION.sub("", _MARKUP.sub(" ", text).strip(" $\n.,"))
+    text = re.sub(r"\\(?:left|right|middle)(?![a-z])", "", text).replace("~", " ")
+    text = _EARLIER.sub(r"\\mathbf{O}", _without_binary(text))
+    text = _SUBSCRIPT_FONT.sub(r"_{\1}", text)
     text = _SUBSCRIPTED_NAME.sub(r"\1_\2", text)
+    text = _NOW.sub("", text)
+    text = _MAGNITUDE.sub(lambda match: f"abs({match[1] or match[2] or match[3]})", text)
+    text = _OPEN_INTERVAL.sub(_interval, text)
+    while _FRACTION.search(text):
+        text = _FRACTION.sub(r"((\1) / (\2))", text)
     return parse(from_latex(text).replace("{", "(").replace("}", ")"), path="<LaTeX formula>")
+
+
+def _without_binary(text: str) -> str:
+    r"""`\mathbin{...}` and the like, which only set the space around an operator, left out."""
+    while match := _BINARY.search(text):
+        depth, end = 1, match.end()
+        while end < len(text) and depth:
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            end += 1
+        text = f"{text[: match.start()]} {text[match.end() : end - 1]} {text[end:]}"
+    return text
 
 
 def _interval(match: re.Match[str]) -> str:

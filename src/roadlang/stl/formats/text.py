@@ -11,7 +11,16 @@ from ...syntax.parsing.parser import parse_formula
 from ..formula import formulas as f
 from .from_syntax_tree import FormulaReader
 
-_BREACH = re.compile(r"\b(?:alw|ev|until|once|hist)_\s*\[|\b\w+\s*\[\s*t\s*[-+\]]|\balw\b")
+_ORIGINS = (
+    (
+        re.compile(r"\[\s*\]|<\s*>|/\\|\\/"),
+        "this looks like S-TaLiRo: `roadlang.stl.read_staliro` reads it",
+    ),
+    (
+        re.compile(r"\b(?:alw|ev|until|once|hist)_\s*\[|\b\w+\s*\[\s*t\s*[-+\]]|\balw\b"),
+        "this looks like Breach: `roadlang.stl.read_breach` reads it",
+    ),
+)
 
 
 def parse(text: str, *, path: str = "<formula>") -> f.Formula:
@@ -34,8 +43,8 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
 
 
 def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
-    """For formulas of Breach, says how they can be read."""
-    if not errors or not _BREACH.search(text):
+    """For formulas of other tools, says how they can be read."""
+    reader = next((hint for pattern, hint in _ORIGINS if pattern.search(text)), None)
+    if not errors or reader is None:
         return errors
-    hint = "this looks like Breach: `roadlang.stl.read_breach` reads it"
-    return [replace(errors[0], help=(*errors[0].help, hint)), *errors[1:]]
+    return [replace(errors[0], help=(*errors[0].help, reader)), *errors[1:]]

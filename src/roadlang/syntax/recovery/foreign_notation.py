@@ -37,9 +37,14 @@ _LATEX = {
     **{command: operator.word for operator in OPERATORS for command in operator.latex},
     "leq": "<=",
     "le": "<=",
+    "leqslant": "<=",
+    "lt": "<",
     "geq": ">=",
     "ge": ">=",
+    "geqslant": ">=",
+    "gt": ">",
     "neq": "!=",
+    "ne": "!=",
     "cdot": "*",
     "times": "*",
     "infty": "inf",
@@ -47,7 +52,9 @@ _LATEX = {
     "bot": "false",
 }
 _LETTERS = letters("temporal", "binding")
-_FONT = re.compile(r"\\(?:mathbf|mathcal|mathrm|mathsf|text|textbf|operatorname|bm)\s*\{(\w+)\}")
+_FONT = re.compile(
+    r"\\(?:math(?:bf|cal|rm|sf|it|tt)|text(?:bf|it|sf|tt|rm)?|operatorname|bm)\s*\{(\w+)\}"
+)
 _COMMAND = re.compile(r"\\([A-Za-z]+)")
 _SUBSCRIPT = re.compile(r"\b([A-Za-z]+)\s*_\s*\{?\s*\[([^\]\n]*)\]\s*\}?")
 _SIZE = re.compile(r"\\(?:left|right|big|Big|bigl|bigr|,|;|!|quad)\b ?|\\[,;! ]|\$")
