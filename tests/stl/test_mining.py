@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.explain.mining import Parameter, mine
+from roadlang.stl.explain.mining import Parameter, mine, mine_front
 from roadlang.stl.formula.terms import number_text
 
 POSITIONS = np.arange(0.0, 50.0, 0.5)
@@ -61,3 +61,61 @@ def test_margins() -> None:
 def test_refusals(text: str, parameter: Any, code: str) -> None:
     with pytest.raises(DiagnosticError, match=code):
         mine(text, [parameter], RECORDINGS)
+
+
+def test_both_ends_of_an_interval() -> None:
+    e = np.where((POSITIONS >= 7) & (POSITIONS <= 9), 1.0, 5.0)
+
+    mined = mine(
+        "eventually[a, b] (e < 2)", [Parameter("a", 0, 20), Parameter("b", 0, 20)],
+        [(POSITIONS, {"e": e})],
+    )  # fmt: skip
+
+    assert mined.values["a"] == pytest.approx(9, abs=1e-4)
+    assert mined.values["b"] == pytest.approx(9, abs=1e-3)
+    assert mined.not_monotone == ()
+
+
+def test_values_on_both_sides_of_failing_ones_are_noticed() -> None:
+    recordings = [(POSITIONS, {"x": 5 + np.sin(POSITIONS)})]
+
+    gap = mine("always (x < p or x > p + 3)", [Parameter("p", -20, 20)], recordings)
+    side = mine("always (x < p or x > p + 3)", [Parameter("p", 3, 20)], recordings)
+
+    assert gap.not_monotone == ("p",)
+    assert side.not_monotone == ()
+    assert side.values["p"] == pytest.approx(float(recordings[0][1]["x"].max()), abs=1e-4)
+
+
+def test_windows_cut_off_by_the_end_can_count_as_holding() -> None:
+    x = np.zeros(100)
+    x[[30, 99]] = 1.0
+    y = (np.arange(100) == 34).astype(float)
+    recordings = [(np.arange(100.0), {"x": x, "y": y})]
+    text = "always (x > 0.5 implies eventually[0, tau] (y > 0.5))"
+
+    with pytest.raises(DiagnosticError, match="RL341"):
+        mine(text, [Parameter("tau", 0, 20)], recordings)
+    mined = mine(text, [Parameter("tau", 0, 20)], recordings, unknown_holds=True)
+    margin = mine(text, [Parameter("tau", 0, 20)], recordings, unknown_holds=True, margin=0.4)
+
+    assert mined.values["tau"] == pytest.approx(4, abs=1e-4)
+    assert margin.values["tau"] == pytest.approx(4, abs=1e-4)
+
+
+def test_the_front_trades_one_parameter_for_the_other() -> None:
+    e = 8 * np.exp(-POSITIONS / 10)
+    parameters = [Parameter("tau", 0, 40), Parameter("limit", 0, 8)]
+
+    front = mine_front(
+        "eventually[0, tau] always (e <= limit)", parameters, [(POSITIONS, {"e": e})], points=9
+    )
+
+    taus = [point.values["tau"] for point in front]
+    limits = [point.values["limit"] for point in front]
+    assert taus == sorted(taus)
+    assert limits == sorted(limits, reverse=True)
+    assert (taus[0], limits[0]) == (0, 8)
+    assert len(front) >= 8
+    for tau, limit in zip(taus, limits, strict=True):
+        assert limit == pytest.approx(8 * np.exp(-(tau // 0.5 * 0.5) / 10), rel=1e-4)

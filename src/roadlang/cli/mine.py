@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import echo
+from .console import echo, report
 
 if TYPE_CHECKING:
-    from ..stl.explain.mining import Parameter
+    from ..stl.explain.mining import Mined, Parameter
 
 
 @click.command("mine")
@@ -33,15 +34,27 @@ if TYPE_CHECKING:
 @click.option(
     "--agent", help="Agent of a trace of `roadlang run` whose signals need no prefix: `speed`."
 )
+@click.option(
+    "--unknown-holds",
+    is_flag=True,
+    help="Count a TRACE that could still satisfy FORMULA if it went on as one that does.",
+)
+@click.option(
+    "--front",
+    type=click.IntRange(2, 1000),
+    metavar="POINTS",
+    help="List the Pareto front: for each of POINTS values of the first parameter the tightest of "
+    "the others.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print the result as JSON.")
 def command(
     formula: str,
     traces: tuple[str, ...],
     bounds: tuple[str, ...],
-    margin: float | None,
-    digits: int,
     agent: str | None,
+    front: int | None,
     as_json: bool,
+    **how: Any,
 ) -> None:
     """Find the tightest parameters with which FORMULA holds on every TRACE.
 
@@ -49,24 +62,46 @@ def command(
     interval `roadlang mine "eventually[0, tau] (e < 1)" --param tau=0..60 drive.csv`.
     """
     parameters = [_parameter(text) for text in bounds]
-    from ..stl.explain.mining import mine
+    if front and len(parameters) < 2:
+        raise click.UsageError("--front needs two parameters or more")
+    from ..stl.explain.mining import mine, mine_front
     from ..stl.formats.trace_files import read_trace
 
     recordings = [read_trace(path, agent)[1:] for path in traces]
-    mined = mine(formula, parameters, recordings, margin=margin, digits=digits)
+    digits = how["digits"]
+    if front:
+        mined = mine_front(formula, parameters, recordings, points=front, **how)
+    else:
+        mined = (mine(formula, parameters, recordings, **how),)
+    _warn(mined)
     if as_json:
-        found = {
-            "values": dict(mined.values),
-            "formula": str(mined.formula),
-            "robustness": mined.rho if abs(mined.rho) != float("inf") else str(mined.rho),
-            "at_bound": list(mined.at_bound),
-        }
-        echo(json.dumps(found, indent=2))
-        return
-    for name, value in mined.values.items():
-        note = "  (the end of its bounds)" if name in mined.at_bound else ""
-        echo(f"{name} = {value:.{digits}g}{note}")
-    echo(f"{mined.formula}  holds on every trace")
+        found = [_document(point) for point in mined]
+        echo(json.dumps(found if front else found[0], indent=2))
+    elif front:
+        for point in mined:
+            echo("  ".join(f"{name} = {value:.{digits}g}" for name, value in point.values.items()))
+    else:
+        for name, value in mined[0].values.items():
+            note = "  (the end of its bounds)" if name in mined[0].at_bound else ""
+            echo(f"{name} = {value:.{digits}g}{note}")
+        echo(f"{mined[0].formula}  holds on every trace")
+
+
+def _warn(mined: Sequence[Mined]) -> None:
+    from ..diagnostics import Code, diagnose
+
+    names = dict.fromkeys(name for point in mined for name in point.not_monotone)
+    report(diagnose(Code.NOT_MONOTONE, None, name=name) for name in names)
+
+
+def _document(mined: Mined) -> dict[str, Any]:
+    return {
+        "values": dict(mined.values),
+        "formula": str(mined.formula),
+        "robustness": mined.rho if abs(mined.rho) != float("inf") else str(mined.rho),
+        "at_bound": list(mined.at_bound),
+        "not_monotone": list(mined.not_monotone),
+    }
 
 
 def _parameter(text: str) -> Parameter:

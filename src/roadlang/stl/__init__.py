@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .evaluate.verdicts import Range, Verdict
     from .explain.causes import ViolationInterval
     from .explain.explanation import Explanation, Link
-    from .explain.mining import Mined, Parameter, mine
+    from .explain.mining import Mined, Parameter, mine, mine_front
     from .formats.breach_and_latex import read_breach, read_latex
     from .formats.json_form import from_json, to_json
     from .formats.staliro import read_staliro
@@ -59,7 +59,7 @@ _HOMES = {
     "formula.interval": "Interval UNBOUNDED",
     "formula.normal_form": "normal_form",
     "formats.json_form": "from_json to_json",
-    "explain.mining": "Mined Parameter mine",
+    "explain.mining": "Mined Parameter mine mine_front",
     "evaluate.online": "OnlineMonitor",
     "evaluate.smooth": "smooth_rho",
     "formula.terms": "Apply Arithmetic Constant Negate Term Variable",
@@ -109,6 +109,7 @@ __all__ = [
     "Xor",
     "from_json",
     "mine",
+    "mine_front",
     "normal_form",
     "parse",
     "read_breach",

@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from ...diagnostics import Code
+from ...diagnostics import Code, DiagnosticError
 from ..errors import stl_error
 from ..evaluate.trace import Positions, Signals
 from ..formats.text import parse
@@ -19,7 +19,7 @@ from ..formula.terms import number_text
 
 Recording = tuple[Positions, Signals]
 
-_STEPS = 60
+_STEPS, _PROBES = 60, 15
 
 
 @dataclass(frozen=True)
@@ -35,13 +35,16 @@ class Parameter:
 class Mined:
     """`values` make `formula` hold on every trace; `rho` is the least robustness then.
 
-    `at_bound` are the parameters that could go no further within their bounds.
+    `at_bound` are the parameters that could go no further within their bounds. `not_monotone` are
+    those of whose values some hold beyond one that does not: the value is then one boundary of
+    several.
     """
 
     values: Mapping[str, float]
     formula: f.Formula
     rho: float
     at_bound: tuple[str, ...]
+    not_monotone: tuple[str, ...] = ()
 
 
 def mine(
@@ -51,27 +54,78 @@ def mine(
     *,
     margin: float | None = None,
     digits: int = 6,
+    unknown_holds: bool = False,
 ) -> Mined:
     """Tighten the parameters, one after the other, as far as `text` holds on all recordings.
 
-    A formula holds if it is satisfied at the start (or, with `margin`, has that much robustness).
-    It must be monotone in each parameter: then its boundary is found by bisection to `digits`
-    significant digits, and the value returned is on the side that holds. Of several parameters the
-    first is made tightest, then the second given the first, and so on. Raises DiagnosticError
-    RL341 where no corner of the box of parameters holds, RL342 for wrong parameters.
+    A formula holds if it is satisfied at the start (or, with `margin`, has that much robustness);
+    with `unknown_holds`, also where a recording that goes on could still satisfy it, so that
+    windows cut off by the end of a recording do not count against it. Values that make an
+    interval end before it starts do not hold. The formula should be monotone in each parameter:
+    then its boundary is found by bisection to `digits` significant digits, and the value returned
+    is on the side that holds. Of several parameters the first is made tightest, then the second
+    given the first, and so on. Raises DiagnosticError RL341 where no corner of the box of
+    parameters holds, RL342 for wrong parameters.
     """
-    search = _ParameterSearch(text, tuple(parameters), tuple(recordings), margin)
+    search = _ParameterSearch(text, tuple(parameters), tuple(recordings), margin, unknown_holds)
     search.check()
-    values, ends = search.loosest()
-    at_bound = []
+    corner = search.loosest()
+    return _tightened(search, corner, corner, parameters, digits)
+
+
+def mine_front(
+    text: str,
+    parameters: Sequence[Parameter],
+    recordings: Iterable[Recording],
+    *,
+    points: int = 11,
+    margin: float | None = None,
+    digits: int = 6,
+    unknown_holds: bool = False,
+) -> tuple[Mined, ...]:
+    """The Pareto front: sets of parameters that hold, none of which is tighter in all of them.
+
+    The first parameter takes at most `points` values between its tightest and its loosest one;
+    at each of them the others are tightened in order. The rest as for `mine`.
+    """
+    search = _ParameterSearch(text, tuple(parameters), tuple(recordings), margin, unknown_holds)
+    search.check()
+    first, *others = parameters
+    corner = search.loosest()
+    tightest = _tightened(search, corner, corner, parameters, digits)
+    front = [tightest]
+    for place in np.linspace(tightest.values[first.name], corner[first.name], points)[1:]:
+        start = {**corner, first.name: float(place)}
+        if not search.holds(start):
+            continue
+        found = _tightened(search, start, corner, others, digits)
+        if any(found.values[other.name] != front[-1].values[other.name] for other in others):
+            front.append(found)
+    return tuple(front)
+
+
+def _tightened(
+    search: _ParameterSearch,
+    start: Mapping[str, float],
+    corner: Mapping[str, float],
+    parameters: Sequence[Parameter],
+    digits: int,
+) -> Mined:
+    """`parameters` tightened in order from values that hold, away from the loosest `corner`."""
+    values = dict(start)
+    at_bound, not_monotone = [], []
     for parameter in parameters:
-        tight = parameter.low + parameter.high - ends[parameter.name]
-        if search.holds({**values, parameter.name: tight}):
-            values[parameter.name] = tight
-            at_bound.append(parameter.name)
+        name, loose = parameter.name, values[parameter.name]
+        tight = parameter.low + parameter.high - corner[name]
+        if search.holds({**values, name: tight}):
+            values[name] = tight
+            at_bound.append(name)
         else:
-            values[parameter.name] = search.boundary(values, parameter.name, tight, digits)
-    return Mined(dict(values), search.formula(values), search.rho(values), tuple(at_bound))
+            values[name] = search.boundary(values, name, tight, digits)
+        if not search.is_monotone(values, name, loose, tight):
+            not_monotone.append(name)
+    formula, rho = search.formula(values), search.rho(values)
+    return Mined(values, formula, rho, tuple(at_bound), tuple(not_monotone))
 
 
 @dataclass(frozen=True)
@@ -80,6 +134,7 @@ class _ParameterSearch:
     parameters: tuple[Parameter, ...]
     recordings: tuple[Recording, ...]
     margin: float | None
+    unknown_holds: bool
 
     def check(self) -> None:
         """Each parameter has finite bounds in order and occurs in the text."""
@@ -107,12 +162,25 @@ class _ParameterSearch:
         return min(float(np.min(formula.rho(*recording))) for recording in self.recordings)
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        if self.margin is not None:
-            return self.rho(values) >= self.margin
-        formula = self.formula(values)
-        return all(np.all(formula.satisfied(*recording)) for recording in self.recordings)
+        """Whether the formula with these values holds; one without a meaning does not."""
+        try:
+            formula = self.formula(values)
+        except DiagnosticError as error:
+            if {diagnostic.code for diagnostic in error.diagnostics} == {Code.INVALID_INTERVAL}:
+                return False
+            raise
+        return all(self._holds_on(formula, recording) for recording in self.recordings)
 
-    def loosest(self) -> tuple[dict[str, float], dict[str, float]]:
+    def _holds_on(self, formula: f.Formula, recording: Recording) -> bool:
+        if self.margin is not None and self.unknown_holds:
+            return bool(np.all(formula.range(*recording).hi >= self.margin))
+        if self.margin is not None:
+            return bool(np.all(formula.rho(*recording) >= self.margin))
+        if self.unknown_holds:
+            return bool(np.all(np.asarray(formula.verdict(*recording)) != "violated"))
+        return bool(np.all(formula.satisfied(*recording)))
+
+    def loosest(self) -> Mapping[str, float]:
         """A corner of the box at which the formula holds; the greatest robustness decides."""
         names = [parameter.name for parameter in self.parameters]
         corners = product(*((parameter.low, parameter.high) for parameter in self.parameters))
@@ -123,8 +191,18 @@ class _ParameterSearch:
         ]
         if not holding:
             raise stl_error(Code.UNSATISFIABLE_TEMPLATE, formula=self.text)
-        best = max(holding, key=self.rho)
-        return dict(best), dict(best)
+        return max(holding, key=self.rho)
+
+    def is_monotone(
+        self, values: Mapping[str, float], name: str, loose: float, tight: float
+    ) -> bool:
+        """Whether all values of a few between `loose` and the one found hold, and none beyond."""
+        found = values[name]
+        between = np.linspace(loose, found, _PROBES + 2)[1:-1].tolist()
+        beyond = np.linspace(found, tight, _PROBES + 2)[1:-1].tolist() if found != tight else []
+        return all(self.holds({**values, name: value}) for value in between) and not any(
+            self.holds({**values, name: value}) for value in beyond
+        )
 
     def boundary(
         self, values: Mapping[str, float], name: str, failing: float, digits: int
