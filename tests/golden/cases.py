@@ -8,6 +8,7 @@ from functools import partial
 
 from tests.golden.comparing import FIGURE, NUMBERS
 from tests.golden.engine_views import layout_lines
+from tests.golden.language_views import command_output, fault_lines, scenario_lines
 from tests.golden.scene_views import (
     console_lines,
     drive_lines,
@@ -33,6 +34,40 @@ TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", 
 DRIVEN = ("controllers", "lane_changes", "overtake", "replay", *TOWNS)
 FIGURES = ("pieces", "bent", "values", "picture", "town", "cross_signals")
 BUILT = ("pieces", "values", "town", "cross_signals", "controllers", "picture")
+SOURCES = (
+    "pieces",
+    "bent",
+    "values",
+    "town",
+    "picture",
+    "controllers",
+    "lane_changes",
+    "search",
+    "cross_signals",
+    "guided",
+    "replay",
+)
+COMMANDS = (
+    ("plugins", "show", "car"),
+    ("plugins", "show", "segments"),
+    ("plugins", "show", "world"),
+    ("plugins", "show", "traffic"),
+    ("plugins", "--verb", "emit"),
+    ("plugins", "--verb", "drive", "--json"),
+    ("explain", "RL206"),
+    ("explain", "agent"),
+    ("schema", "json"),
+    ("schema", "segments"),
+    ("schema", "drive", "traffic"),
+    ("schema", "manifest"),
+    ("schema", "trace"),
+    ("check", "--json", "bent.rl"),
+    ("fmt", "--diff", "bent.rl"),
+    ("fmt", "--check", "town.rl", "pieces.rl"),
+    ("plugins", "show", "sign"),
+    ("explain", "RL9999"),
+    ("schema", "sing"),
+)
 
 
 def _scenes(name: str, count: int | None) -> Iterable[str]:
@@ -64,6 +99,10 @@ def _cases() -> Iterable[Case]:
     yield Case("engine", "picture.tiles", partial(_built, "picture", "tiles"))
     yield Case("scenes", "pieces.console", partial(console_lines, "pieces", "-n", "2"))
     yield Case("scenes", "table.console", partial(console_lines, "table", "-n", "4"))
+    for name in SOURCES:
+        yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
+        yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
+    yield Case("language", "commands", partial(command_output, COMMANDS))
     few = {"evaluations": 60, "batch": 20}
     for kind in ("cma", "random", "grid", "halton"):
         lines = partial(search_lines, "search", searcher=kind, **few)
