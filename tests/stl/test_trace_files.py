@@ -17,6 +17,16 @@ from roadlang.stl.formats.trace_files import read_trace
         ("a.csv", "s,x\n0,1\n2,3\n"),
         ("b.csv", "s; x\n0; 1,0\n\n2; 3\n"),
         ("c.tsv", "\ufeffs\tx\n0\t1\n2\t3\n"),
+        ("c.csv", "# made by a tool\n\ns,x\n# the drive\n0,1\n\n2,3\n"),
+        ("c.csv", "# s x\n0 1\n2 3\n"),
+        ("c.csv", "# of a car\n#s,x\n0,1\n2,3\n"),
+        ("c.csv", "s x\n0   1\n  2 3\n"),
+        ("c.csv", "s,x\n[m],[m/s]\n0,1\n2,3\n"),
+        ("c.csv", "s,x,\n0,1,\n2,3,\n"),
+        ("c.csv", 's,"x"\r\n"0","1"\r\n2,3\r\n'),
+        ("c.csv", "s,x\r0,1\r2,3\r"),
+        ("c.csv", "s,x\n00:00:00,1\n00:00:02.0,3\n"),
+        ("c.csv", "s,x\n1970-01-01T00:00:00Z,1\n1970-01-01 01:00:02+01:00,3\n"),
         ("d.json", '{"s": [0, 2], "x": [1, 3]}'),
         ("e.json", '[{"s": 0, "x": 1}, {"s": 2, "x": 3}]'),
     ],
@@ -25,6 +35,25 @@ def test_layouts(tmp_path: Path, name: str, text: str) -> None:
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
     assert read_trace(path) == ("s", [0, 2], {"x": [1, 3]})
+
+
+def test_cells_of_logs(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text("time,on,x\ns,-,m\n0,true,1\n1,FALSE,\n2,1,nan\n")
+
+    axis, positions, signals = read_trace(path)
+
+    assert (axis, positions, signals["on"]) == ("time", [0, 1, 2], [1, 0, 1])
+    assert signals["x"][0] == 1
+    assert [math.isnan(x) for x in signals["x"]] == [False, True, True]
+
+
+@pytest.mark.parametrize("encoding", ["latin-1", "utf-16", "utf-8-sig", "utf-8"])
+def test_encodings(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "log.csv"
+    path.write_bytes("Länge,höhe\n0,1\n2,3\n".encode(encoding))
+
+    assert read_trace(path) == ("Länge", [0, 2], {"höhe": [1, 3]})
 
 
 def test_positions_and_signals(tmp_path: Path) -> None:
@@ -44,6 +73,10 @@ def test_positions_and_signals(tmp_path: Path) -> None:
         ("a.csv", "s,x\n0,1\n2\n", "line 3 has 1 cells, not 2"),
         ("a.csv", "s,x\n0,one\n", "line 2, column `x`"),
         ("a.csv", "s,s\n0,1\n", "same name"),
+        ("a.csv", "# only\n# comments\n", "empty"),
+        ("a.csv", "s,x\n0,1\n1,on\n", "'on' in line 3, column `x` is not a number"),
+        ("a.csv", "# hi\ns,x\n0,1\n1,2,3\n", "line 4 has 3 cells, not 2"),
+        ("a.csv", "s,x\n0,12:00:00\n", "line 2, column `x`"),
         ("a.json", "{", "not JSON"),
         ("a.json", "3", "neither"),
         ("a.json", '{"s": 3}', "not a list"),

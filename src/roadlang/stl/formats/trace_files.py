@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from ...diagnostics import Code, DiagnosticError, diagnose
 from ...files.reading import UnreadableFile, read_file
+from .delimited_text import DelimitedText, DelimitedTextFault
 from .drive_traces import (
     DriveTraceFault,
     columns_of_document,
@@ -29,17 +28,20 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     of the only agent, are also called `speed`.
 
     JSON is `{"positions": [...], "signals": {"x": [...]}}`, or columns `{"s": [...], "x": [...]}`,
-    or records `[{"s": 0, "x": 1}, ...]`; in the latter two the first key holds the positions. Where
-    semicolons part the cells, numbers may have decimal commas. Empty cells become NaN, which a
-    formula that reads the signal refuses. Raises DiagnosticError RL340.
+    or records `[{"s": 0, "x": 1}, ...]`; in the latter two the first key holds the positions.
+
+    Cells are parted by commas, tabs, semicolons (numbers may then have decimal commas) or spaces.
+    Lines that begin with `#`, empty lines and a second line of units are skipped. Positions may
+    be time stamps of ISO 8601 or `hh:mm:ss`. Empty cells become NaN, which a formula that reads
+    the signal refuses. Raises DiagnosticError RL340.
     """
     path = Path(path)
     try:
-        text = read_file(path).decode("utf-8-sig")
+        text = _decoded(read_file(path))
     except UnreadableFile as problem:
         raise _unreadable(path, problem.reason) from None
     except UnicodeDecodeError:
-        raise _unreadable(path, "it is not text in UTF-8") from None
+        raise _unreadable(path, "it is not text") from None
     try:
         if path.suffix.lower() == ".json":
             return _from_json(path, text, agent)
@@ -48,39 +50,29 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
         raise _unreadable(path, str(fault), fault.help) from None
 
 
+def _decoded(data: bytes) -> str:
+    """Text in UTF-8, in UTF-16 with its mark, or in Latin-1. Raises UnicodeDecodeError."""
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return data.decode("utf-16")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        if b"\0" in data:
+            raise
+        return data.decode("latin-1")
+
+
 def _from_csv(path: Path, text: str, agent: str | None) -> Columns:
-    lines = text.splitlines()
-    header = lines[0] if lines else ""
-    delimiter = max(",;\t", key=header.count)
-    if delimiter == ";":
-        lines[1:] = [line.replace(",", ".") for line in lines[1:]]
-    rows = list(csv.reader(lines, delimiter=delimiter))
-    if not header.strip():
-        raise _unreadable(path, "it is empty; a first line names the columns")
-    names = [name.strip() for name in rows[0]]
-    if all(_is_number(name) for name in names):
-        raise _unreadable(path, "the first line has numbers; it must name the columns")
-    if len(set(names)) < len(names) or not all(names):
-        raise _unreadable(path, "two columns have the same name, or one has none")
-    if is_table(names):
-        listed = [row for _, row in _rows(path, rows, len(names))]
-        return _checked(path, columns_of_rows(names, listed, agent))
-    _refuse_agent(agent)
-    columns: list[list[float]] = [[] for _ in names]
-    for line, row in _rows(path, rows, len(names)):
-        for name, column, cell in zip(names, columns, row, strict=True):
-            column.append(_number(path, cell, f"line {line}, column `{name}`"))
-    return names[0], columns[0], dict(zip(names[1:], columns[1:], strict=True))
-
-
-def _rows(path: Path, rows: list[list[str]], width: int) -> Iterator[tuple[int, list[str]]]:
-    """The rows after the first that are not empty, with their lines; each as wide as the first."""
-    for line, row in enumerate(rows[1:], start=2):
-        if not any(cell.strip() for cell in row):
-            continue
-        if len(row) != width:
-            raise _unreadable(path, f"line {line} has {len(row)} cells, not {width}")
-        yield line, row
+    try:
+        table = DelimitedText.of(text)
+        if is_table(table.names):
+            listed = [cells for _, cells in table.rows()]
+            return _checked(path, columns_of_rows(table.names, listed, agent))
+        _refuse_agent(agent)
+        columns = table.numbers()
+    except DelimitedTextFault as fault:
+        raise _unreadable(path, str(fault)) from None
+    return table.names[0], columns[0], dict(zip(table.names[1:], columns[1:], strict=True))
 
 
 def _refuse_agent(agent: str | None) -> None:
@@ -142,14 +134,6 @@ def _number(path: Path, cell: Any, place: str) -> float:
         return float(cell)
     except (TypeError, ValueError):
         raise _unreadable(path, f"{cell!r} in {place} is not a number") from None
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 def _unreadable(path: Path, problem: str, help: tuple[str, ...] = ()) -> DiagnosticError:

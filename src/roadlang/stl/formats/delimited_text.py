@@ -1,0 +1,189 @@
+"""Tables of numbers in text: the separator, the names of the columns, and what stands around them.
+
+Regular numbers are read by numpy in one go. Only where that fails are cells looked at one by one,
+to read what else is common in logs (empty cells, true and false, time stamps) or to say what is
+wrong and where.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+import warnings
+from dataclasses import dataclass
+from datetime import datetime, timezone  # noqa: TID251 (reads stamps, never the clock)
+
+import numpy as np
+
+COMMENT = "#"
+
+
+class DelimitedTextFault(Exception):
+    """The text is no table of numbers; the message says why."""
+
+
+@dataclass(frozen=True)
+class DelimitedText:
+    """`names` of the columns; `body` are the lines below them, the first of which is line `first`
+    of the file; cells are parted by `delimiter` (None: by spaces)."""
+
+    names: tuple[str, ...]
+    body: str
+    first: int
+    delimiter: str | None
+
+    @classmethod
+    def of(cls, text: str) -> DelimitedText:
+        """Find the names: the first line that is neither empty nor a comment, or the last comment
+        before it if that line has numbers only. Raises DelimitedTextFault."""
+        rest, line, comment = text if "\n" in text else text.replace("\r", "\n"), 0, ""
+        while True:
+            if not rest:
+                raise DelimitedTextFault("it is empty; a first line names the columns")
+            header, _, rest = rest.partition("\n")
+            line += 1
+            if header.strip() and not header.lstrip().startswith(COMMENT):
+                break
+            comment = header.strip().lstrip(COMMENT).strip() or comment
+        delimiter = _delimiter(header)
+        names = _cells(header, delimiter)
+        if all(_is_number(name) for name in names):
+            commented = _cells(comment, _delimiter(comment)) if comment else []
+            if len(commented) != len(names) or any(map(_is_number, commented)):
+                raise DelimitedTextFault("the first line has numbers; it must name the columns")
+            names, rest, line = commented, f"{header}\n{rest}", line - 1
+        if names and not names[-1]:
+            names = names[:-1]  # every line ends with a separator
+        if len(set(names)) < len(names) or not all(names):
+            raise DelimitedTextFault("two columns have the same name, or one has none")
+        if delimiter == ";":
+            rest = rest.replace(",", ".")
+        return cls(tuple(names), rest, line + 1, delimiter)
+
+    def rows(self) -> list[tuple[int, list[str]]]:
+        """The lines that hold cells, with their numbers; each has a cell for every name.
+
+        Raises DelimitedTextFault for a line of another width.
+        """
+        found = []
+        lines = self.body.splitlines()
+        if self.delimiter is None:
+            split = [line.split() for line in lines]
+        else:
+            split = _split(lines, self.delimiter)
+        for line, cells in enumerate(split, start=self.first):
+            if not any(cell.strip() for cell in cells) or cells[0].lstrip().startswith(COMMENT):
+                continue
+            if len(cells) == len(self.names) + 1 and not cells[-1].strip():
+                cells = cells[:-1]
+            if len(cells) != len(self.names):
+                raise DelimitedTextFault(
+                    f"line {line} has {len(cells)} cells, not {len(self.names)}"
+                )
+            found.append((line, cells))
+        return found
+
+    def numbers(self) -> list[list[float]]:
+        """The columns. Empty cells are NaN, true and false 1 and 0, time stamps of the first
+        column seconds (since 1970 where they have a date).
+
+        Raises DelimitedTextFault for a cell that is no number.
+        """
+        quick = self._regular()
+        if quick is not None:
+            return quick
+        rows = self.rows()
+        if len(rows) > 1 and not any(map(_is_value, rows[0][1])):
+            del rows[0]  # the units of the columns
+        columns: list[list[float]] = [[] for _ in self.names]
+        for line, cells in rows:
+            for index, (name, cell) in enumerate(zip(self.names, cells, strict=True)):
+                value = _value(cell, stamp=index == 0)
+                if value is None:
+                    raise DelimitedTextFault(
+                        f"{cell!r} in line {line}, column `{name}` is not a number"
+                    )
+                columns[index].append(value)
+        return columns
+
+    def _regular(self) -> list[list[float]] | None:
+        """The columns if all cells are plain numbers."""
+        if not self.body.strip():
+            return [[] for _ in self.names]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of a body without any number
+            try:
+                table = np.loadtxt(
+                    io.StringIO(self.body), delimiter=self.delimiter, comments=COMMENT, ndmin=2
+                )
+            except ValueError:
+                return None
+        if table.shape[1] != len(self.names):
+            return None
+        columns: list[list[float]] = table.T.tolist()
+        return columns
+
+
+def _delimiter(header: str) -> str | None:
+    """The separator that occurs most often; without any, spaces part the cells, if there are
+    some between words."""
+    delimiter = max(",;\t", key=header.count)
+    if delimiter in header or len(header.split()) == 1:
+        return delimiter
+    return None
+
+
+def _cells(header: str, delimiter: str | None) -> list[str]:
+    if delimiter is None:
+        return header.split()
+    return [cell.strip() for cell in _split([header.rstrip("\r")], delimiter)[0]]
+
+
+def _split(lines: list[str], delimiter: str) -> list[list[str]]:
+    try:
+        return list(csv.reader(lines, delimiter=delimiter, skipinitialspace=True))
+    except csv.Error as problem:
+        raise DelimitedTextFault(f"it is no table: {problem}") from None
+
+
+def _value(cell: str, *, stamp: bool) -> float | None:
+    text = cell.strip()
+    if not text:
+        return math.nan
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    if text.lower() in ("true", "false"):
+        return float(text.lower() == "true")
+    return _seconds(text) if stamp else None
+
+
+def _seconds(text: str) -> float | None:
+    """`2026-11-22T07:16:01.5Z` counts from 1970, in UTC where no zone is named; `07:16:01.5` from
+    midnight."""
+    parts = text.split(":")
+    if len(parts) == 3 and "-" not in text and all(_is_number(part) for part in parts):
+        hours, minutes, seconds = map(float, parts)
+        return 3600 * hours + 60 * minutes + seconds
+    try:
+        moment = datetime.fromisoformat(re.sub("[zZ]$", "+00:00", text))
+    except ValueError:
+        return None
+    if moment.tzinfo is None:
+        moment = moment.replace(tzinfo=timezone.utc)
+    return moment.timestamp()
+
+
+def _is_value(cell: str) -> bool:
+    return bool(cell.strip()) and _value(cell, stamp=True) is not None
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
