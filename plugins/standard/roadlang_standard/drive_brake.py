@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, Speed, option
+from roadlang.api import Acceleration, Controller, InitialSpeed, Speed, option
 
 from .steering import toward
 
@@ -27,6 +27,9 @@ class Brake(Controller):
     name: ClassVar[str] = "brake"
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="deceleration")
     speed: Speed = option(0.0, minimum=0, help="speed at which braking ends")
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, Duration, Length, Speed, option
+from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
 
 from .steering import bend_speed, pursuit
 
@@ -37,6 +37,9 @@ class CarFollow(Controller):
     lateral_acceleration: Acceleration = option(
         4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
     )
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

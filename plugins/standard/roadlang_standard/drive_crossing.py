@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Controller, Length, Speed, option
+from roadlang.api import Controller, InitialSpeed, Length, Speed, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -24,6 +24,9 @@ class Crossing(Controller):
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
     beyond: Length = option(1.0, minimum=0, help="distance to walk past the opposite edge")
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed)
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: distance walked, distance to walk, heading (NaN before the start)."""

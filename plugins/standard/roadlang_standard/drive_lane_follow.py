@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, Speed, option
+from roadlang.api import Acceleration, Controller, InitialSpeed, Speed, option
 
 from .steering import along_line, bend_speed, toward
 
@@ -30,6 +30,9 @@ class LaneFollow(Controller):
     lateral_acceleration: Acceleration = option(
         4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
     )
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         from roadlang.api import ControlBatch

@@ -5,7 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, Duration, Length, Speed, Whole, option
+from roadlang.api import (
+    Acceleration,
+    Controller,
+    Duration,
+    InitialSpeed,
+    Length,
+    Speed,
+    Whole,
+    option,
+)
 
 from .drive_brake import HOLDING, STANDING
 from .drive_change_lane import SIGHT
@@ -62,6 +71,9 @@ class Merge(Controller):
     duration: Duration = option(4.0, above=0, maximum=60, help="time that the change takes")
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(3.0, above=0, maximum=20, help="comfortable deceleration")
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed)
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, distance traveled when it took over (NaN before), offset of the new

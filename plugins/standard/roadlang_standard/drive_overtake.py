@@ -5,7 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from roadlang.api import Acceleration, AgentName, Controller, Duration, Length, Speed, option
+from roadlang.api import (
+    Acceleration,
+    AgentName,
+    Controller,
+    Duration,
+    InitialSpeed,
+    Length,
+    Speed,
+    option,
+)
 
 from .lane_traffic import (
     BRAKING,
@@ -70,6 +79,9 @@ class Overtake(Controller):
         60.0, above=0, maximum=1000, help="gap to the target from which on it pulls out"
     )
     acceleration: Acceleration = option(2.5, above=0, maximum=20, help="maximum acceleration")
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed)
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, offsets of its lane and of that in which it passes, time since it

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from roadlang.api import FREQUENCY, Acceleration, Controller, Speed, option, quantity
+from roadlang.api import FREQUENCY, Acceleration, Controller, InitialSpeed, Speed, option, quantity
 
 from .steering import bend_speed, difference, toward
 
@@ -34,6 +34,9 @@ class Stanley(Controller):
     lateral_acceleration: Acceleration = option(
         4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
     )
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

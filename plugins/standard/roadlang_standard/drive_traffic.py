@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Controller, Duration, Speed, option
+from roadlang.api import Controller, Duration, InitialSpeed, Speed, option
 
 from .steering import SPEED_GAIN, along_line, bend_speed, pursuit
 
@@ -53,6 +53,9 @@ class Traffic(Controller):
         0.5, minimum=0, maximum=1,
         help="how hard it accelerates, brakes and takes bends, and how small gaps it accepts",
     )  # fmt: skip
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed, stops_at_junctions=True)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Controller, Length, Speed, Word, option
+from roadlang.api import Controller, InitialSpeed, Length, Speed, Word, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,6 +33,9 @@ class Walk(Controller):
     beyond: Length = option(
         0.5, minimum=-10, maximum=20, help="distance from the edge, where it walks beside that"
     )
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.speed)
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: how far left of the line it walks, NaN before the start."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from ..ir.scene import Call
 from ..ir.scene_actor import SceneActor
 from ..ir.surroundings import USUAL_SPEED
 from ..plugins.finding import find_entry
+from ..plugins.guard import plugin_guard, wrong_result
+from ..plugins.kinds import Controller, InitialSpeed
+from ..plugins.options import schema_of
 from ..world.bends import bends_of_route
 from ..world.copies import element_of
 from ..world.named_roads import name_of_road, named_lanes, named_road
@@ -26,9 +30,6 @@ from ..world.routes import has_route
 
 STOPS_BEFORE = 1.0
 """Meters before a stop line."""
-CALM_LATERAL, CALM_BRAKING = 3.0, 3.0
-"""m/s^2: of controllers that do not say with what they take bends, on a route. They may obey right
-of way: they begin so slowly that they can stop where the next junction begins."""
 
 
 def start_speeds(
@@ -83,31 +84,40 @@ def _wanted(
     copy: int,
     candidates: CandidateBatch,
 ) -> float:
-    """What the first controller wants, unless it waits for something: by its options `speed` and,
-    before bends, `lateral_acceleration` and `deceleration`, as far as the kind has them."""
+    """What the first controller wants, unless it waits for something."""
     first = calls[0] if calls and calls[0].when is None and calls[0].during is None else None
-    if first is None or "speed" not in first.options:
+    wanted = _initial_speed(first, candidates) if first is not None else None
+    if wanted is None:
         return 0.0
     road = str(name_of_road(actor, int(where.road[0, copy])))
-    speed = first.options["speed"]
-    if speed is None:  # a controller that goes by the speed limit
+    speed, lateral, braking = wanted.speed, wanted.lateral_acceleration, wanted.deceleration
+    if speed is None:
         speed = _limit(road, int(where.lane[0, copy]), candidates)
-    if not isinstance(speed, int | float):
-        return 0.0
-    lateral, braking = (first.options.get(k) for k in ("lateral_acceleration", "deceleration"))
-    plain = not isinstance(lateral, int | float) or not isinstance(braking, int | float)
-    if plain and not has_route(actor, candidates):
-        return float(speed)
-    if not isinstance(lateral, int | float) or not isinstance(braking, int | float):
-        lateral, braking = CALM_LATERAL, CALM_BRAKING
-    start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
-    limit = _fastest(road, start, backward, float(lateral), float(braking), candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
-        front = 0.5 * float(where.length[0, copy]) + STOPS_BEFORE if plain else None
+        stops = wanted.stops_at_junctions
+        front = 0.5 * float(where.length[0, copy]) + STOPS_BEFORE if stops else None
         ahead, curvature = bends_of_route(route, str(actor.on), candidates, front=front)
-        limit = _slowest(ahead, curvature, float(lateral), float(braking))
-    return min(float(speed), limit)
+        return min(float(speed), _slowest(ahead, curvature, lateral, braking))
+    start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
+    return min(float(speed), _fastest(road, start, backward, lateral, braking, candidates))
+
+
+def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | None:
+    """What a controller says."""
+    registry = candidates.scenario.registry
+    if not registry.has("drive", call.kind):
+        return None
+    entry = find_entry(registry, "drive", call.kind)
+    with plugin_guard(entry, None):
+        kind = entry.load()
+        names = {option.name for option in schema_of(kind)}
+        options = {key: value for key, value in call.options.items() if key in names}
+        wanted = cast("Controller", kind(**options)).initial_speed()
+    if wanted is not None and not isinstance(wanted, InitialSpeed):
+        fault = f"gave {type(wanted).__name__} for `initial_speed`, not an InitialSpeed"
+        raise wrong_result(entry, None, fault)
+    return wanted
 
 
 def _limit(road: str, lane: int, candidates: CandidateBatch) -> float:

@@ -8,7 +8,7 @@ so that numpy broadcasting over (variants, stations) just works.
 from __future__ import annotations
 
 from .base import Kind
-from .drives import Controller, Simulator
+from .drives import Controller, InitialSpeed, Simulator
 from .junctions import JunctionControl, RightOfWay
 from .lanes import LaneDirection, LaneKind, LaneMarking
 from .outputs import AgentKind, Backend, ObjectKind
@@ -55,6 +55,7 @@ __all__ = [
     "DrawnValue",
     "DriveSignal",
     "Extractor",
+    "InitialSpeed",
     "JunctionControl",
     "Kind",
     "LaneDirection",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from .base import Kind
@@ -14,6 +15,22 @@ if TYPE_CHECKING:
     from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
     from ...ir.trace import Trace
+
+
+@dataclass(frozen=True)
+class InitialSpeed:
+    """How fast an agent is when its drive begins, as its controller wants it: no faster than the
+    bends ahead allow."""
+
+    speed: float | None
+    """m/s; None: the speed limit, and 50 km/h where there is none"""
+    lateral_acceleration: float = 3.0
+    """m/s^2, in bends"""
+    deceleration: float = 3.0
+    """m/s^2, before bends"""
+    stops_at_junctions: bool = False
+    """on a route, whether it must be able to stop where the next junction begins, as for who obeys
+    right of way"""
 
 
 class Controller(Kind):
@@ -44,6 +61,12 @@ class Controller(Kind):
         where something is left open. Anything else is RL474.
         """
         raise NotImplementedError
+
+    def initial_speed(self) -> InitialSpeed | None:
+        """How fast an agent in a lane is when its drive begins, if this is its first controller,
+        waits for no condition, and the scene file gives no `start_speed`. By default None: the
+        agent stands."""
+        return None
 
     def start(self, count: int) -> NDArray[Any] | None:
         """What `controls` remembers of `count` agents from one step to the next: an array (count,

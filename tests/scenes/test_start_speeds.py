@@ -1,0 +1,89 @@
+"""How fast agents begin is said by the kind of their first controller."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import pytest
+
+from roadlang import testing
+from roadlang.api import Control, Controller, InitialSpeed, Number, Observation, option
+from roadlang.diagnostics.errors import DiagnosticError
+
+ROAD = """
+road main {
+  draw with waypoints { points: [(0m, 0m), (100m, 0m), (130m, 30m), (130m, 130m)] }
+  lanes: 2, speed_limit: 20m/s
+}
+"""
+
+
+@dataclass(frozen=True)
+class Hasty(Controller):
+    """Its target is not called `speed`."""
+
+    name: ClassVar[str] = "hasty"
+    target: Number = option(12.0, help="m/s")
+
+    def control(self, observation: Observation) -> Control:
+        return Control(0.0, 0.0)
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(self.target, lateral_acceleration=2.0, deceleration=4.0)
+
+
+@dataclass(frozen=True)
+class Patient(Controller):
+    """Does not say how fast it begins."""
+
+    name: ClassVar[str] = "patient"
+    speed: Number = option(12.0, help="m/s")
+
+    def control(self, observation: Observation) -> Control:
+        return Control(0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class ByLimit(Hasty):
+    """Goes by the speed limit."""
+
+    name: ClassVar[str] = "by_limit"
+
+    def initial_speed(self) -> InitialSpeed:
+        return InitialSpeed(None)
+
+
+@dataclass(frozen=True)
+class Wrong(Hasty):
+    """Returns a number."""
+
+    name: ClassVar[str] = "wrong"
+
+    def initial_speed(self) -> Any:
+        return 12.0
+
+
+def begins(drive: str, at: str = "10m") -> float | None:
+    text = f"{ROAD}\nagent ego is car on main at {at} {{ lane: -1, {drive} }}"
+    (scene,) = testing.sample(text, 1, kinds=[Hasty, Patient, ByLimit, Wrong])
+    speed: float | None = scene.record.agents[0].start_speed
+    return speed
+
+
+def test_a_controller_says_how_fast_its_agent_begins() -> None:
+    assert begins("drive with hasty") == 12.0
+    assert begins("drive with by_limit") == pytest.approx(20.0)
+    assert begins("drive with hasty, start_speed: 3m/s") == 3.0
+    assert begins("drive with hasty { target: 100 }", "90m") < 15.0  # type: ignore[operator]
+
+
+def test_an_agent_stands_where_its_controller_says_nothing_or_waits() -> None:
+    assert begins("drive with patient") == 0.0
+    assert begins("drive with hasty { when: ego.speed > 1m/s }") == 0.0
+
+
+def test_what_is_no_initial_speed_is_a_fault_of_the_plugin() -> None:
+    with pytest.raises(DiagnosticError) as found:
+        begins("drive with wrong")
+    assert found.value.diagnostics[0].code == "RL474"
