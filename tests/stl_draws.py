@@ -16,7 +16,7 @@ from roadlang.stl.formula.formulas import (
     ComparisonOperator,
     Compound,
     Connective,
-    Junction,
+    LogicalJunction,
     Pointwise,
     TemporalOperator,
 )
@@ -94,7 +94,7 @@ class FormulaDraw:
     def _logic(self, depth: int) -> stl.Formula:
         draw = self.random
         kind = draw.choice(_of_shape(Pointwise))
-        if issubclass(kind, Junction):
+        if issubclass(kind, LogicalJunction):
             parts = [self.formula(draw.randint(0, depth)) for _ in range(draw.randint(2, 3))]
             return kind.of(parts)
         if issubclass(kind, Connective):

@@ -10,7 +10,7 @@ import pytest
 import roadlang
 from roadlang import testing
 from roadlang.envs import SceneEnv
-from roadlang.envs.off_road import OffRoad
+from roadlang.envs.off_road import OffRoadCheck
 from roadlang.ir.scene import Scene
 from roadlang.simulation.samples import Samples
 from roadlang.simulation.world_building import world_of
@@ -52,7 +52,7 @@ def on_routes() -> Scene:
 def test_who_is_off_the_road_is_what_the_signal_says(where: str) -> None:
     scene = on_routes() if where == "routes" else on_roads(where)
     world = world_of([scene], {}, 0.02, 0.1)
-    off_road = OffRoad(world)
+    off_road = OffRoadCheck(world)
     draw = np.random.default_rng(5)
     everyone = np.arange(len(world.present))
     seen: set[bool] = set()

@@ -18,7 +18,7 @@ from roadlang.ir.picture import Picture
 from roadlang_standard.extract_aerial import Aerial
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
-from roadlang_standard.extract_onnx import Onnx
+from roadlang_standard.extract_onnx import OnnxExtractor
 from roadlang_standard.extract_pixels import Pixel
 from training.rendering.aerial import render_aerial
 from training.rendering.drawings import draw_circuit, draw_filled
@@ -72,7 +72,7 @@ def test_a_net_of_ones_own_is_used_like_the_shipped_one(tmp_path: Path) -> None:
     picture = Picture(render_aerial("curve", 902, 256).image, 1.0)
     ours, theirs = (
         Aerial().extract(picture),
-        Onnx(model=str(tmp_path / "mine.onnx")).extract(picture),
+        OnnxExtractor(model=str(tmp_path / "mine.onnx")).extract(picture),
     )
     lengths = [edge.length for edge in ours.network.edges]
     # OpenCV 4 lays out a net that it has not yet run otherwise, which moves the last bits.
@@ -83,7 +83,7 @@ def test_what_is_no_net_is_refused(tmp_path: Path) -> None:
     (tmp_path / "not.onnx").write_bytes(b"not a net at all")
     picture = Picture(np.zeros((64, 64, 3), np.uint8), 1.0)
     with pytest.raises(DiagnosticError) as raised:
-        Onnx(model=str(tmp_path / "not.onnx")).extract(picture)
+        OnnxExtractor(model=str(tmp_path / "not.onnx")).extract(picture)
     assert raised.value.diagnostics[0].code == "RL424"
 
 

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.junctions import MARGIN, Arm, cuts, order, patch
+from roadlang_godot.junctions import MARGIN, RoadArm, cuts, order, patch
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of, polyline
 from roadlang_godot.protocol import Message
@@ -23,11 +23,11 @@ PIXEL = 0.08
 bearings = st.lists(st.integers(0, 35), min_size=2, max_size=5, unique=True)
 
 
-def star(degrees: list[int]) -> list[Arm]:
+def star(degrees: list[int]) -> list[RoadArm]:
     """Arms of 80 m that leave the origin."""
     return order(
         [
-            Arm(line_of(road(f"{d}", pieces(straight(80), heading=math.radians(d)))), 1)
+            RoadArm(line_of(road(f"{d}", pieces(straight(80), heading=math.radians(d)))), 1)
             for d in degrees
         ]
     )
@@ -43,7 +43,7 @@ def painted(polygons: list[np.ndarray]) -> np.ndarray:
     return count
 
 
-def strips_of(arms: list[Arm], back: list[float]) -> list[np.ndarray]:
+def strips_of(arms: list[RoadArm], back: list[float]) -> list[np.ndarray]:
     out = []
     for arm, cut in zip(arms, back, strict=True):
         near = [strip(t) for t in road_things(arm.line, 1, SceneOrigin(), cut, 30.0)]
@@ -106,7 +106,7 @@ def test_roads_of_two_widths_are_cut_where_their_edges_meet(
     turn = math.radians(degrees)
     ends = np.array([[100.0, 0.0], [100.0 * math.cos(turn), 100.0 * math.sin(turn)]])
     one, other = (
-        Arm(polyline(name, np.linspace([0.0, 0.0], end, 101), width), 1)
+        RoadArm(polyline(name, np.linspace([0.0, 0.0], end, 101), width), 1)
         for name, end, width in zip("ab", ends, widths, strict=True)
     )
     first, second = cuts([one, other])

@@ -52,13 +52,13 @@ def _formula(formula: stl.Formula, signals: Mapping[str, Any]) -> Any:
             return [op, _term(left, signals), _term(right, signals)]
         case stl.TemporalOperator() if not formula.past:
             raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=formula.word)
-        case stl.Junction(()):
+        case stl.LogicalJunction(()):
             return formula.least
     parts = [_formula(part, signals) for part in formula.parts]
     match formula:
         case stl.Not():
             return ["not", *parts]
-        case stl.Junction():
+        case stl.LogicalJunction():
             return ["and" if formula.least else "or", *parts]
         case stl.UnaryTemporal(interval):
             return ["all" if formula.least else "any", *_bounds(interval), *parts]

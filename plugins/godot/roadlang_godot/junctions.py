@@ -26,7 +26,7 @@ _MOST_POINTS = 400
 
 
 @dataclass(frozen=True, slots=True)
-class Arm:
+class RoadArm:
     """One road end at a node: the line, and whether it begins (+1) or ends (-1) there."""
 
     line: RoadSamples
@@ -48,17 +48,17 @@ class Arm:
         return (right[0], left[0]) if self.sign > 0 else (left[0], right[0])
 
 
-def order(arms: list[Arm]) -> list[Arm]:
+def order(arms: list[RoadArm]) -> list[RoadArm]:
     """Arms counter-clockwise by the direction in which they leave."""
 
-    def bearing(arm: Arm) -> float:
+    def bearing(arm: RoadArm) -> float:
         _, direction, _ = arm.outwards(min(2.0, 0.2 * arm.line.length))
         return float(np.arctan2(direction[1], direction[0]))
 
     return sorted(arms, key=bearing)
 
 
-def cuts(arms: list[Arm]) -> list[float]:
+def cuts(arms: list[RoadArm]) -> list[float]:
     """How far each arm (in order) is cut back, so that no two strips overlap."""
     count = len(arms)
     out = [MARGIN] * count
@@ -89,7 +89,9 @@ def area_patch(
     return triangles_thing(Message.PATCH, corners, triangulated(points)[:, ::-1], id, label)
 
 
-def patch(arms: list[Arm], cut: list[float], id: int, frame: SceneOrigin, label: str) -> ScenePart:
+def patch(
+    arms: list[RoadArm], cut: list[float], id: int, frame: SceneOrigin, label: str
+) -> ScenePart:
     """The paved area between the cut ends of arms in order, with rounded corners."""
     outline: list[Floats] = []
     for i, arm in enumerate(arms):
@@ -119,7 +121,7 @@ def triangles_thing(
 
 
 def _rounded(
-    start: Floats, arm: Arm, cut: float, end: Floats, other: Arm, other_cut: float
+    start: Floats, arm: RoadArm, cut: float, end: Floats, other: RoadArm, other_cut: float
 ) -> list[Floats]:
     """Points of a curve from one cut's corner to the next one's, along both edges."""
     _, u, _ = arm.outwards(cut)

@@ -15,7 +15,7 @@ from .drives import IN_ENGINE, is_walker, option_values, plain_name, usual_speed
 from .faults import fault
 from .frame import SceneOrigin, frame_around
 from .junction_things import paint_things, signal_things
-from .junctions import Arm, area_patch, cuts, order, patch
+from .junctions import RoadArm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of, line_of_route
 from .mask_tiles import network_tiles
 from .placed import Placed, agent_thing, object_things, path_things, world_thing
@@ -179,7 +179,7 @@ def _arms(
     roads: Iterable[str],
     built: Mapping[str, Any],
     lines: Mapping[str, RoadSamples],
-) -> list[Arm]:
+) -> list[RoadArm]:
     out = []
     for name in dict.fromkeys(roads):
         if name not in built or lines[name].closed:
@@ -188,9 +188,9 @@ def _arms(
         start = float(np.hypot(*(line.points[0] - node)))
         end = float(np.hypot(*(line.points[-1] - node)))
         if start < 1.0 and end < 1.0:
-            out += [Arm(line, 1), Arm(line, -1)]
+            out += [RoadArm(line, 1), RoadArm(line, -1)]
         else:
-            out.append(Arm(line, 1 if start <= end else -1))
+            out.append(RoadArm(line, 1 if start <= end else -1))
     return out
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Onnx(Controller):
+class OnnxController(Controller):
     """A policy network in an ONNX file, float32 (1, F) to (1, 2): it gets the vector of numbers
     that environments observe, and gives steering and acceleration as the actions there.
     """

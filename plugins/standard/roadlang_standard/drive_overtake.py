@@ -26,7 +26,7 @@ from .lane_traffic import (
     lane_traffic,
     target_among,
 )
-from .passing import Pass, passing_distance, passing_time
+from .passing import PassingView, passing_distance, passing_time
 from .steering import along_line
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ class Overtake(Controller):
         state[(phase == GIVING_UP) & behind & home, _PHASE] = WAITING
         return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
 
-    def _plan(self, seen: ObservationBatch, state: Any) -> Pass:
+    def _plan(self, seen: ObservationBatch, state: Any) -> PassingView:
         """What a pass from here on takes."""
         import numpy as np
 
@@ -130,7 +130,7 @@ class Overtake(Controller):
         origin = np.where(waiting, here, state[:, _ORIGIN])
         middle = np.where(waiting, seen.offset_of_lane("inner"), state[:, _LANE])
         lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, here), near)
-        return Pass(
+        return PassingView(
             found, ahead, left, pace, length, origin, middle, self._fast(seen, pace), lane,
             lane_traffic(seen, origin, near),
         )  # fmt: skip
@@ -143,7 +143,7 @@ class Overtake(Controller):
             return np.zeros(len(pace)) + self.speed
         return np.minimum(seen.speed_limit, pace + FASTER)
 
-    def _free(self, seen: ObservationBatch, plan: Pass, share: float) -> Booleans:
+    def _free(self, seen: ObservationBatch, plan: PassingView, share: float) -> Booleans:
         """(N,) whether oncoming traffic, and who else is in the lane, leave room for the pass."""
         import numpy as np
 
@@ -157,7 +157,7 @@ class Overtake(Controller):
         blocked = oncoming & (lane.gap < share * (own[:, None] + theirs + STANDSTILL_GAP))
         return np.asarray(~blocked.any(axis=1))
 
-    def _wait(self, seen: ObservationBatch, plan: Pass, state: Any) -> None:
+    def _wait(self, seen: ObservationBatch, plan: PassingView, state: Any) -> None:
         """Who waits pulls out when all is free: its lane, and the place before the target."""
         import numpy as np
 
@@ -177,7 +177,7 @@ class Overtake(Controller):
         fits &= self._place_before(seen, plan)
         state[fits, _PHASE] = PASSING
 
-    def _place_before(self, seen: ObservationBatch, plan: Pass) -> Booleans:
+    def _place_before(self, seen: ObservationBatch, plan: PassingView) -> Booleans:
         """(N,) whether there is a place for the agent between the target and who drives before
         it."""
         import numpy as np
@@ -191,19 +191,19 @@ class Overtake(Controller):
         needed = least + closing * closing / (2.0 * BRAKING)
         return np.asarray((~further | (free > needed)).all(axis=1))
 
-    def _give_up(self, seen: ObservationBatch, plan: Pass, state: Any) -> None:
+    def _give_up(self, seen: ObservationBatch, plan: PassingView, state: Any) -> None:
         """Until they are beside the target, those who pass look again."""
         early = (state[:, _PHASE] == PASSING) & (plan.ahead > 0.0) & plan.found
         if early.any():
             state[early & ~self._free(seen, plan, STILL_FREE), _PHASE] = GIVING_UP
 
-    def _pull_in(self, seen: ObservationBatch, plan: Pass, state: Any) -> None:
+    def _pull_in(self, seen: ObservationBatch, plan: PassingView, state: Any) -> None:
         """Those who are far enough before the target, or have lost it from sight."""
         gap = -plan.ahead - 0.5 * (seen.length + plan.length)
         past = (state[:, _PHASE] == PASSING) & (~plan.found | (gap >= self.gap))
         state[past, _PHASE], state[past, _CLOCK] = RETURNING, 0.0
 
-    def _acceleration(self, seen: ObservationBatch, plan: Pass, state: Any) -> Floats:
+    def _acceleration(self, seen: ObservationBatch, plan: PassingView, state: Any) -> Floats:
         """(N,) of who passes, to its speed; of who gives up, until it is behind the target."""
         import numpy as np
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from roadlang.api import ControlBatch, ObservationBatch
 
-    from .process.program import Program
+    from .process.program import ControllerProcess
 
 A = TypeVar("A")
 R = TypeVar("R")
@@ -75,12 +75,12 @@ class Process(Controller):
     def _begin(self, seen: ObservationBatch, state: NDArray[Any]) -> None:
         """Start the programs of those that have none, all at once, then greet them."""
         from .process.messages import greeting
-        from .process.program import Program, ProgramFailed
+        from .process.program import ControllerProcess, ProgramFailed
 
         new = [row for row in range(len(state)) if state[row] is None]
         for row in new:
             try:
-                state[row] = Program(self.command)
+                state[row] = ControllerProcess(self.command)
             except ProgramFailed as error:
                 self._fail(state, row, error)
             self._attempt(state, row, _send, greeting(seen, row))
@@ -88,7 +88,7 @@ class Process(Controller):
             self._attempt(state, row, _greeted, START)
 
     def _attempt(
-        self, state: NDArray[Any], row: int, step: Callable[[Program, A], R], argument: A
+        self, state: NDArray[Any], row: int, step: Callable[[ControllerProcess, A], R], argument: A
     ) -> R | None:
         """What a step with the program of a row gives; None where that has failed."""
         from .process.program import ProgramFailed
@@ -113,17 +113,17 @@ class Process(Controller):
             raise DiagnosticError(diagnose(Code.PROGRAM_FAILED, command=command, reason=str(error)))
 
 
-def _send(program: Program, line: str) -> None:
+def _send(program: ControllerProcess, line: str) -> None:
     program.send(line)
 
 
-def _greeted(program: Program, seconds: float) -> None:
+def _greeted(program: ControllerProcess, seconds: float) -> None:
     from .process.messages import check_greeting
 
     check_greeting(program.receive(seconds))
 
 
-def _answered(program: Program, seconds: float) -> tuple[float, float]:
+def _answered(program: ControllerProcess, seconds: float) -> tuple[float, float]:
     from .process.messages import control
 
     return control(program.receive(seconds))

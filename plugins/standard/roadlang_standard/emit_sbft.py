@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Sbft(Backend):
+class SbftBackend(Backend):
     """The road as a list of points `[[x, y], ...]` in meters, as tools of the SBFT tool competition
     (cyber-physical systems track) give it; `require N with sbft` judges it by the same points."""
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Onnx(Aerial):
+class OnnxExtractor(Aerial):
     """Your own network: RGB in 0..255 (1, 3, h, w) to one or two maps in 0..1 of half that size."""
 
     name: ClassVar[str] = "onnx"

@@ -15,7 +15,7 @@ REACHED = 0.8
 
 
 @dataclass(frozen=True)
-class Pass:
+class PassingView:
     """What agents (N,) who may pass another see of it."""
 
     found: Booleans

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Sbft(Monitor):
+class SbftMonitor(Monitor):
     """Whether the SBFT tool competition (cyber-physical systems track) would accept the road.
 
     Its robustness is in meters: the least of the distance of the road, 8 m wide, from the edge of

@@ -11,7 +11,7 @@ import numpy as np
 from ..drive.controllers import python_controllers
 from ..drive.simulators import engine_settings
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..simulation.contacts import Contacts
+from ..simulation.contacts import ContactDetector
 from ..simulation.decision import Decision
 from ..simulation.driving import Crew
 from ..simulation.observing import Surroundings, View
@@ -19,7 +19,7 @@ from ..simulation.samples import Samples
 from ..simulation.world import World
 from ..simulation.world_building import world_of
 from .margins import Margins
-from .off_road import OffRoad
+from .off_road import OffRoadCheck
 from .rewards import Transition
 from .scene_pool import ScenePool
 from .settings import EnvSettings
@@ -32,7 +32,7 @@ IDLE_BRAKING = 4.0
 
 
 @dataclass(frozen=True)
-class Ends:
+class EpisodeEnds:
     """Why episodes end, as columns (N,)."""
 
     collided: Booleans
@@ -67,7 +67,7 @@ class Episodes:
         self._vector = settings.vector
         self._surroundings = Surroundings(world)
         self._crew = _crew(world, pool, settings)
-        self._contacts = Contacts(world)
+        self._contacts = ContactDetector(world)
         poses = world.poses
         self._contacts.watch(world, poses, 0.0)
         self._poses = world.poses
@@ -77,7 +77,7 @@ class Episodes:
         depth = max((one.looks_back for one in self._margins), default=0)
         self._samples = Samples(depth, settings.step)
         self._samples.add(world, self._poses)
-        self._off_road = OffRoad(world)
+        self._off_road = OffRoadCheck(world)
 
     def restart(self, rows: Integers) -> None:
         """Some scenes begin again."""
@@ -98,7 +98,7 @@ class Episodes:
         view = View(self._world, self._poses, self._settings.step, self._surroundings)
         return self._vector.of(view.of(self._agents[rows]))
 
-    def step(self, rows: Integers, actions: Floats) -> tuple[Transition, Ends]:
+    def step(self, rows: Integers, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on, with `actions` (R, 2) in the scenes `rows`; the others go on as they like."""
         world, settings = self._world, self._settings
         decision = self._decided(rows, actions)
@@ -155,7 +155,7 @@ class Episodes:
         """The driven agents of some scenes, as an index that copies nothing where it can."""
         return slice(None) if len(rows) == len(self._world.present) else self._agents[rows]
 
-    def _ends(self, rows: Integers, after: Transition) -> Ends:
+    def _ends(self, rows: Integers, after: Transition) -> EpisodeEnds:
         settings, world = self._settings, self._world
         none = np.zeros(len(rows), dtype=bool)
         violated = none.copy()
@@ -163,7 +163,7 @@ class Episodes:
             for margin in after.margins.values():
                 violated |= margin < 0.0
         ticks = world.tick - world.began[self._selected(rows)]
-        return Ends(
+        return EpisodeEnds(
             after.collided,
             after.off_road if settings.off_road_ends else none,
             after.arrived,

@@ -144,7 +144,7 @@ def _robustness(formula: stl.Formula, value: Signal, count: int) -> Floats:
     match formula:
         case stl.Not():
             return -parts[0]
-        case stl.Junction():
+        case stl.LogicalJunction():
             join = np.minimum if formula.least else np.maximum
             return np.asarray(join.reduce(parts))
     raise AssertionError(f"not in normal form: {formula}")

@@ -7,12 +7,12 @@ import numpy as np
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.cross_section import drivable_borders
 from ..ir.scene import SceneRoad
-from ..simulation.lane_columns import RoadLanes
+from ..simulation.lane_columns import LaneSection
 from ..simulation.samples import Samples
 from ..simulation.world import World
 
 
-class OffRoad:
+class OffRoadCheck:
     """Of the agents of a world as it was built.
 
     The signal is read only of agents whose footprints may reach beyond the lanes around their
@@ -64,7 +64,7 @@ def _line_width(world: World, agent: int) -> float:
 
 
 def _drivable(road: SceneRoad) -> float:
-    lanes = RoadLanes.of(road)
+    lanes = LaneSection.of(road)
     first, last = drivable_borders(np.array([one.drivable for one in lanes.section.lanes]))
     borders: Floats = lanes.section.border_offsets(np.array(road.stations))
     return float(min(borders[first].min(), -borders[last].max()))

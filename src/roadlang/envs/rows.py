@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.arrays import Floats, Integers
-from .episodes import Ends, Episodes, can_restart
+from .episodes import EpisodeEnds, Episodes, can_restart
 from .rewards import Transition
 from .scene_pool import ScenePool
 from .settings import EnvSettings
@@ -26,7 +26,7 @@ class Rows(Protocol):
         """(N, F) what all see."""
         ...
 
-    def step(self, actions: Floats) -> tuple[Transition, Ends]:
+    def step(self, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on, with actions (N, 2)."""
         ...
 
@@ -62,7 +62,7 @@ class Together:
         """(N, F)."""
         return self._episodes.observe(self._first + self._turn)
 
-    def step(self, actions: Floats) -> tuple[Transition, Ends]:
+    def step(self, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on."""
         return self._episodes.step(self._first + self._turn, actions)
 
@@ -92,7 +92,7 @@ class OneByOne:
         """(N, F)."""
         return np.concatenate([one.observe(_ONLY) for one in self._episodes])
 
-    def step(self, actions: Floats) -> tuple[Transition, Ends]:
+    def step(self, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on."""
         found = [one.step(_ONLY, actions[[i]]) for i, one in enumerate(self._episodes)]
         happened = [transition for transition, _ in found]
@@ -105,10 +105,10 @@ class OneByOne:
             name: np.concatenate([one.margins[name] for one in happened])
             for name in happened[0].margins
         }
-        ends = Ends(
+        ends = EpisodeEnds(
             *(
                 np.concatenate([getattr(one, field.name) for _, one in found])
-                for field in fields(Ends)
+                for field in fields(EpisodeEnds)
             )
         )
         return Transition(margins=margins, **columns), ends

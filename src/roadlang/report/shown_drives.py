@@ -29,7 +29,7 @@ class Influence:
 
 
 @dataclass(frozen=True)
-class Explanation:
+class FailureExplanation:
     """What is read of what `roadlang explain` wrote."""
 
     expectation: str
@@ -67,7 +67,7 @@ def _explained(stem: Path) -> dict[str, Any] | None:
     path = stem.with_name(f"{stem.name}.explanation.json")
     if not path.is_file():
         return None
-    found = read_typed(path, Explanation)
+    found = read_typed(path, FailureExplanation)
     singles = [item for item in found.medians if len(item.draws) == 1]
     holding = {name for item in singles if _holds(item) for name in item.draws}
     pairs = [

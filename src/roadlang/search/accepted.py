@@ -57,7 +57,7 @@ class SearchedBlock(Generic[T]):
 
 
 @dataclass
-class SearchResult(Generic[T]):
+class AcceptedSamples(Generic[T]):
     """What a whole search came to."""
 
     wanted: int

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-from .accepted import SearchResult
+from .accepted import AcceptedSamples
 from .rejection_report import RejectionStats
 from .samplers import Progress
 from .scene_search import SceneSearch
@@ -23,7 +23,7 @@ T = TypeVar("T")
 J = TypeVar("J")
 
 
-def search(task: SceneSearch[T], n: int | None, workers: Workers = ALONE) -> SearchResult[T]:
+def search(task: SceneSearch[T], n: int | None, workers: Workers = ALONE) -> AcceptedSamples[T]:
     """The first `n` scenes by the scenario's sampler."""
     with WorkerPool(task, workers) as pool:
         if task.sampler.kind.sequential:
@@ -33,9 +33,9 @@ def search(task: SceneSearch[T], n: int | None, workers: Workers = ALONE) -> Sea
 
 def _search_scenes(
     task: SceneSearch[T], n: int, pool: WorkerPool[SceneSearch[T]], progress: Progress | None
-) -> SearchResult[T]:
+) -> AcceptedSamples[T]:
     """Scene 0 first and alone: if it is given up, so is everything."""
-    found = SearchResult[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
+    found = AcceptedSamples[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
     blocks += [range(start, min(start + BLOCK, n)) for start in range(1, n, BLOCK)]
     for part in (blocks[:1], blocks[1:]):
@@ -58,9 +58,9 @@ def _search_stream(
     n: int | None,
     pool: WorkerPool[SceneSearch[T]],
     progress: Progress | None,
-) -> SearchResult[T]:
+) -> AcceptedSamples[T]:
     stream = accepted_of_stream(task.acceptance, task.sampler, task.seed, n)
-    found = SearchResult[T](stream.wanted, stream.stats, missing=list(stream.missing))
+    found = AcceptedSamples[T](stream.wanted, stream.stats, missing=list(stream.missing))
     workers = pool.workers if len(stream.accepted) >= _FEWEST_FOR_PROCESSES else 1
     shares = _shares(stream.accepted, workers, _MOST_SAMPLES)
     for samples in pool.map(SceneSearch.samples, shares):

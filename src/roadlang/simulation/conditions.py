@@ -19,7 +19,7 @@ _SOON = 1e-9
 """Seconds by which sums of time steps may differ."""
 
 
-class Condition:
+class ControllerCondition:
     """One formula for R agents. `numbers`: (R,) for each variable that is a number."""
 
     def __init__(self, formula: Any, numbers: Mapping[str, Floats], count: int) -> None:
@@ -65,7 +65,7 @@ class Condition:
         match formula:
             case stl.Not():
                 return ~parts[0]
-            case stl.Junction():
+            case stl.LogicalJunction():
                 start = np.full(self._count, formula.least)
                 join = np.logical_and if formula.least else np.logical_or
                 return np.asarray(join.reduce([start, *parts]))

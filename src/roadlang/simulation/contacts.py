@@ -32,7 +32,7 @@ class Contact:
     """of one relative to the other, m/s"""
 
 
-class Contacts:
+class ContactDetector:
     """Watches the agents of a world, from one sample to the next.
 
     Who touches something stands still from then on. On foot one touches nothing but vehicles. Who

@@ -32,14 +32,14 @@ class OnRoad:
 
 
 @dataclass(frozen=True)
-class RoadLanes:
+class LaneSection:
     """The cross-section of a road, with the speed limits of its lanes (infinite for none)."""
 
     section: CrossSection
     limits: Floats
 
     @classmethod
-    def of(cls, road: SceneRoad) -> RoadLanes:
+    def of(cls, road: SceneRoad) -> LaneSection:
         """Those of a road. Raises GeometryError for lanes that cannot be."""
         section = road.cross_section()
         rest = math.inf if road.speed_limit is None else road.speed_limit

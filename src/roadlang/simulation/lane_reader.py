@@ -12,8 +12,8 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.footprints import Footprints
 from ..ir.scene import Scene, SceneRoad
 from .junction_areas import outside_ring
-from .lane_columns import LANE_COLUMNS, OnRoad, RoadLanes, on_road
-from .route_lines import Turn
+from .lane_columns import LANE_COLUMNS, LaneSection, OnRoad, on_road
+from .route_lines import RouteConnection
 from .world import World
 
 _ON_A_ROAD = -1
@@ -30,7 +30,7 @@ class LaneReader:
 
     def __init__(self, world: World) -> None:
         self._world = world
-        self._lanes: list[RoadLanes] = []
+        self._lanes: list[LaneSection] = []
         self._known: dict[Any, int] = {}
         self._number = np.array([self._group(agent) for agent in range(len(world.present))])
 
@@ -69,7 +69,7 @@ class LaneReader:
         road = world.scenes[agent // world.slots].roads[world.road[agent]]
         if (road.lane_list, road.center_offset, road.speed_limit) in self._known:
             return self._known[road.lane_list, road.center_offset, road.speed_limit]
-        lanes = RoadLanes.of(road)
+        lanes = LaneSection.of(road)
         self._lanes.append(lanes)
         if lanes.is_constant and road.lane_list:
             key = road.lane_list, road.center_offset, road.speed_limit
@@ -77,7 +77,7 @@ class LaneReader:
         return len(self._lanes) - 1
 
     def _plain(
-        self, agents: Integers, columns: Mapping[str, Floats], lanes: RoadLanes
+        self, agents: Integers, columns: Mapping[str, Floats], lanes: LaneSection
     ) -> dict[str, Floats]:
         """Of agents without a route, whose lines are the center lines of their roads."""
         world = self._world
@@ -107,7 +107,7 @@ def _along_route(world: World, agent: int, columns: Mapping[str, Floats]) -> dic
     poses = {name: columns[name][None] for name in ("x", "y", "heading", "station")}
     size = np.array([[world.bodies.length[agent]]]), np.array([[world.bodies.width[agent]]])
     out = {name: np.full(len(along), math.nan) for name in LANE_COLUMNS}
-    lanes = {number: RoadLanes.of(scene.roads[number]) for number in np.unique(place.road)}
+    lanes = {number: LaneSection.of(scene.roads[number]) for number in np.unique(place.road)}
     for number, section in lanes.items():
         at = np.flatnonzero((place.road == number) & (place.turn < 0))
         if len(at):
@@ -132,7 +132,7 @@ _POSE = ("station", "x", "y", "heading")
 def _reach_junctions(
     off_road: Floats,
     scene: Scene,
-    turns: tuple[Turn, ...],
+    turns: tuple[RouteConnection, ...],
     turn: Integers,
     poses: Mapping[str, Floats],
     size: tuple[Floats, Floats],
@@ -172,7 +172,7 @@ def _outside_road(road: SceneRoad, points: Floats) -> Floats:
     station = stations[nearest]
     zero = np.zeros(station.shape)
     on = on_road(road, station, points[..., 0], points[..., 1], zero)
-    beside = RoadLanes.of(road).outside(on, on.offset[None])[0]
+    beside = LaneSection.of(road).outside(on, on.offset[None])[0]
     heading = np.interp(on.station, stations, np.unwrap(np.array(road.heading)))
     foot_x = np.interp(on.station, stations, nodes[:, 0])
     foot_y = np.interp(on.station, stations, nodes[:, 1])

@@ -21,7 +21,7 @@ from .neighbors import Nearby, StandingObjects
 from .obstacles import Obstacles
 from .poses import Poses, line_points
 from .road_lanes import LanesHere, RoadLanes, lane_values
-from .traffic.right_of_way import RightOfWay
+from .traffic.right_of_way import RightOfWayGrants
 from .world import World
 
 PROBE = 0.1
@@ -42,7 +42,7 @@ class Surroundings:
         self._lanes: RoadLanes | None = None
         self._objects: StandingObjects | None = None
         self._obstacles: Obstacles | None = None
-        self._right_of_way: RightOfWay | None = None
+        self._right_of_way: RightOfWayGrants | None = None
 
     def take(self, agents: Integers, count: int, slots: int) -> None:
         """From now on the world has these of its `count` agents alone."""
@@ -60,10 +60,10 @@ class Surroundings:
             self._obstacles = Obstacles.of(world)
         return self._obstacles
 
-    def right_of_way(self, world: World) -> RightOfWay:
+    def right_of_way(self, world: World) -> RightOfWayGrants:
         """At the junctions."""
         if self._right_of_way is None:
-            self._right_of_way = RightOfWay(world)
+            self._right_of_way = RightOfWayGrants(world)
         return self._right_of_way
 
     def lanes(self, world: World) -> LanesHere:

@@ -12,7 +12,7 @@ from ..geometry.arrays import Floats
 from ..geometry.footprints import Footprints, distance_between
 from ..ir.scene import Scene, SceneRoad
 from ..ir.trace import AgentTrace, Trace
-from .lane_columns import RoadLanes, on_road
+from .lane_columns import LaneSection, on_road
 from .stop_lines import StopLines, has_signals
 from .world_building import world_of
 
@@ -49,7 +49,7 @@ def _on_one_road(agent: AgentTrace, road: SceneRoad, backward: bool) -> dict[str
     rows = (column[None] for column in (agent.station, agent.x, agent.y, agent.heading))
     on = on_road(road, *rows)
     size = np.array([[agent.length]]), np.array([[agent.width]])
-    found = RoadLanes.of(road).columns(on, np.array([[backward]]), *size)
+    found = LaneSection.of(road).columns(on, np.array([[backward]]), *size)
     step = np.diff(agent.station, prepend=agent.station[:1])
     if road.closed:  # over the seam the station begins anew
         step = step - np.round(step / road.length) * road.length

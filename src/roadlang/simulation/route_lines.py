@@ -29,7 +29,7 @@ COINCIDENT = 1e-6
 
 
 @dataclass(frozen=True)
-class Turn:
+class RouteConnection:
     """A connection through a junction."""
 
     junction: SceneJunction
@@ -37,7 +37,7 @@ class Turn:
 
 
 @dataclass(frozen=True)
-class Leg:
+class LineLeg:
     """A part of a line, from arc length `begin` on: on one lane of a road, or a connection."""
 
     step: int
@@ -53,7 +53,7 @@ class Leg:
     """(n,) ... and those of the road there"""
     speed_limit: float
     """m/s, infinite for none"""
-    turn: Turn | None = None
+    turn: RouteConnection | None = None
     changed: float = 0.0
     """meters before and after its begin in which the line changes to its lane; 0: it does not"""
 
@@ -63,7 +63,7 @@ class RouteLine:
     """A line with what it leads over."""
 
     source: LineSource
-    legs: tuple[Leg, ...]
+    legs: tuple[LineLeg, ...]
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class _Part:
     heading: Floats
     width: Floats
     station: Floats
-    turn: Turn | None = None
+    turn: RouteConnection | None = None
     changed: float = 0.0
 
 
@@ -84,14 +84,14 @@ def plain_line(source: LineSource, road: int, lane: int, limit: float, backward:
     """The line of an agent without a route: one leg, all of its road."""
     along = np.array([0.0, source.length])
     station = along[::-1] if backward else along
-    return RouteLine(source, (Leg(0, road, lane, 0.0, along, station, limit),))
+    return RouteLine(source, (LineLeg(0, road, lane, 0.0, along, station, limit),))
 
 
 def route_line(route: SceneRoute, scene: Scene, numbers: Mapping[str, int]) -> RouteLine:
     """The line of a route. `numbers`: of the roads of the scene, by name."""
     parts = list(_parts(route, scene, numbers))
     s, points = 0.0, []
-    legs: list[Leg] = []
+    legs: list[LineLeg] = []
     last: tuple[float, float, float] | None = None
     for part in parts:
         along = _arc_lengths(part, last)
@@ -100,7 +100,7 @@ def route_line(route: SceneRoute, scene: Scene, numbers: Mapping[str, int]) -> R
         road = scene.roads[numbers[step.road]]
         turned = part.turn is not None
         legs.append(
-            Leg(
+            LineLeg(
                 part.step, numbers[step.road], 0 if turned else step.lane, begin, along,
                 part.station, speed_limit(road, step.lane), part.turn, part.changed,
             )
@@ -129,12 +129,12 @@ def speed_limit(road: SceneRoad, lane: int) -> float:
     return math.inf if limit is None else limit
 
 
-def turn_of(turn: RouteTurn, scene: Scene) -> Turn:
+def turn_of(turn: RouteTurn, scene: Scene) -> RouteConnection:
     """The connection that a turn names."""
     network = next(one for one in scene.networks if one.name == turn.network)
     junction = next(one for one in network.junctions if one.id == turn.junction)
     connection = next(one for one in junction.connections if one.id == turn.connection)
-    return Turn(junction, connection)
+    return RouteConnection(junction, connection)
 
 
 def connection_points(connection: SceneConnection) -> tuple[Floats, Floats, Floats, Floats]:
@@ -235,7 +235,7 @@ def _change_length(step: RouteStep, other: RouteStep, road: SceneRoad) -> float:
     return max(min(wanted, 2.0 * shorter), COINCIDENT)
 
 
-def _connection_part(number: int, step: RouteStep, turn: Turn) -> _Part:
+def _connection_part(number: int, step: RouteStep, turn: RouteConnection) -> _Part:
     """A connection; its station is that where the lane that it leaves ends."""
     s, x, y, heading = connection_points(turn.connection)
     share = s / s[-1]

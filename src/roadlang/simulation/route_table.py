@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
-from .route_lines import RouteLine, Turn
+from .route_lines import RouteConnection, RouteLine
 
 STATION_SPACING = 1.0
 """Meters of a leg between two stations of the table, at most."""
 
 
 @dataclass(frozen=True)
-class Place:
+class RoadPosition:
     """Columns (N,): where on roads and junctions arc lengths of lines are."""
 
     leg: Integers
@@ -56,7 +56,7 @@ class RouteTable:
     """m/s, infinite for none"""
     turn: Integers
     """number in `turns`, -1 for a lane"""
-    turns: tuple[Turn, ...]
+    turns: tuple[RouteConnection, ...]
     """all connections of all lines"""
     first: Integers
     """where the stations of a leg begin in `stations`"""
@@ -83,7 +83,7 @@ class RouteTable:
         )
         road -= 1
         turn -= 1
-        turns: list[Turn] = []
+        turns: list[RouteConnection] = []
         stations: list[Floats] = []
         filled = 0
         for row, one in enumerate(lines):
@@ -119,10 +119,10 @@ class RouteTable:
             return np.zeros(len(along), dtype=np.int64)
         return np.asarray((along[:, None] >= self.begin[self.line[rows], 1:]).sum(axis=1))
 
-    def place(self, rows: Any, along: Floats) -> Place:
+    def place(self, rows: Any, along: Floats) -> RoadPosition:
         """Where that is on roads and junctions."""
         line, leg = self.line[rows], self.leg(rows, along)
-        return Place(
+        return RoadPosition(
             leg, self.step[line, leg], self.road[line, leg], self.lane[line, leg],
             self._station(line, leg, along), self.turn[line, leg], self.direction[line, leg],
         )  # fmt: skip

@@ -13,7 +13,7 @@ from ..ir.trace import Trace
 from ..plugins.kinds import Controller
 from . import compiled, motion
 from .bodies import Body
-from .contacts import Contact, Contacts
+from .contacts import Contact, ContactDetector
 from .driving import Crew
 from .motion import Advance
 from .recording import Recorder
@@ -90,7 +90,7 @@ def _drive_block(
     world = world_of(scenes, settings.bodies, dt, settings.control_step)
     world.advance = advance
     crew = Crew(world, controllers, held * dt)
-    contacts = Contacts(world)
+    contacts = ContactDetector(world)
     poses = world.poses
     recorder = Recorder(world)
     recorder.note(world, contacts.watch(world, poses, 0.0))

@@ -12,7 +12,7 @@ import numpy as np
 from ..geometry.arrays import Booleans, Integers
 from ..ir.scene import Call
 from ..plugins.registry import KindEntry
-from .conditions import Condition
+from .conditions import ControllerCondition
 from .poses import Poses
 from .samples import Samples
 from .signals import SignalCall
@@ -28,7 +28,7 @@ class Trigger:
 
     place: int
     rows: Integers
-    condition: Condition
+    condition: ControllerCondition
     signals: dict[str, SignalCall]
     latched: Booleans | None
     """of `when:`, which stays true once it is; None of `while:`"""
@@ -128,6 +128,6 @@ def _trigger(
         name: np.array([float(one["numbers"][name]) for _, one in members])
         for name in first.get("numbers", {})
     }
-    condition = Condition(first["formula"], numbers, len(rows))
+    condition = ControllerCondition(first["formula"], numbers, len(rows))
     past = np.zeros(len(rows), dtype=bool) if latched else None
     return Trigger(place, rows, condition, signals, past)

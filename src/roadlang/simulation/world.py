@@ -18,7 +18,7 @@ from .line_moves import LineMoves
 from .motion import Advance, Motion, Track, advance
 from .placing import Placing
 from .poses import Poses, poses_of
-from .route_table import Place, RouteTable
+from .route_table import RoadPosition, RouteTable
 from .stop_lines import StopLines
 
 END_BRAKING = 4.0
@@ -241,7 +241,7 @@ class World:
         return station
 
     @property
-    def place(self) -> Place:
+    def place(self) -> RoadPosition:
         """Where on roads and junctions all agents are."""
         return self.table.place(slice(None), self.motion.along)
 

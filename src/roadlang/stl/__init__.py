@@ -33,7 +33,7 @@ if TYPE_CHECKING:
         Historically,
         Iff,
         Implies,
-        Junction,
+        LogicalJunction,
         Not,
         Once,
         Or,
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "formula.formulas": (
         "Always And BinaryTemporal Comparison Connective Eventually Formula Historically Iff "
-        "Implies Junction Not Once Or Since TemporalOperator Truth UnaryTemporal Until Xor"
+        "Implies LogicalJunction Not Once Or Since TemporalOperator Truth UnaryTemporal Until Xor"
     ),
     "explain.causes": "ViolationInterval",
     "explain.explanation": "Explanation Link",
@@ -87,8 +87,8 @@ __all__ = [
     "Iff",
     "Implies",
     "Interval",
-    "Junction",
     "Link",
+    "LogicalJunction",
     "Mined",
     "Negate",
     "Not",

@@ -21,17 +21,17 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import CopyKinds, counts, element_of, kinds_of, most_copies
 from .named_roads import length_of_rows, name_of_road, named_road
-from .neighbors import COPY, Neighbors, legend_neighbors, missing_room, room_among
+from .neighbors import COPY, PlacedRectangles, legend_neighbors, missing_room, room_among
 from .placement_order import can_be_placed_again, placement_order
 from .poses import poses_of
 from .positions import Others
-from .road_poses import Poses
+from .road_poses import RoadPoses
 from .road_strips import depth_in_lanes
 
 TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)
 """How often a copy is tried in each round before it is given up. Within a round it keeps clear of
 what was placed in earlier rounds, and of copies before it: the same however many are placed."""
-POSE = tuple(field.name for field in fields(Poses))
+POSE = tuple(field.name for field in fields(RoadPoses))
 
 
 class Arrangement:
@@ -43,7 +43,7 @@ class Arrangement:
         self.numbers = {actor.name: index for index, actor in enumerate(self.order)}
         self._done = 0
         self._noted = 0
-        self._neighbors = Neighbors()
+        self._neighbors = PlacedRectangles()
 
     def placed(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
         """Arrays (V, N): those of `PlacedBatch`, `missing`, the meters that a copy lacks to its
@@ -96,7 +96,7 @@ class _Turn:
     present: NDArray[np.bool_]
     apart: Floats
     tries: Integers
-    poses: Poses
+    poses: RoadPoses
     missing: Floats
     blocker: Integers
     others: Others
@@ -112,13 +112,13 @@ class _Turn:
         copies = CopyBatch.every(candidates, len(present) // candidates.count)
         kinds = kinds_of(actor, candidates)
         found = poses_of(actor, copies, kinds.lengths, kinds.widths, others)
-        poses = Poses(*(np.array(getattr(found, name)) for name in POSE))
+        poses = RoadPoses(*(np.array(getattr(found, name)) for name in POSE))
         tries = np.zeros(copies.count, np.int64)
         nothing, nobody = np.zeros(copies.count), np.full(copies.count, -1)
         apart = _apart(actor, copies)
         return cls(actor, candidates, kinds, present, apart, tries, poses, nothing, nobody, others)
 
-    def settle(self, neighbors: Neighbors) -> None:
+    def settle(self, neighbors: PlacedRectangles) -> None:
         """Place copies again until each fits or has been tried as often as `TRIES` says."""
         pending = np.flatnonzero(self.present)
         again = can_be_placed_again(self.actor, self.candidates)
@@ -135,7 +135,7 @@ class _Turn:
             following[pending] = self.tries[pending] + 1
 
     def _try(
-        self, index: Integers, first: Integers, number: int, placed: Neighbors, again: bool
+        self, index: Integers, first: Integers, number: int, placed: PlacedRectangles, again: bool
     ) -> NDArray[np.bool_]:
         """Whether copies (n,) fit by one of `number` tries from `first` (n,) on; each stays where
         it fitted first, or where it was tried last."""
@@ -146,7 +146,7 @@ class _Turn:
             lengths, widths = self.kinds.lengths[several], self.kinds.widths[several]
             poses = poses_of(self.actor, copies.at_tries(tries), lengths, widths, self.others)
         else:
-            poses = Poses(*(getattr(self.poses, name)[several] for name in POSE))
+            poses = RoadPoses(*(getattr(self.poses, name)[several] for name in POSE))
         missing, blocker = self._missing(several, poses, placed, again)
         fits = self._of_rows(index, (missing <= 0.0).reshape(-1, number))
         chosen = np.where(fits.any(axis=1), fits.argmax(axis=1), number - 1)
@@ -170,7 +170,7 @@ class _Turn:
     def _note(self, index: Integers, missing: Floats, blocker: Integers) -> None:
         self.missing[index], self.blocker[index] = missing, blocker
 
-    def _legends(self) -> tuple[Neighbors, ...]:
+    def _legends(self) -> tuple[PlacedRectangles, ...]:
         return (legend_neighbors(self.candidates, self._varying),)
 
     @property
@@ -180,7 +180,7 @@ class _Turn:
         return on is not None and self.candidates.scenario.is_varying(on)
 
     def _missing(
-        self, index: Integers, poses: Poses, placed: Neighbors, again: bool
+        self, index: Integers, poses: RoadPoses, placed: PlacedRectangles, again: bool
     ) -> tuple[Floats, Integers]:
         """(n,) meters that copies at these poses lack, and what they are too near to."""
         rows = index // self._most
@@ -192,7 +192,7 @@ class _Turn:
                 missing = np.maximum(missing, self._in_lanes(boxes, rows, poses))
         return missing, blocker
 
-    def _beyond_road(self, index: Integers, poses: Poses) -> Floats:
+    def _beyond_road(self, index: Integers, poses: RoadPoses) -> Floats:
         """(n,) meters that copies stand beyond the ends of their road: agents in a lane with their
         bumpers, others with their middles. In a network they are found on its roads."""
         name, start = str(self.actor.on), poses.start
@@ -207,15 +207,15 @@ class _Turn:
         beyond = np.maximum(half - start, start + half - length)
         return np.where(beyond > 1e-9 * length, beyond, 0.0)
 
-    def _in_lanes(self, boxes: Footprints, rows: Integers, poses: Poses) -> Floats:
+    def _in_lanes(self, boxes: Footprints, rows: Integers, poses: RoadPoses) -> Floats:
         names = [name_of_road(self.actor, number) for number in poses.road.tolist()]
         return depth_in_lanes(boxes, rows, names, poses.start, self.candidates, self._varying)
 
     def _boxes(self, index: Integers) -> Footprints:
-        poses = Poses(*(getattr(self.poses, name)[index] for name in POSE))
+        poses = RoadPoses(*(getattr(self.poses, name)[index] for name in POSE))
         return self._boxes_at(poses, index)
 
-    def _boxes_at(self, poses: Poses, index: Integers) -> Footprints:
+    def _boxes_at(self, poses: RoadPoses, index: Integers) -> Footprints:
         lengths, widths = self.kinds.lengths[index], self.kinds.widths[index]
         return Footprints(poses.x, poses.y, poses.heading, lengths, widths)
 

@@ -20,7 +20,7 @@ from .road_places import RoadPlaces
 
 
 @dataclass(frozen=True, eq=False)
-class LanePlaces:
+class LaneOffsets:
     """Arrays (R,): offsets from the center line, left positive, in meters."""
 
     left: Floats
@@ -40,7 +40,7 @@ def lane_places(
     which: NDArray[np.intp],
     place: RoadPlaces,
     lane: Integers,
-) -> LanePlaces:
+) -> LaneOffsets:
     """The lanes of a road at the places (R,) of copies of the candidates at `which` (R,) that are
     in `lane` (R,), 0 of none. Raises RL613."""
     count = len(which)
@@ -58,7 +58,7 @@ def lane_places(
                 index = _place_of(actor, lanes, id)
                 middle[chosen[within]] = (borders[index] + borders[index + 1])[within] / 2.0
                 backward[chosen[within]] = lanes.pattern.lanes[index].direction == "backward"
-    return LanePlaces(left, right, middle, backward)
+    return LaneOffsets(left, right, middle, backward)
 
 
 def lanes_by_word(

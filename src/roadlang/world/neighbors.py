@@ -22,7 +22,7 @@ group"""
 
 
 @dataclass
-class Neighbors:
+class PlacedRectangles:
     """Things that were placed: their rectangles, candidates, distances to keep, and numbers."""
 
     boxes: list[Footprints] = field(default_factory=list)
@@ -30,11 +30,11 @@ class Neighbors:
     apart: list[Floats] = field(default_factory=list)
     numbers: list[Integers] = field(default_factory=list)
 
-    def beginning(self, *others: Neighbors) -> Neighbors:
+    def beginning(self, *others: PlacedRectangles) -> PlacedRectangles:
         """A copy with others, to be added to."""
         self.joined()  # or each copy would join thousands of arrays again
         every = (*others, self)
-        return Neighbors(
+        return PlacedRectangles(
             [boxes for item in every for boxes in item.boxes],
             [rows for item in every for rows in item.rows],
             [apart for item in every for apart in item.apart],
@@ -68,12 +68,12 @@ class Neighbors:
         return self.boxes[0], self.rows[0], self.apart[0], self.numbers[0]
 
 
-def legend_neighbors(candidates: CandidateBatch, varying: bool) -> Neighbors:
+def legend_neighbors(candidates: CandidateBatch, varying: bool) -> PlacedRectangles:
     """What the legends of pictures name. `varying`: also where the picture differs between
     candidates, which are then evaluated singly."""
 
-    def make() -> Neighbors:
-        found = Neighbors()
+    def make() -> PlacedRectangles:
+        found = PlacedRectangles()
         scenario = candidates.scenario
         networks = [n for n in scenario.networks.values() if not _is_derived(n, candidates)]
         for network in networks:
@@ -104,7 +104,7 @@ def _has_legend(network: ScenarioNetwork, candidates: CandidateBatch) -> bool:
 
 
 def missing_room(
-    boxes: Footprints, rows: Integers, apart: Floats, placed: Neighbors
+    boxes: Footprints, rows: Integers, apart: Floats, placed: PlacedRectangles
 ) -> tuple[Floats, Integers]:
     """(n,) meters that things lack to what is placed, 0 where they fit, and the number of what
     they are too near to, -1 for nothing."""

@@ -20,7 +20,7 @@ from .positions import Others, column, standing_of, starts_of
 from .road_poses import (
     NO_ROAD,
     LaneStart,
-    Poses,
+    RoadPoses,
     WrittenPlace,
     number_option,
     option_value,
@@ -30,7 +30,7 @@ from .road_poses import (
 
 def poses_of(
     actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: Floats, others: Others
-) -> Poses:
+) -> RoadPoses:
     """Where each copy stands; `lengths` and `widths` (R,) of the copies, in meters. Raises
     RL613."""
     if actor.on is None:
@@ -42,14 +42,14 @@ def poses_of(
     return poses_on_road(actor.on, actor, copies.candidates, copies.rows, begin, said, sizes)
 
 
-def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> Poses:
+def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> RoadPoses:
     x, y = (column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
     nothing = np.full(copies.count, np.nan)
     none = np.zeros(copies.count, np.int64)
     heading = number_option(actor, "heading", copies)
     road = np.full(copies.count, NO_ROAD)
     no = none.astype(bool)
-    return Poses(x, y, heading, nothing, nothing, none, no, road, np.zeros(copies.count))
+    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, np.zeros(copies.count))
 
 
 def _in_network(
@@ -58,7 +58,7 @@ def _in_network(
     said: WrittenPlace,
     sizes: tuple[Floats, Floats],
     others: Others,
-) -> Poses:
+) -> RoadPoses:
     """Road by road."""
     road, begin, lacking = begins_in_network(actor, copies, said, sizes[0], others)
     found = [np.zeros(copies.count) for _ in range(5)]
@@ -79,7 +79,7 @@ def _in_network(
         for into, name in zip(columns, names, strict=True):
             into[index] = getattr(part, name)
     x, y, heading, start, offset = found
-    return Poses(x, y, heading, start, offset, lane, backward, road, lacking)
+    return RoadPoses(x, y, heading, start, offset, lane, backward, road, lacking)
 
 
 def _begin(

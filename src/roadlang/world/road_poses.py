@@ -16,7 +16,7 @@ from ..evaluate.kind_instance import scalar
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scenario import ScenarioActor
 from .copies import element_of
-from .lane_places import LanePlaces, lane_places
+from .lane_places import LaneOffsets, lane_places
 from .positions import column
 from .road_places import places_along
 
@@ -25,7 +25,7 @@ NO_ROAD = -1
 
 
 @dataclass(frozen=True, eq=False)
-class Poses:
+class RoadPoses:
     """Arrays (R,) as in `PlacedBatch`, of the copies of a `CopyBatch`."""
 
     x: Floats
@@ -116,7 +116,7 @@ def poses_on_road(
     begin: LaneStart,
     said: WrittenPlace,
     sizes: tuple[Floats, Floats],
-) -> Poses:
+) -> RoadPoses:
     """Where copies (R,) stand on a road, those at `rows` (R,) of the candidates; `sizes` are their
     lengths and widths, in meters. Raises RL613."""
     place = places_along(name, candidates, rows, begin.start)
@@ -129,7 +129,7 @@ def poses_on_road(
     directions = place.heading.tolist()
     sine = np.array([math.sin(direction) for direction in directions])
     cosine = np.array([math.cos(direction) for direction in directions])
-    return Poses(
+    return RoadPoses(
         place.x - offset * sine,
         place.y + offset * cosine,
         np.array([math.remainder(angle, 2 * math.pi) for angle in heading.tolist()]),
@@ -149,7 +149,7 @@ def _across(turned: Floats, lengths: Floats, widths: Floats) -> Floats:
     return np.asarray(lengths * sine + widths * cosine)
 
 
-def _offsets(lanes: LanePlaces, begin: LaneStart, said: WrittenPlace, across: Floats) -> Floats:
+def _offsets(lanes: LaneOffsets, begin: LaneStart, said: WrittenPlace, across: Floats) -> Floats:
     """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
 
     Beside the road it is the near side of the thing that stands `offset` from the edge.

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry.junctions.fitting import TIGHTEST, Ends, fitted, sampled
+from roadlang.geometry.junctions.fitting import TIGHTEST, ConnectionEnds, fitted, sampled
 
 EVERYWHERE = np.zeros((0, 3))
 
@@ -17,7 +17,9 @@ EVERYWHERE = np.zeros((0, 3))
 def fit(stop: tuple[float, float], heading: float, most_radius: float = math.inf):  # type: ignore[no-untyped-def]
     """From the origin eastward."""
     one = np.zeros(1)
-    ends = Ends(np.zeros((1, 2)), one, np.array([stop]), np.array([heading]), one + most_radius)
+    ends = ConnectionEnds(
+        np.zeros((1, 2)), one, np.array([stop]), np.array([heading]), one + most_radius
+    )
     return fitted(ends, EVERYWHERE)
 
 

@@ -25,7 +25,7 @@ class ProgramFailed(Exception):
     """A program died, does not answer, or answers what it should not."""
 
 
-class Program:
+class ControllerProcess:
     """A program in a session of its own, so that whatever it starts ends with it.
 
     Ended by `close`, when it is not referred to any more, and at the end of roadlang.

@@ -34,7 +34,7 @@ EVERY = 4
 
 
 @dataclass(frozen=True)
-class Judgement:
+class RuleMargins:
     """By how many meters V roads keep each rule; negative: not. Columns (V,)."""
 
     inside: Floats
@@ -53,15 +53,15 @@ class Judgement:
         return np.asarray(np.minimum.reduce(columns))
 
 
-def judged(points: Floats, size: float) -> Judgement:
+def judged(points: Floats, size: float) -> RuleMargins:
     """Roads (V, n, 2) in a map of `size` meters."""
     if points.shape[1] > MOST_POINTS:
         none = np.full(len(points), -1.0)
-        return Judgement(none, none, none, none)
+        return RuleMargins(none, none, none, none)
     parts = [
         _judged(points[start : start + AT_ONCE], size) for start in range(0, len(points), AT_ONCE)
     ]
-    return Judgement(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+    return RuleMargins(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
 def _judged(points: Floats, size: float) -> tuple[Floats, Floats, Floats, Floats]:

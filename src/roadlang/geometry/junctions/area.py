@@ -12,7 +12,7 @@ from .arms import ArmKey, ArmLine
 from .connecting import Connected
 from .corners import NOSE
 from .model import Arm, Point
-from .places import Place
+from .places import JunctionSite
 from .sweeping import road_beyond, strip, stub
 
 _SIMPLIFIED = 1e-3
@@ -20,7 +20,7 @@ _SAME = 1e-6
 
 
 def surface(
-    place: Place,
+    place: JunctionSite,
     found: Connected,
     trims: Mapping[ArmKey, float],
     widths: Sequence[tuple[float, float]],

@@ -18,7 +18,7 @@ from .connecting import SHARPEST, Connected
 from .fitting import sampled
 from .lane_pairs import LanePair
 from .model import Connection, Junction, LaneEnd, Point, Problem, Refusal
-from .places import Place
+from .places import JunctionSite
 from .priority import yields
 from .sweeping import TOLERANCE, road_beyond, strip
 
@@ -34,7 +34,7 @@ class Built:
 
 
 def junction_of(
-    place: Place,
+    place: JunctionSite,
     found: Connected,
     trims: Mapping[ArmKey, float],
     lines: Mapping[ArmKey, ArmLine],

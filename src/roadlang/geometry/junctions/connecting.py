@@ -10,9 +10,9 @@ import numpy as np
 
 from ..arrays import Booleans, Floats
 from .arms import USUAL_TRIM, ArmKey, ArmLine, Face
-from .fitting import Ends, Fits, fitted
+from .fitting import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, lane_pairs
-from .places import SHORTEST_ROAD, Place
+from .places import SHORTEST_ROAD, JunctionSite
 from .sweeping import swept_arms
 
 ROUNDS = 7
@@ -48,7 +48,7 @@ class Connected:
         return np.asarray(self.fits.drivable & ~self.swept.any(axis=1))
 
 
-def connected(place: Place, trims: MutableMapping[ArmKey, float]) -> Connected:
+def connected(place: JunctionSite, trims: MutableMapping[ArmKey, float]) -> Connected:
     """The turns of a place. Moves trims in place: 25 % and half a meter a round, up to what the
     roads leave."""
     found = _fitted(place, trims)
@@ -73,7 +73,7 @@ def _too_tight(found: Connected) -> set[ArmKey]:
     }
 
 
-def _push(place: Place, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bool:
+def _push(place: JunctionSite, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bool:
     """Moves a trim outward; False if the road leaves no room."""
     arm = next(arm for arm in place.arms.arms if arm.key == key)
     other: ArmKey = (key[0], "end" if key[1] == "start" else "start")
@@ -86,7 +86,7 @@ def _push(place: Place, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bo
     return True
 
 
-def _fitted(place: Place, trims: Mapping[ArmKey, float]) -> Connected:
+def _fitted(place: JunctionSite, trims: Mapping[ArmKey, float]) -> Connected:
     arms = place.arms.arms
     faces = tuple(arm.face(trims[arm.key]) for arm in arms)
     lanes = tuple(
@@ -116,11 +116,11 @@ def _widths(pair: LanePair, lanes: tuple[ArmLanes, ...]) -> tuple[float, float]:
 
 
 def _ends(
-    place: Place,
+    place: JunctionSite,
     faces: tuple[Face, ...],
     lanes: tuple[ArmLanes, ...],
     pairs: tuple[LanePair, ...],
-) -> Ends:
+) -> ConnectionEnds:
     curbs = {(corner.arm, corner.neighbor): corner.lane_radius for corner in place.arms.corners}
     rows = []
     for pair in pairs:
@@ -131,7 +131,7 @@ def _ends(
         most = curbs.get((pair.source, pair.target), math.inf) if at_curb else math.inf
         rows.append((*start, source.heading + math.pi, *stop, target.heading, most))
     table = np.array(rows, dtype=np.float64).reshape(-1, 7)
-    return Ends(table[:, 0:2], table[:, 2], table[:, 3:5], table[:, 5], table[:, 6])
+    return ConnectionEnds(table[:, 0:2], table[:, 2], table[:, 3:5], table[:, 5], table[:, 6])
 
 
 def _hull(arms: tuple[ArmLine, ...], faces: tuple[Face, ...]) -> Floats:

@@ -21,7 +21,7 @@ _SHORTEST = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Ends:
+class ConnectionEnds:
     """Where N connections start and stop: points (N, 2) and headings (N,), and the greatest radius
     (N,) that the arc of a turn round a curb may have."""
 
@@ -54,7 +54,7 @@ class Fits:
         return tuple((length, curvature) for length, curvature in rows if length > _SHORTEST)
 
 
-def fitted(ends: Ends, hull: Floats) -> Fits:
+def fitted(ends: ConnectionEnds, hull: Floats) -> Fits:
     """The curves of connections. `hull` (k, 3): half-planes `a x + b y <= c` that drivable ones
     stay in; without them nearly opposite ends make loops."""
     simple, simple_good = _line_arc_line(ends)
@@ -89,7 +89,7 @@ def along(
     return points, headings
 
 
-def _line_arc_line(ends: Ends) -> tuple[tuple[Floats, Floats], Booleans]:
+def _line_arc_line(ends: ConnectionEnds) -> tuple[tuple[Floats, Floats], Booleans]:
     u, v = _unit(ends.heading), _unit(ends.end_heading)
     across = cross(u, v)
     turn = np.arctan2(across, (u * v).sum(axis=-1))
@@ -109,7 +109,7 @@ def _line_arc_line(ends: Ends) -> tuple[tuple[Floats, Floats], Booleans]:
     return (np.maximum(lengths, 0.0), curvatures), good
 
 
-def _biarcs(ends: Ends, hull: Floats) -> tuple[tuple[Floats, Floats], Booleans]:
+def _biarcs(ends: ConnectionEnds, hull: Floats) -> tuple[tuple[Floats, Floats], Booleans]:
     """The best of the ratios: the shortest that can be driven, else the one that bends least."""
     count, ratios = len(ends.start), _RATIOS[None, :]
     u, v = _unit(ends.heading), _unit(ends.end_heading)
@@ -152,7 +152,7 @@ def _arc(heading: Floats, chord: Floats) -> tuple[Floats, Floats]:
     return 2.0 * half, size / np.maximum(np.sinc(half / np.pi), 1e-9)
 
 
-def _inside(ends: Ends, lengths: Floats, curvatures: Floats, hull: Floats) -> Booleans:
+def _inside(ends: ConnectionEnds, lengths: Floats, curvatures: Floats, hull: Floats) -> Booleans:
     """(N, ratios) which of the curves stay in all half-planes."""
     shape = lengths.shape[:2]
     start = np.repeat(ends.start, shape[1], axis=0)

@@ -19,7 +19,7 @@ of them, the roads of the drawing overlap."""
 
 
 @dataclass(frozen=True)
-class Place:
+class JunctionSite:
     """Nodes that make one junction, its arms, and the roads inside it."""
 
     nodes: tuple[int, ...]
@@ -59,9 +59,9 @@ class PlaceFinder:
             if len(ends) >= 2 and not lone_ring:
                 self._place[node] = node
 
-    def find(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+    def find(self) -> tuple[tuple[JunctionSite, ...], tuple[Problem, ...]]:
         """The places by their ids, and the dead ends that vanished inside them."""
-        found: dict[int, Place] = {}
+        found: dict[int, JunctionSite] = {}
         changed = set(self._place.values())
         while changed:
             found = {id: place for id, place in found.items() if id in self._place.values()}
@@ -79,7 +79,7 @@ class PlaceFinder:
     def _place_of(self, edge: Edge) -> int:
         return self._place.get(edge.start, self._place.get(edge.end, -1))
 
-    def _trim(self, id: int) -> Place:
+    def _trim(self, id: int) -> JunctionSite:
         nodes = tuple(sorted(node for node, place in self._place.items() if place == id))
         arms, inside, lines = [], [], []
         for edge in self._edges.values():
@@ -93,9 +93,9 @@ class PlaceFinder:
             else:
                 arms += [self.arms[edge.id, end] for end in ends]  # type: ignore[index]
         found = trimmed(arms, lines, self._small)
-        return Place(nodes, found, tuple(inside), frozenset(self._ring))
+        return JunctionSite(nodes, found, tuple(inside), frozenset(self._ring))
 
-    def _swallow(self, found: Mapping[int, Place]) -> set[int]:
+    def _swallow(self, found: Mapping[int, JunctionSite]) -> set[int]:
         """Merges what the trims leave no road between; the ids of the places that changed."""
         trims = {key: trim for place in found.values() for key, trim in place.arms.trims.items()}
         changed: set[int] = set()
@@ -129,6 +129,6 @@ class PlaceFinder:
         return places
 
 
-def all_trims(places: Sequence[Place]) -> dict[ArmKey, float]:
+def all_trims(places: Sequence[JunctionSite]) -> dict[ArmKey, float]:
     """The trims of all arms of all places."""
     return {key: trim for place in places for key, trim in place.arms.trims.items()}

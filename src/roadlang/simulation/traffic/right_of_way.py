@@ -52,7 +52,7 @@ class Waits:
     """gap to the leader, less its `traveled` and plus the own"""
 
 
-class RightOfWay:
+class RightOfWayGrants:
     """Grants of the agents of a world, brought up to date when they are needed."""
 
     def __init__(self, world: World) -> None:

@@ -117,7 +117,7 @@ class FormulaGraph:
         match formula:
             case f.Not():
                 return self.add(PointwiseOperation(negative), *parts)
-            case f.Junction():
+            case f.LogicalJunction():
                 if not parts:
                     return self.formula(f.Truth(formula.least))
                 return self.add(PointwiseOperation(least if formula.least else greatest), *parts)

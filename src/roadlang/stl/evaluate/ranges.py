@@ -113,7 +113,7 @@ class BoundGraph(FormulaGraph):
             case f.Not(operand):
                 other: Side = "upper" if side == "lower" else "lower"
                 return self.add(PointwiseOperation(negative), self.bound(operand, other, later))
-            case f.Junction(operands):
+            case f.LogicalJunction(operands):
                 function = least if formula.least else greatest
                 parts = _state_parts_together(type(formula), operands)
                 bounds = [self.bound(part, side, later) for part in parts]
@@ -183,7 +183,7 @@ def _holds_own_sample(formula: f.TemporalOperator) -> bool:
 
 
 def _state_parts_together(
-    kind: type[f.Junction], operands: tuple[f.Formula, ...]
+    kind: type[f.LogicalJunction], operands: tuple[f.Formula, ...]
 ) -> tuple[f.Formula, ...]:
     """Operands without temporal operators joined into one: their signals are the same."""
     states = tuple(operand for operand in operands if not operand.temporal)

@@ -48,7 +48,7 @@ def static_truth(formula: f.Formula, variables: Mapping[str, Bounds]) -> StaticT
                 return _negated(of(operand))
             case f.Derived():
                 return of(part.expanded())
-            case f.Junction(operands):
+            case f.LogicalJunction(operands):
                 join = _both if part.least else _either
                 return reduce(join, map(of, operands), StaticTruth(part.least, part.least))
             case f.UnaryTemporal(_, operand):

@@ -90,7 +90,7 @@ def _formula_pieces(formula: f.Formula, constants: Constants) -> Pieces:
             from ..formula.normal_form import normal_form
 
             return _formula_pieces(normal_form(operand, negated=True), constants)
-        case f.Junction(operands):
+        case f.LogicalJunction(operands):
             join = _least if formula.least else _greatest
             return join([_formula_pieces(operand, constants) for operand in operands])
         case f.Comparison(op, left, right):

@@ -33,7 +33,7 @@ def to_rtamt(formula: f.Formula) -> str:
             return to_rtamt(formula.expanded())
         case f.Not(operand):
             return f"({formula.notation.rtamt} {to_rtamt(operand)})"
-        case f.Junction() | f.Connective() if formula.parts:
+        case f.LogicalJunction() | f.Connective() if formula.parts:
             return _nested(formula.notation.rtamt, [to_rtamt(part) for part in formula.parts])
         case f.UnaryTemporal():
             return _unary(formula)

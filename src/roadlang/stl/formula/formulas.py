@@ -16,7 +16,7 @@ from .shapes import (
     Connective,
     Derived,
     Formula,
-    Junction,
+    LogicalJunction,
     Not,
     Pointwise,
     TemporalOperator,
@@ -26,13 +26,13 @@ from .shapes import (
 
 __all__ = [
     "COMPOUNDS", "Always", "And", "BinaryTemporal", "Comparison", "ComparisonOperator", "Compound",
-    "Connective", "Derived", "Eventually", "Formula", "Historically", "Iff", "Implies", "Junction",
-    "Not", "Once", "Or", "Pointwise", "Since", "TemporalOperator", "Truth", "UnaryTemporal",
-    "Until", "Xor", "compound",
+    "Connective", "Derived", "Eventually", "Formula", "Historically", "Iff", "Implies",
+    "LogicalJunction", "Not", "Once", "Or", "Pointwise", "Since", "TemporalOperator", "Truth",
+    "UnaryTemporal", "Until", "Xor", "compound",
 ]  # fmt: skip
 
 
-class And(Junction):
+class And(LogicalJunction):
     """The least of its operands; `And(())` is true."""
 
     __slots__ = ()
@@ -40,7 +40,7 @@ class And(Junction):
     least = True
 
 
-class Or(Junction):
+class Or(LogicalJunction):
     """The greatest of its operands; `Or(())` is false."""
 
     __slots__ = ()

@@ -38,7 +38,7 @@ def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = F
             return of(operand, not negated)
         case f.Derived():
             return of(formula.expanded(greatest=greatest != negated))
-        case f.Junction(operands):
+        case f.LogicalJunction(operands):
             kind = _DUAL[type(formula)] if negated else type(formula)
             return _joined(kind, (of(operand) for operand in operands))
         case f.BinaryTemporal(interval, left, right):

@@ -33,11 +33,11 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
             return ("true" if value else "false"), _ATOM
         case f.Comparison(op, left, right):
             return f"{left} {op} {right}", COMPARISON
-        case f.Junction(()):
+        case f.LogicalJunction(()):
             return ("true" if formula.least else "false"), _ATOM
-        case f.Junction((single,)):
+        case f.LogicalJunction((single,)):
             return _text_and_level(single)
-        case f.Junction(operands):
+        case f.LogicalJunction(operands):
             operator = formula.notation
             sides = [_side(operand, operator.operand_level) for operand in operands]
             return f" {operator.word} ".join(sides), operator.level

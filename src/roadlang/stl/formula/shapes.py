@@ -153,7 +153,7 @@ class Not(Pointwise):
 
 
 @dataclass(frozen=True, slots=True)
-class Junction(Pointwise):
+class LogicalJunction(Pointwise):
     """The least or the greatest of any number of operands."""
 
     operands: tuple[Formula, ...]

@@ -19,7 +19,7 @@ _Shared = tuple[bool, Interval, f.Formula]
 def strengthened(formula: f.Formula) -> f.Formula:
     """A formula in normal form with what governs all samples said again where it also counts."""
     match formula:
-        case f.Junction(operands):
+        case f.LogicalJunction(operands):
             parts = [strengthened(part) for part in operands]
             return type(formula)(_with_shared(parts, type(formula)))
         case f.Compound():
@@ -27,7 +27,9 @@ def strengthened(formula: f.Formula) -> f.Formula:
     return formula
 
 
-def _with_shared(parts: Sequence[f.Formula], kind: type[f.Junction]) -> tuple[f.Formula, ...]:
+def _with_shared(
+    parts: Sequence[f.Formula], kind: type[f.LogicalJunction]
+) -> tuple[f.Formula, ...]:
     """Add to each part the state formulas that `always` (in `or`: `eventually`) says beside it."""
     shared: list[_Shared] = [
         (part.past, part.interval or UNBOUNDED, part.operand)
@@ -39,7 +41,7 @@ def _with_shared(parts: Sequence[f.Formula], kind: type[f.Junction]) -> tuple[f.
     return tuple(_add(part, shared, kind) for part in parts) if shared else tuple(parts)
 
 
-def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.Junction]) -> f.Formula:
+def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.LogicalJunction]) -> f.Formula:
     match part:
         case f.UnaryTemporal():
             interval = part.interval or UNBOUNDED
@@ -66,7 +68,9 @@ def _covering(shared: Sequence[_Shared], past: bool, interval: Interval) -> list
     ]
 
 
-def _joined(kind: type[f.Junction], formula: f.Formula, added: Iterable[f.Formula]) -> f.Formula:
+def _joined(
+    kind: type[f.LogicalJunction], formula: f.Formula, added: Iterable[f.Formula]
+) -> f.Formula:
     flat: dict[f.Formula, None] = {}
     for part in (formula, *added):
         flat.update(dict.fromkeys(part.parts if isinstance(part, kind) else (part,)))

@@ -118,7 +118,7 @@ class Actor(Statement):
 
 
 @dataclass(frozen=True, slots=True)
-class World(Statement):
+class WorldStatement(Statement):
     """`world { ... }`."""
 
     words = ("world",)
@@ -148,7 +148,8 @@ class Emit(Statement):
 
 
 STATEMENTS: tuple[type[Statement], ...] = (
-    Header, Include, Override, Param, Let, Geometry, Constraint, Actor, World, RunStep, Emit,
+    Header, Include, Override, Param, Let, Geometry, Constraint, Actor, WorldStatement, RunStep,
+    Emit,
 )  # fmt: skip
 BY_RULE: dict[str, type[Statement]] = {
     re.sub(r"(?<=[a-z])(?=[A-Z])", "_", node.__name__).lower(): node for node in STATEMENTS
