@@ -16,7 +16,6 @@ WORDS = {
         "auto behind drive pixels random road route scale signals time"
     ),
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
-    "options of controllers that say how fast an agent begins": "lateral_acceleration",
     "users of lanes": "pedestrian",
     "junctions, their rules, turns and conflicts": (
         "all_way_stop junction merge right_first stop straight yield"

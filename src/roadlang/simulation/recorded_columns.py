@@ -24,7 +24,7 @@ _AT_ONCE = 16
 """Agents whose samples become columns together, so few that they fit into the caches."""
 
 
-class Part:
+class RecordedPart:
     """Samples of the agents of a world for some time, in which they were the same."""
 
     def __init__(self, samples: Sequence[Floats], agents: Integers, lanes: LaneReader) -> None:
@@ -68,7 +68,7 @@ class AgentColumns:
 
     time: Floats
     """(T,); there may be later samples"""
-    parts: tuple[tuple[Part, int], ...]
+    parts: tuple[tuple[RecordedPart, int], ...]
     """one after another, with the number of the agent in each"""
 
     def __call__(self, name: str) -> Floats:

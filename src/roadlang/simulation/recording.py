@@ -13,7 +13,7 @@ from .columns import COLUMNS
 from .contacts import Contact
 from .lane_reader import LaneReader
 from .poses import Poses
-from .recorded_columns import RECORDED, AgentColumns, Part
+from .recorded_columns import RECORDED, AgentColumns, RecordedPart
 from .world import World
 
 ENGINE = "the embedded engine"
@@ -28,7 +28,9 @@ class Recorder:
         self._slots = world.slots
         self._times: list[float] = []
         self._samples: list[Floats] = []
-        self._parts: dict[int, list[tuple[Part, int]]] = {row: [] for row in range(len(scenes))}
+        self._parts: dict[int, list[tuple[RecordedPart, int]]] = {
+            row: [] for row in range(len(scenes))
+        }
         self._rows = np.arange(len(scenes))
         self._over = np.zeros(len(scenes), dtype=bool)
         self._axis = np.zeros(0)
@@ -80,7 +82,7 @@ class Recorder:
         if not self._samples:
             return
         agents = (self._rows[:, None] * self._slots + np.arange(self._slots)).ravel()
-        part = Part(self._samples, agents, self._lanes)
+        part = RecordedPart(self._samples, agents, self._lanes)
         self._samples = []
         for place, row in enumerate(self._rows.tolist()):
             self._parts[row].append((part, place * self._slots))

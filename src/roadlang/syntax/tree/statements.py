@@ -152,9 +152,11 @@ STATEMENTS: tuple[type[Statement], ...] = (
     Emit,
 )  # fmt: skip
 BY_RULE: dict[str, type[Statement]] = {
-    re.sub(r"(?<=[a-z])(?=[A-Z])", "_", node.__name__).lower(): node for node in STATEMENTS
+    re.sub(r"(?<=[a-z])(?=[A-Z])", "_", node.__name__.removesuffix("Statement")).lower(): node
+    for node in STATEMENTS
 }
-"""The statements by the rule of the grammar that each is named after."""
+"""The statements by the rule of the grammar that each is named after; `WorldStatement` by `world`,
+for a `World` is what the engine drives in."""
 
 
 @dataclass(frozen=True, slots=True)
