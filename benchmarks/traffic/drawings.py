@@ -45,7 +45,7 @@ def ramp(draw: Random, width: float) -> Picture:
     main = draw.uniform(0.0, math.pi)
     for side in (main, main + math.pi):
         _road(picture, (0.0, 0.0), _polar(130.0, side), width)
-    heading = main + math.radians(draw.uniform(22.0, 40.0)) * draw.choice((-1.0, 1.0))
+    heading = main + math.radians(draw.uniform(32.0, 45.0)) * draw.choice((-1.0, 1.0))
     _road(picture, (0.0, 0.0), _polar(draw.uniform(80.0, 125.0), heading), width)
     return picture
 

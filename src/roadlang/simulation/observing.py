@@ -214,7 +214,8 @@ class View:
         sooner = changes[0][rows] < gap
         gap = np.where(sooner, changes[0][rows], gap)
         speed = np.where(sooner, changes[1][rows], speed)
-        return np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows]), gap, speed
+        stop = np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows])
+        return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
 
     def _leaders(self) -> Leaders:
         if self._ahead is None:

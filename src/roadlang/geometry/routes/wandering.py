@@ -22,12 +22,11 @@ def random_route(
     number: float,
     sharpest: float = math.inf,
 ) -> PlannedRoute:
-    """From a place on, until `length` meters are driven or the lanes end.
+    """From a place on, until `length` meters are driven, the lanes end, or all turns are sharper
+    than `sharpest`, 1/m.
 
-    All roads that can be turned into with a curvature of at most `sharpest` (1/m) are equally
-    likely; where there is none, it turns into that with the widest turn. `number` in [0, 1)
-    decides: its leading digits the first turn, those after it the next, so that close numbers
-    begin alike.
+    All roads that can be turned into are equally likely. `number` in [0, 1) decides: its leading
+    digits the first turn, those after it the next, so that close numbers begin alike.
     """
     legs: list[Leg] = []
     lane, station, left = origin.lane, origin.station, length
@@ -53,7 +52,7 @@ def random_route(
 
 def _options(graph: LaneGraph, lane: int, room: float, sharpest: float) -> list[Exit]:
     """The turns to choose from: one into each road, with the fewest changes of lane; back the way
-    one came, and sharper than `sharpest`, only where there is no other."""
+    one came only where there is no other."""
     found: dict[tuple[int, bool], Exit] = {}
     for exit_ in sorted(
         graph.exits(lane, room),
@@ -63,6 +62,5 @@ def _options(graph: LaneGraph, lane: int, room: float, sharpest: float) -> list[
         found.setdefault((target.edge, target.backward), exit_)
     onward = [exit_ for exit_ in found.values() if exit_.turn.turn != "u"]
     options = onward or list(found.values())
-    widest = min((item.turn.curvature for item in options), default=0.0)
-    options = [item for item in options if item.turn.curvature <= max(sharpest, widest)]
+    options = [item for item in options if item.turn.curvature <= sharpest]
     return sorted(options, key=lambda item: (item.turn.junction, item.turn.connection))

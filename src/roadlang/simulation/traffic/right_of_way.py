@@ -16,6 +16,7 @@ from ...geometry.arrays import Floats, Integers
 from ..crossed_junctions import crossings_of
 from ..crossings import STOP_GAP
 from ..leaders import Leaders
+from ..poses import Poses
 from ..world import World
 from . import rules
 from .approaches import (
@@ -29,6 +30,7 @@ from .crowd import Crowd, Places
 from .granting import let_go
 from .grants import FIRST, NEVER, Grants
 from .junction_tables import ALL_WAY_STOP
+from .pedestrians import Pedestrians
 
 INTERVAL = 0.1
 """Seconds from one look at the junctions to the next."""
@@ -57,6 +59,7 @@ class RightOfWayGrants:
 
     def __init__(self, world: World) -> None:
         self._crossings = crossings = crossings_of(world)
+        self._pedestrians = Pedestrians(world, crossings)
         self._places = Places.of(crossings.junctions, world.scenes)
         count, scenes = len(world.present), len(world.scenes)
         self._grants = Grants.none(crossings.stop.shape)
@@ -71,6 +74,7 @@ class RightOfWayGrants:
 
     def take(self, agents: Integers, scenes: Integers) -> None:
         """From now on the world has these of its agents and scenes alone."""
+        self._pedestrians.take(agents)
         place = np.full(len(self._asked) + 1, -1)
         place[agents] = np.arange(len(agents))
         self._crossings, self._grants = self._crossings.take(agents), self._grants.take(agents)
@@ -79,6 +83,11 @@ class RightOfWayGrants:
         self._asked, self._asking = self._asked[agents], self._asking[agents]
         waits = self._waits
         self._waits = Waits(waits.stop[agents], place[waits.leader[agents]], waits.distance[agents])
+
+    def pedestrians(self, world: World, poses: Poses, rows: Integers) -> Floats:
+        """(n,) meters from the fronts of agents to where they have to stop for a pedestrian who
+        steps toward their lane or waits at a crossing, infinite for nobody."""
+        return self._pedestrians.ahead(world, poses, rows)
 
     def ahead(
         self,

@@ -1,0 +1,116 @@
+"""`traffic` and people on foot: it stops for who steps toward its lane, and at zebra crossings."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.ir.scene import Scene
+
+from .crossing_traffic import before_junction, contacts, entries
+from .routed_scenes import CROSSING, call, car, drive_scenes, network_scene, route
+
+STREET = """
+road street {{
+  draw with segments {{ pieces: [straight(200m)] }}
+  lanes: 2, sidewalks: 2m, width: 7m, speed_limit: 50km/h
+}}
+agent ego is car on street at 20m {{ drive with traffic }}
+agent child is pedestrian on street at 110m {{ side: {side}, offset: {offset}, {facing}{drives} }}
+"""
+
+
+def driven(drives: str, side: str = "right", offset: str = "1m", facing: str = "") -> Any:
+    text = STREET.format(side=side, offset=offset, drives=drives, facing=facing)
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=30.0)
+    return one.trace
+
+
+def least_speed(trace: Any) -> float:
+    """m/s, of the car until it leaves."""
+    ego = trace.agents["ego"]
+    return float(ego.speed[ego.present > 0.0].min())
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize("speed", [1.0, 1.5, 2.5])
+@pytest.mark.parametrize("distance", [22, 30, 45])
+def test_it_stops_for_a_child_who_steps_out(side: str, speed: float, distance: int) -> None:
+    when = f"when: distance(ego, child) < {distance}m"
+    trace = driven(f"drive with crossing {{ speed: {speed}m/s, {when} }}", side)
+    assert contacts(trace) == []
+    assert trace.agents["ego"].progress[-1] == 1.0
+
+
+@pytest.mark.parametrize(
+    "drives",
+    [
+        "drive with walk",
+        "drive with crossing { speed: 1m/s, when: ego.x > child.x + 5m }",
+        "drive with crossing { speed: 1.5m/s, when: distance(ego, child) < 7m }",
+    ],
+    ids=["along the road", "behind the car", "too late to matter"],
+)
+def test_it_does_not_slow_down_for_who_stays_out_of_its_way(drives: str) -> None:
+    trace = driven(drives, offset="2.5m")
+    assert contacts(trace) == []
+    assert least_speed(trace) > 12.0
+
+
+def test_it_goes_on_before_who_is_still_far_from_its_lane() -> None:
+    trace = driven("drive with crossing { speed: 1m/s, when: distance(ego, child) < 60m }", "left")
+    assert contacts(trace) == []
+    assert least_speed(trace) > 4.0
+
+
+def at_the_zebra(rule: str, turned: float, aside: float = 0.0) -> Scene:
+    """A car before a crossing and somebody who stands beside its lane at the stop line."""
+    options = f"lanes: 2, speed_limit: 50km/h, sidewalks: 2m\n{rule}"
+    scene = network_scene(CROSSING, options)
+    road, lane = entries(scene)[0]
+    path = route(scene, road, lane, before_junction(scene, road, lane, 60.0), ["straight"])
+    ego = car(scene, "ego", path, drive=call("traffic"), speed=8.0)
+    ahead, right = 62.0, 3.2 + aside
+    cosine, sine = np.cos(ego.heading), np.sin(ego.heading)
+    child = replace(
+        ego, name="child", group="child", kind="pedestrian", length=0.5, width=0.5, drive=(),
+        x=ego.x + ahead * cosine + right * sine, y=ego.y + ahead * sine - right * cosine,
+        heading=ego.heading + turned, road=None, start=None, lane=None, route=None,
+        start_speed=0.0, options={},
+    )  # fmt: skip
+    return replace(scene, agents=(ego, child))
+
+
+def slowest(scene: Scene) -> tuple[float, float]:
+    """Speed of the car, m/s, and for how many seconds it stands."""
+    (trace,) = drive_scenes([scene], duration=30.0)
+    ego = trace.agents["ego"]
+    there = (ego.present > 0.0) & (ego.time > 1.0)
+    assert contacts(trace) == []
+    assert ego.progress[-1] == 1.0
+    return float(ego.speed[there].min()), 0.1 * float((ego.speed[there] < 0.3).sum())
+
+
+def test_it_waits_a_while_for_who_stands_at_a_zebra_crossing() -> None:
+    speed, stood = slowest(at_the_zebra("", np.pi / 2))
+    assert speed < 0.1
+    assert 3.0 < stood < 8.0
+
+
+@pytest.mark.parametrize(
+    ("turned", "aside"), [(0.0, 0.0), (-np.pi / 2, 0.0), (np.pi / 2, 4.0)],
+    ids=["along the road", "turned away", "far from the lane"],
+)  # fmt: skip
+def test_it_does_not_wait_for_who_does_not_want_to_cross(turned: float, aside: float) -> None:
+    assert slowest(at_the_zebra("", turned, aside))[0] > 4.0
+
+
+def test_at_signals_those_on_foot_wait() -> None:
+    green = "control with signals { green: 40s }"
+    scenes = [at_the_zebra(green, turned) for turned in (np.pi / 2, 0.0)]
+    wants, passes = drive_scenes(scenes, duration=10.0)
+    assert (wants.agents["ego"].speed == passes.agents["ego"].speed).all()
