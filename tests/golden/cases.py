@@ -31,9 +31,18 @@ class Case:
 
 STILL = {"pieces": 1, "bent": 2, "values": 3, "picture": 2, "table": None, "guided": 3, "halton": 3}
 TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", "cross_yield")
-DRIVEN = ("controllers", "lane_changes", "overtake", "replay", *TOWNS)
-FIGURES = ("pieces", "bent", "values", "picture", "town", "cross_signals")
-BUILT = ("pieces", "values", "town", "cross_signals", "controllers", "picture")
+DRIVEN = (
+    "controllers",
+    "lane_changes",
+    "overtake",
+    "replay",
+    "conditions",
+    "lap",
+    "roundabout",
+    *TOWNS,
+)
+FIGURES = ("pieces", "bent", "values", "picture", "town", "cross_signals", "roundabout", "conditions", "lap")
+BUILT = ("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout")
 SOURCES = (
     "pieces",
     "bent",

@@ -30,11 +30,11 @@ def random_route(
     """
     legs: list[Leg] = []
     lane, station, left = origin.lane, origin.station, length
-    digits, turns = number, 0
+    digits, turns, is_last = number, 0, False
     while True:
         room = graph.room(lane, station)
         options = _options(graph, lane, room, sharpest)
-        if room >= left or not options or turns == _MOST_TURNS:
+        if room >= left or is_last or not options or turns == _MOST_TURNS:
             way = min(room, left) * (1.0 if graph.forward(lane) else -1.0)
             legs.append(Leg(lane, station, station + way))
             return PlannedRoute(tuple(legs), length)
@@ -47,6 +47,7 @@ def random_route(
         left -= room + chosen.turn.length
         lane = chosen.turn.target
         station = graph.begin[lane]
+        is_last = left <= _LAST  # however short the lane: all lanes of a ring may be shorter
         left = max(left, _LAST)  # it does not end in a junction
 
 
