@@ -41,7 +41,17 @@ DRIVEN = (
     "roundabout",
     *TOWNS,
 )
-FIGURES = ("pieces", "bent", "values", "picture", "town", "cross_signals", "roundabout", "conditions", "lap")
+FIGURES = (
+    "pieces",
+    "bent",
+    "values",
+    "picture",
+    "town",
+    "cross_signals",
+    "roundabout",
+    "conditions",
+    "lap",
+)
 BUILT = ("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout")
 SOURCES = (
     "pieces",

@@ -9,6 +9,7 @@ import numpy as np
 
 from roadlang import Scene
 from roadlang_godot.layout import Layout, layout_of
+from roadlang_godot.protocol import Message
 from roadlang_godot.thing import ScenePart
 from tests.golden.summaries import array, of_json
 
@@ -28,7 +29,7 @@ def layout_lines(scene: Scene, road: str = "mesh") -> Iterator[str]:
 
 def _part(part: ScenePart) -> Iterator[str]:
     title = f"{part.kind.name} {part.id} {part.label}"
-    if part.body[:1] in (b"{", b"["):
+    if part.kind in (Message.AGENT, Message.WORLD):
         yield f"{title}: {len(part.content)} bytes to prove"
         yield from of_json(json.loads(part.body), "  ")
         return
