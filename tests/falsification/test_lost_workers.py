@@ -159,8 +159,8 @@ def _roadlang(arguments: list[str], folder: Path) -> subprocess.Popen[bytes]:
 
 
 def _wait_for(holds: Callable[[], bool]) -> None:
-    for _ in range(1200):
+    for _ in range(6000):
         if holds():
             return
         time.sleep(0.05)
-    raise AssertionError("it has not come in a minute")
+    raise AssertionError("it has not come in five minutes")

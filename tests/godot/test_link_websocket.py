@@ -38,7 +38,7 @@ def silence(connection: ServerConnection) -> None:
 def received(link: WebSocketLink, count: int) -> list[bytes]:
     messages: list[bytes] = []
     while len(messages) < count:
-        messages += link.receive(timeout=60.0)
+        messages += link.receive(timeout=300.0)
     return messages
 
 

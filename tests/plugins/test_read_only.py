@@ -377,7 +377,7 @@ def test_one_backend_cannot_change_the_scene_of_the_next(site: Path) -> None:
     install(site, "acme", SNEAKY)
     (site / "scene.rl").write_text(STRAIGHT + "emit sneaky\nemit json\n")
     process = start(site, "compile", "scene.rl")
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=300)
     assert process.returncode == 5
     assert "`emit acme.sneaky` failed (acme-plugin 1.2): TypeError: this map is read-only" in err
     assert "(roadlang_acme.py:12)" in err
@@ -392,7 +392,7 @@ def test_arrays_are_read_only_in_workers_too(site: Path) -> None:
     )
     (site / "scene.rl").write_text(text)
     process = start(site, "compile", "scene.rl", "-n", "40", "--jobs", "2")
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=300)
     assert process.returncode == 5
     assert "`perturb acme.flat` failed" in err
     assert "read-only" in err

@@ -120,7 +120,7 @@ def stopped(folder: Path, *arguments: str, times: int = 1) -> None:
         time.sleep(0.005)
     for _ in range(times):
         process.send_signal(signal.SIGTERM)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=300)
     assert (process.returncode, out, err) == (143, "", "stopped\n")
     assert not (folder / "out").exists()
 
@@ -194,7 +194,7 @@ def test_a_plugin_that_exits_is_still_named(site: Path) -> None:
     )
     (site / "scene.rl").write_text(bent("busy"))
     process = start(site, "compile", "scene.rl")
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=300)
     assert process.returncode == 5
     assert "`perturb slow.busy` failed (slow-plugin 1.2): SystemExit: 143" in err
     assert "roadlang_slow.py:" in err

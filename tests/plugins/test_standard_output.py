@@ -54,7 +54,7 @@ def test_what_a_plugin_prints_goes_to_standard_error(site: Path, command: str) -
     install(site, "loud", PLUGIN)
     (site / "scene.rl").write_text(SCENE)
     process = start(site, command, "scene.rl", "--json")
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=300)
     assert process.returncode == 0
     json.loads(out)
     where = ["at import", *(["at work"] if command == "compile" else [])]

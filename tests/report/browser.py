@@ -24,7 +24,7 @@ _FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--disable-extensions",
     "--no-first-run", "--disable-background-networking", "--remote-debugging-port=0",
 )  # fmt: skip
-_WAIT = 30
+_WAIT = 300
 
 
 def find_browser() -> str:

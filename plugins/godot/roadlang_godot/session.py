@@ -22,11 +22,10 @@ from .thing import Key, ScenePart
 
 PATIENCE = 5.0
 """Seconds without an answer after which an engine that someone else started counts as gone."""
-_HELLO_EVERY = 0.1
-_PING_EVERY = 1.0
+_HELLO_EVERY, _PING_EVERY = 0.1, 1.0
 _NAMED = 8
-_GOODBYES = 12
-_GOODBYE_WAIT = 0.05
+GOODBYE_SECONDS, _GOODBYE_EVERY = 1.0, 0.05
+"""For how long, and how often, goodbye is said to an engine that does not answer it."""
 
 _BEGIN, _PART = struct.Struct("<HH"), struct.Struct("<IHH")
 _COMMIT = struct.Struct("<HHI")
@@ -70,16 +69,23 @@ class Session:
 
     def close(self) -> None:
         """Say goodbye until the engine says it too, or does not seem to hear it; leave."""
+        deadline = time.monotonic() + GOODBYE_SECONDS
         try:
-            for _ in range(_GOODBYES):
+            while time.monotonic() < deadline and self._is_running():
                 self.send_once(Message.BYE, b"")
-                frames = map(protocol.unpack, self._link.receive(_GOODBYE_WAIT))
-                if any(frame is not None and frame.type == Message.BYE for frame in frames):
+                if self._hears_goodbye(time.monotonic() + _GOODBYE_EVERY):
                     break
         except OSError:
             pass
         finally:
             self._link.close()
+
+    def _hears_goodbye(self, until: float) -> bool:
+        while (left := until - time.monotonic()) > 0.0:  # the engine may have more to say first
+            frames = map(protocol.unpack, self._link.receive(left))
+            if any(frame is not None and frame.type == Message.BYE for frame in frames):
+                return True
+        return False
 
     # -- scenes ---------------------------------------------------------------------------------
 
