@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from roadlang import testing
 from roadlang.drive.trace_files import from_json, to_csv, to_json
+from roadlang.geometry.rings import outside_ring
 from roadlang.ir.scene_junctions import SceneControl, SignalPhase
-from roadlang.simulation.junction_areas import outside_ring
 from roadlang.simulation.lane_columns import OnRoad, corner_offsets
 from roadlang.simulation.pose_columns import with_pose_columns
 

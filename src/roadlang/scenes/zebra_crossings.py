@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats
+from ..geometry.arrays import Floats
 from ..geometry.footprints import Footprints, separation
+from ..geometry.rings import outside_ring
 from ..ir.scene_junctions import SceneArm, SceneJunction
 from ..ir.scene_road import SceneRoad
 
@@ -26,7 +27,7 @@ def crossings(junction: SceneJunction, roads: Mapping[str, SceneRoad]) -> Iterat
     found: list[Floats] = []
     for arm in junction.arms:
         crossing = _crossing(arm, ring, roads[arm.road])
-        if crossing is None or not _contains(ring, _along_border(crossing)).all():
+        if crossing is None or (outside_ring(ring, *_along_border(crossing).T) >= 0.0).any():
             continue
         if any(_overlap(crossing, other) for other in found):
             continue
@@ -86,16 +87,6 @@ def _along_border(crossing: Floats) -> Floats:
         for start, stop in zip(crossing, np.roll(crossing, -1, axis=0), strict=True)
     ]
     return np.asarray(middle + 0.98 * (np.concatenate(sides) - middle))
-
-
-def _contains(ring: Floats, points: Floats) -> Booleans:
-    """(n,) whether points are inside a ring: an odd number of its sides is to the right of each."""
-    start, stop = ring[:, None], np.roll(ring, -1, axis=0)[:, None]
-    x, y = points[:, 0], points[:, 1]
-    spans = (start[..., 1] > y) != (stop[..., 1] > y)
-    rise = np.where(spans, stop[..., 1] - start[..., 1], 1.0)
-    crossing = start[..., 0] + (y - start[..., 1]) / rise * (stop[..., 0] - start[..., 0])
-    return np.asarray((spans & (x < crossing)).sum(axis=0) % 2 == 1)
 
 
 def _overlap(first: Floats, second: Floats) -> bool:

@@ -11,10 +11,8 @@ from ..falsification.shrinking import MIDDLE
 from ..files.writing import write_all, write_file
 from ..report.units import robustness_unit
 from .falsification import Failure
+from .falsification_files import EXPLANATION, SHRUNK
 
-SHRUNK, SHRUNK_FIGURE, EXPLANATION = ".shrunk.json", ".shrunk.svg", ".explanation.json"
-FINDINGS = (SHRUNK, SHRUNK_FIGURE, EXPLANATION)
-"""The endings of the files, in place of the `.json` of the failure."""
 EXPLANATION_SCHEMA = "roadlang.explanation/1"
 
 

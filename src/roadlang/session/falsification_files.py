@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING, Any
 from ..files.writing import write_all, write_set
 from ..ir.results_record import RESULTS_FILE
 from ..version import __version__
-from .failure_findings import FINDINGS
 from .results_record import record_of_search
 from .tables import columns_of, to_csv
 
@@ -32,6 +31,9 @@ INDEX = "index.json"
 INDEX_SCHEMA = "roadlang.failures/1"
 SAFE_SCHEMA = "roadlang.safe/1"
 SUMMARY_SCHEMA = "roadlang.falsification/1"
+SHRUNK, SHRUNK_FIGURE, EXPLANATION = ".shrunk.json", ".shrunk.svg", ".explanation.json"
+FINDINGS = (SHRUNK, SHRUNK_FIGURE, EXPLANATION)
+"""What `roadlang shrink` and `roadlang explain` find, in place of the `.json` of the failure."""
 _ENDINGS = (".json", ".trace.csv", ".trace.json", ".svg")
 
 

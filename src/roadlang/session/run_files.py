@@ -12,7 +12,7 @@ from ..files.journal import JournalFile
 from ..files.writing import write_all, write_file
 from ..ir.results_record import RESULTS_FILE
 from .drives import Drive
-from .failure_findings import FINDINGS
+from .falsification_files import FINDINGS
 
 if TYPE_CHECKING:
     from .drives import DriveSet

@@ -10,8 +10,8 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.footprints import Footprints
+from ..geometry.rings import outside_ring
 from ..ir.scene import Scene, SceneRoad
-from .junction_areas import outside_ring
 from .lane_columns import LANE_COLUMNS, LaneSection, OnRoad, on_road
 from .route_lines import RouteConnection
 from .world import World

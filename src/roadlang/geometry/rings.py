@@ -1,10 +1,10 @@
-"""Distances of points from the areas of junctions."""
+"""Distances of points from rings, such as the areas of junctions."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from ..geometry.arrays import Floats
+from .arrays import Floats
 
 
 def outside_ring(ring: Floats, x: Floats, y: Floats) -> Floats:
