@@ -22,7 +22,6 @@ from roadlang_godot.line import polyline
 from roadlang_godot.road_mesh import road_things
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_in
-from roadlang_godot.telemetry import of_agent
 from tests.godot.godot_proxy import Proxy, Weather
 from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight
 from tests.godot.test_live_editing import raised
@@ -103,8 +102,8 @@ def speed() -> None:
         with driving.LockStep(session) as lock:
             began = time.monotonic()
             while lock.tick < 60 * 40:
-                row = of_agent(lock.state, 1)[-1]
-                lock.step({(0, 1): (0.0, 2.0 * (8.0 - float(row["speed"])))})
+                speed_now = float(lock.state.poses["speed"][0])
+                lock.step({1: driving.EngineControl.steer(0.0, 2.0 * (8.0 - speed_now))})
             print(f"lock-step from Python: {40 / (time.monotonic() - began):.0f} s per second")
 
 

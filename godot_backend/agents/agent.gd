@@ -40,6 +40,8 @@ var station := 0.0
 ## Left of the line to follow, seen along the direction of travel.
 var cross_track_error := 0.0
 var traveled := 0.0
+## How many agents and objects it has touched.
+var contacts := 0
 
 var _segment := -1
 var _start := Vector2.ZERO
@@ -86,10 +88,9 @@ static func number(spec: Dictionary, key: String, usual: float) -> float:
 func reset(friction: float) -> void:
 	body.place(Vector3(_start.x, 0.0, -_start.y), _start_heading, _start_speed)
 	body.set_friction(friction)
-	if body is Vehicle:
-		(body as Vehicle).freeze = false
 	driver.reset()
 	traveled = 0.0
+	contacts = 0
 	acceleration = 0.0
 	heading = _start_heading
 	speed = _start_speed
@@ -110,6 +111,10 @@ func observe(dt: float) -> void:
 	jerk = ((now - speed) / dt - acceleration) / dt
 	acceleration = (now - speed) / dt
 	speed = now
+
+
+## Finds where that is along the path.
+func find_station() -> void:
 	if path == null:
 		return
 	_segment = path.nearest(x, y, _segment)
@@ -193,11 +198,11 @@ func _add_body(spec: Dictionary) -> void:
 		body = walker
 	else:
 		var vehicle := Vehicle.new()
-		var mass := clampf(number(spec, "mass", 1200.0), 20.0, 60000.0)
-		vehicle.wheelbase = clampf(number(spec, "wheelbase", 0.6 * size.x), 0.3, size.x)
-		vehicle.max_steering = clampf(number(spec, "max_steering", 0.61), 0.05, 1.4)
-		vehicle.assemble(size, mass, 1.0, paint)
-		vehicle.freeze = true
+		var numbers: Variant = spec.get("vehicle", {})
+		var known: Dictionary = numbers if numbers is Dictionary else {}
+		var read := func(key: String, usual: float) -> float: return number(known, key, usual)
+		vehicle.assemble(size, read, paint)
+		vehicle.rest()
 		body = vehicle
 	add_child(body)
 	body.transform = Transform3D(

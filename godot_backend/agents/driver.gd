@@ -17,15 +17,11 @@ const MAX_CONTROLLERS := 32
 
 ## Index of the controller in charge, -1 for none.
 var in_charge := -1
-## The operator that gave no finite number in a condition, "" while there is none.
 
 var _controllers: Array[Controller] = []
 ## Of `when`, which stays true once it is, and of `while`; null for none.
 var _conditions: Array[Condition] = []
 var _limits: Array[Condition] = []
-var _outside := Vector2.ZERO
-var _driven_outside := false
-var _steer := 0.0
 
 
 ## Takes a list of {kind, when, while, ...options}; returns "" or what is wrong with it.
@@ -49,19 +45,11 @@ func take(drives: Array) -> String:
 
 func reset() -> void:
 	in_charge = -1
-	_steer = 0.0
-	_driven_outside = false
 	for i in _controllers.size():
 		_controllers[i].reset()
 		for condition: Condition in [_conditions[i], _limits[i]]:
 			if condition != null:
 				condition.reset()
-
-
-## From now on a client gives the controls.
-func drive_from_outside(steer: float, acceleration: float) -> void:
-	_driven_outside = true
-	_outside = Vector2(steer, acceleration)
 
 
 ## Steering angle and acceleration of this step; `signals` looks up what conditions speak of.
@@ -73,8 +61,6 @@ func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vecto
 		var goes_on := _limits[i] == null or _limits[i].value(signals, time) > 0.5
 		if begun and goes_on:
 			in_charge = i
-	if _driven_outside:
-		return _outside
 	if in_charge < 0:
 		return Vector2(0.0, -4.0)
 	var wanted := _controllers[in_charge].command(agent, signals, dt)

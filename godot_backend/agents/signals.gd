@@ -34,7 +34,7 @@ func value(signal_name: String, names: Array[String]) -> float:
 		"steering":
 			return first.body.steer_angle()
 		"contacts":
-			return first.body.touching
+			return first.contacts
 		"lateral_acceleration":
 			return first.speed * first.yaw_rate
 		"speed", "acceleration", "cross_track_error", "station", "heading", "yaw_rate", "jerk":

@@ -8,20 +8,21 @@ const Reader := preload("res://net/reader.gd")
 const Server := preload("res://net/server.gd")
 const Stage := preload("res://build/stage.gd")
 const Agent := preload("res://agents/agent.gd")
-const Vehicle := preload("res://agents/vehicle.gd")
+const Contacts := preload("res://agents/contacts.gd")
+const Member := preload("res://agents/member.gd")
 const Signals := preload("res://agents/signals.gd")
 const Telemetry := preload("res://agents/telemetry.gd")
 const Weather := preload("res://build/weather.gd")
 const TrafficSignals := preload("res://build/signals.gd")
 
 const DEFAULT_FRICTION := 0.9
-const END_BRAKING := 4.0
 const FLUSH_BYTES := 7000
 const FLUSH_USEC := 50000
 ## A state is told again this often while no step comes: either may have been lost.
 const STATE_EVERY_USEC := 20000
-## A step that comes this soon is not slept through.
-const SPIN_USEC := 400
+const POLL_USEC := 30
+const MAX_STEERING := 10.0
+const MAX_ACCELERATION := 1000.0
 
 ## Called again and again while a step is waited for.
 var while_waiting: Callable
@@ -30,11 +31,15 @@ var tick := 0
 
 var _server: Server
 var _stages: Dictionary
-var _cast: Array[Array] = []
+var _members: Array[Member] = []
+## By world << 16 | agent.
+var _by_key: Dictionary = {}
+var _contacts := Contacts.new()
 var _traffic_signals: Array[TrafficSignals] = []
 var _last_tick := 0
 var _every := 1
 var _stop_at_end := false
+var _hold_from := 0
 var _hold_until := 0
 var _trace := PackedByteArray()
 var _flushed := 0
@@ -59,16 +64,18 @@ func start(settings: Dictionary) -> String:
 	_every = maxi(1, int(Agent.number(settings, "every", 1.0)))
 	_stop_at_end = settings.get("stop_at_end", false) == true
 	tick = 0
+	_hold_from = 0
 	_hold_until = 0
 	_trace.clear()
 	_recorded = 0
-	mode = Mode.FREE if wanted == "free" else Mode.LOCKSTEP
+	_members.clear()
 	_gather()
-	for part in _cast:
-		var agent: Agent = part[1]
-		agent.follow(part[3].path(agent.path_id))
-		agent.start_station()
-		agent.reset(part[4])
+	if wanted == "lockstep" and _members.size() > Telemetry.MOST_IN_A_STATE:
+		return "lock-step takes at most %d agents" % Telemetry.MOST_IN_A_STATE
+	mode = Mode.FREE if wanted == "free" else Mode.LOCKSTEP
+	_contacts.clear()
+	for member in _members:
+		member.reset()
 	return ""
 
 
@@ -77,17 +84,14 @@ func refresh() -> void:
 	if mode == Mode.IDLE:
 		return
 	var known: Dictionary = {}
-	for part in _cast:
-		known[part[1]] = true
+	for member in _members:
+		known[member.agent] = member
 	_gather()
-	for part in _cast:
-		var agent: Agent = part[1]
-		if not known.has(agent):
-			agent.follow(part[3].path(agent.path_id))
-			agent.start_station()
-			agent.reset(part[4])
+	for member in _members:
+		if known.has(member.agent):
+			member.agent.body.set_friction(member.friction)
 		else:
-			agent.body.set_friction(part[4])
+			member.reset()
 
 
 func stop(reason: String, more: Dictionary = {}) -> void:
@@ -95,11 +99,10 @@ func stop(reason: String, more: Dictionary = {}) -> void:
 		return
 	mode = Mode.IDLE
 	_flush()
-	for part in _cast:
-		var agent: Agent = part[1]
-		if is_instance_valid(agent) and agent.body is Vehicle:
-			(agent.body as Vehicle).freeze = true
-	var done := {"tick": tick, "reason": reason, "records": _recorded}
+	for member in _members:
+		if is_instance_valid(member.agent):
+			member.agent.body.rest()
+	var done := {"tick": tick, "reason": reason, "records": _recorded, "contacts": _contacts.count}
 	done.merge(more)
 	_server.send_json(Protocol.DONE, done)
 
@@ -111,15 +114,15 @@ func step(dt: float) -> void:
 	for lights in _traffic_signals:
 		if is_instance_valid(lights):
 			lights.show_at(tick * dt)
-	for part in _cast:
-		var agent: Agent = part[1]
-		agent.follow(part[3].path(agent.path_id))
-		agent.observe(dt)
+	for member in _members:
+		member.observe(dt)
+	_contacts.gather(_members, tick)
 	if mode == Mode.LOCKSTEP and tick >= _hold_until:
 		_await_step()
 	elif mode == Mode.FREE and tick % _every == 0:
-		_trace.append_array(_records())
-		_recorded += _cast.size()
+		for member in _members:
+			_trace.append_array(Telemetry.record(member, tick))
+		_recorded += _members.size()
 		if _trace.size() > FLUSH_BYTES or Time.get_ticks_usec() - _flushed > FLUSH_USEC:
 			_flush()
 	if mode == Mode.IDLE:
@@ -129,9 +132,10 @@ func step(dt: float) -> void:
 	if arrived or (_last_tick > 0 and tick >= _last_tick):
 		stop("end" if arrived else "time")
 		return
-	_act(dt)
-	if mode != Mode.IDLE:
-		tick += 1
+	var share := float(tick + 1 - _hold_from) / maxi(1, _hold_until - _hold_from)
+	for member in _members:
+		member.act(tick * dt, dt, share)
+	tick += 1
 
 
 ## Takes a STEP: for how many ticks to hold which controls. Old ones are answered again.
@@ -145,28 +149,47 @@ func take_step(payload: PackedByteArray) -> String:
 	if at != tick or _hold_until > tick:
 		return ""
 	for i in count:
-		var world := reader.u16()
-		var id := reader.u16()
-		var steer := reader.f32(10.0)
-		var acceleration := reader.f32(1000.0)
-		for part in _cast:
-			if part[0] == world and part[1].id == id and not reader.failed:
-				part[1].driver.drive_from_outside(steer, acceleration)
+		var key := reader.u16() << 16 | reader.u16()
+		var wrong := _take_control(key, reader)
+		if not wrong.is_empty():
+			return wrong
 	if not reader.at_end() or ticks < 1:
 		return "bad step"
+	_contacts.told(Telemetry.MOST_IN_A_STATE)
+	_hold_from = tick
 	_hold_until = tick + ticks
 	return ""
 
 
 func agent(world: int, id: int) -> Agent:
-	for part in _cast:
-		if part[0] == world and part[1].id == id:
-			return part[1]
-	return null
+	var member: Member = _by_key.get(world << 16 | id)
+	return null if member == null else member.agent
+
+
+func _take_control(key: int, reader: Reader) -> String:
+	var how := reader.u32()
+	var place := Vector2.ZERO
+	var first := 0.0
+	if how == Member.Outside.POSE:
+		place = Vector2(reader.f32(Protocol.MAX_COORDINATE), reader.f32(Protocol.MAX_COORDINATE))
+		first = reader.f32(Protocol.MAX_COORDINATE)
+	else:
+		reader.f32(0.0)
+		reader.f32(0.0)
+		first = reader.f32(MAX_STEERING)
+	var second := reader.f32(MAX_ACCELERATION)
+	var member: Member = _by_key.get(key)
+	if reader.failed or how > Member.Outside.POSE:
+		return "bad step"
+	if member != null:
+		member.drive_from_outside(how, place, first, second)
+	return ""
 
 
 func _gather() -> void:
-	_cast.clear()
+	var known := _by_key
+	_members.clear()
+	_by_key = {}
 	_traffic_signals.clear()
 	var worlds: Array = _stages.keys()
 	worlds.sort()
@@ -180,52 +203,28 @@ func _gather() -> void:
 		for weather in stage.all(Protocol.WORLD):
 			friction = (weather as Weather).friction
 		for one in agents:
-			_cast.append([world, one, signals, stage, friction])
+			var key := world << 16 | one.id
+			var member: Member = known.get(key)
+			if member == null or member.agent != one or mode == Mode.IDLE:
+				member = Member.new(world, one, stage)
+			member.signals = signals
+			member.friction = friction
+			_members.append(member)
+			_by_key[key] = member
 
 
 func _await_step() -> void:
 	var sent := 0
-	var began := Time.get_ticks_usec()
 	while mode == Mode.LOCKSTEP and tick >= _hold_until:
 		var now := Time.get_ticks_usec()
 		if now - sent > STATE_EVERY_USEC:
-			_server.send_once(Protocol.STATE, _header() + _records())
+			_server.send_once(Protocol.STATE, Telemetry.state(_members, tick, _contacts.untold()))
 			sent = now
-		if not _server.poll(false) and now - began > SPIN_USEC:
-			OS.delay_usec(50)
+		if not _server.poll(false):
+			OS.delay_usec(POLL_USEC)
 		while_waiting.call()
 		if not _server.connected():
 			stop("client gone")
-
-
-func _act(dt: float) -> void:
-	var time := tick * dt
-	for part in _cast:
-		var one: Agent = part[1]
-		var signals: Signals = part[2]
-		var wanted := one.driver.controls(one, signals.value, time, dt)
-		# There is no road any more.
-		if one.at_end() and not one.path.closed:
-			wanted.y = minf(wanted.y, -END_BRAKING)
-		one.body.command(wanted.x, wanted.y, dt)
-		part.resize(6)
-		part[5] = wanted
-
-
-func _records() -> PackedByteArray:
-	var out := PackedByteArray()
-	for part in _cast:
-		var wanted: Vector2 = part[5] if part.size() > 5 else Vector2.ZERO
-		out.append_array(Telemetry.record(part[1], tick, part[0], wanted))
-	return out
-
-
-func _header() -> PackedByteArray:
-	var head := PackedByteArray()
-	head.resize(Telemetry.HEADER_BYTES)
-	head.encode_u32(0, tick)
-	head.encode_u32(4, int(_all_at_end()))
-	return head
 
 
 func _flush() -> void:
@@ -234,10 +233,17 @@ func _flush() -> void:
 	for from in range(0, _trace.size(), most):
 		_server.send(Protocol.TRACE, _trace.slice(from, from + most))
 	_trace.clear()
+	if mode == Mode.LOCKSTEP:
+		return
+	var told := Telemetry.contacts(_contacts.untold())
+	most = FLUSH_BYTES / Telemetry.CONTACT_BYTES * Telemetry.CONTACT_BYTES
+	for from in range(0, told.size(), most):
+		_server.send(Protocol.CONTACTS, told.slice(from, from + most))
+	_contacts.told(_contacts.count)
 
 
 func _all_at_end() -> bool:
-	for part in _cast:
-		if part[1].path != null and not part[1].at_end():
+	for member in _members:
+		if member.agent.path != null and not member.agent.at_end():
 			return false
-	return not _cast.is_empty()
+	return not _members.is_empty()

@@ -1,72 +1,153 @@
-extends VehicleBody3D
+extends RigidBody3D
 ## A car on four sprung wheels with tire friction. Its origin is on the ground, amid the axles.
+##
+## What it weighs, and how it steers, accelerates and grips, the client says.
 
-const Looks := preload("res://build/looks.gd")
+const Tires := preload("res://agents/tires.gd")
+const Wheels := preload("res://agents/wheels.gd")
+const CarBody := preload("res://agents/car_body.gd")
 
 const GRAVITY := 9.81
-## Suspension, per kilogram of body: natural frequency 1.4 Hz, well damped.
+## Of the four springs and dampers together, per kilogram: 1.4 Hz, half of the critical damping.
 const STIFFNESS := 80.0
-const DAMPING_IN := 5.5
-const DAMPING_OUT := 7.0
-const REST_LENGTH := 0.16
-const TRAVEL := 0.14
-const STEER_RATE := 1.2
+const DAMPING := 9.0
+## How far the springs give way under the weight at rest.
+const SAG := GRAVITY / STIFFNESS
+## Rays to the ground begin this far above the origin.
+const RAY_TOP := 0.5
+const CLEARANCE := 0.2
+const GROUND_LAYER := 1
+const BODY_LAYER := 2
+## Share of the height of the center of mass at which sideways forces tip the body.
+const ROLL := 0.3
+## What is narrower is held upright, as by a rider.
+const NARROW := 1.2
+## Below this speed for each second of a tick, slips are those at it: stiffer springs would swing.
+const SLOW_SHARE := 1.2
 
 var size := Vector3(4.5, 1.45, 1.8)
 var wheelbase := 2.7
 var max_steering := 0.61
-var wheel_radius := 0.32
-var touching := 0
+var friction := 0.9
 
-var _wheels: Array[VehicleWheel3D] = []
-var _steer_now := 0.0
+var _mass_height := 0.42
+var _drag := 0.0
+var _rolling := 0.0
+var _power := 60.0
+var _stiffness := Vector2(12.0, 14.0)
+var _lag := 0.0
+var _rate := 1.2
+var _tangent := 0.0
+var _wheels_down := 0
+var _touched: Array[Array] = []
+var _mounts := PackedVector3Array()
+var _ray := PhysicsRayQueryParameters3D.new()
+var _looks: Wheels
 
 
-## Length, height and width in meters, mass in kilograms; `friction` is that of the tires.
-func assemble(dimensions: Vector3, kilograms: float, friction: float, paint: Color) -> void:
+## Length, height and width in meters; `numbers`: SI units, by the names of the client.
+func assemble(dimensions: Vector3, numbers: Callable, paint: Color) -> void:
 	size = dimensions
-	mass = kilograms
-	wheel_radius = clampf(0.22 * size.y, 0.2, 0.5)
-	linear_damp_mode = RigidBody3D.DAMP_MODE_REPLACE
-	linear_damp = 0.0
-	center_of_mass_mode = RigidBody3D.CENTER_OF_MASS_MODE_CUSTOM
-	center_of_mass = Vector3(0.0, 0.28 * size.y, 0.0)
-	contact_monitor = true
-	max_contacts_reported = 8
-	can_sleep = false
+	mass = clampf(numbers.call("mass", 1500.0), 20.0, 60000.0)
+	wheelbase = clampf(numbers.call("wheelbase", 0.6 * size.x), 0.3, size.x)
+	max_steering = clampf(numbers.call("max_steering", 0.61), 0.05, 1.5)
+	_mass_height = clampf(numbers.call("mass_height", 0.28 * size.y), 0.05, size.y)
+	_drag = maxf(numbers.call("drag", 0.0), 0.0)
+	_rolling = maxf(numbers.call("rolling", 0.0), 0.0)
+	_power = maxf(numbers.call("power", 66.0), 0.0)
+	_stiffness = Vector2(
+		maxf(numbers.call("front_stiffness", 12.0), 0.1),
+		maxf(numbers.call("rear_stiffness", 14.0), 0.1)
+	)
+	_lag = maxf(numbers.call("steering_lag", 0.1), 0.0)
+	_rate = maxf(numbers.call("steering_rate", 1.2), 0.01)
+	_prepare()
 	_add_shape()
-	_add_look(paint)
+	var radius := clampf(0.22 * size.y, 0.2, 0.5)
 	for along: float in [0.5, -0.5]:
 		for side: float in [0.5, -0.5]:
-			_add_wheel(along * wheelbase, side * (size.z - 0.25), friction)
+			_mounts.append(Vector3(side * maxf(size.z - 0.25, 0.1), RAY_TOP, along * wheelbase))
+	var instance := MeshInstance3D.new()
+	instance.mesh = CarBody.mesh(size, paint)
+	add_child(instance)
+	_looks = Wheels.new()
+	add_child(_looks)
+	_looks.assemble(_mounts, radius)
 
 
-func set_friction(friction: float) -> void:
-	for wheel in _wheels:
-		wheel.wheel_friction_slip = friction
+func set_friction(of_tires: float) -> void:
+	friction = maxf(of_tires, 1e-3)
 
 
-## Steering angle wanted, left positive, and acceleration wanted along the car.
+## Steering angle wanted, left positive, and acceleration wanted along the car. To be called once in
+## each tick, before the physics step.
 func command(steer: float, acceleration: float, dt: float) -> void:
-	var wanted := clampf(steer, -max_steering, max_steering)
-	_steer_now = move_toward(_steer_now, wanted, STEER_RATE * dt)
-	steering = _steer_now
-	if acceleration >= 0.0:
-		engine_force = acceleration * mass / 2.0
-		brake = 0.0
-	else:
-		# The engine takes a brake as the largest impulse of a step, for each of the four wheels.
-		engine_force = 0.0
-		brake = -acceleration * mass * dt / 4.0
+	if freeze:
+		return
+	_turn_wheels(tan(clampf(steer, -max_steering, max_steering)), dt)
+	var pace := speed()
+	var grip := friction * GRAVITY
+	var used := Tires.demand(acceleration, pace, _power, grip, _rolling, dt)
+	var up := global_basis.y
+	var middle := to_global(center_of_mass)
+	var space := get_world_3d().direct_space_state
+	_wheels_down = 0
+	for i in 4:
+		var place := to_global(_mounts[i])
+		_ray.from = place
+		_ray.to = place - up * (RAY_TOP + SAG)
+		var hit := space.intersect_ray(_ray)
+		_looks.drop(i, SAG if hit.is_empty() else place.distance_to(hit["position"]) - RAY_TOP)
+		if hit.is_empty():
+			continue
+		var point: Vector3 = hit["position"]
+		var normal: Vector3 = hit["normal"]
+		var velocity := linear_velocity + angular_velocity.cross(point - middle)
+		var height := place.distance_to(point) - RAY_TOP
+		var spring := STIFFNESS * (SAG - height) - DAMPING * velocity.dot(normal)
+		var load := maxf(0.25 * mass * spring, 0.0)
+		if load <= 0.0:
+			continue
+		_wheels_down |= 1 << i
+		# Forces lie in the ground, however the body leans.
+		var along := (global_basis.z - normal * global_basis.z.dot(normal)).normalized()
+		var aside := normal.cross(along)
+		if i < 2:
+			along = (along + aside * _tangent).normalized()
+			aside = normal.cross(along)
+		var stiffness := _stiffness.x if i < 2 else _stiffness.y
+		var push := Tires.force(
+			velocity.dot(along),
+			velocity.dot(aside),
+			used,
+			load,
+			friction,
+			stiffness / (3.0 * friction),
+			SLOW_SHARE * _stiffness.y * GRAVITY * dt
+		)
+		apply_force(normal * load + along * push.x, point - global_position)
+		var lift := normal * (_mass_height * (1.0 - _tipping()))
+		apply_force(aside * push.y, point + lift - global_position)
+	var rolling := signf(pace) * minf(_rolling, absf(pace) / dt) if _wheels_down > 0 else 0.0
+	var forward := global_basis.z
+	apply_central_force(-forward * mass * (_drag * pace * absf(pace) + rolling))
+	if size.z <= NARROW:
+		_hold_upright(forward)
+	_looks.roll(pace * dt, atan(_tangent))
 
 
 func steer_angle() -> float:
-	return _steer_now
+	return atan(_tangent)
 
 
 ## Forward speed.
 func speed() -> float:
 	return linear_velocity.dot(global_basis.z)
+
+
+## Over the ground: x east, y north.
+func ground_velocity() -> Vector2:
+	return Vector2(linear_velocity.x, -linear_velocity.z)
 
 
 func heading() -> float:
@@ -75,85 +156,85 @@ func heading() -> float:
 
 ## Wheels on the ground, as bits.
 func wheels_down() -> int:
-	var bits := 0
-	for i in _wheels.size():
-		if _wheels[i].is_in_contact():
-			bits |= 1 << i
-	return bits
+	return _wheels_down
 
 
-## Puts the car at a place with a speed, at rest otherwise.
+## Puts the car at a place with a speed, wheels straight; from now on physics moves it.
 func place(at: Vector3, toward: float, forward_speed: float) -> void:
+	freeze = false
+	gravity_scale = 1.0
+	_tangent = 0.0
+	_touched.clear()
 	var turned := Basis(Vector3.UP, toward + PI / 2)
 	global_transform = Transform3D(turned, at)
 	linear_velocity = turned.z * forward_speed
 	angular_velocity = Vector3.ZERO
 
 
+## Moves it so that it is at a place after the next physics step, unless it is hit.
+func carry(at: Vector3, toward: float, dt: float) -> void:
+	gravity_scale = 0.0
+	linear_velocity = (at - global_position) / dt
+	angular_velocity = Vector3(0.0, angle_difference(heading(), toward) / dt, 0.0)
+
+
+## Physics alone moves it again.
+func let_go() -> void:
+	gravity_scale = 1.0
+
+
+## Stays where it is, until it is placed again.
+func rest() -> void:
+	freeze = true
+
+
+## What it has begun to touch since the last call: bodies with the numbers of their shapes.
+func take_touched() -> Array[Array]:
+	var out := _touched
+	if not _touched.is_empty():
+		_touched = []
+	return out
+
+
+func _prepare() -> void:
+	linear_damp_mode = RigidBody3D.DAMP_MODE_REPLACE
+	linear_damp = 0.0
+	angular_damp_mode = RigidBody3D.DAMP_MODE_REPLACE
+	angular_damp = 0.0
+	center_of_mass_mode = RigidBody3D.CENTER_OF_MASS_MODE_CUSTOM
+	center_of_mass = Vector3(0.0, _mass_height, 0.0)
+	contact_monitor = true
+	max_contacts_reported = 8
+	can_sleep = false
+	collision_layer = BODY_LAYER
+	collision_mask = GROUND_LAYER | BODY_LAYER
+	_ray.collision_mask = GROUND_LAYER
+	body_shape_entered.connect(_on_touched)
+
+
+func _on_touched(_rid: RID, other: Node, shape: int, _own: int) -> void:
+	_touched.append([other, shape])
+
+
 func _add_shape() -> void:
 	var box := BoxShape3D.new()
-	var clearance := 0.2
-	box.size = Vector3(size.z, size.y - clearance, size.x)
+	box.size = Vector3(size.z, size.y - CLEARANCE, size.x)
 	var collision := CollisionShape3D.new()
 	collision.shape = box
-	collision.position.y = clearance + 0.5 * box.size.y
+	collision.position.y = CLEARANCE + 0.5 * box.size.y
 	add_child(collision)
 
 
-func _add_wheel(along: float, side: float, friction: float) -> void:
-	var wheel := VehicleWheel3D.new()
-	var sag := 1.7 * GRAVITY / (4.0 * STIFFNESS)
-	wheel.position = Vector3(side, wheel_radius + REST_LENGTH - sag, along)
-	wheel.use_as_steering = along > 0.0
-	wheel.use_as_traction = along < 0.0
-	wheel.wheel_radius = wheel_radius
-	wheel.wheel_rest_length = REST_LENGTH
-	wheel.wheel_friction_slip = friction
-	# What is too narrow to stand on four wheels does not lean at all.
-	wheel.wheel_roll_influence = 0.15 if size.z > 1.2 else 0.0
-	wheel.suspension_travel = TRAVEL
-	wheel.suspension_stiffness = STIFFNESS
-	wheel.suspension_max_force = 4.0 * mass * GRAVITY
-	wheel.damping_compression = DAMPING_IN
-	wheel.damping_relaxation = DAMPING_OUT
-	_add_tire(wheel)
-	_wheels.append(wheel)
-	add_child(wheel)
+func _turn_wheels(wanted: float, dt: float) -> void:
+	var most := _rate * dt * (1.0 + _tangent * _tangent)
+	_tangent += clampf((wanted - _tangent) * dt / (_lag + dt), -most, most)
 
 
-func _add_tire(wheel: VehicleWheel3D) -> void:
-	var tire := CylinderMesh.new()
-	tire.top_radius = wheel_radius
-	tire.bottom_radius = wheel_radius
-	tire.height = 0.22
-	tire.radial_segments = 20
-	tire.material = Looks.plain(Color(0.03, 0.03, 0.035), 0.8)
-	var rim := CylinderMesh.new()
-	rim.top_radius = wheel_radius * 0.62
-	rim.bottom_radius = wheel_radius * 0.62
-	rim.height = 0.24
-	rim.radial_segments = 10
-	rim.material = Looks.plain(Color(0.6, 0.61, 0.63), 0.3)
-	for part: CylinderMesh in [tire, rim]:
-		var instance := MeshInstance3D.new()
-		instance.mesh = part
-		instance.rotation.z = PI / 2
-		wheel.add_child(instance)
+func _tipping() -> float:
+	return ROLL if size.z > NARROW else 0.0
 
 
-func _add_look(paint: Color) -> void:
-	var body := preload("res://agents/car_body.gd").mesh(size, paint)
-	var instance := MeshInstance3D.new()
-	instance.mesh = body
-	add_child(instance)
-
-
-func _physics_process(_dt: float) -> void:
-	touching = 0
-	for other in get_colliding_bodies():
-		if (
-			other is RigidBody3D
-			or other is AnimatableBody3D
-			or other.get_parent().has_method("places")
-		):
-			touching += 1
+func _hold_upright(forward: Vector3) -> void:
+	var lean := global_basis.x.y
+	var pull := 4.0 * GRAVITY * _mass_height * mass
+	apply_torque(-forward * (pull * lean + 0.5 * pull * angular_velocity.dot(forward)))

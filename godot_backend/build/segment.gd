@@ -1,5 +1,5 @@
 extends "res://build/thing.gd"
-## A piece of road: a strip of lanes that look alike, drawn, and driven on unless it is raised.
+## A piece of road: a strip of lanes that look alike, drawn and solid; a raised one has curbs.
 
 const Protocol := preload("res://net/protocol.gd")
 const Looks := preload("res://build/looks.gd")
@@ -31,8 +31,7 @@ func build(reader: Reader) -> String:
 	if raised:
 		_add_curb(edges, 0)
 		_add_curb(edges, 1)
-	else:
-		add_body(_faces(edges))
+	add_body(_faces(edges))
 	return ""
 
 

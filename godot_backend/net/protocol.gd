@@ -1,7 +1,7 @@
 extends RefCounted
 ## The numbers of the wire protocol. `docs/godot.md` describes every message.
 
-const VERSION := 1
+const VERSION := 2
 const HEADER_BYTES := 20
 ## Largest datagram taken or sent; what a client sends in bulk stays far below.
 const MAX_DATAGRAM := 8192
@@ -49,6 +49,7 @@ const STATE := 0x32
 const DONE := 0x33
 const TRACE := 0x34
 const STOP := 0x35
+const CONTACTS := 0x36
 
 ## View.
 const VIEW := 0x40

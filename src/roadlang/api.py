@@ -143,10 +143,11 @@ if TYPE_CHECKING:
     from .plugins.hookspecs import hookimpl
     from .scenes.junction_paint import PaintedShape, junction_paint
     from .scenes.signal_heads import SignalHead, signal_heads
-    from .simulation.bodies import Body
+    from .simulation.bodies import Body, vehicle_parameters
+    from .simulation.contacts import Contact
+    from .simulation.decision import Decision
     from .simulation.mirroring import Mirror
     from .simulation.observation_vector import ObservationVector
-    from .simulation.pose_columns import with_pose_columns
     from .simulation.route_lines import route_points
     from .simulation.simulating import EngineSettings, simulate_scenes
 
@@ -175,9 +176,10 @@ _LATER = {
     ".plugins.hookspecs": "hookimpl",
     ".scenes.junction_paint": "PaintedShape junction_paint",
     ".scenes.signal_heads": "SignalHead signal_heads",
-    ".simulation.bodies": "Body",
+    ".simulation.bodies": "Body vehicle_parameters",
+    ".simulation.contacts": "Contact",
+    ".simulation.decision": "Decision",
     ".simulation.mirroring": "Mirror",
-    ".simulation.pose_columns": "with_pose_columns",
     ".simulation.observation_vector": "ObservationVector",
     ".simulation.route_lines": "route_points",
     ".simulation.simulating": "EngineSettings simulate_scenes",
@@ -188,24 +190,25 @@ __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURVATURE", "FORCE", "FREQUENCY", "JERK",
     "LENGTH", "MASS", "PIXELS", "PURE", "SCALE", "SPEED", "TIME", "Acceleration", "Adjuster",
     "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
-    "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames", "Control",
-    "ControlBatch", "Controller", "Curvature", "Diagnostic", "DiagnosticError", "Dimension",
-    "Distribution", "Drawer", "DrawnValue", "DriveSignal", "Duration", "EngineSettings",
-    "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "ImageName", "InitialSpeed",
-    "Jerk", "JunctionControl", "Kind", "Label", "LaneKind", "LanePlace", "LanePlaces", "Length",
-    "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
-    "Number", "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "PaintedShape",
-    "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "Position",
-    "Profile", "Provenance", "Reader", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName",
-    "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale",
-    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
-    "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode",
-    "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSignal", "Search", "Searcher", "Selector",
-    "Signal", "SignalHead", "SignalPhase", "Simulator", "Speed", "Standing", "String", "Trace",
-    "Verdict", "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean",
-    "geometry", "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option",
-    "pair_of", "quantity", "read_image", "read_input", "record_of", "route_points",
-    "scene_from_json", "signal_heads", "simulate_scenes", "to_json", "with_pose_columns",
+    "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames", "Contact",
+    "Control", "ControlBatch", "Controller", "Curvature", "Decision", "Diagnostic",
+    "DiagnosticError", "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal",
+    "Duration", "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
+    "ImageName", "InitialSpeed", "Jerk", "JunctionControl", "Kind", "Label", "LaneKind",
+    "LanePlace", "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Mirror",
+    "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation", "ObservationBatch",
+    "ObservationVector", "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels",
+    "PlacedBatch", "Point", "Position", "Profile", "Provenance", "Reader", "RightOfWay",
+    "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep",
+    "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor", "SceneArm",
+    "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
+    "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
+    "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead", "SignalPhase",
+    "Simulator", "Speed", "Standing", "String", "Trace", "Verdict", "ViolatedSegment", "Whole",
+    "Word", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_paint",
+    "kind_of", "list_of", "map_of", "one_of", "option", "pair_of", "quantity", "read_image",
+    "read_input", "record_of", "route_points", "scene_from_json", "signal_heads", "simulate_scenes",
+    "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

@@ -24,14 +24,14 @@ def patience(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(scope="session")
 def fast_engine() -> Iterator[engines.Engine]:
     """A headless engine that runs as fast as it can."""
-    with started(fixed_fps=60) as engine:
+    with started(fixed_fps=60, quit_idle=900.0) as engine:
         yield engine
 
 
 @pytest.fixture(scope="session")
 def drawing_engine() -> Iterator[engines.Engine]:
     """An engine that takes pictures."""
-    with started(fixed_fps=60, draw=True) as engine:
+    with started(fixed_fps=60, draw=True, quit_idle=900.0) as engine:
         yield engine
 
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from roadlang.api import Observation, SceneRoad
+from roadlang_godot.followed_scene import FollowedScene
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
-from roadlang_godot.python_drive import PythonDriver
-from roadlang_godot.telemetry import RECORD
+from roadlang_godot.telemetry import CONTACT, POSE, DriveState
 from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight
 
 LANE = 1.75
@@ -30,19 +30,18 @@ def observed(
     points, headings, _ = line_of(main).at(np.array([station]))
     away = lane * LANE + (0.25 if facing == "forward" else -0.25)
     along = float(headings[0])
-    row = np.zeros(1, RECORD)
-    row["agent"], row["speed"] = layout.agents["ego"], 8.0
+    row = np.zeros(1, POSE)
+    row["speed"] = 8.0
     row["heading"] = along + (0.0 if facing == "forward" else math.pi) + turned
     row["x"] = points[0, 0] - math.sin(along) * away - layout.frame.x
     row["y"] = points[0, 1] + math.cos(along) * away - layout.frame.y
-    driver = PythonDriver(made, layout, 0.05, {})
-    driver.look(row)
+    driver = FollowedScene(made, layout, 0.05, 60)
+    driver.look(DriveState(0, row, np.zeros(0, CONTACT)))
     seen = driver.seen("ego")
     assert (seen.time, seen.step, seen.speed) == (0.0, 0.05, 8.0)
     assert seen.station == pytest.approx(station, abs=0.01)
     assert seen.cross_track_error == pytest.approx(0.25, abs=0.01)
-    row["tick"] += 3
-    driver.look(row)
+    driver.look(DriveState(3, row, np.zeros(0, CONTACT)))
     assert driver.seen("ego").time == 0.05
     return seen
 

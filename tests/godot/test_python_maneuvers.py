@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from roadlang import testing
 from roadlang.api import Trace
-from roadlang.diagnostics import DiagnosticError
 from roadlang.drive.controllers import python_controllers
 from roadlang.plugins.discovery import load_registry
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_in
 
 pytestmark = pytest.mark.godot
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 ROAD = """
 road main { draw with segments { pieces: [straight(500m)] }, lanes: 4, width: 14m }
@@ -84,17 +87,75 @@ def test_a_pedestrian_walks_along_the_edge(session: Session) -> None:
     assert ego.y[-1] == pytest.approx(-7.5, abs=0.2)
 
 
-def test_godot_cannot_put_an_agent_where_a_recording_has_it(
+def test_an_agent_goes_where_a_recording_had_it(
     session: Session, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     file = tmp_path_factory.mktemp("replay") / "recorded.csv"
-    file.write_text("time,x,y,heading\n0,20,0,0\n5,60,0,0\n", encoding="utf-8")
+    file.write_text("time,x,y,heading\n0,20,0,0\n4,60,0,0\n8,100,4,0.1\n", encoding="utf-8")
     text = (
         ROAD
         + f"""
     agent ego is car on main at 20m {{ lane: none, drive with replay {{ file: "{file}" }} }}
     """
     )
-    with pytest.raises(DiagnosticError) as fault:
-        driven(session, text, 5.0)
-    assert fault.value.diagnostics[0].code == "RL510"
+    ego = driven(session, text, 8.0).agents["ego"]
+    assert np.interp([2.0, 4.0], ego.time, ego.x) == pytest.approx([40.0, 60.0], abs=0.6)
+    assert (ego.x[-1], ego.y[-1]) == pytest.approx((100.0, 4.0), abs=0.6)
+    assert np.interp(2.0, ego.time, ego.speed) == pytest.approx(10.0, abs=0.5)
+
+
+def test_who_goes_by_a_recording_is_moved_by_physics_after_a_crash(
+    session: Session, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    file = tmp_path_factory.mktemp("replay") / "recorded.csv"
+    file.write_text("time,x,y,heading\n0,20,-5.25,0\n10,120,-5.25,0\n", encoding="utf-8")
+    text = (
+        ROAD
+        + f"""
+    agent ego is car on main at 20m {{ lane: -2, drive with replay {{ file: "{file}" }} }}
+    agent van is van on main at 70m {{ lane: -2, drive with stop_at {{ station: 70m }} }}
+    """
+    )
+    trace = driven(session, text, 10.0)
+    event = next(one for one in trace.events if one["agent"] == "ego")
+    assert event["other"] == "van"
+    assert event["speed"] == pytest.approx(10.0, abs=0.3)
+    assert trace.agents["ego"].x[-1] < 70.0
+    assert trace.agents["ego"].speed[-1] < 0.1
+    assert trace.agents["ego"].collision[-1] == event["speed"]
+
+
+def test_traffic_obeys_a_signal_and_every_column_of_a_trace_is_known(session: Session) -> None:
+    text = (EXAMPLES / "signals.rl").read_text(encoding="utf-8")
+    scene = testing.sample(text)[0].record
+    settings = Settings(duration=40.0, step=0.05)
+    controllers = python_controllers(scene, load_registry())
+    trace = drive_in(session, scene, settings, controllers)
+    cars = [trace.agents[actor.name] for actor in scene.agents]
+    assert all(car.red_light.max() == 0 and car.contacts.max() == 0 for car in cars)
+    assert any((car.speed[car.time > 2] < 0.2).any() for car in cars), "nobody has waited"
+    assert np.mean([car.route_progress[-1] for car in cars]) > 60.0
+    for car in cars:
+        for column in ("road", "lane", "lane_offset", "speed_limit", "off_road", "progress"):
+            assert np.isfinite(getattr(car, column)).all(), column
+        assert car.off_road.max() < 0.3
+    again = drive_in(session, scene, settings, python_controllers(scene, load_registry()))
+    for name, agent in trace.agents.items():
+        assert agent.x.tobytes() == again.agents[name].x.tobytes()
+
+
+def test_any_drive_signal_begins_a_controller(session: Session) -> None:
+    text = (
+        ROAD
+        + """
+    agent ego is car on main at 20m {
+      lane: -2, start_speed: 14m/s
+      drive with lane_follow { speed: 14m/s }
+      drive with brake { when: ego.route_progress > 60m and ego.lane == -2 and ego.off_road < 0m }
+    }
+    """
+    )
+    ego = driven(session, text, 12.0).agents["ego"]
+    braked = ego.x[np.flatnonzero(ego.acceleration < -3.0)[0]]
+    assert braked == pytest.approx(80.0, abs=2.5)
+    assert ego.speed[-1] < 0.1

@@ -94,12 +94,14 @@ def test_an_object_in_a_condition_is_told_by_its_outline() -> None:
     assert tree[1] == ["distance", "ego", 50.0 - frame.x, 3.0 - frame.y, 0.0, 6.0, 2.0]
 
 
-def test_a_condition_that_the_engine_cannot_evaluate_is_refused() -> None:
+def test_an_agent_with_a_condition_that_the_engine_cannot_evaluate_is_left_to_python() -> None:
     main = bends()
-    signals = {"d": {"kind": "acme.mood", "options": {"agent": "ego"}}}
+    signals = {"d": {"kind": "lane_offset", "options": {"agent": "ego"}}}
     when = {"formula": {"<": ["d", 5.0]}, "signals": signals}
-    with pytest.raises(EngineError, match="RL513"):
-        layout_of(scene(main, agents=[car("ego", main, 5.0, call("brake", when=when))]))
+    made = scene(main, agents=[car("ego", main, 5.0, call("brake", when=when))])
+    assert layout_of(made).undriven == ("ego",)
+    assert agent_spec(made, "ego")["drives"] == []
+    assert layout_of(made, python_driven=["ego"]).undriven == ()
 
 
 def test_the_sun_is_in_the_south_at_noon_and_in_the_east_at_six() -> None:

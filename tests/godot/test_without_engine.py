@@ -8,29 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from roadlang import testing
 from roadlang.cli.main import run
-from roadlang_godot.drives import plain_name
 from roadlang_godot.frame import frame_around
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
+from roadlang_godot.names import plain_name
 from roadlang_godot.pictures import MARGIN, Shot, meters_a_pixel
 from roadlang_godot.sky import world_settings
-from roadlang_godot.traces import contact_events
 from tests.godot.godot_scenes import pieces, road, scene, straight
 
-TIME = np.arange(6) * 0.5
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
-
-
-def test_a_contact_is_an_event_when_it_begins_and_not_while_it_lasts() -> None:
-    """A second body that is touched meanwhile is part of the same contact."""
-    ego = testing.agent_trace("ego", time=TIME, contacts=[0, 1, 2, 1, 0, 1])
-    van = testing.agent_trace("van", time=TIME, contacts=[1, 1, 0, 0, 0, 1])
-    events = contact_events({"van": van, "ego": ego})
-    assert [(event["time"], event["agent"]) for event in events] == [
-        (0.0, "van"), (0.5, "ego"), (2.5, "ego"), (2.5, "van"),
-    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("width", "height"), [(1280, 720), (720, 1280), (500, 500)])

@@ -27,7 +27,8 @@ func command(agent: Agent, _signals: Callable, dt: float) -> Vector2:
 	var pace := _speed if _walked < _distance else 0.0
 	_walked += pace * dt
 	if agent.body is Walker:
-		(agent.body as Walker).place(agent.body.global_position, _toward, pace)
+		(agent.body as Walker).turn(_toward)
+		(agent.body as Walker).pace(pace)
 	return Vector2(NAN, 0.0)
 
 

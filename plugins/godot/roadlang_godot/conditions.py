@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from roadlang import stl
-from roadlang.api import Code
+from roadlang.api import Code, DiagnosticError
 
-from .drives import plain_name
 from .faults import fault
 from .frame import SceneOrigin
+from .names import plain_name
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -33,6 +33,19 @@ def engine_condition(when: Mapping[str, Any], scene: Scene, frame: SceneOrigin) 
     }
     signals |= {name: float(value) for name, value in when.get("numbers", {}).items()}
     return engine_formula(stl.from_json(when["formula"]), signals)
+
+
+def is_known(when: Mapping[str, Any]) -> bool:
+    """Whether the engine can evaluate a condition."""
+    signals = when.get("signals", {})
+    if any(plain_name(str(call["kind"])) not in SIGNALS for call in signals.values()):
+        return False
+    names = (*signals, *when.get("numbers", {}))
+    try:
+        engine_formula(stl.from_json(when["formula"]), dict.fromkeys(names, 0.0))
+    except DiagnosticError:
+        return False
+    return True
 
 
 def engine_formula(formula: stl.Formula, signals: Mapping[str, Any]) -> Any:

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 from roadlang.api import LanePlace
+
+from .conditions import is_known
+from .names import plain_name
 
 if TYPE_CHECKING:
     from roadlang.api import Call, Scene, SceneActor
@@ -13,10 +17,6 @@ if TYPE_CHECKING:
 IN_ENGINE = frozenset(
     {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", "manual"}
 )
-
-EMBEDDED_ONLY = {"traffic": "right of way"}
-"""Controllers that drive in the embedded engine alone, and what they need of it."""
-
 
 WALKERS = ("pedestrian", "animal")
 
@@ -26,11 +26,26 @@ def is_walker(actor: SceneActor) -> bool:
     return plain_name(actor.kind) in WALKERS
 
 
-def plain_name(kind: str) -> str:
-    """`pure_pursuit` of `roadlang.pure_pursuit` or `standard.pure_pursuit`; a stranger's name
-    stays whole."""
-    plugin, _, name = kind.rpartition(".")
-    return name if plugin in ("", "roadlang", "standard") else kind
+def drives_alone(scene: Scene) -> bool:
+    """Whether the engine has all that the agents of a scene are driven by."""
+    return all(
+        actor.route is None and all(map(is_in_engine, actor.drive)) for actor in scene.agents
+    )
+
+
+def is_in_engine(call: Call) -> bool:
+    """Whether the engine has a copy of a controller, and can evaluate its conditions."""
+    conditions = [one for one in (call.when, call.during) if one is not None]
+    return plain_name(call.kind) in IN_ENGINE and all(map(is_known, conditions))
+
+
+def undriven_agents(scene: Scene, python_driven: Collection[str]) -> tuple[str, ...]:
+    """Agents that Python does not drive, and that the engine cannot."""
+    return tuple(
+        actor.name
+        for actor in scene.agents
+        if actor.name not in python_driven and not all(map(is_in_engine, actor.drive))
+    )
 
 
 def usual_speed(actor: SceneActor, scene: Scene) -> float:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import struct
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from enum import IntEnum
 
 import numpy as np
 
@@ -15,21 +16,49 @@ from roadlang.api import Code
 from .faults import fault
 from .protocol import Message
 from .session import Session
-from .telemetry import STATE_HEADER, Records, records
+from .telemetry import CONTACT, RECORD, DriveState, Records, records
 
 _RESEND = 0.02
+_LONGEST_HOLD = 60
+"""Ticks: longer steps are taken in parts, each of which shows that the engine is alive."""
 _STEP = struct.Struct("<IHH")
-_CONTROL = struct.Struct("<HHff")
+_CONTROL = struct.Struct("<HHIffff")
 
-Controls = Mapping[tuple[int, int], tuple[float, float]]
-"""(world, agent) to (steering angle, acceleration)."""
+
+class ControlForm(IntEnum):
+    """What the four numbers of an `EngineControl` are."""
+
+    STEER = 1
+    """0, 0, steering angle, acceleration"""
+    FACE = 2
+    """0, 0, heading, acceleration: of who is on foot"""
+    POSE = 3
+    """x, y, heading, speed at the end of the step"""
+
+
+@dataclass(frozen=True, slots=True)
+class EngineControl:
+    """What an agent is to do until the next step, in the engine's coordinates."""
+
+    form: ControlForm
+    numbers: tuple[float, float, float, float]
+
+    @classmethod
+    def steer(cls, steering: float, acceleration: float) -> EngineControl:
+        """A steering angle and an acceleration."""
+        return cls(ControlForm.STEER, (0.0, 0.0, steering, acceleration))
+
+
+Controls = Mapping[int, EngineControl]
+"""By the numbers of agents."""
 
 
 @dataclass(frozen=True, slots=True)
 class GodotDrive:
-    """A finished drive: all records, at which tick it ended, and why."""
+    """A finished drive: all records, what was touched, at which tick it ended, and why."""
 
     trace: Records
+    contacts: Records
     ticks: int
     reason: str
 
@@ -41,24 +70,27 @@ def run(session: Session, ticks: int, *, every: int = 1, stop_at_end: bool = Fal
     """
     settings = {"mode": "free", "ticks": ticks, "every": every, "stop_at_end": stop_at_end}
     session.send_json(Message.RUN, settings, "the start of the drive")
-    parts: list[Records] = []
+    parts = {RECORD: [records(b"")], CONTACT: [records(b"", CONTACT)]}
     while (done := session.take(Message.DONE)) is None:
         session.pump(0.02)
         _gather(session, parts)
     end = json.loads(done)
     # The end may overtake what was recorded before it.
-    while sum(map(len, parts)) < int(end["records"]):
+    counts = {RECORD: int(end["records"]), CONTACT: int(end["contacts"])}
+    while any(sum(map(len, parts[dtype])) < count for dtype, count in counts.items()):
         session.pump(0.02)
         _gather(session, parts)
-    trace = np.concatenate(parts) if parts else records(b"")
+    trace, contacts = (np.concatenate(parts[dtype]) for dtype in (RECORD, CONTACT))
     # Messages come in any order; records tell theirs.
     trace = trace[np.lexsort((trace["agent"], trace["world"], trace["tick"]))]
-    return GodotDrive(trace, int(end["tick"]), str(end["reason"]))
+    contacts = contacts[np.lexsort((contacts["agent"], contacts["world"], contacts["tick"]))]
+    return GodotDrive(trace, contacts, int(end["tick"]), str(end["reason"]))
 
 
-def _gather(session: Session, parts: list[Records]) -> None:
-    while (part := session.take(Message.TRACE)) is not None:
-        parts.append(records(part))
+def _gather(session: Session, parts: Mapping[np.dtype[np.void], list[Records]]) -> None:
+    for message, dtype in ((Message.TRACE, RECORD), (Message.CONTACTS, CONTACT)):
+        while (part := session.take(message)) is not None:
+            parts[dtype].append(records(part, dtype))
 
 
 class LockStep:
@@ -70,7 +102,7 @@ class LockStep:
         session.send_json(Message.RUN, {"mode": "lockstep"}, "the start of the drive")
         session.flush()
         session.on_state = self._take
-        self.tick, self.at_end, self.state = self._await(0, None)
+        self.state = self._await(0, None)
 
     def __enter__(self) -> LockStep:
         return self
@@ -80,22 +112,35 @@ class LockStep:
         self._session.send(Message.STOP, b"", "the end of the drive")
         self._session.expect(Message.DONE)
 
-    def step(self, controls: Controls, ticks: int = 1) -> Records:
-        """Hold these controls for some ticks; returns the records of all agents after them.
+    @property
+    def tick(self) -> int:
+        """Physics ticks since the start."""
+        return self.state.tick
+
+    def step(self, controls: Controls, ticks: int = 1, world: int = 0) -> DriveState:
+        """Hold these controls for some ticks; returns the state after them.
 
         Agents without controls go on as their own controllers want.
         """
-        payload = _STEP.pack(self.tick, ticks, len(controls)) + b"".join(
-            _CONTROL.pack(world, agent, steer, acceleration)
-            for (world, agent), (steer, acceleration) in controls.items()
+        packed = b"".join(
+            _CONTROL.pack(world, agent, control.form, *control.numbers)
+            for agent, control in controls.items()
         )
-        self.tick, self.at_end, self.state = self._await(self.tick + ticks, payload)
+        payload = _STEP.pack(self.tick, ticks, len(controls)) + packed
+        self.state = self._await(self.tick + ticks, payload)
         return self.state
+
+    def hold(self, ticks: int) -> Iterable[DriveState]:
+        """Let all agents go on as their own controllers want, for some ticks in parts."""
+        while ticks > 0:
+            part = min(ticks, _LONGEST_HOLD)
+            yield self.step({}, part)
+            ticks -= part
 
     def _take(self, payload: bytes) -> None:
         self._state = payload
 
-    def _await(self, tick: int, request: bytes | None) -> tuple[int, bool, Records]:
+    def _await(self, tick: int, request: bytes | None) -> DriveState:
         deadline = time.monotonic() + 2 * self._session.patience
         while time.monotonic() < deadline:
             if request is not None:
@@ -107,7 +152,7 @@ class LockStep:
                 if self._state is None:
                     continue
                 payload, self._state = self._state, None
-                now, ended = struct.unpack_from("<II", payload)
-                if now == tick:
-                    return now, bool(ended), records(payload[STATE_HEADER:])
+                state = DriveState.of(payload)
+                if state.tick == tick:
+                    return state
         raise fault(Code.GODOT_DISCONNECTED, reason=f"no state for step {tick}")

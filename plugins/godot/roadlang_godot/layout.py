@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from roadlang.api import Code
 
-from .conditions import engine_condition
-from .drives import IN_ENGINE, is_walker, option_values, plain_name, usual_speed
+from .agent_specs import agent_spec, followed_lines
+from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, frame_around
 from .junction_things import paint_things, signal_things
 from .junctions import RoadArm, area_patch, cuts, order, patch
-from .line import RoadSamples, line_of, line_of_route
+from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
+from .names import plain_name
 from .placed import Placed, agent_thing, object_things, path_things, world_thing
 from .road_mesh import road_things
 from .sky import world_settings
@@ -42,7 +43,10 @@ class Layout:
     extent: float
     agents: Mapping[str, int]
     paths: Mapping[str, int]
-    python_driven: tuple[str, ...]
+    objects: Mapping[int, tuple[str, ...]]
+    """names of the objects that a thing holds, by its id"""
+    undriven: tuple[str, ...]
+    """agents whose controllers the engine does not have, and that Python does not drive"""
 
     def settings(self, ticks: int = 60) -> dict[str, Any]:
         """What a scene begins with."""
@@ -50,10 +54,16 @@ class Layout:
         return {"name": name, "extent": round(self.extent + BESIDE, 1), "ticks": ticks}
 
 
-def layout_of(scene: Scene, road: str = "mesh", frame: SceneOrigin | None = None) -> Layout:
+def layout_of(
+    scene: Scene,
+    road: str = "mesh",
+    frame: SceneOrigin | None = None,
+    python_driven: Collection[str] = (),
+) -> Layout:
     """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
 
-    A `frame` that is given stays: what did not move is then not sent again.
+    A `frame` that is given stays: what did not move is then not sent again. Of agents that are
+    `python_driven`, no controllers are sent.
 
     Raises `EngineError` RL509 where there is no road, RL514 where tiles have no pixels.
     """
@@ -69,22 +79,21 @@ def layout_of(scene: Scene, road: str = "mesh", frame: SceneOrigin | None = None
     frame = frame or middle
     tiled = road == "tiles"
     things = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
-    ways = {
-        _way(actor): line_of_route(_way(actor), scene, actor.route)
-        for actor in scene.agents
-        if actor.route is not None
-    }
-    followed = _followed(scene, lines | ways)
+    followed = followed_lines(scene, lines)
     paths = {name: i + 1 for i, name in enumerate(followed)}
     for name, number in paths.items():
         things += path_things(followed[name], number, frame)
+    undriven = undriven_agents(scene, python_driven)
+    silent = {*python_driven, *undriven}
     agents = {actor.name: i + 1 for i, actor in enumerate(scene.agents)}
-    things += [_agent(actor, agents[actor.name], paths, lines, scene, frame)
-               for actor in scene.agents]  # fmt: skip
-    things += object_things(map(_placed, scene.objects), frame)
+    for actor in scene.agents:
+        driven = replace(actor, drive=()) if actor.name in silent else actor
+        spec = agent_spec(driven, scene, paths, followed, frame)
+        things.append(agent_thing(agents[actor.name], spec))
+    objects, names = object_things(map(_placed, scene.objects), frame)
+    things += objects
     things.append(world_thing(world_settings(scene.world)))
-    outside = tuple(actor.name for actor in scene.agents if not _drives_in_engine(actor))
-    return Layout(scene.name, tuple(things), frame, extent, agents, paths, outside)
+    return Layout(scene.name, tuple(things), frame, extent, agents, paths, names, undriven)
 
 
 def built_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:
@@ -194,85 +203,6 @@ def _arms(
     return out
 
 
-def _followed(scene: Scene, lines: Mapping[str, RoadSamples]) -> dict[str, RoadSamples]:
-    """The lines that agents follow: their routes, and the roads of those that have none."""
-    names = dict.fromkeys(_path_name(actor) for actor in scene.agents)
-    return {name: lines[name] for name in names if name in lines}
-
-
-def _path_name(actor: SceneActor) -> str:
-    return (actor.road or "") if actor.route is None else _way(actor)
-
-
-def _way(actor: SceneActor) -> str:
-    return f"the route of {actor.name}"
-
-
-def _drives_in_engine(actor: SceneActor) -> bool:
-    return all(plain_name(call.kind) in IN_ENGINE for call in actor.drive)
-
-
-def _agent(
-    actor: SceneActor,
-    number: int,
-    paths: Mapping[str, int],
-    lines: Mapping[str, RoadSamples],
-    scene: Scene,
-    frame: SceneOrigin,
-) -> ScenePart:
-    options = {key: value for key, value in actor.options.items() if _is_plain(value)}
-    spec: dict[str, Any] = {
-        "name": actor.name,
-        "x": actor.x - frame.x,
-        "y": actor.y - frame.y,
-        "heading": actor.heading,
-        "length": actor.length,
-        "width": actor.width,
-        "height": actor.height,
-        "speed": float(actor.start_speed or options.get("initial_speed", 0.0)),
-        "body": "walker" if is_walker(actor) else "vehicle",
-        "drives": _drives(actor, scene, frame),
-    }
-    for key in ("mass", "wheelbase", "max_steering", "color"):
-        if key in options:
-            spec[key] = options[key]
-    if actor.route is not None:
-        spec |= {"path": paths[_way(actor)], "start": 0.0, "offset": 0.0, "direction": 1}
-    elif actor.road in paths:
-        assert actor.road is not None
-        spec |= {
-            "path": paths[actor.road],
-            "start": actor.start or 0.0,
-            "offset": line_offset(actor, lines[actor.road]),
-            "direction": -1 if actor.facing == "back" else 1,
-        }
-    return agent_thing(number, spec)
-
-
-def line_offset(actor: SceneActor, line: RoadSamples) -> float:
-    """How far left of the center line the line lies that an agent should follow.
-
-    The middle of its lane where it has one, else where it stands; who crosses goes its own way.
-    """
-    if actor.lane is not None and actor.lane in line.cross_section.ids:
-        return float(line.cross_section.offset(actor.lane, actor.start or 0.0))
-    offset = actor.offset or 0.0
-    return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
-
-
-def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[str, Any]]:
-    out = []
-    for call in actor.drive:
-        kind = plain_name(call.kind)
-        if kind in IN_ENGINE:
-            drive = {"kind": kind, **option_values(call, usual_speed(actor, scene))}
-            for key, condition in (("when", call.when), ("while", call.during)):
-                if condition is not None:
-                    drive[key] = engine_condition(condition, scene, frame)
-            out.append(drive)
-    return out
-
-
 def _placed(actor: SceneActor) -> Placed:
     color = actor.options.get("color", "")
     return Placed(
@@ -284,9 +214,6 @@ def _placed(actor: SceneActor) -> Placed:
         width=actor.width,
         height=actor.height,
         color=color if isinstance(color, str) else "",
-        name=actor.name if actor.name == actor.group else "",
+        name=actor.name,
+        alone=actor.name == actor.group,
     )
-
-
-def _is_plain(value: Any) -> bool:
-    return isinstance(value, (str, int, float)) and not isinstance(value, bool)

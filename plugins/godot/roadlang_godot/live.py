@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import json
-from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .followed_scene import FollowedScene
 from .layout import Layout, layout_of
 from .protocol import Message
 from .session import Session
-from .telemetry import Records, records
-from .traces import trace_of
+from .telemetry import CONTACT, Records, records
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, Trace
 
 RATE = 60
+EVERY = 2
+"""Ticks from one record to the next."""
 MEMORY = 120.0
-"""Seconds of driving that are kept for judging."""
+"""Seconds of driving that are kept for judging, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,13 +41,13 @@ class LiveScene:
     def __init__(self, session: Session, scene: Scene, road: str = "mesh") -> None:
         self._session = session
         self._road = road
-        self._kept: deque[Records] = deque()
         self.scene = scene
         self.layout: Layout = layout_of(scene, road)
+        self._forget()
         session.begin(self.layout.settings(RATE), clear=True)
         session.update(self.layout.things)
         session.prove()
-        session.send_json(Message.RUN, {"mode": "free", "every": 2})
+        session.send_json(Message.RUN, {"mode": "free", "every": EVERY})
         session.flush()
 
     def change(self, scene: Scene) -> int:
@@ -54,6 +55,7 @@ class LiveScene:
         layout = layout_of(scene, self._road, self.layout.frame)
         count = self._session.update(layout.things)
         self.scene, self.layout = scene, layout
+        self._forget()
         return count
 
     def show(self, lines: list[str]) -> None:
@@ -64,10 +66,7 @@ class LiveScene:
     def listen(self, timeout: float) -> list[Move]:
         """Wait a moment; take what was driven and what a human moved meanwhile."""
         self._session.pump(timeout)
-        while (part := self._session.take(Message.TRACE)) is not None:
-            self._kept.append(records(part))
-        while self._kept and self._span() > MEMORY * RATE:
-            self._kept.popleft()
+        self._record()
         changes = []
         while (edit := self._session.take(Message.EDIT)) is not None:
             changes += self._move(edit)
@@ -75,20 +74,36 @@ class LiveScene:
 
     def trace(self) -> Trace | None:
         """What was driven lately; None where nothing was."""
-        if not self._kept or not self.layout.agents:
-            return None
-        rows = np.concatenate(list(self._kept))
-        rows = rows[np.lexsort((rows["agent"], rows["world"], rows["tick"]))]
-        ticks = [set(rows["tick"][rows["agent"] == n]) for n in self.layout.agents.values()]
-        common = np.array(sorted(set.intersection(*ticks)), dtype=rows["tick"].dtype)
-        if len(common) < 2:
-            return None
-        rows = rows[np.isin(rows["tick"], common)].copy()
-        rows["tick"] -= common[0]
-        return trace_of(rows, self.layout, self.scene, 1.0 / RATE, "Godot")
+        return self._followed.trace("Godot") if self._samples > 1 else None
 
-    def _span(self) -> int:
-        return int(self._kept[-1]["tick"][-1]) - int(self._kept[0]["tick"][0])
+    def _forget(self) -> None:
+        """What is driven from now on is judged."""
+        self._followed = FollowedScene(self.scene, self.layout, EVERY / RATE, RATE)
+        self._rows: dict[int, list[Records]] = {}
+        self._contacts: list[Records] = []
+        self._samples = 0
+
+    def _record(self) -> None:
+        """Make samples of the ticks of which the records of all agents are here."""
+        numbers = set(self.layout.agents.values())
+        while (part := self._session.take(Message.CONTACTS)) is not None:
+            self._contacts += list(records(part, CONTACT))
+        while (part := self._session.take(Message.TRACE)) is not None:
+            for row in records(part):
+                if int(row["agent"]) in numbers:
+                    self._rows.setdefault(int(row["tick"]), []).append(row)
+        for tick in sorted(self._rows):
+            rows = self._rows[tick]
+            if len(rows) < len(numbers):
+                continue
+            if self._samples * EVERY > MEMORY * RATE:
+                self._forget()
+                return
+            rows.sort(key=lambda row: int(row["agent"]))
+            self._followed.look_at_records(np.array(rows), np.array(self._contacts, dtype=CONTACT))
+            self._samples += 1
+            self._contacts = []
+            self._rows = {late: some for late, some in self._rows.items() if late > tick}
 
     def _move(self, payload: bytes) -> list[Move]:
         edit = json.loads(payload)

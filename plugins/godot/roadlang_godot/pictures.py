@@ -46,7 +46,7 @@ def render_picture(scene: Scene, shot: Shot, moment: float = 0.0) -> bytes:
         layout = build(session, scene, shot.road)
         if moment > 0 and layout.agents:
             with LockStep(session) as lock:
-                lock.step({}, round(moment * RATE))
+                _wait(lock, moment)
                 return take(session, layout, shot)
         return take(session, layout, shot)
 
@@ -67,7 +67,7 @@ def render_clip(
         layout = build(session, scene, shot.road)
         with LockStep(session) as lock:
             if start > 0:
-                lock.step({}, round(start * RATE))
+                _wait(lock, start)
             while frames < round(duration * RATE / every):
                 picture = np.frombuffer(take(session, layout, shot), dtype=np.uint8)
                 out.write(cv2.imdecode(picture, cv2.IMREAD_COLOR))
@@ -75,6 +75,11 @@ def render_clip(
                 lock.step({}, every)
     out.release()
     return frames
+
+
+def _wait(lock: LockStep, seconds: float) -> None:
+    for _ in lock.hold(round(seconds * RATE)):
+        pass
 
 
 def build(session: Session, scene: Scene, road: str = "mesh") -> Layout:

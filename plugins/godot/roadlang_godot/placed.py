@@ -37,22 +37,27 @@ class Placed:
     color: str = ""
     solid: bool = True
     name: str = ""
+    alone: bool = False
+    """whether it is a thing by itself, to be moved"""
 
 
 def object_things(
     objects: Iterable[Placed], frame: SceneOrigin, first_id: int = 1
-) -> list[ScenePart]:
-    """Objects of one sort together, as many as fit; each named one by itself, to be moved."""
+) -> tuple[list[ScenePart], dict[int, tuple[str, ...]]]:
+    """Objects of one sort together, as many as fit, and their names by the ids of the things."""
     groups: dict[tuple[str, str, bool, str], list[Placed]] = {}
     for placed in objects:
-        groups.setdefault((placed.sort, placed.color, placed.solid, placed.name), []).append(placed)
+        key = (placed.sort, placed.color, placed.solid, placed.name if placed.alone else "")
+        groups.setdefault(key, []).append(placed)
     things: list[Any] = []
+    names = {}
     for (sort, color, solid, _), members in groups.items():
         most = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8 - len(sort) - len(color)) // _RECORD_BYTES
         for at in range(0, len(members), most):
             batch = members[at : at + most]
+            names[first_id + len(things)] = tuple(placed.name for placed in batch)
             things.append(_objects(first_id + len(things), sort, color, solid, batch, frame))
-    return things
+    return things, names
 
 
 def path_things(line: RoadSamples, path: int, frame: SceneOrigin) -> list[ScenePart]:
@@ -97,7 +102,7 @@ def _objects(
     paint = color.encode("ascii", "replace")[:32]
     head = struct.pack("<BHB", int(solid), len(batch), len(name)) + name
     head += struct.pack("<B", len(paint)) + paint
-    label = batch[0].name or f"{len(batch)} x {sort}"
+    label = batch[0].name if batch[0].alone else f"{len(batch)} x {sort}"
     return ScenePart(Message.OBJECTS, id, head + records.tobytes(), places.tobytes(), label)
 
 

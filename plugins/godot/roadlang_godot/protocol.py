@@ -12,7 +12,7 @@ import struct
 from dataclasses import dataclass
 from enum import IntEnum
 
-VERSION = 1
+VERSION = 2
 MAX_DATAGRAM = 8192
 BULK_DATAGRAM = 1200
 """What is sent in bulk fits a datagram that no network splits."""
@@ -55,6 +55,7 @@ class Message(IntEnum):
     DONE = 0x33
     TRACE = 0x34
     STOP = 0x35
+    CONTACTS = 0x36
     VIEW = 0x40
     SHOT = 0x41
     PICTURE = 0x42

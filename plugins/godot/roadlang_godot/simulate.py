@@ -12,13 +12,12 @@ import numpy as np
 from roadlang.api import Code
 
 from . import driving, engine
-from .drives import EMBEDDED_ONLY, plain_name
+from .drives import drives_alone
 from .faults import fault
-from .layout import Layout, layout_of
-from .python_drive import PythonDriver
+from .followed_scene import FollowedScene
+from .layout import layout_of
 from .session import Session
-from .telemetry import Records, of_agent
-from .traces import trace_of
+from .telemetry import of_agent
 
 if TYPE_CHECKING:
     from roadlang.api import Controller, Scene, Trace
@@ -72,22 +71,30 @@ def drive_scenes(
 def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Controllers) -> Trace:
     """Build and drive a scene in a session.
 
-    Raises `EngineError` RL700 where nothing drives, RL510 where a controller is missing.
+    The engine drives alone where it has copies of all controllers, else Python decides for all
+    agents that `controllers` has. Raises `EngineError` RL700 where nothing drives, RL510 where a
+    controller is missing.
     """
-    layout = layout_of(scene, settings.road)
+    decided = () if drives_alone(scene) else tuple(controllers)
+    layout = layout_of(scene, settings.road, python_driven=decided)
     if not layout.agents:
         raise fault(Code.NO_AGENTS, scene=scene.name)
-    _check_controllers(scene, layout, controllers)
-    controllers = {name: controllers[name] for name in layout.python_driven}
+    for name in layout.undriven:
+        kind = next(actor.drive[-1].kind for actor in scene.agents if actor.name == name)
+        raise fault(Code.UNSUPPORTED_CONTROLLER, kind=kind, engine="Godot's project")
     session.begin(layout.settings(settings.rate), clear=True)
     session.update(layout.things)
     session.prove()
-    if controllers:
-        records = _step_by_step(session, scene, layout, settings, controllers)
+    followed = FollowedScene(
+        scene, layout, settings.every / settings.rate, settings.rate,
+        {name: controllers[name] for name in decided},
+    )  # fmt: skip
+    if decided:
+        _step_by_step(session, followed, settings)
     else:
         drive = driving.run(session, settings.ticks, every=settings.every, stop_at_end=True)
-        records = drive.trace
-    return trace_of(records, layout, scene, 1.0 / settings.rate, _name(session))
+        _record(drive, followed, len(layout.agents))
+    return followed.trace(_name(session))
 
 
 def drive_batch(session: Session, scenes: Sequence[Scene], settings: Settings) -> list[Trace]:
@@ -100,44 +107,35 @@ def drive_batch(session: Session, scenes: Sequence[Scene], settings: Settings) -
     drive = driving.run(session, settings.ticks, every=settings.every, stop_at_end=True)
     traces = []
     for world, (layout, scene) in enumerate(zip(layouts, scenes, strict=True)):
-        rows = drive.trace[drive.trace["world"] == world].copy()
-        rows["world"] = 0
-        traces.append(trace_of(rows, layout, scene, 1.0 / settings.rate, _name(session)))
+        followed = FollowedScene(scene, layout, settings.every / settings.rate, settings.rate)
+        _record(drive, followed, len(layout.agents), world)
+        traces.append(followed.trace(_name(session)))
     return traces
 
 
-def _step_by_step(
-    session: Session,
-    scene: Scene,
-    layout: Layout,
-    settings: Settings,
-    controllers: Controllers,
-) -> Records:
-    """Drive in lock-step: at every step the controllers see all agents, and decide."""
-    driver = PythonDriver(scene, layout, settings.every / settings.rate, controllers)
-    parts = []
+def _step_by_step(session: Session, followed: FollowedScene, settings: Settings) -> None:
+    """Drive in lock-step: at every step Python sees all agents, and decides for them."""
     with driving.LockStep(session) as lock:
-        state = lock.state
+        followed.look(lock.state)
         for _ in range(settings.ticks // settings.every):
-            parts.append(state)
-            controls = driver.controls(state)
-            state = lock.step(controls, settings.every)
-            if lock.at_end:
+            followed.look(lock.step(followed.controls(), settings.every))
+            if followed.finished:
                 break
-        parts.append(state)
-    return np.concatenate(parts)
 
 
-def _check_controllers(scene: Scene, layout: Layout, controllers: Controllers) -> None:
-    project = "Godot's project"
-    for actor in scene.agents:
-        needs = [EMBEDDED_ONLY.get(plain_name(call.kind)) for call in actor.drive]
-        needs.append(None if actor.route is None else "routes")
-        for what in filter(None, needs):
-            raise fault(Code.EMBEDDED_ENGINE_ONLY, agent=actor.name, engine=project, what=what)
-        if actor.name in layout.python_driven and actor.name not in controllers:
-            kind = actor.drive[-1].kind
-            raise fault(Code.UNSUPPORTED_CONTROLLER, kind=kind, engine=project)
+def _record(
+    drive: driving.GodotDrive, followed: FollowedScene, agents: int, world: int = 0
+) -> None:
+    """Make samples of the records of a world, a tick after the other."""
+    rows = drive.trace[drive.trace["world"] == world].reshape(-1, agents)
+    contacts = drive.contacts[drive.contacts["world"] == world]
+    ends = np.searchsorted(contacts["tick"], rows["tick"][:, 0], side="right")
+    begun = 0
+    for of_tick, end in zip(rows, ends, strict=True):
+        followed.look_at_records(of_tick, contacts[begun:end])
+        begun = end
+        if followed.finished:
+            break
 
 
 def _name(session: Session) -> str:

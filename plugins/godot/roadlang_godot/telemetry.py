@@ -1,7 +1,9 @@
-"""What the engine reports of each agent at each tick, as one numpy record."""
+"""What the engine reports: agents at each tick, where they are now, and what they touched."""
 
 from __future__ import annotations
 
+import struct
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -32,17 +34,56 @@ RECORD = np.dtype(
     ]
 )
 """x east, y north, z up in the engine's frame (meters), heading in radians from east; `wheels` are
-bits of those on the ground, `contacts` the bodies touched, not counting the ground."""
+bits of those on the ground, `contacts` the agents and objects touched so far."""
+
+POSE = np.dtype(
+    [("x", "<f4"), ("y", "<f4"), ("heading", "<f4"), ("speed", "<f4"), ("steering", "<f4")]
+)
+"""Where an agent is in a state of a drive in lock-step: as in `RECORD`."""
+
+CONTACT = np.dtype(
+    [
+        ("tick", "<u4"),
+        ("world", "<u2"),
+        ("agent", "<u2"),
+        ("other", "<u4"),
+        ("index", "<i4"),
+        ("speed", "<f4"),
+    ]
+)
+"""`agent` has touched something for the first time: the agent `other`, or where `index` is not -1
+the object of that place in the thing `other`; `speed` of one relative to the other just before."""
 
 Records = NDArray[Any]
 
-STATE_HEADER = 8
+_STATE = struct.Struct("<IHH")
 
 
-def records(payload: bytes) -> Records:
-    """The records of a TRACE message."""
-    length = len(payload) // RECORD.itemsize * RECORD.itemsize
-    return np.frombuffer(payload[:length], dtype=RECORD)
+@dataclass(frozen=True, slots=True)
+class DriveState:
+    """Where all agents are at a tick, in the order of their numbers, and what they have touched
+    since the state before."""
+
+    tick: int
+    poses: Records
+    contacts: Records
+
+    @classmethod
+    def of(cls, payload: bytes) -> DriveState:
+        """That of a STATE message."""
+        tick, agents, contacts = _STATE.unpack_from(payload)
+        at = _STATE.size + agents * POSE.itemsize
+        return cls(
+            tick,
+            np.frombuffer(payload, POSE, agents, _STATE.size),
+            np.frombuffer(payload, CONTACT, contacts, at),
+        )
+
+
+def records(payload: bytes, dtype: np.dtype[Any] = RECORD) -> Records:
+    """The records of a TRACE or CONTACTS message."""
+    length = len(payload) // dtype.itemsize * dtype.itemsize
+    return np.frombuffer(payload[:length], dtype=dtype)
 
 
 def of_agent(trace: Records, agent: int, world: int = 0) -> Records:

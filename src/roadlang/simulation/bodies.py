@@ -16,6 +16,8 @@ from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
 AIR = 1.2
 """density, kg/m^3"""
 LEAST_FRICTION = 1e-3
+WALKER_BASE = 0.5
+"""Meters: wheelbase of who is on foot."""
 
 
 @dataclass(frozen=True)
@@ -108,30 +110,68 @@ class Bodies:
         return Bodies(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
 
 
-def _row(actor: SceneActor, body: Body, friction: float, dt: float) -> tuple[float, ...]:
-    options = actor.options
-    usual_base = 0.5 if body.walks else 0.6 * actor.length
-    wheelbase = max(0.05, _number(options.get("wheelbase"), usual_base))
+@dataclass(frozen=True)
+class VehicleParameters:
+    """Numbers of one agent that equations of motion need, in any engine. SI units and radians."""
+
+    mass: float
+    wheelbase: float
+    max_steering: float
+    mass_height: float
+    """of the center of mass above the ground"""
+    drag: float
+    """1/m: acceleration for each squared m/s"""
+    rolling: float
+    """m/s^2"""
+    power: float
+    """W/kg"""
+    front_stiffness: float
+    """cornering stiffness for each newton of load, 1/rad"""
+    rear_stiffness: float
+    steering_lag: float
+    steering_rate: float
+
+
+def vehicle_parameters(actor: SceneActor, body: Body | None = None) -> VehicleParameters:
+    """Those of an agent, whose kind is this: what its options say, else usual numbers."""
+    options, body = actor.options, body or Body()
+    usual_base = WALKER_BASE if body.walks else 0.6 * actor.length
     mass = max(1e-3, _number(options.get("mass"), 1500.0))
-    lag, rate = body.steering_lag, body.steering_rate
+    return VehicleParameters(
+        mass=mass,
+        wheelbase=max(0.05, _number(options.get("wheelbase"), usual_base)),
+        max_steering=min(1.5, _number(options.get("max_steering"), 0.61)),
+        mass_height=body.mass_height * actor.height,
+        drag=0.5 * AIR * body.drag_area / mass,
+        rolling=body.rolling * GRAVITY,
+        power=body.power,
+        front_stiffness=FRONT_STIFFNESS,
+        rear_stiffness=REAR_STIFFNESS,
+        steering_lag=body.steering_lag,
+        steering_rate=body.steering_rate,
+    )
+
+
+def _row(actor: SceneActor, body: Body, friction: float, dt: float) -> tuple[float, ...]:
+    car = vehicle_parameters(actor, body)
     return (
         actor.length,
         actor.width,
-        wheelbase,
-        min(1.5, _number(options.get("max_steering"), 0.61)),
-        0.5 * wheelbase,
+        car.wheelbase,
+        car.max_steering,
+        0.5 * car.wheelbase,
         friction,
-        FRONT_STIFFNESS / (3.0 * friction),
-        REAR_STIFFNESS / (3.0 * friction),
+        car.front_stiffness / (3.0 * friction),
+        car.rear_stiffness / (3.0 * friction),
         SLOW * dt,
-        1.0 if body.walks else dt / (lag + dt),
-        (1e3 if body.walks else rate) * dt,
-        body.power,
+        1.0 if body.walks else dt / (car.steering_lag + dt),
+        (1e3 if body.walks else car.steering_rate) * dt,
+        car.power,
         friction * GRAVITY,
-        body.mass_height * actor.height / wheelbase,
+        car.mass_height / car.wheelbase,
         (actor.length * actor.length + actor.width * actor.width) / 12.0,
-        0.5 * AIR * body.drag_area / mass,
-        body.rolling * GRAVITY,
+        car.drag,
+        car.rolling,
         float(body.walks),
     )
 

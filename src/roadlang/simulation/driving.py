@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ import numpy as np
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import ControlBatch, Observation
+from ..ir.read_only import FrozenDict
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
 from .controllers import Driver, GuardedController
@@ -75,9 +76,13 @@ class Crew:
         self._groups, calls = _grouped(world, controllers)
         self._triggers = Triggers(world, calls, _signals(controllers))
 
+    def view(self, world: World, poses: Poses) -> View:
+        """What the agents see."""
+        return View(world, poses, self._step, self._surroundings)
+
     def decide(self, world: World, poses: Poses) -> Decision:
         """What all agents are to do until the next step. Moves the lines that they follow."""
-        view = View(world, poses, self._step, self._surroundings)
+        view = self.view(world, poses)
         in_charge = self._triggers.in_charge(world, poses)
         out = Decision.open(in_charge >= 0)
         for group in self._groups:
@@ -179,13 +184,17 @@ def _decided_now(
 def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
     """Loop over agents whose controllers decide for one alone."""
     found = []
+    slots = view.world.slots
+    seen: dict[int, FrozenDict[str, Observation]] = {}
     for index in chosen:
         row = int(group.rows[index])
-        scene = row // view.world.slots
-        others: dict[str, Observation] = {}
-        for place, actor in enumerate(view.world.scenes[scene].agents):
-            others[actor.name] = view.single(scene * view.world.slots + place)
-        found.append(group.singles[index].control(view.single(row, others)))
+        scene = row // slots
+        if scene not in seen:
+            agents = enumerate(view.world.scenes[scene].agents, scene * slots)
+            seen[scene] = FrozenDict({actor.name: view.single(at) for at, actor in agents})
+        name = view.world.names[row]
+        observation = replace(seen[scene][name], others=seen[scene])
+        found.append(group.singles[index].control(observation))
     return ControlBatch.of(found)
 
 

@@ -1,28 +1,36 @@
-"""Controllers in charge of agents that another engine moves: a world that follows what it says."""
+"""A scene that another engine moves, as the embedded engine sees and records it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
-from ..geometry.arrays import Floats
-from ..ir.control import Control, Observation
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from ..ir.control import Control, ControlBatch, Observation
+from ..ir.read_only import FrozenDict
 from ..ir.scene import Scene
+from ..ir.trace import Trace
 from ..plugins.kinds import Controller
 from .bodies import Body
+from .contacts import Contact
 from .controllers import Driver
+from .decision import Decision
 from .driving import Crew
-from .observing import Surroundings, View
+from .recording import Recorder
 from .world_building import world_of
 
 
 class Mirror:
-    """A scene that another engine drives, step by step, as controllers of the embedded engine see
-    it: with conditions, lines that move, lanes and neighbors.
+    """A scene that another engine drives, step by step. Here it is decided what agents are to do,
+    with conditions, lines that move, lanes, neighbors and right of way; and what happens becomes a
+    trace with all columns: the same code as in the embedded engine.
 
     `controllers`: of the agents that are to be decided for; those of scenes are `Driver`s, any
     other decides by its method `control`. `step`: seconds between decisions; `bodies`: what kinds
-    of agents are, by name.
+    of agents are, by name. Columns are in the order of the agents of the scene.
     """
 
     def __init__(
@@ -37,32 +45,71 @@ class Mirror:
             actor if actor.name in drivers else replace(actor, drive=()) for actor in scene.agents
         )
         self._names = [actor.name for actor in agents]
-        self._driven = [number for number, one in enumerate(agents) if one.name in drivers]
-        self._alone = {name: one for name, one in controllers.items() if name not in drivers}
-        self._step = step
+        self._alone = {
+            row: controllers[name]
+            for row, name in enumerate(self._names)
+            if name in controllers and name not in drivers
+        }
+        self.driven: Integers = np.array(
+            [row for row, name in enumerate(self._names) if name in controllers], dtype=np.int64
+        )
+        """the agents that are decided for"""
         self._world = world_of([replace(scene, agents=agents)], bodies or {}, step, step)
         self._crew = Crew(self._world, [drivers], step)
-        self._surroundings = Surroundings(self._world)
+        self._recorder = Recorder(self._world)
 
-    def follow(self, pose: Floats, steering: Floats, contacts: Floats, *, passed: bool) -> None:
-        """Where all agents are, in the order of the scene: `pose` (N, 4) x, y, heading, speed.
-        `passed`: whether a step has passed since the last call."""
-        self._world.follow(pose, steering, contacts, passed=passed)
+    @property
+    def time(self) -> float:
+        """Seconds since the start."""
+        return self._world.time
 
-    def decide(self) -> dict[str, Control]:
-        """What the agents with controllers are to do until the next step.
+    @property
+    def finished(self) -> bool:
+        """Whether all agents with a road have arrived."""
+        return bool(self._world.finished[0])
+
+    def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
+        """Where all agents are: `pose` (N, 4) x, y, heading, speed; `steering` (N,). `passed`:
+        whether a step has passed since the last call."""
+        self._world.follow(pose, steering, passed=passed)
+
+    def touch(self, contact: Contact) -> None:
+        """An agent has touched something for the first time."""
+        self._world.contacts[contact.agent] += 1.0
+        hardest = max(self._world.collision[contact.agent], contact.speed)
+        self._world.collision[contact.agent] = hardest
+        self._recorder.note(self._world, [contact])
+
+    def record(self) -> None:
+        """One sample of the trace: all agents as they are now."""
+        self._recorder.record(self._world, self._world.poses)
+
+    def trace(self, engine: str) -> Trace:
+        """What was recorded, driven by an engine of this name."""
+        return replace(self._recorder.traces()[0], engine=engine)
+
+    def decide(self) -> Decision:
+        """What all agents are to do until the next step; that of those that are not `driven`
+        means nothing. At the end of their roads, agents brake.
 
         Raises RL470, RL474 of controllers, RL513 of conditions.
         """
-        decision = self._crew.decide(self._world, self._world.poses)
-        out = {self._names[number]: decision.single(number) for number in self._driven}
+        world = self._world
+        decision = self._crew.decide(world, world.poses)
         if self._alone:
-            others = {name: self.seen(name) for name in self._names}
-            for name, controller in self._alone.items():
-                out[name] = controller.control(replace(others[name], others=others))
-        return out
+            rows, found = self._decided_alone()
+            decision.put(rows, found)
+        return replace(decision, acceleration=world.limited(decision.acceleration))
 
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""
-        view = View(self._world, self._world.poses, self._step, self._surroundings)
-        return view.single(self._names.index(name))
+        return self._crew.view(self._world, self._world.poses).single(self._names.index(name))
+
+    def _decided_alone(self) -> tuple[Integers, ControlBatch]:
+        view = self._crew.view(self._world, self._world.poses)
+        others: Any = FrozenDict({name: view.single(row) for row, name in enumerate(self._names)})
+        found: Sequence[Control] = [
+            controller.control(replace(others[self._names[row]], others=others))
+            for row, controller in self._alone.items()
+        ]
+        return np.array(list(self._alone), dtype=np.int64), ControlBatch.of(found)

@@ -132,8 +132,7 @@ class World:
         bodies, motion = self.bodies, self.motion
         limit = bodies.max_steering
         angle = np.minimum(np.maximum(steering, -limit), limit)
-        braking = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
-        acceleration = np.where(self.halted, -END_BRAKING, np.minimum(acceleration, braking))
+        acceleration = np.where(self.halted, -END_BRAKING, self.limited(acceleration))
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
         held = (np.tan(angle), acceleration)
@@ -154,7 +153,12 @@ class World:
         self._leave()
         return passed
 
-    def follow(self, pose: Floats, steering: Floats, contacts: Floats, *, passed: bool) -> None:
+    def limited(self, acceleration: Floats) -> Floats:
+        """(N,) accelerations with the braking of those who have arrived at the end of a road."""
+        braking = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
+        return np.minimum(acceleration, braking)
+
+    def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `passed`: whether a
         step has passed."""
         before = (self.motion.along, self.motion.offset)
@@ -165,7 +169,7 @@ class World:
         elif self.placing is not None:
             self.placing.put(self.motion, self.track, 1, self.dt)
             self._wrap()
-        self.motion.tangent, self.contacts = np.tan(steering), contacts
+        self.motion.tangent = np.tan(steering)
 
     def _placing(self, wanted: tuple[Floats, int] | None) -> Placing | None:
         if wanted is None:

@@ -1,0 +1,94 @@
+extends RefCounted
+## An agent that takes part in a run: where it is built, what drives it, how fast it was.
+
+## What a client says of it in a step.
+enum Outside { NOTHING, STEER, FACE, POSE }
+
+const Stage := preload("res://build/stage.gd")
+const Agent := preload("res://agents/agent.gd")
+const Signals := preload("res://agents/signals.gd")
+const Walker := preload("res://agents/walker.gd")
+
+const END_BRAKING := 4.0
+
+var world := 0
+var agent: Agent
+var stage: Stage
+var signals: Signals
+var friction := 0.0
+## Steering angle and acceleration that are wanted.
+var wanted := Vector2.ZERO
+## Over the ground (x east, y north) before the last physics step.
+var velocity_before := Vector2.ZERO
+
+var _outside := Outside.NOTHING
+var _place := Vector2.ZERO
+var _toward := 0.0
+var _speed := 0.0
+## Where it was when it was told where to be: x, y, heading.
+var _from := Vector3.ZERO
+
+
+func _init(of_world: int, one: Agent, built_on: Stage) -> void:
+	world = of_world
+	agent = one
+	stage = built_on
+
+
+## Back to the start of a run.
+func reset() -> void:
+	_outside = Outside.NOTHING
+	wanted = Vector2.ZERO
+	agent.follow(stage.path(agent.path_id))
+	agent.start_station()
+	agent.reset(friction)
+	velocity_before = agent.body.ground_velocity()
+
+
+func observe(dt: float) -> void:
+	agent.observe(dt)
+	if _outside == Outside.NOTHING:
+		agent.follow(stage.path(agent.path_id))
+		agent.find_station()
+
+
+## From now on a client gives the controls: a steering angle or a heading and an acceleration, or
+## the pose and the speed that are reached at the end of the step.
+func drive_from_outside(how: Outside, place: Vector2, first: float, second: float) -> void:
+	_outside = how
+	_place = place
+	_toward = first
+	_speed = second
+	_from = Vector3(agent.x, agent.y, agent.heading)
+	wanted = Vector2(first, second) if how == Outside.STEER else Vector2.ZERO
+
+
+## Moves on by one tick; `share` of the present step will then be over.
+func act(time: float, dt: float, share: float) -> void:
+	velocity_before = agent.body.ground_velocity()
+	match _outside:
+		Outside.NOTHING:
+			wanted = agent.driver.controls(agent, signals.value, time, dt)
+			# There is no road any more.
+			if agent.at_end() and not agent.path.closed:
+				wanted.y = minf(wanted.y, -END_BRAKING)
+			agent.body.command(wanted.x, wanted.y, dt)
+		Outside.STEER:
+			agent.body.command(wanted.x, wanted.y, dt)
+		Outside.FACE:
+			if agent.body is Walker:
+				(agent.body as Walker).turn(_toward)
+			agent.body.command(0.0, _speed, dt)
+		Outside.POSE:
+			_go_to_place(minf(share, 1.0), dt)
+
+
+## Who has touched something is moved by physics, and brakes.
+func _go_to_place(share: float, dt: float) -> void:
+	if agent.contacts > 0:
+		agent.body.let_go()
+		agent.body.command(0.0, -END_BRAKING, dt)
+		return
+	var at := Vector2(_from.x, _from.y).lerp(_place, share)
+	var heading := _from.z + share * angle_difference(_from.z, _toward)
+	agent.body.carry(Vector3(at.x, 0.0, -at.y), heading, dt)

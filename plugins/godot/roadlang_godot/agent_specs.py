@@ -1,0 +1,102 @@
+"""What is sent of an agent: where it starts, what it is, what drives it in the engine."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from roadlang.api import vehicle_parameters
+from roadlang_standard.engine_tables import BODIES
+
+from .conditions import engine_condition
+from .drives import is_walker, option_values, usual_speed
+from .frame import SceneOrigin
+from .line import RoadSamples, line_of_route
+from .names import plain_name
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene, SceneActor
+
+
+def followed_lines(scene: Scene, lines: Mapping[str, RoadSamples]) -> dict[str, RoadSamples]:
+    """The lines that agents follow: their routes, and the roads of those that have none."""
+    out = {}
+    for actor in scene.agents:
+        name = _path_name(actor)
+        if actor.route is not None:
+            out[name] = line_of_route(name, scene, actor.route)
+        elif name in lines:
+            out[name] = lines[name]
+    return out
+
+
+def agent_spec(
+    actor: SceneActor,
+    scene: Scene,
+    paths: Mapping[str, int],
+    lines: Mapping[str, RoadSamples],
+    frame: SceneOrigin,
+) -> dict[str, Any]:
+    """The specification of an agent; `docs/godot.md` lists what it holds. `paths`: the engine's
+    numbers of the lines that agents follow."""
+    heading = math.remainder(actor.heading, math.tau)
+    spec: dict[str, Any] = {
+        "name": actor.name,
+        "x": actor.x - frame.x,
+        "y": actor.y - frame.y,
+        "heading": heading,
+        "length": actor.length,
+        "width": actor.width,
+        "height": actor.height,
+        "speed": float(actor.start_speed or 0.0),
+        "body": "walker" if is_walker(actor) else "vehicle",
+        "drives": _drives(actor, scene, frame),
+    }
+    if not is_walker(actor):
+        spec["vehicle"] = asdict(vehicle_parameters(actor, BODIES.get(plain_name(actor.kind))))
+    color = actor.options.get("color")
+    if isinstance(color, str):
+        spec["color"] = color
+    name = _path_name(actor)
+    if actor.route is not None:
+        spec |= {"path": paths[name], "start": 0.0, "offset": 0.0, "direction": 1}
+    elif name in paths:
+        spec |= {
+            "path": paths[name],
+            "start": actor.start or 0.0,
+            "offset": line_offset(actor, lines[name]),
+            "direction": -1 if actor.facing == "back" else 1,
+        }
+    return spec
+
+
+def line_offset(actor: SceneActor, line: RoadSamples) -> float:
+    """How far left of the center line the line lies that an agent should follow.
+
+    The middle of its lane where it has one, else where it stands; who crosses goes its own way.
+    """
+    if actor.lane is not None and actor.lane in line.cross_section.ids:
+        return float(line.cross_section.offset(actor.lane, actor.start or 0.0))
+    offset = actor.offset or 0.0
+    return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
+
+
+def _path_name(actor: SceneActor) -> str:
+    return (actor.road or "") if actor.route is None else f"the route of {actor.name}"
+
+
+def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[str, Any]]:
+    out = []
+    for call in actor.drive:
+        drive = {
+            "kind": plain_name(call.kind), **option_values(call, usual_speed(actor, scene))
+        }  # fmt: skip
+        for key, condition in (("when", call.when), ("while", call.during)):
+            if condition is not None:
+                drive[key] = engine_condition(condition, scene, frame)
+        out.append(drive)
+    return out

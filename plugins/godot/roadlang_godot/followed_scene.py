@@ -1,0 +1,119 @@
+"""A scene in the engine as Python sees it: what agents are to do is decided here, and recorded."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from roadlang.api import Contact, Mirror
+from roadlang_standard.engine_tables import BODIES
+
+from .driving import ControlForm, EngineControl
+from .layout import Layout
+from .telemetry import DriveState, Records
+
+if TYPE_CHECKING:
+    from roadlang.api import Controller, Decision, Observation, Scene, Trace
+
+
+class FollowedScene:
+    """Turns what the engine reports into what controllers see, and into a trace.
+
+    `controllers`: of the agents that Python drives; `step`: seconds from one report to the next;
+    `rate`: physics ticks a second.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        layout: Layout,
+        step: float,
+        rate: float,
+        controllers: Mapping[str, Controller] | None = None,
+    ) -> None:
+        self._layout = layout
+        self._rate = rate
+        self._mirror = Mirror(scene, controllers or {}, step, BODIES)
+        self._names = [actor.name for actor in scene.agents]
+        self._walks = [BODIES[actor.kind].walks if actor.kind in BODIES else False
+                       for actor in scene.agents]  # fmt: skip
+        self._numbers = [layout.agents[name] for name in self._names]
+        self._tick = -1
+
+    @property
+    def finished(self) -> bool:
+        """Whether all agents with a road have arrived."""
+        return self._mirror.finished
+
+    def look(self, state: DriveState) -> None:
+        """The agents are where a state says; it becomes a sample of the trace."""
+        self._look(state.tick, state.poses, state.contacts)
+
+    def look_at_records(self, rows: Records, contacts: Records) -> None:
+        """The same of the records of one tick, in the order of the agents."""
+        self._look(int(rows["tick"][0]), rows, contacts)
+
+    def controls(self) -> dict[int, EngineControl]:
+        """The decisions of all controllers, as the engine takes them.
+
+        Raises RL470, RL474 of controllers, RL513 of conditions.
+        """
+        if not len(self._mirror.driven):
+            return {}
+        decision = self._mirror.decide()
+        return {self._numbers[row]: self._taken(row, decision) for row in self._mirror.driven}
+
+    def seen(self, name: str) -> Observation:
+        """What an agent sees now."""
+        return self._mirror.seen(name)
+
+    def trace(self, engine: str) -> Trace:
+        """What was recorded."""
+        return self._mirror.trace(engine)
+
+    def _look(self, tick: int, rows: Records, contacts: Records) -> None:
+        frame = self._layout.frame
+        pose = np.empty((len(rows), 4))
+        pose[:, 0] = rows["x"]
+        pose[:, 1] = rows["y"]
+        pose[:, 2] = rows["heading"]
+        pose[:, 3] = rows["speed"]
+        pose[:, 0] += frame.x
+        pose[:, 1] += frame.y
+        steering = rows["steering"].astype(np.float64)
+        self._mirror.follow(pose, steering, passed=0 <= self._tick < tick)
+        self._tick = tick
+        for contact in contacts:
+            self._touch(contact)
+        self._mirror.record()
+
+    def _touch(self, contact: Any) -> None:
+        """A contact is one of both agents."""
+        one = self._numbers.index(int(contact["agent"]))
+        time, speed = int(contact["tick"]) / self._rate, float(contact["speed"])
+        index = int(contact["index"])
+        if index >= 0:
+            name = self._layout.objects[int(contact["other"])][index]
+            self._mirror.touch(Contact(time, one, -1, name, speed))
+            return
+        other = self._numbers.index(int(contact["other"]))
+        self._mirror.touch(Contact(time, one, other, self._names[other], speed))
+        self._mirror.touch(Contact(time, other, one, self._names[one], speed))
+
+    def _taken(self, row: int, decision: Decision) -> EngineControl:
+        pose = decision.pose
+        if pose is not None and math.isfinite(pose[row, 0]):
+            frame = self._layout.frame
+            x, y, heading, speed = pose[row].tolist()
+            heading = math.remainder(heading, math.tau)
+            return EngineControl(ControlForm.POSE, (x - frame.x, y - frame.y, heading, speed))
+        acceleration = float(decision.acceleration[row])
+        if self._walks[row] and decision.heading is not None:
+            heading = float(decision.heading[row])
+            if math.isfinite(heading):
+                heading = math.remainder(heading, math.tau)
+                return EngineControl(ControlForm.FACE, (0.0, 0.0, heading, acceleration))
+        return EngineControl.steer(float(decision.steering[row]), acceleration)
