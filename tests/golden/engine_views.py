@@ -22,7 +22,7 @@ def layout_lines(scene: Scene, road: str = "mesh") -> Iterator[str]:
     yield from of_json(layout.settings(), "settings")
     yield f"frame: {layout.frame}"
     yield f"agents: {dict(layout.agents)} paths: {dict(layout.paths)}"
-    yield f"driven by Python: {layout.python_driven}"
+    yield f"left to Python: {layout.undriven}"
     for part in layout.things:
         yield from _part(part)
 
