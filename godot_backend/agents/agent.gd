@@ -42,6 +42,8 @@ var cross_track_error := 0.0
 var traveled := 0.0
 ## How many agents and objects it has touched.
 var contacts := 0
+## At the end of its path: nobody sees it or touches it any more.
+var has_left := false
 
 var _segment := -1
 var _start := Vector2.ZERO

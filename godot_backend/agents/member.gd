@@ -2,11 +2,12 @@ extends RefCounted
 ## An agent that takes part in a run: where it is built, what drives it, how fast it was.
 
 ## What a client says of it in a step.
-enum Outside { NOTHING, STEER, FACE, POSE }
+enum Outside { NOTHING, STEER, FACE, POSE, LEAVE }
 
 const Stage := preload("res://build/stage.gd")
 const Agent := preload("res://agents/agent.gd")
 const Signals := preload("res://agents/signals.gd")
+const Vehicle := preload("res://agents/vehicle.gd")
 const Walker := preload("res://agents/walker.gd")
 
 const END_BRAKING := 4.0
@@ -42,6 +43,7 @@ func reset() -> void:
 	agent.follow(stage.path(agent.path_id))
 	agent.start_station()
 	agent.reset(friction)
+	_leave(false)
 	velocity_before = agent.body.ground_velocity()
 
 
@@ -60,7 +62,8 @@ func drive_from_outside(how: Outside, place: Vector2, first: float, second: floa
 	_toward = first
 	_speed = second
 	_from = Vector3(agent.x, agent.y, agent.heading)
-	wanted = Vector2(first, second) if how == Outside.STEER else Vector2.ZERO
+	var steers := how == Outside.STEER or how == Outside.LEAVE
+	wanted = Vector2(first, second) if steers else Vector2.ZERO
 
 
 ## Moves on by one tick; `share` of the present step will then be over.
@@ -70,10 +73,13 @@ func act(time: float, dt: float, share: float) -> void:
 		Outside.NOTHING:
 			wanted = agent.driver.controls(agent, signals.value, time, dt)
 			# There is no road any more.
-			if agent.at_end() and not agent.path.closed:
+			var arrived := agent.at_end() and not agent.path.closed
+			if arrived:
 				wanted.y = minf(wanted.y, -END_BRAKING)
+			_leave(arrived and agent.traveled > Agent.ARRIVED)
 			agent.body.command(wanted.x, wanted.y, dt)
-		Outside.STEER:
+		Outside.STEER, Outside.LEAVE:
+			_leave(_outside == Outside.LEAVE)
 			agent.body.command(wanted.x, wanted.y, dt)
 		Outside.FACE:
 			if agent.body is Walker:
@@ -81,6 +87,16 @@ func act(time: float, dt: float, share: float) -> void:
 			agent.body.command(0.0, _speed, dt)
 		Outside.POSE:
 			_go_to_place(minf(share, 1.0), dt)
+
+
+## Who has left is not seen or touched; who comes back is.
+func _leave(leaves: bool) -> void:
+	if leaves == agent.has_left:
+		return
+	agent.has_left = leaves
+	agent.body.visible = not leaves
+	agent.body.collision_layer = 0 if leaves else Vehicle.BODY_LAYER
+	agent.body.collision_mask = 0 if leaves else Vehicle.GROUND_LAYER | Vehicle.BODY_LAYER
 
 
 ## Who has touched something is moved by physics, and brakes.

@@ -65,9 +65,12 @@ func _between(what: String, some: Array[Agent], names: Array[String]) -> float:
 		)
 	elif names.size() == 2:
 		for agent in _named(names[1]):
-			others.append(_outline(agent))
+			if not agent.has_left:
+				others.append(_outline(agent))
 	var least := INF
 	for agent in some:
+		if agent.has_left:
+			continue
 		var outline := _outline(agent)
 		for other in others:
 			var away := outline.gap(other) if what == "gap" else outline.distance(other)
@@ -81,7 +84,7 @@ func _ahead(agent: Agent) -> Array[float]:
 	if agent.path == null:
 		return out
 	for other in _agents:
-		if other == agent:
+		if other == agent or other.has_left:
 			continue
 		var place := _on_path_of(agent, other)
 		var between := agent.direction * (place.x - agent.station)

@@ -179,7 +179,7 @@ func _take_control(key: int, reader: Reader) -> String:
 		first = reader.f32(MAX_STEERING)
 	var second := reader.f32(MAX_ACCELERATION)
 	var member: Member = _by_key.get(key)
-	if reader.failed or how > Member.Outside.POSE:
+	if reader.failed or how > Member.Outside.LEAVE:
 		return "bad step"
 	if member != null:
 		member.drive_from_outside(how, place, first, second)

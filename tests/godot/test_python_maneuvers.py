@@ -159,3 +159,27 @@ def test_any_drive_signal_begins_a_controller(session: Session) -> None:
     braked = ego.x[np.flatnonzero(ego.acceleration < -3.0)[0]]
     assert braked == pytest.approx(80.0, abs=2.5)
     assert ego.speed[-1] < 0.1
+
+
+@pytest.mark.parametrize("never", ["ego.speed > 99m/s", "ego.lane == 7"])
+def test_who_arrives_leaves_whether_the_engine_or_python_drives(
+    session: Session, never: str
+) -> None:
+    """The engine does not know lanes: there Python decides."""
+    text = (
+        ROAD
+        + f"""
+    agent lead is car on main at 460m {{
+      lane: -2, start_speed: 14m/s, drive with lane_follow {{ speed: 14m/s }}
+    }}
+    agent ego is car on main at 430m {{
+      lane: -2, start_speed: 14m/s
+      drive with lane_follow {{ speed: 14m/s }}
+      drive with brake {{ when: {never} }}
+    }}
+    """
+    )
+    trace = driven(session, text, 20.0)
+    assert trace.agents["ego"].progress[-1] == 1.0
+    assert trace.agents["lead"].present[-1] == 0.0
+    assert trace.events == ()

@@ -34,6 +34,8 @@ class ControlForm(IntEnum):
     """0, 0, heading, acceleration: of who is on foot"""
     POSE = 3
     """x, y, heading, speed at the end of the step"""
+    LEAVE = 4
+    """0, 0, steering angle, acceleration: nobody sees or touches it any more"""
 
 
 @dataclass(frozen=True, slots=True)

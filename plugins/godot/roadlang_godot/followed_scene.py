@@ -104,16 +104,19 @@ class FollowedScene:
         self._mirror.touch(Contact(time, other, one, self._names[one], speed))
 
     def _taken(self, row: int, decision: Decision) -> EngineControl:
+        steering = float(decision.steering[row])
+        acceleration = float(decision.acceleration[row])
+        if not self._mirror.present[row]:
+            return EngineControl(ControlForm.LEAVE, (0.0, 0.0, steering, acceleration))
         pose = decision.pose
         if pose is not None and math.isfinite(pose[row, 0]):
             frame = self._layout.frame
             x, y, heading, speed = pose[row].tolist()
             heading = math.remainder(heading, math.tau)
             return EngineControl(ControlForm.POSE, (x - frame.x, y - frame.y, heading, speed))
-        acceleration = float(decision.acceleration[row])
         if self._walks[row] and decision.heading is not None:
             heading = float(decision.heading[row])
             if math.isfinite(heading):
                 heading = math.remainder(heading, math.tau)
                 return EngineControl(ControlForm.FACE, (0.0, 0.0, heading, acceleration))
-        return EngineControl.steer(float(decision.steering[row]), acceleration)
+        return EngineControl.steer(steering, acceleration)

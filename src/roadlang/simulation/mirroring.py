@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import Control, ControlBatch, Observation
 from ..ir.read_only import FrozenDict
 from ..ir.scene import Scene
@@ -62,6 +62,11 @@ class Mirror:
     def time(self) -> float:
         """Seconds since the start."""
         return self._world.time
+
+    @property
+    def present(self) -> Booleans:
+        """(N,) who has not left the scene at the end of its line."""
+        return self._world.present
 
     @property
     def finished(self) -> bool:

@@ -170,6 +170,7 @@ class World:
             self.placing.put(self.motion, self.track, 1, self.dt)
             self._wrap()
         self.motion.tangent = np.tan(steering)
+        self._leave()
 
     def _placing(self, wanted: tuple[Floats, int] | None) -> Placing | None:
         if wanted is None:
