@@ -136,7 +136,8 @@ class World:
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
         held = (np.tan(angle), acceleration)
-        self.placing = self._placing(pose)
+        placed = () if pose is None else (pose[0], ~self.halted, pose[1])
+        self.placing = Placing.of(self.poses, motion, *placed) if placed else None
         self.placed_at = self.tick
         before = (motion.along, motion.offset)
         passed = []
@@ -155,8 +156,8 @@ class World:
 
     def limited(self, acceleration: Floats) -> Floats:
         """(N,) accelerations with the braking of those who have arrived at the end of a road."""
-        braking = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
-        return np.minimum(acceleration, braking)
+        most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
+        return np.minimum(acceleration, most)
 
     def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `passed`: whether a
@@ -171,12 +172,6 @@ class World:
             self._wrap()
         self.motion.tangent = np.tan(steering)
         self._leave()
-
-    def _placing(self, wanted: tuple[Floats, int] | None) -> Placing | None:
-        if wanted is None:
-            return None
-        poses, steps = wanted
-        return Placing.of(self.poses, self.motion, poses, ~self.halted, steps)
 
     def _arrive(self, before: tuple[Floats, Floats], steps: int) -> None:
         """The motion is `steps` steps on; `before`: along and offset then."""
