@@ -27,27 +27,28 @@ def zipper(world: World) -> tuple[Floats, Floats]:
         return gap, speed
     along, half = world.motion.along, 0.5 * world.bodies.length
     before = np.maximum(LEAST_DISTANCE, PREPARED * world.motion.speed) + half
-    target = world.table.lane_change(slice(None), along - half, along + before)
+    changes_lane, least, most = world.table.lane_changes(slice(None), along - half, along + before)
     shape = len(world.scenes), world.slots
-    changing = ((target != 0) & world.has_route & world.present & ~world.halted).reshape(shape)
+    changing = (changes_lane & world.has_route & world.present & ~world.halted).reshape(shape)
     scenes = np.flatnonzero(changing.any(axis=1))
     if not len(scenes):
         return gap, speed
     place = world.place
     columns: tuple[Any, ...] = (
-        np.where(place.turn < 0, place.road, -1), place.direction, place.lane, target,
+        np.where(place.turn < 0, place.road, -1), place.direction, place.lane, least, most,
         world.station, half, world.motion.speed,
     )  # fmt: skip
-    road, way, lane, goal, station, reach, pace = (
+    road, way, lane, low, high, station, reach, pace = (
         column.reshape(shape)[scenes] for column in columns
     )
     changes = changing[scenes]
-    goal = np.where(changes, goal, lane)
+    low, high = np.where(changes, low, lane), np.where(changes, high, lane)
     same = (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
     same &= way[:, :, None] == way[:, None, :]
     same &= world.present.reshape(shape)[scenes][:, None, :]
-    into = goal[:, :, None] == lane[:, None, :]
-    meets = (goal[:, :, None] == goal[:, None, :]) | into | np.swapaxes(into, 1, 2)
+    into = (low[:, :, None] <= lane[:, None, :]) & (lane[:, None, :] <= high[:, :, None])
+    meets = (low[:, :, None] <= high[:, None, :]) & (low[:, None, :] <= high[:, :, None])
+    meets |= into | np.swapaxes(into, 1, 2)
     either = (changes[:, :, None] | changes[:, None, :]) & same & meets
     ahead = way[:, :, None] * (station[:, None, :] - station[:, :, None])
     numbers = np.arange(shape[1])

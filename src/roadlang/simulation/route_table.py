@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from .route_lines import RouteConnection, RouteLine
 
+_NO_LANE = 1_000_000
 STATION_SPACING = 1.0
 """Meters of a leg between two stations of the table, at most."""
 
@@ -150,16 +151,21 @@ class RouteTable:
         ahead = np.arange(limit.shape[1]) >= self.leg(rows, there)[:, None]
         return np.asarray(np.sqrt(np.where(ahead, square, math.inf).min(axis=1)))
 
-    def lane_change(self, rows: Any, first: Floats, last: Floats) -> Integers:
-        """(N,) the lane to which lines change between arc lengths `first` and `last`, 0 for none;
-        of several the first."""
+    def lane_changes(
+        self, rows: Any, first: Floats, last: Floats
+    ) -> tuple[Booleans, Integers, Integers]:
+        """(N,) whether lines change lanes between arc lengths `first` and `last`, and of the lanes
+        that they change to, up to the next connection, the least and the greatest id."""
         line = self.line[rows]
         begin, changed = self.begin[line], self.changed[line]
         meets = (changed > 0.0) & (begin - changed < last[:, None])
         meets &= begin + changed > first[:, None]
-        leg = meets.argmax(axis=1)
-        each = np.arange(len(leg))
-        return np.where(meets[each, leg], self.lane[line, leg], 0)
+        turns = (self.turn[line] >= 0) & (begin > first[:, None])
+        meets &= np.cumsum(turns, axis=1) == 0
+        lane = self.lane[line]
+        least = np.where(meets, lane, _NO_LANE).min(axis=1)
+        greatest = np.where(meets, lane, -_NO_LANE).max(axis=1)
+        return meets.any(axis=1), least, greatest
 
     def next_turn(self, rows: Any, along: Floats) -> tuple[Floats, Integers]:
         """(N,) arc length of the line where the next connection begins, infinite for none, and its

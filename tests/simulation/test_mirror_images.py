@@ -1,0 +1,42 @@
+"""Left-hand traffic is the mirror image of right-hand traffic: roads, junctions, drives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+
+from .mirrored_scenes import Lines, random_pair
+
+QUICK = (0, 6, 13)
+SEEDS = [pytest.param(seed, marks=() if seed in QUICK else pytest.mark.slow) for seed in range(20)]
+
+
+def driven(text: str, folder: Path, duration: float) -> Any:
+    scenes = testing.sample(text, 1, kinds=[Lines], folder=folder, seed=1)
+    ((one,)) = scenes.run("builtin", duration=duration)
+    return scenes[0].record, one.trace
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_mirror_image_drives_as_the_scene(seed: int, tmp_path: Path) -> None:
+    pair = random_pair(seed)
+    pair.write(tmp_path)
+    scene, trace = driven(pair.right, tmp_path, 25.0)
+    image, mirrored = driven(pair.left, tmp_path, 25.0)
+    junctions, others = (one.networks[-1].junctions for one in (scene, image))
+    assert [len(j.connections) for j in junctions] == [len(j.connections) for j in others]
+    for one, other in zip(scene.agents, image.agents, strict=True):
+        assert other.x == pytest.approx(-one.x, abs=1e-6)
+        assert other.y == pytest.approx(one.y, abs=1e-6)
+    for name, agent in trace.agents.items():
+        other = mirrored.agents[name]
+        assert np.abs(agent.x + other.x).max() < 1e-5, name
+        assert np.abs(agent.y - other.y).max() < 1e-5, name
+        assert (agent.present == other.present).all()
+        assert (agent.contacts == other.contacts).all()
+    assert max(agent.route_progress[-1] for agent in trace.agents.values()) > 50.0
