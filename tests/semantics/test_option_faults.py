@@ -25,6 +25,7 @@ PLACES = LEAD + EGO + "agent b is car %\n"
 ROUTES = TOWN + "agent ego is car on town { % }\n"
 IN_TOWN = TOWN + "agent ego is car on town at %\n"
 EXPECT = LEAD + EGO + "expect e: always (%)\n"
+JOINED = f"road wide {{ {DRAWN} }}\nroad narrow {{ {DRAWN} }}\nroad both from wide {{ % }}\n"
 FALSIFY = LEAD + EGO + "expect e: always (ego.speed > 1m/s)\nfalsify %\n"
 
 # The scene, what is written at its %, the code, the text that is underlined, the fix.
@@ -119,6 +120,15 @@ FAULTS = [
     (EXPECT, "time_headway(ego, leed) > 1s", "RL101", "leed", "lead"),
     (EXPECT, "ego.time_headway > 1s", "RL227", "time_headway", None),
     (EXPECT, "main.lane == 1", "RL233", "lane", None),
+    (JOINED, "then: narow", "RL101", "narow", "narrow"),
+    (JOINED, "then: [narrow, wde]", "RL101", "wde", "wide"),
+    (JOINED, "then: 3m", "RL206", "3m", None),
+    (JOINED, "then: []", "RL208", "[]", None),
+    (JOINED, "thn: narrow", "RL220", "thn", "then"),
+    (JOINED, "then: narrow, taper: 3s", "RL201", "3s", None),
+    (JOINED, "then: narrow, taper: 30", "RL202", "30", "30m"),
+    (JOINED, "then: narrow, taper: 0m", "RL208", "0m", None),
+    (JOINED, "taper: 3m", "RL219", "taper", None),
     (FALSIFY, "with randon", "RL210", "randon", "random"),
     (FALSIFY, "wth random", "RL021", "wth", "with"),
     (FALSIFY, "with random { evalutions: 3 }", "RL220", "evalutions", "evaluations"),

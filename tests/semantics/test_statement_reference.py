@@ -69,6 +69,12 @@ def test_the_example_of_an_option_is_valid(word: Any, option: Any, tmp_path: Pat
     statement = PLACES[word].replace("IT", "it").format(f"{option.name}: {example}")
     if option.name == "spacing":
         statement = statement.replace("spacing:", "count: 2, spacing:")
+    if option.name == "then":
+        statement = (
+            f"road avenue from town\nroad school from town\nroad it from main {{ then: {example} }}"
+        )
+    if option.name == "taper":
+        statement = f"road it from main {{ then: main, taper: {example} }}"
     if option.name in ("route", "route_length"):
         statement = statement.replace("on main at 5m", "on town at random")
     if option.name in ("scale", "legend"):

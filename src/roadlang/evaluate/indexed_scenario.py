@@ -19,7 +19,7 @@ from ..ir.scenario import (
     ScenarioNetwork,
     ScenarioRoad,
 )
-from ..ir.values import PassCall, RandomValue, TextValue, Value
+from ..ir.values import Entity, Items, PassCall, RandomValue, Reference, TextValue, Value
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
@@ -134,8 +134,9 @@ class IndexedScenario:
     def source_of(
         self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
     ) -> ScenarioImage | ScenarioNetwork | ScenarioRoad | None:
-        """The thing that another is made from, where it has a name."""
-        if not isinstance(thing.source, NameSource):
+        """The thing that another is made from, where it has a name; none of a road that is joined
+        of several, which is a root."""
+        if not isinstance(thing.source, NameSource) or self.is_joined(thing):
             return None
         return self._things[thing.source.name]
 
@@ -148,14 +149,59 @@ class IndexedScenario:
             yield link
             link = self.source_of(link)
 
+    def is_joined(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
+        """Whether a road is made of several, end to end."""
+        return "then" in thing.options
+
+    def joined_roads(
+        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+    ) -> tuple[ScenarioRoad, ...]:
+        """The roads that a road is joined of, in their order; none of any other."""
+        if not self.is_joined(thing):
+            return ()
+        assert isinstance(thing.source, NameSource)
+        following = [entity.name for entity in self._entities(thing.options["then"])]
+        return tuple(self.roads[name] for name in (thing.source.name, *following))
+
+    def _entities(self, value: Value) -> list[Entity]:
+        """The named things of a value or a list, in their order."""
+        while isinstance(value, Reference):
+            value = self.value_of(value.name)
+        items = value.items if isinstance(value, Items) else (value,)
+        return [item for item in items if isinstance(item, Entity)]
+
+    def ancestry(
+        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+    ) -> Iterator[ScenarioImage | ScenarioNetwork | ScenarioRoad]:
+        """A thing and all that it is made from, roads that are joined included."""
+        for link in self.chain(thing):
+            yield link
+            for part in self.joined_roads(link):
+                yield from self.ancestry(part)
+
     def is_varying(self, name: str) -> bool:
         """Whether the root of a road, network or image (what it is before any `perturb`) is drawn.
 
         Such roads differ in their stations, so that candidates are evaluated one by one.
         """
-        return self.once(
-            ("varying", name), lambda: any(map(self._is_drawn, self.chain(self.thing(name))))
+        return self.once(("varying", name), lambda: self._is_varying(self.thing(name)))
+
+    def _is_varying(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
+        return any(
+            self._is_drawn(link) or any(map(self._is_random, self.joined_roads(link)))
+            for link in self.chain(thing)
         )
+
+    def _is_random(self, road: ScenarioRoad) -> bool:
+        """Whether anything of a road that others are joined of differs between candidates."""
+        for link in self.ancestry(road):
+            if any(self.kind(call)[1].is_random for call in link.passes):
+                return True
+            if self._is_drawn(link) or self.dependencies.draws(
+                *link.passes, *(value for value in link.options.values())
+            ):
+                return True
+        return False
 
     def _is_drawn(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
         shaping = [call for call in thing.passes if call.verb not in _AFTERWARDS]

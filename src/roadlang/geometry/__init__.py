@@ -9,7 +9,7 @@ Nothing is imported until a name is used.
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
 - roads: `WidthProfile`, `OffsetProfile`, `Lane`, `CrossSection`, `Road`, `offset` (without
-  folding)
+  folding); end to end: `RoadToJoin`, `joined_curve`, `joined_section`, `seams`
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
 - junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`,
@@ -56,6 +56,10 @@ if TYPE_CHECKING:
     from .footprints import distance_between as distance_between
     from .footprints import separation as separation
     from .frame import CurveFrame as CurveFrame
+    from .joining import RoadToJoin as RoadToJoin
+    from .joining import joined_curve as joined_curve
+    from .joining import joined_section as joined_section
+    from .joining import seams as seams
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
     from .junctions.model import Junction as Junction
@@ -121,6 +125,10 @@ _HOMES = {
     "Lane": "lane",
     "CrossSection": "cross_section",
     "Road": "road",
+    "RoadToJoin": "joining",
+    "joined_curve": "joining",
+    "joined_section": "joining",
+    "seams": "joining",
     "offset": "offsetting",
     "Junction": "junctions.model",
     "JunctionPlan": "junctions.model",

@@ -24,6 +24,16 @@ class RoadPart:
 
 
 @dataclass(frozen=True, slots=True)
+class SpeedZone:
+    """From where on a speed limit holds, up to the next zone or the end of the road."""
+
+    start: float
+    """arc length along the road, meters"""
+    speed_limit: float | None
+    """m/s, of lanes that have none of their own; null for none"""
+
+
+@dataclass(frozen=True, slots=True)
 class SceneRoad:
     """One curve. The tuples have a number for each of its stations."""
 
@@ -70,12 +80,19 @@ class SceneRoad:
     the drivable lanes lie in the middle"""
     speed_limit: float | None = None
     """m/s, of lanes that have none of their own; null where nothing is said"""
+    speed_zones: tuple[SpeedZone, ...] = ()
+    """of a road joined of several: where another `speed_limit` begins, in order; empty: it is the
+    same everywhere"""
     street: str = ""
     """its name in the map that it is from"""
     elevation: tuple[float, ...] = field(default=(), repr=False)
     """meters above the origin at each station, where the map has it; nothing uses it yet"""
     along: tuple[RoadPart, ...] = ()
     """of a road that was selected from a network and not perturbed itself: what it runs over"""
+
+    def zones(self) -> tuple[SpeedZone, ...]:
+        """At least one, the first from the start of the road."""
+        return self.speed_zones or (SpeedZone(0.0, self.speed_limit),)
 
     def cross_section(self) -> CrossSection:
         """The lanes as geometry has them, by arc length along this road.

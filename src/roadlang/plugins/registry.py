@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from operator import attrgetter
@@ -61,8 +62,9 @@ class KindEntry:
 
     @property
     def help(self) -> str:
-        """The first line of the docstring of the kind, which is imported for it."""
-        return (self.load().__doc__ or "").strip().split("\n")[0]
+        """The first paragraph of the docstring of the kind, which is imported for it."""
+        first = inspect.cleandoc(self.load().__doc__ or "").split("\n\n")[0]
+        return " ".join(first.split())
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from ..ir.batch import RoadBatch
 from ..ir.contained_values import values_in
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
+from ..ir.scene_road import SpeedZone
 from ..ir.scene_section import lane_members
 from ..world.cross_sections import LaneBatch
 from ..world.junction_control import rights_of_way
@@ -119,7 +120,7 @@ def _is_equal(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
     scenario = candidates.scenario
     if road_batch(road.name, candidates).variants > 1:
         return False
-    values = [value for link in scenario.chain(road) for value in values_in(link)]
+    values = [value for link in scenario.ancestry(road) for value in values_in(link)]
     return not scenario.dependencies.draws(*values, traffic_side(scenario))
 
 
@@ -132,7 +133,8 @@ def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
         lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
         along = parts_of_network(road, candidates)
         derived = not has_heirs(road, scenario) and not (along and is_network_built())
-        return replace(scene_road(road.name, root, batch, lanes, limit, derived), along=along)
+        made = scene_road(road.name, root, batch, lanes, limit, derived)
+        return replace(made, along=along, speed_zones=_speed_zones(made, road, candidates))
 
     def is_network_built() -> bool:
         network = road_root(road.name, candidates).network
@@ -144,6 +146,20 @@ def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
 def _speed_limit(thing: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch) -> float | None:
     value = lane_plan(thing, candidates.scenario).speed_limit
     return None if value is None else float(scalar(evaluate(value, candidates)))
+
+
+def _speed_zones(
+    made: SceneRoad, road: ScenarioRoad, candidates: CandidateBatch
+) -> tuple[SpeedZone, ...]:
+    """Those of the roads that a road is joined of; none where it has a limit of its own."""
+    if made.speed_limit is not None:
+        return ()
+    changes = road_root(road.name, candidates).limits
+    starts = np.interp([change.start for change in changes], made.reference_stations, made.stations)
+    return tuple(
+        SpeedZone(start, change.speed_limit)
+        for start, change in zip(starts.tolist(), changes, strict=True)
+    )
 
 
 def _root_name(road: ScenarioRoad, candidates: CandidateBatch) -> str:

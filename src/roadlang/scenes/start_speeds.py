@@ -26,6 +26,8 @@ from ..world.bends import bends_of_route
 from ..world.copies import element_of
 from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
+from ..world.road_places import to_root
+from ..world.roads import road_root
 from ..world.routes import has_route
 
 STOPS_BEFORE = 1.0
@@ -92,7 +94,8 @@ def _wanted(
     road = str(name_of_road(actor, int(where.road[0, copy])))
     speed, lateral, braking = wanted.speed, wanted.lateral_acceleration, wanted.deceleration
     if speed is None:
-        speed = _limit(road, int(where.lane[0, copy]), candidates)
+        lane, start = int(where.lane[0, copy]), float(where.start[0, copy])
+        speed = _limit(road, lane, start, candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
         stops = wanted.stops_at_junctions
@@ -120,13 +123,24 @@ def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | Non
     return wanted
 
 
-def _limit(road: str, lane: int, candidates: CandidateBatch) -> float:
+def _limit(road: str, lane: int, start: float, candidates: CandidateBatch) -> float:
     """The speed limit of a lane, m/s, or what is usual where there is none."""
     ((_, lanes),) = named_lanes(road, candidates)
     limit = lanes.speed_limits.get(lane)
     if limit is None and lane in lanes.pattern.ids:
         limit = lanes.pattern.lane(lane).speed_limit
+    if limit is None:
+        limit = _zone_limit(road, start, candidates)
     return USUAL_SPEED if limit is None else float(np.ravel(limit)[0])
+
+
+def _zone_limit(road: str, start: float, candidates: CandidateBatch) -> float | None:
+    """The speed limit where something starts on a road that is joined of several."""
+    changes = road_root(road, candidates).limits if road in candidates.scenario.roads else ()
+    if not changes:
+        return None
+    at = float(to_root(road, candidates, np.zeros(1, np.intp), np.array([start]))[0])
+    return [change.speed_limit for change in changes if change.start <= max(at, 0.0)][-1]
 
 
 def _fastest(

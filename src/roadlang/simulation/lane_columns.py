@@ -13,6 +13,7 @@ from ..geometry import CrossSection
 from ..geometry.arrays import Booleans, Floats
 from ..geometry.cross_section import drivable_borders
 from ..ir.scene import SceneRoad
+from .speed_zones import SpeedZones
 
 LANE_COLUMNS = ("road", "lane", "lane_offset", "speed_limit", "off_road")
 """Members of `AgentTrace` that follow from poses, once the roads are known."""
@@ -33,18 +34,16 @@ class OnRoad:
 
 @dataclass(frozen=True)
 class LaneSection:
-    """The cross-section of a road, with the speed limits of its lanes (infinite for none)."""
+    """The cross-section of a road, with the speed limits of its lanes."""
 
     section: CrossSection
-    limits: Floats
+    zones: SpeedZones
 
     @classmethod
     def of(cls, road: SceneRoad) -> LaneSection:
         """Those of a road. Raises GeometryError for lanes that cannot be."""
         section = road.cross_section()
-        rest = math.inf if road.speed_limit is None else road.speed_limit
-        own = [rest if one.speed_limit is None else one.speed_limit for one in section.lanes]
-        return cls(section, np.array(own))
+        return cls(section, SpeedZones.of(road, section.lanes))
 
     @cached_property
     def is_constant(self) -> bool:
@@ -71,7 +70,7 @@ class LaneSection:
         return {
             "lane": lane,
             "lane_offset": np.where(backward, -from_middle, from_middle),
-            "speed_limit": self.limits[place],
+            "speed_limit": self.zones.limits[self.zones.zone(on.station), place],
             "off_road": self.outside(on, corner_offsets(on, length, width)).max(axis=0),
         }
 

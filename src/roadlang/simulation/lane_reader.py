@@ -67,12 +67,12 @@ class LaneReader:
         if world.has_route[agent]:
             return _ALONE
         road = world.scenes[agent // world.slots].roads[world.road[agent]]
-        if (road.lane_list, road.center_offset, road.speed_limit) in self._known:
-            return self._known[road.lane_list, road.center_offset, road.speed_limit]
+        key = road.lane_list, road.center_offset, road.speed_limit, road.speed_zones
+        if key in self._known:
+            return self._known[key]
         lanes = LaneSection.of(road)
         self._lanes.append(lanes)
         if lanes.is_constant and road.lane_list:
-            key = road.lane_list, road.center_offset, road.speed_limit
             self._known[key] = len(self._lanes) - 1
         return len(self._lanes) - 1
 

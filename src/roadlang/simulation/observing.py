@@ -11,7 +11,6 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
-from ..ir.scene import SceneRoad
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
@@ -21,6 +20,7 @@ from .neighbors import Nearby, StandingObjects
 from .obstacles import Obstacles
 from .poses import Poses, line_points
 from .road_lanes import LanesHere, RoadLanes, lane_values
+from .speed_zones import has_limit
 from .traffic.right_of_way import RightOfWayGrants
 from .world import World
 
@@ -37,7 +37,7 @@ class Surroundings:
         self._roads = [road for scene in world.scenes for road in scene.roads]
         counts = [len(scene.roads) for scene in world.scenes]
         self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
-        self.has_limits = any(_has_limit(road) for road in self._roads)
+        self.has_limits = any(has_limit(road) for road in self._roads)
         """of speed, on any road"""
         self._lanes: RoadLanes | None = None
         self._objects: StandingObjects | None = None
@@ -89,11 +89,6 @@ class Surroundings:
         if self._objects is None:
             self._objects = StandingObjects.of(world)
         return Nearby(world, poses, self._objects)
-
-
-def _has_limit(road: SceneRoad) -> bool:
-    limits = (road.speed_limit, *(lane.speed_limit for lane in road.lane_list))
-    return any(limit is not None for limit in limits)
 
 
 def _backward(world: World) -> Booleans:
@@ -242,7 +237,12 @@ class View:
         along = self.world.track.wrapped(self.world.motion.along)[rows]
         ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
         routed = self.world.has_route[rows]
-        return ahead if routed.all() else np.where(routed, ahead, self.lane_place(rows).speed_limit)
+        if routed.all():
+            return ahead
+        here = self.lane_place(rows).speed_limit
+        # Without a route the table knows the lane of the start, and with it the zones ahead.
+        zoned = self.world.table.has_several_legs(rows)
+        return np.where(routed, ahead, np.where(zoned, np.minimum(ahead, here), here))
 
     def of_lane(self, rows: Integers, which: LaneChoice | Floats, quantity: str) -> Floats:
         """(N,) a quantity of one lane of each agent, NaN where there is none."""

@@ -12,6 +12,7 @@ import numpy as np
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import SceneRoad
 from ..ir.surroundings import LaneChoice, LanePlaces
+from .speed_zones import SpeedZones
 
 SPACING = 1.0
 """Meters between two nodes of a table of lanes whose width varies."""
@@ -20,14 +21,15 @@ _DIRECTIONS: Mapping[str, float] = {"forward": 1.0, "backward": -1.0}
 
 @dataclass(frozen=True)
 class _Section:
-    """The lanes of one road from left to right; `borders` (nodes, L + 1), `spacing` meters."""
+    """The lanes of one road from left to right; `borders` (nodes, L + 1) and
+    `limits` (nodes, L) are `spacing` meters apart."""
 
     ids: tuple[int, ...]
     kinds: tuple[str, ...]
     direction: tuple[float, ...]
-    limit: tuple[float, ...]
     drivable: tuple[bool, ...]
     borders: Floats
+    limits: Floats
     spacing: float
 
 
@@ -51,7 +53,6 @@ class RoadLanes:
         self._widest = widest = max((len(one.ids) for one in sections), default=1)
         self._ids = _padded([one.ids for one in sections], widest, 0)
         self._direction = _padded([one.direction for one in sections], widest, 0.0)
-        self._limit = _padded([one.limit for one in sections], widest, math.inf)
         self._drivable = _padded([one.drivable for one in sections], widest, False)
         self._kinds = _padded([one.kinds for one in sections], widest, "").astype(object)
         self._count = np.array([len(one.ids) for one in sections], dtype=np.int64)
@@ -63,6 +64,8 @@ class RoadLanes:
             for one in sections
         ]
         self._borders = np.concatenate(wide) if wide else np.zeros((1, widest + 1))
+        limits = [row for one in sections for row in one.limits.tolist()]
+        self._limits = _padded(limits, widest, math.inf)
 
     def at(self, road: Integers, station: Floats, backward: Booleans) -> LanesHere:
         """The lanes of roads (N,), -1 for none, at stations (N,), as seen by who goes along the
@@ -78,7 +81,7 @@ class RoadLanes:
         there &= (road >= 0)[:, None]
         sign = np.where(backward, -1.0, 1.0)[:, None]
         return LanesHere(
-            there, self._ids[row], self._kinds[row], self._drivable[row], self._limit[row],
+            there, self._ids[row], self._kinds[row], self._drivable[row], self._limits[first + low],
             self._direction[row] * sign, borders * sign, backward,
         )  # fmt: skip
 
@@ -172,7 +175,7 @@ def lane_values(columns: Floats, index: Integers) -> Floats:
 def _key(road: SceneRoad) -> Any:
     """Roads of one key have the same section everywhere; None for widths that vary."""
     widths = [len(one.width) for one in road.lane_list]
-    if not widths or max(widths) > 1 or len(road.center_offset) > 1:
+    if not widths or max(widths) > 1 or len(road.center_offset) > 1 or road.speed_zones:
         return None
     return (road.lane_list, road.center_offset, road.center_marking, road.speed_limit)
 
@@ -183,21 +186,14 @@ def _section(road: SceneRoad) -> _Section:
     length = road.length
     nodes = max(2, math.ceil(length / SPACING) + 1) if varies else 1
     stations = np.linspace(0.0, length, nodes)
-    limits = {one.id: one.speed_limit for one in road.lane_list}
-    usual = road.speed_limit
-
-    def limit(id: int) -> float:
-        value = limits.get(id)
-        value = usual if value is None else value
-        return math.inf if value is None else float(value)
-
+    zones = SpeedZones.of(road, section.lanes)
     return _Section(
         ids=section.ids,
         kinds=tuple(lane.kind for lane in section.lanes),
         direction=tuple(_DIRECTIONS.get(lane.direction, 0.0) for lane in section.lanes),
-        limit=tuple(limit(id) for id in section.ids),
         drivable=tuple(lane.drivable for lane in section.lanes),
         borders=np.ascontiguousarray(section.border_offsets(stations).T),
+        limits=zones.limits[zones.zone(stations)],
         spacing=length / (nodes - 1) if varies else 1.0,
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -80,11 +81,22 @@ class _Part:
     changed: float = 0.0
 
 
-def plain_line(source: LineSource, road: int, lane: int, limit: float, backward: bool) -> RouteLine:
-    """The line of an agent without a route: one leg, all of its road."""
-    along = np.array([0.0, source.length])
-    station = along[::-1] if backward else along
-    return RouteLine(source, (LineLeg(0, road, lane, 0.0, along, station, limit),))
+def plain_line(
+    source: LineSource, number: int, road: SceneRoad | None, lane: int, backward: bool
+) -> RouteLine:
+    """The line of an agent without a route: all of its road (None: it is on none), with a leg for
+    each of its speed zones."""
+    length = source.length
+    starts = [0.0] if road is None else [zone.start for zone in road.zones()]
+    bounds = np.array([0.0, *starts[1:], length])
+    legs = []
+    for zone, stations in enumerate(itertools.pairwise(bounds)):
+        ends = np.array(stations)
+        limit = math.inf if road is None else speed_limit(road, lane, zone)
+        along = length - ends[::-1] if backward else ends
+        station = ends[::-1] if backward else ends
+        legs.append(LineLeg(0, number, lane, float(along[0]), along, station, limit))
+    return RouteLine(source, tuple(legs[::-1] if backward else legs))
 
 
 def route_line(route: SceneRoute, scene: Scene, numbers: Mapping[str, int]) -> RouteLine:
@@ -122,10 +134,10 @@ def route_points(scene: Scene, route: SceneRoute) -> tuple[Floats, Floats, Float
     return source.x, source.y, source.heading, np.broadcast_to(source.width, source.x.shape)
 
 
-def speed_limit(road: SceneRoad, lane: int) -> float:
+def speed_limit(road: SceneRoad, lane: int, zone: int = 0) -> float:
     """That of a lane, m/s: its own, or that of its road; infinite for none."""
     limits = [one.speed_limit for one in road.lane_list if one.id == lane]
-    limit = limits[0] if limits and limits[0] is not None else road.speed_limit
+    limit = limits[0] if limits and limits[0] is not None else road.zones()[zone].speed_limit
     return math.inf if limit is None else limit
 
 

@@ -120,6 +120,12 @@ class RouteTable:
             return np.zeros(len(along), dtype=np.int64)
         return np.asarray((along[:, None] >= self.begin[self.line[rows], 1:]).sum(axis=1))
 
+    def has_several_legs(self, rows: Any) -> Booleans:
+        """(N,) whether the line of an agent has more than one leg."""
+        if self.begin.shape[1] == 1:
+            return np.zeros(len(self.line[rows]), dtype=bool)
+        return np.asarray(np.isfinite(self.begin[self.line[rows], 1]))
+
     def place(self, rows: Any, along: Floats) -> RoadPosition:
         """Where that is on roads and junctions."""
         line, leg = self.line[rows], self.leg(rows, along)

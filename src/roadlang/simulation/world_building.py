@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -16,7 +15,7 @@ from .crossed_junctions import crossings_of
 from .line_moves import LineMoves
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
-from .route_lines import RouteLine, plain_line, route_line, speed_limit
+from .route_lines import RouteLine, plain_line, route_line
 from .route_table import RouteTable
 from .starting import LineOffsets, start_of
 from .stop_lines import StopLines, has_signals
@@ -86,8 +85,8 @@ def _slot(
     lane = 0 if who.route is not None else who.lane or 0
     if (key, lane) not in rows:
         rows[key, lane] = len(ways)
-        limit = speed_limit(scene.roads[number], lane) if number >= 0 else math.inf
-        ways.append(plain_line(sources[rows[key]], number, lane, limit, backward))
+        road = scene.roads[number] if number >= 0 else None
+        ways.append(plain_line(sources[rows[key]], number, road, lane, backward))
     friction = scene.world.get("friction", USUAL_FRICTION)
     return _Slot(actor, rows[key], rows[key, lane], number, float(friction))
 

@@ -64,7 +64,7 @@ def deciding_actors(scenario: IndexedScenario, *values: Value, things: set[str])
         actors |= named & scenario.actors.keys()
         read = []
         for name in (things | named) - scenario.actors.keys() - seen:
-            for link in scenario.chain(scenario.thing(name)):
+            for link in scenario.ancestry(scenario.thing(name)):
                 seen.add(link.name)
                 read += [*(value for value in link.options.values()), *link.passes]
         things = set()

@@ -11,13 +11,11 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry import Path
-from ..ir.scenario import ScenarioNetwork
 from ..ir.values import ConstantValue
 from .cross_sections import LaneBatch
-from .lane_building import built_lanes
 from .lane_plan import LanePlan, is_fixed, lane_plan
-from .roads import RoadRoot, road_root
+from .roads import road_root
+from .root_lanes import lanes_on_root
 
 Rows = NDArray[np.intp]
 
@@ -65,17 +63,4 @@ def _alike(plan: LanePlan, candidates: CandidateBatch) -> Iterator[tuple[Rows, L
 
 def _lanes(plan: LanePlan, name: str, candidates: CandidateBatch, rows: Rows) -> LaneBatch:
     part = candidates if len(rows) == candidates.count else candidates.take(rows)
-    root = road_root(name, part)
-    lanes = built_lanes(plan, part, root.section, root.lanes)
-    return lanes.reversed(root.frame.curve.length) if _is_reversed(plan, root) else lanes
-
-
-def _is_reversed(plan: LanePlan, root: RoadRoot) -> bool:
-    """Whether lanes that a network gives are seen from the other end: most of a path through it
-    runs against the direction of the edges."""
-    return isinstance(plan.owner, ScenarioNetwork) and _runs_backward(root.path)
-
-
-def _runs_backward(path: Path | None) -> bool:
-    steps = () if path is None else path.steps
-    return sum(step.stop - step.start for step in steps) < 0.0
+    return lanes_on_root(plan, road_root(name, part), part)

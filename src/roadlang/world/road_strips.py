@@ -46,7 +46,10 @@ def built_roads(scenario: IndexedScenario) -> tuple[ScenarioRoad | ScenarioNetwo
 
 def has_heirs(road: ScenarioRoad, scenario: IndexedScenario) -> bool:
     """Whether another road is made from a road, and stands in its place."""
-    return any(scenario.source_of(other) is road for other in scenario.roads.values())
+    return any(
+        scenario.source_of(other) is road or road in scenario.joined_roads(other)
+        for other in scenario.roads.values()
+    )
 
 
 def has_perturbed_heirs(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
@@ -55,8 +58,13 @@ def has_perturbed_heirs(network: ScenarioNetwork, scenario: IndexedScenario) -> 
         *scenario.roads.values(),
         *scenario.networks.values(),
     )
-    heirs = [thing for thing in things if thing is not network and network in scenario.chain(thing)]
-    return any(call.verb == "perturb" for heir in heirs for call in heir.passes)
+    heirs = [
+        thing for thing in things if thing is not network and network in scenario.ancestry(thing)
+    ]
+    return any(
+        scenario.is_joined(heir) or any(call.verb == "perturb" for call in heir.passes)
+        for heir in heirs
+    )
 
 
 def road_strips(candidates: CandidateBatch, varying: bool) -> tuple[RoadStrips, ...]:

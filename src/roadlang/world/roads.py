@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -14,46 +14,30 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..geometry import CrossSection, Curve, CurveFrame, Path, Road, WidthProfile
+from ..geometry import Curve, CurveFrame, Path, Road, WidthProfile
 from ..geometry.arrays import Floats
 from ..geometry.path_sections import section_of_path
 from ..ir.batch import RoadBatch
-from ..ir.scenario import FileSource, Input, ScenarioNetwork, ScenarioRoad
+from ..ir.scenario import FileSource, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall, Value
 from ..plugins.guard import wrong_result
+from .joined_roads import PartOfRoad, joined_root
 from .lane_building import built_lanes
 from .lane_plan import LanePlan, is_fixed, lane_plan
 from .networks import NetworkRoot, edge_batch, network_root
 from .perturbation import displaced, perturbed
 from .reading import read_file
+from .road_root import RoadRoot
 from .root_roads import undisplaced_road
 from .selection import selected
 from .stations import station_spacing
 from .verified import verified
 
 DEFAULT_WIDTH = 7.0
+LANE_WIDTH = 3.5
+"""Meters, of counted lanes."""
 _SAME_WIDTH = 1e-3
 """Meters."""
-
-
-@dataclass(frozen=True, eq=False)
-class RoadRoot:
-    """A road before any `perturb`.
-
-    `section`, `lanes`: the lanes that its file gives it; `path`: the path of the network that it
-    was selected as; `inputs`: the files that it was made from; `confidence`: that of the extractor
-    in its network.
-    """
-
-    id: str
-    frame: CurveFrame
-    width: WidthProfile | None = None
-    section: CrossSection | None = None
-    path: Path | None = None
-    network: ScenarioNetwork | None = None
-    inputs: tuple[Input, ...] = ()
-    confidence: float = 1.0
-    lanes: int | None = None
 
 
 def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
@@ -88,7 +72,7 @@ def _roads(road: ScenarioRoad, scenario: IndexedScenario) -> Iterator[ScenarioRo
 
 
 def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) -> Floats:
-    """As written; of listed lanes on a road that was not measured, what they add up to."""
+    """As written; of lanes on a road that was not measured, what they add up to."""
     options = road.options
     if "width" in options:
         width = _written_width(road, options["width"], candidates)
@@ -97,6 +81,10 @@ def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) ->
         return width
     if options.keys() & {"left", "right"} and not _is_measured(road, candidates):
         return _extent(road, lane_plan(road, candidates.scenario), candidates)
+    written = any("width" in link.options for link in _roads(road, candidates.scenario))
+    if "lanes" in options and not written and not _is_measured(road, candidates):
+        count = np.atleast_2d(np.asarray(evaluate(options["lanes"], candidates), float))
+        return np.asarray(LANE_WIDTH * np.maximum(np.rint(count), 1.0))
     return before.width
 
 
@@ -134,7 +122,8 @@ def _is_measured(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
     links = list(_roads(road, candidates.scenario))
     if any(link.options.keys() & {"width", "left", "right"} for link in links[1:]):
         return False
-    return road_root(road.name, candidates).width is not None
+    root = road_root(road.name, candidates)
+    return root.width is not None and not root.is_joined
 
 
 def _extent(road: ScenarioRoad, plan: LanePlan, candidates: CandidateBatch) -> Floats:
@@ -198,6 +187,8 @@ def _interpolated(batch: RoadBatch, at: Floats) -> Floats:
 
 def _root(road: ScenarioRoad, candidates: CandidateBatch) -> RoadRoot:
     scenario = candidates.scenario
+    if scenario.is_joined(road):
+        return joined_root(road, _parts(road, candidates), candidates)
     if road.source is None:
         curve = _drawn(road, candidates)
         return RoadRoot(road.name, _frame(curve, road, scenario))
@@ -216,6 +207,13 @@ def _root(road: ScenarioRoad, candidates: CandidateBatch) -> RoadRoot:
             section = edge.cross_section
             return RoadRoot(id, frame, width, section, path, network, root.inputs, root.confidence)
     return _path_root(root, path, network, candidates)
+
+
+def _parts(road: ScenarioRoad, candidates: CandidateBatch) -> list[PartOfRoad]:
+    return [
+        PartOfRoad(part, road_batch(part.name, candidates), road_root(part.name, candidates))
+        for part in candidates.scenario.joined_roads(road)
+    ]
 
 
 def _path_root(

@@ -14,7 +14,8 @@ from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from ..ir.scenario import ScenarioActor
 from .lane_graphs import lanes_of_network
 from .road_places import to_root
-from .roads import RoadRoot, road_root
+from .road_root import RoadRoot
+from .roads import road_root
 from .selected_roads import has_lanes_of_network, steps_in_network
 
 _INSIDE = 1e-6

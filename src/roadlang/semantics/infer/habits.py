@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ...diagnostics import Fix
+from ...diagnostics import Fix, nearest
 from ...plugins.kinds import VERBS
 from ...syntax.tree import nodes as ast
 
@@ -111,7 +111,7 @@ def name_help(
         return ("copies have no index: `at 0%..100%` draws a position for each of them"), ()
     if name.text in _NAMES:
         return _NAMES[name.text], ()
-    if context.example:
+    if context.example and not nearest(name.text, checker.program.declarations):
         return f"write a value such as `{context.example}`", ()
     return None
 

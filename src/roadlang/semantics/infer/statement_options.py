@@ -9,12 +9,22 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Word
-from ...plugins.option_types import CallType, KindNameType, MapType, RecordType
+from ...plugins.option_types import (
+    CallType,
+    EntityType,
+    KindNameType,
+    ListType,
+    MapType,
+    RecordType,
+    UnionType,
+)
 from ...plugins.options import option
 from .lane_options import CrossSectionOptions
 
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
+_ROAD = EntityType(("road",))
+JoinedRoads = Annotated[Any, UnionType((_ROAD, ListType(_ROAD, at_least=1)))]
 
 
 _STATION_SPACING = (
@@ -70,6 +80,19 @@ class RoadOptions(CrossSectionOptions):
         example="7m",
     )
     closed: Flag = option(None, help="whether the road is a loop; by default as in the source")
+    then: JoinedRoads = option(
+        None,
+        help="the road, or a list of roads, that follow the one after `from`, end to end",
+        example="[school, avenue]",
+    )
+    taper: Length = option(
+        None,
+        above=0,
+        maximum=10000,
+        help="where roads are joined: the length over which lanes begin, end and change their "
+        "width, 30m if nothing is said",
+        example="60m",
+    )
     station_spacing: Length = option(
         None, minimum=0.01, maximum=100, help=_STATION_SPACING, example="0.5m"
     )

@@ -188,14 +188,19 @@ def _belongs_together(
         if not fits and call.span is not None:
             checker.report(Code.INCOMPATIBLE_SOURCE, call.span, verb=call.verb, expected=expected)
             return False
-    if word == "road" and role != "network" and statement.block is not None:
-        for option in statement.block.options:
-            from_file = isinstance(source, ir.FileSource)
-            if option.key.text == "select" and not from_file:
-                checker.report(
-                    Code.INCOMPATIBLE_SOURCE, option.key.span, verb="select", expected="a network"
-                )
-                return False
+    if word != "road" or statement.block is None:
+        return True
+    options = {option.key.text: option for option in statement.block.options}
+    needs = {
+        "select": (role == "network" or isinstance(source, ir.FileSource), "a network"),
+        "then": (role == "road", "a road"),
+        "taper": ("then" in options, "a road with `then`"),
+    }
+    for name_, (fits, expected) in needs.items():
+        if name_ in options and not fits:
+            span = options[name_].key.span
+            checker.report(Code.INCOMPATIBLE_SOURCE, span, verb=name_, expected=expected)
+            return False
     return True
 
 

@@ -1,0 +1,111 @@
+"""Roads joined end to end (`then:`): a root made of the roads of a single candidate."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate
+from ..evaluate.kind_instance import scalar
+from ..geometry import (
+    CrossSection,
+    Curve,
+    CurveFrame,
+    RoadToJoin,
+    WidthProfile,
+    joined_curve,
+    joined_section,
+    seams,
+)
+from ..ir.batch import RoadBatch
+from ..ir.scenario import ScenarioRoad
+from .lane_plan import lane_plan
+from .road_root import LimitChange, RoadRoot
+from .root_lanes import lanes_on_root
+from .root_roads import is_undisplaced
+from .stations import station_spacing
+
+DEFAULT_TAPER = 30.0
+"""Meters."""
+
+
+@dataclass(frozen=True, eq=False)
+class PartOfRoad:
+    """One of the roads that are joined, after all its passes, and the root that it goes back to."""
+
+    road: ScenarioRoad
+    batch: RoadBatch
+    root: RoadRoot
+
+
+def joined_root(
+    road: ScenarioRoad, parts: Sequence[PartOfRoad], candidates: CandidateBatch
+) -> RoadRoot:
+    """The root of a road that is joined of others. Raises RL432 for a loop among them."""
+    for part in parts:
+        if part.batch.closed:
+            raise DiagnosticError(
+                diagnose(Code.CLOSED_ROAD_JOINED, road.span, name=part.road.name, road=road.name)
+            )
+    made = [RoadToJoin(_curve(part), _section(part, candidates)) for part in parts]
+    curve = joined_curve([part.curve for part in made])
+    section = joined_section(made, _taper(road, candidates))
+    starts = seams([part.curve for part in made])
+    limits = [_limit(part, candidates) for part in parts]
+    return RoadRoot(
+        road.name,
+        CurveFrame.of(curve, station_spacing(road, candidates.scenario).stations(curve)),
+        section.drivable_profile(),
+        section,
+        inputs=tuple(dict.fromkeys(file for part in parts for file in part.root.inputs)),
+        confidence=min(part.root.confidence for part in parts),
+        limits=_changes(starts, limits),
+        is_joined=True,
+    )
+
+
+def _curve(part: PartOfRoad) -> Curve:
+    if is_undisplaced(part.batch):
+        return part.root.frame.curve
+    return Curve.hermite(part.batch.points[0], part.batch.heading[0])
+
+
+def _section(part: PartOfRoad, candidates: CandidateBatch) -> CrossSection:
+    """The lanes of a part by its arc length; their limits are those of the lanes themselves."""
+    plan = replace(lane_plan(part.road, candidates.scenario), speed_limit=None)
+    lanes = lanes_on_root(plan, part.root, candidates)
+    arc = part.batch.stations
+    if not is_undisplaced(part.batch):
+        steps = np.hypot(*np.diff(part.batch.points[0], axis=0).T)
+        arc = np.concatenate([[0.0], np.cumsum(steps)])
+    width = np.broadcast_to(part.batch.width, (1, len(arc)))[0]
+    return lanes.cross_section(WidthProfile(arc, width), part.batch.stations)
+
+
+def _taper(road: ScenarioRoad, candidates: CandidateBatch) -> float:
+    written = road.options.get("taper")
+    return DEFAULT_TAPER if written is None else float(scalar(evaluate(written, candidates)))
+
+
+def _limit(part: PartOfRoad, candidates: CandidateBatch) -> tuple[LimitChange, ...]:
+    """The speed limits along a part, by its own arc length."""
+    written = lane_plan(part.road, candidates.scenario).speed_limit
+    if written is not None:
+        return (LimitChange(0.0, float(scalar(evaluate(written, candidates)))),)
+    return part.root.limits or (LimitChange(0.0, None),)
+
+
+def _changes(
+    starts: Sequence[float], limits: Sequence[tuple[LimitChange, ...]]
+) -> tuple[LimitChange, ...]:
+    """Where the limit changes along the joined road; none where nobody says one."""
+    found: list[LimitChange] = []
+    for start, part in zip(starts, limits, strict=True):
+        for change in part:
+            if not found or found[-1].speed_limit != change.speed_limit:
+                found.append(LimitChange(start + change.start, change.speed_limit))
+    return () if all(change.speed_limit is None for change in found) else tuple(found)
