@@ -53,7 +53,7 @@ FAULTS = [
     (OPTIONS, "apart: -1m", "RL208", "-1m", None),
     (OPTIONS, "aprt: 2m", "RL220", "aprt", "apart"),
     (OPTIONS, "count: 3, spcing: 9m", "RL220", "spcing", "spacing"),
-    (OPTIONS, "count: 2, spacing: -5m", "RL208", "-5m", None),
+    (OPTIONS, "count: 2, spacing: 20km", "RL208", "20km", None),
     (OPTIONS, "spacing: 5m", "RL249", "5m", None),
     (OPTIONS, "lane: 7", "RL613", "7", None),
     (OPTIONS, "lane: outr", "RL223", "outr", "outer"),

@@ -100,3 +100,30 @@ def test_a_drive_is_the_same_alone_and_in_a_batch() -> None:
     for column in ("x", "y", "speed", "cross_track_error"):
         values = (getattr(one.agents["ego"], column) for one in (alone, many[0]))
         assert len({value.tobytes() for value in values}) == 1
+
+
+STANDING = """
+road street { draw with segments { pieces: [straight(300m)] }, lanes: 2, speed_limit: 50km/h }
+agent ego is car on street at 10m { drive with traffic, drive with overtake { target: things } }
+agent oncoming is car on street at 190m..295m { facing: back, drive with traffic }
+"""
+
+
+@pytest.mark.parametrize(
+    "things",
+    [
+        "object things is parked_car on street at 90m..130m { lane: -1, offset: -0.5m }",
+        "object things is cone on street at 110m { count: 8, spacing: 5m, lane: -1 }",
+        "agent things is bus on street at 100m { drive with stop_at { station: 120m } }",
+    ],
+)
+def test_what_stands_in_the_lane_is_passed_when_the_road_is_free(things: str) -> None:
+    for trace in drive(STANDING + things, 6, duration=60):
+        ego, oncoming = trace.agents["ego"], trace.agents["oncoming"]
+        assert trace.events == ()
+        assert ego.station.max() > 200.0
+        last = ego.station > 200.0
+        assert np.abs(ego.y[last][0] + 1.75) < 0.3
+        out = ego.y > 0.0
+        meeting = np.abs(ego.x - oncoming.x) < 5.0
+        assert not (out & meeting).any()

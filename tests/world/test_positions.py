@@ -184,3 +184,38 @@ def test_nobody_begins_too_fast_for_the_bend_ahead(
     drive = "drive with lane_follow { speed: 30m/s, deceleration: 4m/s^2 }"
     text = f"agent other is car on bend at {place} {{ facing: {facing}, {drive} }}\n"
     assert placed(sample, BENDING + text)["other"].start_speed == pytest.approx(speed, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("text", "stations"),
+    [
+        ("a is car on main at 60m { count: 3, spacing: 10m }", [60, 70, 80]),
+        ("a is car on main at 60m { count: 3, spacing: -10m }", [60, 50, 40]),
+        ("a is car at behind(lead, 15.5m) { count: 3, spacing: 10m }", [70, 60, 50]),
+        ("a is car at ahead_of(lead, 15.5m) { count: 3, spacing: 10m }", [110, 120, 130]),
+        ("a is car at ahead_of(back, 15.5m) { count: 3, spacing: 10m }", [130, 120, 110]),
+        ("a is car at behind(back, 15.5m) { count: 3, spacing: 10m }", [170, 180, 190]),
+    ],
+)
+def test_a_row_goes_on_away_from_what_it_is_placed_by(
+    sample: Sample, text: str, stations: list[float]
+) -> None:
+    road = "road main { draw with waypoints { points: [(0m, 0m), (300m, 0m)] } }\n"
+    lead = "agent lead is car on main at 90m\nagent back is car on main at 150m { facing: back }\n"
+    (scene,) = sample(road + lead + f"agent {text}").scenes
+    row = [agent.start for agent in scene.agents if agent.name.startswith("a[")]
+    assert row == pytest.approx(stations)
+
+
+def test_a_row_behind_another_follows_the_lanes_of_a_network_back(sample: Sample) -> None:
+    text = (
+        'image plan from """\n#########\n""" { scale: 20m/px, legend: { "#": road } }\n'
+        "network town from plan\n"
+        "agent lead is car on town { route: [(120m, 10m), (170m, 10m)] }\n"
+        "agent a is car at behind(lead, 5.5m) { count: 3, spacing: 10m }\n"
+        "agent b is car on town at (70m, 10m) { count: 3, spacing: -10m }\n"
+    )
+    (scene,) = sample(text).scenes
+    lead, *others = [agent.x for agent in scene.agents]
+    assert [lead - x for x in others[:3]] == pytest.approx([10.0, 20.0, 30.0], abs=0.1)
+    assert [b - a for a, b in pairwise(others[3:])] == pytest.approx([-10.0, -10.0], abs=0.1)

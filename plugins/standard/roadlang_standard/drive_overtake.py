@@ -1,4 +1,4 @@
-"""`drive with overtake`: pass another agent, where oncoming traffic leaves the time for it."""
+"""`drive with overtake`: pass an agent or object, where oncoming traffic leaves the time for it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from roadlang.api import (
     Acceleration,
-    AgentName,
+    AgentOrObject,
     Controller,
     Duration,
     InitialSpeed,
@@ -24,6 +24,7 @@ from .lane_traffic import (
     LaneTraffic,
     has_room,
     lane_traffic,
+    members,
     target_among,
 )
 from .passing import PassingView, passing_distance, passing_time
@@ -48,6 +49,12 @@ MARGIN = 2.0
 """Seconds between the end of the pass and meeting oncoming traffic, at least."""
 SPEED_GAIN = 2.0
 """1/s: acceleration for each m/s that the speed is off."""
+PULL_OUT = 8.0
+"""Meters before something that stands still at which it waits, so that it can pull out."""
+STILL = 1.0
+"""m/s: what is slower stands still."""
+EASE = 1.5
+"""m/s^2: from this deceleration on it brakes for what stands still."""
 BACK_OFF = 6.0
 """m/s^2: deceleration of who gives up, at most."""
 WAITING, PASSING, RETURNING, GIVING_UP, DONE = 0.0, 1.0, 2.0, 3.0, 4.0
@@ -56,12 +63,12 @@ _PHASE, _ORIGIN, _LANE, _CLOCK = range(4)
 
 @dataclass(frozen=True)
 class Overtake(Controller):
-    """Pull out, pass an agent, and pull in before it. It waits behind until the other lane is free
-    for long enough, looks again until it is beside the target, and falls back if it is not. Before
-    and afterwards the controller before drives."""
+    """Pull out, pass an agent or what stands in the lane, and pull in before it. It waits behind
+    until the other lane is free for long enough, looks again until it is beside the target, and
+    falls back if it is not. Before and afterwards the controller before drives."""
 
     name: ClassVar[str] = "overtake"
-    target: Annotated[str, AgentName] = option(help="the agent to overtake")
+    target: Annotated[str, AgentOrObject] = option(help="the agent, object or group to overtake")
     gap: Length = option(
         8.0, minimum=1, maximum=200, help="gap to the target when it pulls in, bumper to bumper"
     )
@@ -130,9 +137,12 @@ class Overtake(Controller):
         origin = np.where(waiting, here, state[:, _ORIGIN])
         middle = np.where(waiting, seen.offset_of_lane("inner"), state[:, _LANE])
         lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, here), near)
+        row = members(near, self.target) & (np.abs(near.pace) < STILL)
+        farthest = np.where(row, near.ahead, -np.inf).max(axis=1, initial=-np.inf)
+        row_length = np.maximum(farthest - ahead, 0.0)
         return PassingView(
             found, ahead, left, pace, length, origin, middle, self._fast(seen, pace), lane,
-            lane_traffic(seen, origin, near),
+            lane_traffic(seen, origin, near), row, row_length,
         )  # fmt: skip
 
     def _fast(self, seen: ObservationBatch, pace: Floats) -> Floats:
@@ -147,7 +157,12 @@ class Overtake(Controller):
         """(N,) whether oncoming traffic, and who else is in the lane, leave room for the pass."""
         import numpy as np
 
-        to_gain = np.maximum(plan.ahead, 0.0) + 0.5 * (seen.length + plan.length) + self.gap
+        to_gain = (
+            np.maximum(plan.ahead, 0.0)
+            + plan.row_length
+            + 0.5 * (seen.length + plan.length)
+            + self.gap
+        )
         time = passing_time(seen.speed, plan.pace, plan.fast, self.acceleration, to_gain)
         time = time + self.duration
         own = passing_distance(seen.speed, plan.fast, self.acceleration, time)
@@ -164,8 +179,13 @@ class Overtake(Controller):
         state[:, _ORIGIN], state[:, _LANE] = plan.origin, plan.middle
         gap = plan.gap(seen.length)
         fits = (state[:, _PHASE] == WAITING) & plan.found & np.isfinite(plan.middle)
-        fits &= (gap > 0.0) & (gap < self.within) & (np.abs(plan.left) < plan.length)
+        fits &= (
+            (gap > 0.0)
+            & (gap < self.within)
+            & (np.abs(plan.left) < np.maximum(plan.length, seen.width))
+        )
         fits &= plan.fast - plan.pace >= LEAST_FASTER
+        fits &= (plan.pace > STILL) | (gap > 0.5 * PULL_OUT)
         if not fits.any():
             return
         time = np.zeros(len(gap)) + self.duration
@@ -183,8 +203,8 @@ class Overtake(Controller):
         import numpy as np
 
         home = plan.home
-        gap = plan.gap(seen.length)
-        further = home.there & home.ahead & (home.gap > gap[:, None] + 1.0)
+        gap = plan.gap(seen.length) + plan.row_length
+        further = home.there & home.ahead & (home.gap > gap[:, None] + 1.0) & ~plan.row
         free = home.gap - (gap + plan.length)[:, None]
         closing = np.maximum(plan.fast[:, None] - home.pace, 0.0)
         least = (self.gap + seen.length)[:, None] + STANDSTILL_GAP
@@ -200,7 +220,8 @@ class Overtake(Controller):
     def _pull_in(self, seen: ObservationBatch, plan: PassingView, state: Any) -> None:
         """Those who are far enough before the target, or have lost it from sight."""
         gap = -plan.ahead - 0.5 * (seen.length + plan.length)
-        past = (state[:, _PHASE] == PASSING) & (~plan.found | (gap >= self.gap))
+        past = (gap >= self.gap) & ~(plan.row & plan.home.ahead).any(axis=1)
+        past = (state[:, _PHASE] == PASSING) & (~plan.found | past)
         state[past, _PHASE], state[past, _CLOCK] = RETURNING, 0.0
 
     def _acceleration(self, seen: ObservationBatch, plan: PassingView, state: Any) -> Floats:
@@ -220,4 +241,17 @@ class Overtake(Controller):
         slower = np.minimum(np.maximum(slower, -BACK_OFF), 0.0)
         back = (phase == RETURNING) & (state[:, _CLOCK] < self.duration)
         out = np.where((phase == PASSING) | back, passing, np.nan)
-        return np.where(phase == GIVING_UP, slower, out)
+        out = np.where(phase == GIVING_UP, slower, out)
+        return np.where(phase == WAITING, self._hold_back(seen, plan), out)
+
+    def _hold_back(self, seen: ObservationBatch, plan: PassingView) -> Floats:
+        """(N,) of who has to wait behind something that stands still: from where it stops it can
+        still pull out. NaN for who need not brake for that, or has another before it."""
+        import numpy as np
+
+        gap = plan.gap(seen.length)
+        nearest, _ = plan.home.nearest_ahead()
+        waits = plan.found & (plan.pace < STILL) & (gap > 0.0) & (np.abs(gap - nearest) < 1.0)
+        needed = seen.speed * seen.speed / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
+        needed = np.where(gap < PULL_OUT + 0.5, np.maximum(needed, 2.0 * EASE), needed)
+        return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)

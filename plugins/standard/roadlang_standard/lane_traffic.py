@@ -86,6 +86,16 @@ def has_room(
     return np.asarray((~lane.there | (lane.gap > needed * share)).all(axis=1))
 
 
+def members(near: Neighbors, name: str) -> Booleans:
+    """(N, K) which are the agent or object of that name, or of that group."""
+    import numpy as np
+
+    if not near.there.shape[1]:
+        return near.there
+    names = near.name.astype(str)
+    return np.asarray(near.there & ((names == name) | np.char.startswith(names, f"{name}[")))
+
+
 def target_among(near: Neighbors, name: str) -> tuple[Booleans, Floats, Floats, Floats, Floats]:
     """(N,) of the agent called `name`, or the nearest member of that group: whether it is near, how
     far ahead it is from center to center, how far to the left, its pace and its length."""
@@ -95,12 +105,17 @@ def target_among(near: Neighbors, name: str) -> tuple[Booleans, Floats, Floats, 
     if not width:
         nothing = np.zeros(count)
         return nothing > 0.0, nothing, nothing, nothing, nothing
-    names = near.name.astype(str)
-    mine = near.there & ((names == name) | np.char.startswith(names, f"{name}["))
+    mine = members(near, name)
     away = np.where(mine, np.abs(near.ahead), np.inf)
     first = away.argmin(axis=1)[:, None]
 
     def of(column: Floats) -> Floats:
         return np.asarray(np.take_along_axis(column, first, axis=1)[:, 0])
 
-    return mine.any(axis=1), of(near.ahead), of(near.left), of(near.pace), of(near.length)
+    return (
+        np.asarray(mine.any(axis=1)),
+        of(near.ahead),
+        of(near.left),
+        of(near.pace),
+        of(near.length),
+    )

@@ -1,4 +1,4 @@
-"""What passing another agent takes: time and distance, by hand."""
+"""What passing an agent or object takes: time and distance, by hand."""
 
 from __future__ import annotations
 
@@ -35,6 +35,10 @@ class PassingView:
     """in which it passes"""
     home: LaneTraffic
     """from which it comes"""
+    row: Booleans
+    """(N, K) who of those is of the target and stands still: passed all together"""
+    row_length: Floats
+    """from the middle of the target to that of the farthest in its row"""
 
     def gap(self, length: Floats) -> Floats:
         """(N,) from bumper to bumper, to the target ahead; `length`: of the agents."""

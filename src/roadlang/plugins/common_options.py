@@ -78,9 +78,11 @@ class PlacementOptions:
     )
     spacing: Length = option(
         None,
-        above=0,
+        minimum=-10_000,
         maximum=10_000,
-        help="puts the copies of a `count` in a row, from middle to middle; `at` is the first",
+        help="puts the copies of a `count` in a row, from middle to middle; `at` is the first, and "
+        "the others are ahead of it, or behind it with a spacing below 0; `at behind(...)` the "
+        "row goes on backward",
         example="5m..9m",
     )
     apart: Length = option(

@@ -65,7 +65,9 @@ class LaneWalks:
         route: PlannedRoute | None,
         into: Spots,
     ) -> None:
-        ahead = away >= 0.0
+        # A row that is placed by another goes on away from it; any other goes ahead.
+        ahead = away > 0.0 or (away == 0.0 and distances[-1] >= 0.0)
+        sign = 1.0 if away != 0.0 or ahead else -1.0
         parts: Iterator[WalkPart]
         parts = parts_ahead(self.lanes, place, route) if ahead else parts_behind(self.lanes, place)
 
@@ -73,14 +75,14 @@ class LaneWalks:
             ends = self._from_root(row, lane, (start, stop))
             return abs(ends[1] - ends[0])
 
-        steps = [abs(away) + distance for distance in distances]
+        steps = [abs(away) + sign * distance for distance in distances]
         found = walked(parts, steps, float(self.lengths[row]) / 2.0, measure)
         lane = self.lanes.lanes[found.part.lane]
         begin = self._from_root(row, found.part.lane, (found.part.start,))[0]
         forward = lane.backward != ahead
         at = begin + found.along if forward else begin - found.along
         into.stand(row, lane.edge, at, lane.lane, 0.0, lane.backward)
-        into.lacking[row] = found.lacking
+        into.lacking[row] = max(found.lacking, -min(steps))
 
     def _beyond(self, row: int, road: int, start: float) -> float:
         """Meters beyond the ends of a road outside the junctions."""

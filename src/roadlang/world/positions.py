@@ -33,14 +33,18 @@ def starts_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Floats
     length = _of_rows(road.length, copies)
     spacing = actor.options.get("spacing")
     first = copies if spacing is None else copies.numbered(np.ones(copies.count, np.int64))
-    if isinstance(actor.at, PassCall):
-        standing = standing_of(actor, first, others)
+    away: Floats | float = 1.0
+    if names_another(actor, copies.scenario):
+        other, standing = standing_beside(actor, copies, others)
         start = np.asarray(standing.start, float).reshape(-1)
+        away = np.where(start < other.start[:, 0], -1.0, 1.0)
+    elif isinstance(actor.at, PassCall):
+        start = np.asarray(standing_of(actor, first, others).start, float).reshape(-1)
     else:
         at = column(evaluate(actor.at, first, element_of(actor)), copies)
         start = at * length if actor.at_fraction else at
     if spacing is not None:
-        start = start + _behind_the_first(actor, copies)
+        start = start + away * _from_the_first(actor, copies)
     return np.mod(start, length) if road.closed else start
 
 
@@ -101,8 +105,8 @@ def _other(actor: ScenarioActor, scenario: IndexedScenario) -> ScenarioActor | N
 
 
 def row_distances(actor: ScenarioActor, copies: CopyBatch) -> list[list[float]]:
-    """(R) how far behind or ahead of the first of its row each copy stands, after all of those
-    between; of a copy in no row, 0."""
+    """(R) how far from the first of its row each copy stands, after all of those between; of a copy
+    in no row, 0. Signs as in `_from_the_first`."""
     value = actor.options.get("spacing")
     if value is None:
         return [[0.0]] * copies.count
@@ -136,8 +140,9 @@ def _of_copies(other: ScenarioActor, copies: CopyBatch, placed: PlacedBatch) -> 
     return PlacedBatch(*(part[copies.rows, numbers - 1][:, None] for part in parts))
 
 
-def _behind_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
-    """(R,) meters from the first copy of a row to each: the spacings between, added up."""
+def _from_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
+    """(R,) meters from the first copy of a row to each: the spacings between, added up. Below 0
+    those behind it; of a row that is placed by another, toward that."""
     value = actor.options["spacing"]
     if not copies.scenario.dependencies.draws(value):
         return (copies.copies - 1) * column(evaluate(value, copies, element_of(actor)), copies)
