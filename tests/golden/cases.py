@@ -17,6 +17,7 @@ from tests.golden.scene_views import (
     scene_lines,
 )
 from tests.golden.search_views import command_lines, environment_lines, search_lines, vector_lines
+from tests.golden.tweaked_views import tweaked_lines
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,17 @@ class Case:
     absolute: float = NUMBERS
 
 
-STILL = {"pieces": 1, "bent": 2, "values": 3, "picture": 2, "table": None, "guided": 3, "halton": 3}
+STILL = {
+    "pieces": 1,
+    "bent": 2,
+    "values": 3,
+    "picture": 2,
+    "table": None,
+    "guided": 3,
+    "halton": 3,
+    "places": 2,
+    "right_places": 2,
+}
 TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", "cross_yield")
 DRIVEN = (
     "controllers",
@@ -66,6 +77,17 @@ SOURCES = (
     "guided",
     "replay",
 )
+TWEAKED = {
+    "pieces": 20,
+    "bent": 16,
+    "values": 24,
+    "town": 18,
+    "places": 24,
+    "right_places": 24,
+    "picture": 8,
+    "table": 8,
+    "search": 10,
+}
 COMMANDS = (
     ("plugins", "show", "car"),
     ("plugins", "show", "segments"),
@@ -118,6 +140,8 @@ def _cases() -> Iterable[Case]:
     yield Case("engine", "picture.tiles", partial(_built, "picture", "tiles"))
     yield Case("scenes", "pieces.console", partial(console_lines, "pieces", "-n", "2"))
     yield Case("scenes", "table.console", partial(console_lines, "table", "-n", "4"))
+    for name, changes in TWEAKED.items():
+        yield Case("tweaks", f"{name}.tweaks", partial(tweaked_lines, name, changes))
     for name in SOURCES:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
