@@ -8,6 +8,8 @@ from functools import partial
 
 from tests.golden.comparing import FIGURE, NUMBERS
 from tests.golden.engine_views import layout_lines
+from tests.golden.formula_views import formula_lines, online_lines, plot_lines
+from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.language_views import command_output, fault_lines, scenario_lines
 from tests.golden.scene_views import (
     console_lines,
@@ -142,6 +144,15 @@ def _cases() -> Iterable[Case]:
     yield Case("scenes", "table.console", partial(console_lines, "table", "-n", "4"))
     for name, changes in TWEAKED.items():
         yield Case("tweaks", f"{name}.tweaks", partial(tweaked_lines, name, changes))
+    for name in ("controllers", "lane_changes", "conditions", "lap", "cross_stop", "replay"):
+        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 7, drive=True))
+    for first in (1, 2, 3):
+        yield Case("geometry", f"junctions.{first}", partial(junction_lines, 100 * first, 14))
+    yield Case("geometry", "curves", partial(curve_lines, 1, 16))
+    yield Case("geometry", "rectangles", partial(rectangle_lines, 1, 8))
+    yield Case("formulas", "formulas", partial(formula_lines, 1, 70))
+    yield Case("formulas", "online", partial(online_lines, 1, 40))
+    yield Case("formulas", "plot", plot_lines, FIGURE)
     for name in SOURCES:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))

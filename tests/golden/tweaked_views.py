@@ -40,13 +40,13 @@ def _variants(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
         yield text[: match.start()] + new + text[match.end() :], said
 
 
-def tweaked_lines(name: str, count: int) -> Iterator[str]:
-    """`count` changes of a scene file, each compiled."""
+def tweaked_lines(name: str, count: int, drive: bool = False) -> Iterator[str]:
+    """`count` changes of a scene file, each compiled, and with `drive` driven for 5 s."""
     path = SCENES / f"{name}.rl"
     registry = registry_of({})
     written = path.read_text(encoding="utf-8")
     few = "" if "sample with" in written else "sample with random { attempts: 30 }\n"
-    variants = _variants(written + few, random.Random(name))
+    variants = _variants(written + few, random.Random(f"{name} {drive}" if drive else name))
     for _, (text, said) in zip(range(count), variants, strict=False):
         yield said
         try:
@@ -67,6 +67,12 @@ def tweaked_lines(name: str, count: int) -> Iterator[str]:
                 yield f"  {road['name']}: {array(points)} width {array(road['width'])}"
             things = [*record["agents"], *record["objects"]]
             yield f"  things: {array([one[k] for one in things for k in ('x', 'y', 'heading')])}"
+            if drive:
+                driven = scenes[0].run(duration=5.0)
+                for key, column in driven.to_dict().items():
+                    yield f"  {key}: {array([float(v) for v in column])}"
+                values = [verdict.robustness for verdict in driven.verdicts.values()]
+                yield f"  {array([float('nan') if v is None else v for v in values])}"
             for kind in ("requirements", "expectations"):
                 values = [one["robustness"] for one in record[kind]]
                 yield f"  {kind}: {array([float('nan') if v is None else v for v in values])}"
