@@ -20,7 +20,9 @@ const FLUSH_BYTES := 7000
 const FLUSH_USEC := 50000
 ## A state is told again this often while no step comes: either may have been lost.
 const STATE_EVERY_USEC := 20000
+## A step is looked for this often at first, and less often the longer it does not come.
 const POLL_USEC := 30
+const LONGEST_POLL_USEC := 400
 const MAX_STEERING := 10.0
 const MAX_ACCELERATION := 1000.0
 
@@ -215,13 +217,15 @@ func _gather() -> void:
 
 func _await_step() -> void:
 	var sent := 0
+	var pause := POLL_USEC
 	while mode == Mode.LOCKSTEP and tick >= _hold_until:
 		var now := Time.get_ticks_usec()
 		if now - sent > STATE_EVERY_USEC:
 			_server.send_once(Protocol.STATE, Telemetry.state(_members, tick, _contacts.untold()))
 			sent = now
 		if not _server.poll(false):
-			OS.delay_usec(POLL_USEC)
+			OS.delay_usec(pause)
+			pause = mini(pause + POLL_USEC, LONGEST_POLL_USEC)
 		while_waiting.call()
 		if not _server.connected():
 			stop("client gone")

@@ -42,7 +42,12 @@ var _wheels_down := 0
 var _touched: Array[Array] = []
 var _mounts := PackedVector3Array()
 var _ray := PhysicsRayQueryParameters3D.new()
+var _force := Vector3.ZERO
+var _torque := Vector3.ZERO
+## How far above the ground sideways forces act.
+var _lift := 0.0
 var _looks: Wheels
+var _headless := DisplayServer.get_name() == "headless"
 
 
 ## Length, height and width in meters; `numbers`: SI units, by the names of the client.
@@ -61,6 +66,7 @@ func assemble(dimensions: Vector3, numbers: Callable, paint: Color) -> void:
 	)
 	_lag = maxf(numbers.call("steering_lag", 0.1), 0.0)
 	_rate = maxf(numbers.call("steering_rate", 1.2), 0.01)
+	_lift = _mass_height * (1.0 - ROLL if size.z > NARROW else 1.0)
 	_prepare()
 	_add_shape()
 	var radius := clampf(0.22 * size.y, 0.2, 0.5)
@@ -70,9 +76,10 @@ func assemble(dimensions: Vector3, numbers: Callable, paint: Color) -> void:
 	var instance := MeshInstance3D.new()
 	instance.mesh = CarBody.mesh(size, paint)
 	add_child(instance)
-	_looks = Wheels.new()
-	add_child(_looks)
-	_looks.assemble(_mounts, radius)
+	if not _headless:
+		_looks = Wheels.new()
+		add_child(_looks)
+		_looks.assemble(_mounts, radius)
 
 
 func set_friction(of_tires: float) -> void:
@@ -85,55 +92,23 @@ func command(steer: float, acceleration: float, dt: float) -> void:
 	if freeze:
 		return
 	_turn_wheels(tan(clampf(steer, -max_steering, max_steering)), dt)
-	var pace := speed()
-	var grip := friction * GRAVITY
-	var used := Tires.demand(acceleration, pace, _power, grip, _rolling, dt)
-	var up := global_basis.y
-	var middle := to_global(center_of_mass)
-	var space := get_world_3d().direct_space_state
+	var pose := global_transform
+	var forward := pose.basis.z
+	var pace := linear_velocity.dot(forward)
+	var used := Tires.demand(acceleration, pace, _power, friction * GRAVITY, _rolling, dt)
 	_wheels_down = 0
+	_force = -forward * mass * _drag * pace * absf(pace)
+	_torque = Vector3.ZERO
 	for i in 4:
-		var place := to_global(_mounts[i])
-		_ray.from = place
-		_ray.to = place - up * (RAY_TOP + SAG)
-		var hit := space.intersect_ray(_ray)
-		_looks.drop(i, SAG if hit.is_empty() else place.distance_to(hit["position"]) - RAY_TOP)
-		if hit.is_empty():
-			continue
-		var point: Vector3 = hit["position"]
-		var normal: Vector3 = hit["normal"]
-		var velocity := linear_velocity + angular_velocity.cross(point - middle)
-		var height := place.distance_to(point) - RAY_TOP
-		var spring := STIFFNESS * (SAG - height) - DAMPING * velocity.dot(normal)
-		var load := maxf(0.25 * mass * spring, 0.0)
-		if load <= 0.0:
-			continue
-		_wheels_down |= 1 << i
-		# Forces lie in the ground, however the body leans.
-		var along := (global_basis.z - normal * global_basis.z.dot(normal)).normalized()
-		var aside := normal.cross(along)
-		if i < 2:
-			along = (along + aside * _tangent).normalized()
-			aside = normal.cross(along)
-		var stiffness := _stiffness.x if i < 2 else _stiffness.y
-		var push := Tires.force(
-			velocity.dot(along),
-			velocity.dot(aside),
-			used,
-			load,
-			friction,
-			stiffness / (3.0 * friction),
-			SLOW_SHARE * _stiffness.y * GRAVITY * dt
-		)
-		apply_force(normal * load + along * push.x, point - global_position)
-		var lift := normal * (_mass_height * (1.0 - _tipping()))
-		apply_force(aside * push.y, point + lift - global_position)
-	var rolling := signf(pace) * minf(_rolling, absf(pace) / dt) if _wheels_down > 0 else 0.0
-	var forward := global_basis.z
-	apply_central_force(-forward * mass * (_drag * pace * absf(pace) + rolling))
+		_add_wheel_forces(i, pose, used, dt)
+	if _wheels_down > 0:
+		_force -= forward * mass * signf(pace) * minf(_rolling, absf(pace) / dt)
 	if size.z <= NARROW:
 		_hold_upright(forward)
-	_looks.roll(pace * dt, atan(_tangent))
+	apply_central_force(_force)
+	apply_torque(_torque)
+	if not _headless:
+		_looks.roll(pace * dt, atan(_tangent))
 
 
 func steer_angle() -> float:
@@ -230,11 +205,50 @@ func _turn_wheels(wanted: float, dt: float) -> void:
 	_tangent += clampf((wanted - _tangent) * dt / (_lag + dt), -most, most)
 
 
-func _tipping() -> float:
-	return ROLL if size.z > NARROW else 0.0
-
-
 func _hold_upright(forward: Vector3) -> void:
 	var lean := global_basis.x.y
 	var pull := 4.0 * GRAVITY * _mass_height * mass
-	apply_torque(-forward * (pull * lean + 0.5 * pull * angular_velocity.dot(forward)))
+	_torque -= forward * (pull * lean + 0.5 * pull * angular_velocity.dot(forward))
+
+
+## Adds what the ground does to a wheel: it carries, drives, brakes and steers.
+func _add_wheel_forces(wheel: int, pose: Transform3D, used: float, dt: float) -> void:
+	var place := pose * _mounts[wheel]
+	_ray.from = place
+	_ray.to = place - pose.basis.y * (RAY_TOP + SAG)
+	var hit := get_world_3d().direct_space_state.intersect_ray(_ray)
+	if hit.is_empty():
+		return
+	var point: Vector3 = hit["position"]
+	var normal: Vector3 = hit["normal"]
+	var height := place.distance_to(point) - RAY_TOP
+	if not _headless:
+		_looks.drop(wheel, height)
+	var arm := point - pose * center_of_mass
+	var velocity := linear_velocity + angular_velocity.cross(arm)
+	var spring := STIFFNESS * (SAG - height) - DAMPING * velocity.dot(normal)
+	if spring <= 0.0:
+		return
+	_wheels_down |= 1 << wheel
+	var load := 0.25 * mass * spring
+	# Forces lie in the ground, however the body leans.
+	var along := (pose.basis.z - normal * pose.basis.z.dot(normal)).normalized()
+	var aside := normal.cross(along)
+	var stiffness := _stiffness.y
+	if wheel < 2:
+		stiffness = _stiffness.x
+		along = (along + aside * _tangent).normalized()
+		aside = normal.cross(along)
+	var push := Tires.force(
+		velocity.dot(along),
+		velocity.dot(aside),
+		used,
+		load,
+		friction,
+		stiffness / (3.0 * friction),
+		SLOW_SHARE * _stiffness.y * GRAVITY * dt
+	)
+	var straight := normal * load + along * push.x
+	var sideways := aside * push.y
+	_force += straight + sideways
+	_torque += arm.cross(straight) + (arm + normal * _lift).cross(sideways)

@@ -4,7 +4,6 @@ extends Node3D
 const Looks := preload("res://build/looks.gd")
 
 var _radius := 0.32
-var _headless := DisplayServer.get_name() == "headless"
 var _hubs: Array[Node3D] = []
 var _tires: Array[Node3D] = []
 
@@ -12,8 +11,6 @@ var _tires: Array[Node3D] = []
 ## Front left and right, rear left and right, beside and along the body.
 func assemble(mounts: PackedVector3Array, radius: float) -> void:
 	_radius = radius
-	if _headless:
-		return
 	for mount in mounts:
 		var hub := Node3D.new()
 		hub.position = Vector3(mount.x, radius, mount.z)
@@ -29,14 +26,11 @@ func assemble(mounts: PackedVector3Array, radius: float) -> void:
 
 ## The ground below a wheel is `height` meters below where it is at rest.
 func drop(wheel: int, height: float) -> void:
-	if not _headless:
-		_hubs[wheel].position.y = _radius - height
+	_hubs[wheel].position.y = _radius - height
 
 
 ## Rolls on by some meters, the front wheels turned by an angle to the left.
 func roll(meters: float, steering: float) -> void:
-	if _headless:
-		return
 	for i in _hubs.size():
 		_hubs[i].rotation.y = steering if i < 2 else 0.0
 		_tires[i].rotate_object_local(Vector3.UP, -meters / _radius)

@@ -15,6 +15,7 @@ from .cli.console import echo, note, report, style
 from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
+    from .drive.controllers import python_controllers
     from .files.writing import replace_file, write_all, write_file
     from .judging.drives import judge
     from .session.params import parse_overrides
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 _LATER = {
     ".files.writing": "replace_file write_all write_file",
+    ".drive.controllers": "python_controllers",
     ".judging.drives": "judge",
     ".session.params": "parse_overrides",
     ".session.scene_files": "read_scene_file",
@@ -41,6 +43,7 @@ __all__ = [
     "note",
     "object_moved",
     "parse_overrides",
+    "python_controllers",
     "read_scene_file",
     "replace_file",
     "report",

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
-from typing import TYPE_CHECKING, Any
+from collections.abc import Collection, Mapping
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from roadlang.api import LanePlace
 
@@ -13,6 +13,8 @@ from .names import plain_name
 
 if TYPE_CHECKING:
     from roadlang.api import Call, Scene, SceneActor
+
+T = TypeVar("T")
 
 IN_ENGINE = frozenset(
     {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", "manual"}
@@ -31,6 +33,11 @@ def drives_alone(scene: Scene) -> bool:
     return all(
         actor.route is None and all(map(is_in_engine, actor.drive)) for actor in scene.agents
     )
+
+
+def decided_in_python(scene: Scene, controllers: Mapping[str, T]) -> dict[str, T]:
+    """The controllers that Python is to run: none where the engine has copies of all."""
+    return {} if drives_alone(scene) else dict(controllers)
 
 
 def is_in_engine(call: Call) -> bool:

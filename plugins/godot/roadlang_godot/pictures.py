@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,16 +13,22 @@ import numpy as np
 from roadlang.api import Code
 
 from . import engine
+from .drives import decided_in_python
 from .driving import LockStep
 from .faults import fault
+from .followed_scene import FollowedScene
 from .layout import Layout, layout_of
 from .protocol import Message
 from .session import Session
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene
+    from roadlang.api import Controller, Scene
+
+    Controllers = Mapping[str, Controller]
 
 RATE = 60
+EVERY = 3
+"""Physics ticks for which a decision of Python holds."""
 MARGIN = 25.0
 """Meters around the roads in a top view."""
 
@@ -40,19 +47,29 @@ class Shot:
     road: str = "mesh"
 
 
-def render_picture(scene: Scene, shot: Shot, moment: float = 0.0) -> bytes:
-    """The bytes of one picture, after `moment` seconds of driving."""
+def render_picture(
+    scene: Scene, shot: Shot, moment: float = 0.0, controllers: Controllers | None = None
+) -> bytes:
+    """The bytes of one picture, after `moment` seconds of driving. `controllers` are those that are
+    written in Python: needed where the engine does not have all."""
     with engine.start(fixed_fps=RATE, draw=True) as running, running.connect(scene.name) as session:
-        layout = build(session, scene, shot.road)
+        decided = decided_in_python(scene, controllers or {})
+        layout = build(session, scene, shot.road, decided)
         if moment > 0 and layout.agents:
             with LockStep(session) as lock:
-                _wait(lock, moment)
+                _drive(lock, followed(scene, layout, decided), moment)
                 return take(session, layout, shot)
         return take(session, layout, shot)
 
 
 def render_clip(
-    scene: Scene, shot: Shot, path: Path, duration: float, fps: int, start: float = 0.0
+    scene: Scene,
+    shot: Shot,
+    path: Path,
+    duration: float,
+    fps: int,
+    start: float = 0.0,
+    controllers: Controllers | None = None,
 ) -> int:
     """Write a clip (motion JPEG in AVI) of a drive; returns the number of frames."""
     import cv2
@@ -64,27 +81,40 @@ def render_clip(
         raise fault(Code.CLIP_NOT_WRITTEN, path=path)
     frames = 0
     with engine.start(fixed_fps=RATE, draw=True) as running, running.connect(scene.name) as session:
-        layout = build(session, scene, shot.road)
+        decided = decided_in_python(scene, controllers or {})
+        layout = build(session, scene, shot.road, decided)
         with LockStep(session) as lock:
-            if start > 0:
-                _wait(lock, start)
+            driver = followed(scene, layout, decided)
+            _drive(lock, driver, start)
             while frames < round(duration * RATE / every):
                 picture = np.frombuffer(take(session, layout, shot), dtype=np.uint8)
                 out.write(cv2.imdecode(picture, cv2.IMREAD_COLOR))
                 frames += 1
-                lock.step({}, every)
+                _drive(lock, driver, every / RATE)
     out.release()
     return frames
 
 
-def _wait(lock: LockStep, seconds: float) -> None:
-    for _ in lock.hold(round(seconds * RATE)):
-        pass
+def followed(scene: Scene, layout: Layout, decided: Controllers) -> FollowedScene:
+    """What decides for the agents of a scene in steps of `EVERY` ticks."""
+    return FollowedScene(scene, layout, EVERY / RATE, RATE, decided)
 
 
-def build(session: Session, scene: Scene, road: str = "mesh") -> Layout:
-    """Build a scene in an engine and prove it built."""
-    layout = layout_of(scene, road)
+def _drive(lock: LockStep, driver: FollowedScene, seconds: float) -> None:
+    """Go on for some time; decisions hold for `EVERY` ticks."""
+    last = lock.tick + round(seconds * RATE)
+    while lock.tick < last:
+        if lock.tick % EVERY == 0:
+            driver.look(lock.state)
+        controls = driver.controls() if lock.tick % EVERY == 0 else {}
+        lock.step(controls, min(EVERY - lock.tick % EVERY, last - lock.tick))
+
+
+def build(
+    session: Session, scene: Scene, road: str = "mesh", decided: Collection[str] = ()
+) -> Layout:
+    """Build a scene in an engine and prove it built. `decided`: agents that Python drives."""
+    layout = layout_of(scene, road, python_driven=decided)
     session.begin(layout.settings(RATE), clear=True)
     session.update(layout.things)
     session.prove()

@@ -12,7 +12,7 @@ import numpy as np
 from roadlang.api import Code
 
 from . import driving, engine
-from .drives import drives_alone
+from .drives import decided_in_python
 from .faults import fault
 from .followed_scene import FollowedScene
 from .layout import layout_of
@@ -75,7 +75,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     agents that `controllers` has. Raises `EngineError` RL700 where nothing drives, RL510 where a
     controller is missing.
     """
-    decided = () if drives_alone(scene) else tuple(controllers)
+    decided = decided_in_python(scene, controllers)
     layout = layout_of(scene, settings.road, python_driven=decided)
     if not layout.agents:
         raise fault(Code.NO_AGENTS, scene=scene.name)
@@ -86,8 +86,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     session.update(layout.things)
     session.prove()
     followed = FollowedScene(
-        scene, layout, settings.every / settings.rate, settings.rate,
-        {name: controllers[name] for name in decided},
+        scene, layout, settings.every / settings.rate, settings.rate, decided
     )  # fmt: skip
     if decided:
         _step_by_step(session, followed, settings)

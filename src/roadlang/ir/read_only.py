@@ -45,6 +45,12 @@ class FrozenList(list[V]):
         return FrozenList, (list(self),)
 
 
+class ReadOnlyMapping(Mapping[K, V]):
+    """A mapping that works out its values when they are looked up, and offers no way to change."""
+
+    __slots__ = ()
+
+
 _READ_ONLY = frozenset((float, int, str, bool, type(None), FrozenDict, FrozenList))
 
 
@@ -58,6 +64,8 @@ def frozen(value: Any) -> Any:
     flags = getattr(value, "flags", None)
     if flags is not None:
         return _read_only()(value) if flags.writeable else value
+    if isinstance(value, ReadOnlyMapping):
+        return value
     if isinstance(value, Mapping):
         return FrozenDict({key: frozen(item) for key, item in value.items()})
     if type(value) is list:

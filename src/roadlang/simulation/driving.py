@@ -5,20 +5,20 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..ir.control import ControlBatch, Observation
-from ..ir.read_only import FrozenDict
+from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
 from .controllers import Driver, GuardedController
 from .decision import Decision
 from .observing import Surroundings, View
+from .others_seen import OthersSeen
 from .poses import Poses
 from .triggers import PlacedCall, Triggers
 from .world import World
@@ -185,16 +185,14 @@ def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
     """Loop over agents whose controllers decide for one alone."""
     found = []
     slots = view.world.slots
-    seen: dict[int, FrozenDict[str, Observation]] = {}
+    seen: dict[int, OthersSeen] = {}
     for index in chosen:
         row = int(group.rows[index])
         scene = row // slots
         if scene not in seen:
             agents = enumerate(view.world.scenes[scene].agents, scene * slots)
-            seen[scene] = FrozenDict({actor.name: view.single(at) for at, actor in agents})
-        name = view.world.names[row]
-        observation = replace(seen[scene][name], others=seen[scene])
-        found.append(group.singles[index].control(observation))
+            seen[scene] = OthersSeen(view, {actor.name: at for at, actor in agents})
+        found.append(group.singles[index].control(view.single(row, seen[scene])))
     return ControlBatch.of(found)
 
 

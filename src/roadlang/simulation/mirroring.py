@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import Control, ControlBatch, Observation
-from ..ir.read_only import FrozenDict
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
@@ -19,6 +17,7 @@ from .contacts import Contact
 from .controllers import Driver
 from .decision import Decision
 from .driving import Crew
+from .others_seen import OthersSeen
 from .recording import Recorder
 from .world_building import world_of
 
@@ -112,9 +111,8 @@ class Mirror:
 
     def _decided_alone(self) -> tuple[Integers, ControlBatch]:
         view = self._crew.view(self._world, self._world.poses)
-        others: Any = FrozenDict({name: view.single(row) for row, name in enumerate(self._names)})
+        others = OthersSeen(view, {name: row for row, name in enumerate(self._names)})
         found: Sequence[Control] = [
-            controller.control(replace(others[self._names[row]], others=others))
-            for row, controller in self._alone.items()
+            controller.control(view.single(row, others)) for row, controller in self._alone.items()
         ]
         return np.array(list(self._alone), dtype=np.int64), ControlBatch.of(found)

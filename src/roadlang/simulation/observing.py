@@ -287,7 +287,7 @@ class View:
             step=self.step,
             agent=seen.agent[0],
             line_ahead=line_ahead,
-            others=others or {},
+            others={} if others is None else others,
             speed_for_bends=lambda *limits: float(seen.speed_for_bends(*limits)[0]),
             vehicle_ahead=vehicle_ahead,
             lane_place=lambda: seen.lane_place().single(0),

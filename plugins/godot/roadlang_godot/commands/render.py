@@ -71,12 +71,13 @@ def command(  # noqa: PLR0913 - one parameter per option
     the free view looks from anywhere. Without a screen a virtual one is used.
     """
     from roadlang import load
-    from roadlang.commands import parse_overrides, write_file
+    from roadlang.commands import parse_overrides, python_controllers, write_file
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
     path = Path(output).absolute()
     suffix = _suffix(path)
-    scenes = load(file).with_params(parse_overrides(settings)).sample(index + 1, seed=seed)
+    loaded = load(file).with_params(parse_overrides(settings))
+    scenes = loaded.sample(index + 1, seed=seed)
     report(scenes.diagnostics)
     scene = scenes[-1].record
     width, height = _size(size)
@@ -84,11 +85,12 @@ def command(  # noqa: PLR0913 - one parameter per option
     view = view or ("chase" if scene.agents else "top")
     shot = Shot(view, width, height, scale, agent, pose, PICTURES.get(suffix, "jpg"), road)
     moment = time if time is not None else (0.0 if view == "top" else 4.0)
+    controllers = python_controllers(scene, loaded.registry)
     if suffix in CLIPS:
-        frames = render_clip(scene, shot, path, duration, fps, time or 0.0)
+        frames = render_clip(scene, shot, path, duration, fps, time or 0.0, controllers)
         echo(f"{output}: {frames} frames")
         return
-    write_file(path, render_picture(scene, shot, moment))
+    write_file(path, render_picture(scene, shot, moment, controllers))
     echo(f"{output}: {width} x {height}")
 
 
