@@ -21,7 +21,7 @@ GREEN, YELLOW, RED = "#2f9e44", "#f59f00", "#c92a2a"
 def moving(name: str, y: float = 0.0, width: float = 2.0) -> AgentTrace:
     """From x = 0 m to 80 m in 4 s."""
     time = np.array([0.0, 1.0, 2.0, 3.0, 4.0])
-    still = AgentTrace.still(SceneActor(name, name, "car", 0.0, y, 0.0, 4.0, width, 1.5), time)
+    still = AgentTrace.standing(SceneActor(name, name, "car", 0.0, y, 0.0, 4.0, width, 1.5), time)
     return replace(still, x=20.0 * time)
 
 

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from roadlang_standard.extraction.clean import drop_loops, join, prune
-from roadlang_standard.extraction.continuing import carry_on
+from roadlang_standard.extraction.continuing import extend_dead_ends
 from roadlang_standard.extraction.graph import Graph, Line, trace
 from roadlang_standard.extraction.linking import dead_ends, link
 from roadlang_standard.extraction.skeleton import skeleton
@@ -34,7 +34,7 @@ def sure_roads(score: Any) -> Any:
 def test_a_road_goes_on_along_fainter_evidence() -> None:
     score = evidence(((0, 100), (90, 100), 0.95), ((100, 100), (170, 110), 0.5))
     graph = sure_roads(score)
-    carry_on(graph, score, (0.4, 0.27), 7, 50)
+    extend_dead_ends(graph, score, (0.4, 0.27), 7, 50)
     (line,) = graph.lines
     assert line.points[:, 0].max() > 160
 
@@ -42,14 +42,14 @@ def test_a_road_goes_on_along_fainter_evidence() -> None:
 def test_a_fainter_line_from_the_side_is_left_out() -> None:
     score = evidence(((0, 100), (199, 100), 0.95), ((100, 108), (100, 170), 0.5))
     graph = sure_roads(score)
-    carry_on(graph, score, (0.4, 0.27), 7, 50)
+    extend_dead_ends(graph, score, (0.4, 0.27), 7, 50)
     assert len(graph.lines) == 1
 
 
 def test_a_fainter_line_that_turns_away_is_left_out() -> None:
     score = evidence(((0, 100), (90, 100), 0.95), ((100, 110), (100, 180), 0.5))
     graph = sure_roads(score)
-    carry_on(graph, score, (0.4, 0.27), 7, 50)
+    extend_dead_ends(graph, score, (0.4, 0.27), 7, 50)
     assert max(line.points[:, 1].max() for line in graph.lines) < 120
 
 

@@ -16,15 +16,15 @@ from roadlang_standard.extraction.clean import (
     join,
     prune,
 )
-from roadlang_standard.extraction.continuing import carry_on
+from roadlang_standard.extraction.continuing import extend_dead_ends
 from roadlang_standard.extraction.graph import Graph, Line, trace
 from roadlang_standard.extraction.grid import roads_of_cells
 from roadlang_standard.extraction.linking import attach, dead_ends, link
 from roadlang_standard.extraction.worth import (
+    discounted_length,
     drop_unworthy,
     mean_evidence,
-    prune_by_worth,
-    worth,
+    prune_by_discounted_length,
 )
 from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, surface
 
@@ -284,8 +284,8 @@ def test_the_evidence_of_a_line_is_its_mean() -> None:
     line = Line(0, 1, dense((60, 50), (139.0, 50)))
     assert mean_evidence(line, score) == pytest.approx(0.4, abs=0.02)
     # (0.4 - 0.2) / (1 - 0.2) of its 79 px
-    assert worth(line, score, 0.2) == pytest.approx(79 / 4, abs=1.5)
-    assert worth(line, score, 0.5) == 0.0
+    assert discounted_length(line, score, 0.2) == pytest.approx(79 / 4, abs=1.5)
+    assert discounted_length(line, score, 0.5) == 0.0
 
 
 @pytest.mark.parametrize(("least", "count"), [(14.0, 3), (16.0, 1)])
@@ -293,7 +293,7 @@ def test_dead_ends_go_by_what_they_are_worth(least: float, count: int) -> None:
     """30 px of evidence 0.6 above a floor of 0.2 are worth 15 px."""
     score = lit(0.6, (slice(0, 100), slice(0, 200)))
     graph = graph_of(((20, 40), (100, 40)), ((100, 40), (180, 40)), ((100, 40), (100, 70)))
-    prune_by_worth(graph, score, least, 0.2)
+    prune_by_discounted_length(graph, score, least, 0.2)
     assert len(graph.lines) == count
 
 
@@ -301,7 +301,7 @@ def test_dead_ends_go_by_what_they_are_worth(least: float, count: int) -> None:
 def test_a_dead_end_at_the_border_needs_half_as_much(least: float, count: int) -> None:
     score = lit(0.6, (slice(0, 100), slice(0, 200)))
     graph = graph_of(((20, 66), (100, 66)), ((100, 66), (180, 66)), ((100, 66), (100, 96)))
-    prune_by_worth(graph, score, least, 0.2)
+    prune_by_discounted_length(graph, score, least, 0.2)
     assert len(graph.lines) == count
 
 
@@ -355,12 +355,12 @@ def test_the_nearest_fainter_line_goes_on() -> None:
     for columns in (slice(92, 120), slice(128, 170)):
         score[47:54, columns] = 0.5
     graph = graph_of(((0, 50), (77, 50)))
-    carry_on(graph, score, (0.4, 0.27), 7.0, 20.0)
+    extend_dead_ends(graph, score, (0.4, 0.27), 7.0, 20.0)
     (line,) = graph.lines
     assert line.points[:, 0].max() > 160
     assert 0.1 < line.linked < 0.3
     short = graph_of(((0, 50), (77, 50)))
-    carry_on(short, score, (0.4, 0.27), 7.0, 10.0)
+    extend_dead_ends(short, score, (0.4, 0.27), 7.0, 10.0)
     assert short.lines[0].points[:, 0].max() == 77
 
 

@@ -25,7 +25,7 @@ def exchange(count: int, seed: int, loss: float, double: float) -> tuple[list[by
     now = 0.0
     while not sender.idle and now < 60:
         now += STEP
-        network = [m for m in sender.due(now) if chance.random() >= loss]
+        network = [m for m in sender.to_send(now) if chance.random() >= loss]
         network += [m for m in network if chance.random() < double]
         chance.shuffle(network)
         for _, seq, payload in network:
@@ -56,14 +56,14 @@ def test_no_more_than_the_window_is_on_its_way() -> None:
     sender = Channel(window=8)
     for _ in range(20):
         sender.offer(17, b"")
-    assert len(sender.due(0.0)) == 8
-    assert sender.due(0.001) == []
+    assert len(sender.to_send(0.0)) == 8
+    assert sender.to_send(0.001) == []
 
 
 def test_what_is_not_acknowledged_is_named_when_patience_ends() -> None:
     sender = Channel()
     sender.offer(17, b"", "bent from 0 m to 100 m")
-    sender.due(0.0)
+    sender.to_send(0.0)
     assert sender.overdue(4.9, patience=5.0) == []
     assert sender.overdue(5.1, patience=5.0) == ["bent from 0 m to 100 m"]
 
@@ -72,18 +72,18 @@ def test_a_message_that_others_have_overtaken_is_sent_again_at_once() -> None:
     sender, receiver = Channel(), Channel()
     for _ in range(6):
         sender.offer(17, b"")
-    for _, seq, _ in sender.due(0.0):
+    for _, seq, _ in sender.to_send(0.0):
         if seq != 1:
             receiver.accept(seq)
             sender.acknowledged(receiver.take_ack())
-    assert [seq for _, seq, _ in sender.due(FIRST_RESEND / 2)] == [1]
+    assert [seq for _, seq, _ in sender.to_send(FIRST_RESEND / 2)] == [1]
 
 
 @given(st.binary(max_size=40))
 def test_a_false_acknowledgement_harms_nothing(payload: bytes) -> None:
     sender = Channel()
     sender.offer(17, b"")
-    sender.due(0.0)
+    sender.to_send(0.0)
     sender.acknowledged(payload)
     assert sender.overdue(9.0, 5.0) or sender.idle
 
@@ -91,7 +91,7 @@ def test_a_false_acknowledgement_harms_nothing(payload: bytes) -> None:
 def test_what_is_not_acknowledged_is_sent_again_after_longer_and_longer_waits() -> None:
     sender = Channel()
     sender.offer(17, b"hello")
-    times = [round(now * STEP, 3) for now in range(200) if sender.due(now * STEP)]
+    times = [round(now * STEP, 3) for now in range(200) if sender.to_send(now * STEP)]
     waits = [round(later - now, 3) for now, later in itertools.pairwise(times)]
     expected = [FIRST_RESEND, 2 * FIRST_RESEND, LAST_RESEND, LAST_RESEND]
     assert waits[:4] == pytest.approx(expected, abs=1.5 * STEP)
@@ -101,9 +101,9 @@ def test_a_message_that_later_ones_have_overtaken_is_sent_again_at_once() -> Non
     sender = Channel()
     for number in range(6):
         sender.offer(17, bytes([number]))
-    assert len(sender.due(0.0)) == 6
+    assert len(sender.to_send(0.0)) == 6
     for upto in range(2, 6):
         sender.acknowledged(struct.pack("<IQ", 0, 1 << upto - 1))  # all but the first
-    assert [seq for _, seq, _ in sender.due(0.001)] == [1]
+    assert [seq for _, seq, _ in sender.to_send(0.001)] == [1]
     sender.acknowledged(struct.pack("<IQ", 6, 0))
     assert sender.idle

@@ -96,7 +96,7 @@ def test_what_stands_still_is_where_the_scene_has_it_at_all_times() -> None:
     free = SceneActor("ego", "ego", "car", 1.0, 2.0, 0.5, 4.0, 2.0, 1.5)
     placed = SceneActor("ego", "ego", "car", 1.0, 2.0, 0.5, 4.0, 2.0, 1.5, "main", 7.0, -1.5)
     for actor, station, offset in ((free, 0.0, 0.0), (placed, 7.0, -1.5)):
-        trace = AgentTrace.still(actor, time)
+        trace = AgentTrace.standing(actor, time)
         for column, value in (
             (trace.x, 1.0), (trace.y, 2.0), (trace.heading, 0.5), (trace.station, station),
             (trace.cross_track_error, offset), (trace.speed, 0.0), (trace.acceleration, 0.0),

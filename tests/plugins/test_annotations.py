@@ -74,7 +74,7 @@ def test_two_forms_of_one_type(annotation: Any, meaning: Any) -> None:
     ("annotation", "meaning"),
     [
         (float, Annotation(type_of(float))),
-        (int, Annotation(QuantityType(PURE, whole=True))),
+        (int, Annotation(QuantityType(PURE, is_integer=True))),
         (bool, Annotation(FlagType())),
         (str, Annotation(TextType())),
         (Literal["left", "right"], Annotation(WordType(), ("left", "right"))),

@@ -53,7 +53,7 @@ class Channel:
         """Take a message for sending; `label` names it where it never arrives."""
         self._waiting.append((type, payload, label))
 
-    def due(self, now: float) -> list[tuple[int, int, bytes]]:
+    def to_send(self, now: float) -> list[tuple[int, int, bytes]]:
         """What is to be sent now, as (type, sequence number, payload)."""
         out = []
         for seq, flight in self._flying.items():

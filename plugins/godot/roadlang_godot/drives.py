@@ -65,12 +65,12 @@ def usual_speed(actor: SceneActor, scene: Scene) -> float:
     return LanePlace.usual_speed if limit is None else limit
 
 
-def option_values(call: Call, usual: float = LanePlace.usual_speed) -> dict[str, Any]:
-    """The options that are numbers or words; an engine knows nothing else. `usual`: the speed of a
+def option_values(call: Call, default_speed: float = LanePlace.usual_speed) -> dict[str, Any]:
+    """The options that are numbers or words; an engine knows nothing else. `default_speed`: of a
     controller that says none."""
     out: dict[str, Any] = {}
     if "speed" in call.options and call.options["speed"] is None:
-        out["speed"] = usual
+        out["speed"] = default_speed
     for key, value in call.options.items():
         if isinstance(value, str) or (isinstance(value, (int, float)) and math.isfinite(value)):
             out[key] = value if isinstance(value, (str, bool)) else float(value)

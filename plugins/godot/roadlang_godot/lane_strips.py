@@ -103,12 +103,12 @@ def surface_of(lane: geometry.Lane) -> Surface:
     return _SURFACES.get(lane.kind, usual if lane.drivable or lane.raised else Surface.PLAIN)
 
 
-def _go_on(one: geometry.Lane, other: geometry.Lane, marking: str) -> bool:
+def _go_on(lane: geometry.Lane, other: geometry.Lane, marking: str) -> bool:
     """Whether two neighbors are drawn as one strip of equal lanes."""
-    alike = surface_of(one) == surface_of(other) == Surface.MARKED
+    alike = surface_of(lane) == surface_of(other) == Surface.MARKED
     if not alike or marking != "broken":
         return False
-    apart = np.abs(one.width.widths - other.width.at(one.width.stations))
+    apart = np.abs(lane.width.widths - other.width.at(lane.width.stations))
     return bool((apart < _SAME_WIDTH).all())
 
 

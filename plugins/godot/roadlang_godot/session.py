@@ -205,7 +205,7 @@ class Session:
             # Nobody listened for a while: that the engine was not heard then is no sign.
             self._last_heard = now
         self._last_pump = now
-        for type, seq, payload in self._channel.due(now):
+        for type, seq, payload in self._channel.to_send(now):
             self._last_sent = now
             self._link.send(protocol.pack(type, self._session, seq, payload))
         if now - self._last_sent > _PING_EVERY:

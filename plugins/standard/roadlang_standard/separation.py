@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     Separation = Callable[[AgentTrace, AgentTrace], Floats]
 
 
-def nearest(one: Any, other: Any, separation: Separation) -> Floats:
+def nearest(group: Any, other: Any, separation: Separation) -> Floats:
     """The least of a measure over two groups; nothing is compared with itself. It is infinite where
     one of the two has left."""
     import numpy as np
 
-    some = one if isinstance(one, tuple) else (one,)
+    some = group if isinstance(group, tuple) else (group,)
     others = other if isinstance(other, tuple) else (other,)
     pairs = [_while_present(a, b, separation) for a in some for b in others if a is not b]
     if not pairs:

@@ -134,7 +134,7 @@ def _opened(path: Path, scale: float | None) -> tuple[Picture, float | None]:
 
 
 def _extracted(
-    picture: Picture, scale: float | None, given: dict[str, Any]
+    picture: Picture, scale: float | None, arguments: dict[str, Any]
 ) -> tuple[Extraction, float]:
     """Run the kind with those of the options that were given; what it found, its CPU seconds.
 
@@ -145,17 +145,17 @@ def _extracted(
     from ..plugins.options import schema_of
     from ..plugins.results import check_extraction
 
-    entry = _extractor(given["kind"])
+    entry = _extractor(arguments["kind"])
     with plugin_guard(entry, None):
         kind = entry.load()
-    options = _options(picture, scale, given)
+    options = _options(picture, scale, arguments)
     fields = {option.name for option in schema_of(kind)}
     unfit = sorted(set(options) - fields - {"resolution"})
     if unfit:
         raise DiagnosticError(
             diagnose(
                 Code.UNSUPPORTED_EXTRACTOR_OPTION,
-                kind=given["kind"],
+                kind=arguments["kind"],
                 option=f"--{unfit[0].replace('_', '-')}",
             )
         )
@@ -184,17 +184,17 @@ def _extractor(name: str) -> KindEntry:
         raise DiagnosticError(diagnose(Code.UNKNOWN_EXTRACTOR, kind=name, help=hints)) from None
 
 
-def _options(picture: Picture, scale: float | None, given: dict[str, Any]) -> dict[str, Any]:
+def _options(picture: Picture, scale: float | None, arguments: dict[str, Any]) -> dict[str, Any]:
     options: dict[str, Any] = {}
     if scale is None:
         options["resolution"] = "unknown"
-    if given["width"] is not None:
-        options["width"] = given["width"] * picture.scale
-    if given["leave_out"]:
-        options["leave_out"] = tuple(((a, b), (c, d)) for a, b, c, d in given["leave_out"])
+    if arguments["width"] is not None:
+        options["width"] = arguments["width"] * picture.scale
+    if arguments["leave_out"]:
+        options["leave_out"] = tuple(((a, b), (c, d)) for a, b, c, d in arguments["leave_out"])
     for name in ("threshold", "through", "only_through", "model"):
-        if given[name]:
-            options[name] = given[name]
+        if arguments[name]:
+            options[name] = arguments[name]
     return options
 
 

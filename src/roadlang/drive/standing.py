@@ -24,7 +24,7 @@ def without_still(trace: Trace, scene: Scene) -> Trace:
 def with_still(trace: Trace, scene: Scene) -> Trace:
     """The trace with all objects of the scene: those that it lacks stand where they were placed."""
     missing = {
-        thing.name: AgentTrace.still(thing, trace.time)
+        thing.name: AgentTrace.standing(thing, trace.time)
         for thing in scene.objects
         if thing.name not in trace.agents
     }

@@ -190,7 +190,7 @@ def converted(
     if isinstance(value, tuple):
         return tuple(converted(option, v, candidates, element, single, resolve) for v in value)
     number = option.type.item if isinstance(option.type, ListType) else option.type
-    if isinstance(number, QuantityType) and number.whole and not isinstance(value, str):
+    if isinstance(number, QuantityType) and number.is_integer and not isinstance(value, str):
         return np.rint(value).astype(np.int64) if isinstance(value, np.ndarray) else round(value)
     return value
 

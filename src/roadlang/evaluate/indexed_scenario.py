@@ -72,11 +72,11 @@ class IndexedScenario:
         computed: T = self._computed[key]
         return computed
 
-    def observed(self, call: PassCall, made: T) -> T:
+    def observed(self, call: PassCall, result: T) -> T:
         """What a pass made, after the observer has seen it."""
         if self.observer is not None:
-            self.observer(call, made)
-        return made
+            self.observer(call, result)
+        return result
 
     def kind(self, call: PassCall) -> tuple[KindEntry, type[Kind]]:
         """The class that a call names. Raises RL470 when it cannot be imported."""

@@ -23,15 +23,15 @@ SETTINGS = tuple(option.name for option in schema_of(FalsifyOptions))
 
 
 def plan_of(
-    scenario: IndexedScenario, seed: int, searcher: str | None, given: Mapping[str, Any]
+    scenario: IndexedScenario, seed: int, searcher: str | None, overrides: Mapping[str, Any]
 ) -> tuple[Plan, tuple[str, ...]]:
     """The plan and the expectations to violate, the most important first.
 
-    `searcher` and `given` (values of `SETTINGS`, None where not set) come before the scene file.
+    `searcher` and `overrides` (values of `SETTINGS`, None where not set) precede the scene file.
     Raises `DiagnosticError` RL703 where there is nothing to violate, RL930 for a searcher that does
     not exist, RL208 for a value that is out of bounds.
     """
-    settings = _settings(scenario) | {k: v for k, v in given.items() if v is not None}
+    settings = _settings(scenario) | {k: v for k, v in overrides.items() if v is not None}
     expects = _expects(scenario.source, settings.pop("expects"))
     call = scenario.source.falsify
     registry = scenario.registry

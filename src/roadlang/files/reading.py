@@ -48,7 +48,7 @@ def read_file(path: Path, limit: int = LARGEST_INPUT) -> bytes:
     Devices, pipes and the like are refused before they are opened, since they may have no end, or
     wait for ever. Raises `UnreadableFile`.
     """
-    return _read(path, limit, whole=True)
+    return _read(path, limit, must_fit=True)
 
 
 def read_start(path: Path, count: int) -> bytes:
@@ -56,10 +56,10 @@ def read_start(path: Path, count: int) -> bytes:
 
     Raises `UnreadableFile`.
     """
-    return _read(path, count, whole=False)
+    return _read(path, count, must_fit=False)
 
 
-def _read(path: Path, limit: int, *, whole: bool) -> bytes:
+def _read(path: Path, limit: int, *, must_fit: bool) -> bytes:
     try:
         refuse_others(os.stat(path))
         # Should it have become a pipe in the meantime, opening does not wait for its other end.
@@ -67,7 +67,7 @@ def _read(path: Path, limit: int, *, whole: bool) -> bytes:
         with os.fdopen(handle, "rb") as file:
             found = os.fstat(handle)
             refuse_others(found)
-            content = file.read(limit + whole)
+            content = file.read(limit + must_fit)
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise UnreadableFile(reason, is_missing=isinstance(error, FileNotFoundError)) from None

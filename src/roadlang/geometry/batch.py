@@ -122,12 +122,12 @@ class CurveBatch(SharedArrays):
             CurveBatch(self.stations, self.points[rows], self.closed, self.period), rows
         )
 
-    def _computed_for(self, taken: Taken, rows: NDArray[Any]) -> Taken:
+    def _computed_for(self, rows_taken: Taken, rows: NDArray[Any]) -> Taken:
         """Rows of this batch, with what was computed of them so far."""
         computed = vars(self)
         for name in _COMPUTED & computed.keys():
-            vars(taken)[name] = read_only(computed[name][rows])
-        return taken
+            vars(rows_taken)[name] = read_only(computed[name][rows])
+        return rows_taken
 
 
 def _tangents(heading: Floats) -> Floats:

@@ -154,12 +154,12 @@ class FoldBounds:
             & (self._turned(rows, np.maximum(advance, least_advance), lost, aside) < _QUARTER)
         )
 
-    def _turn_little(self, rows: Extremes, lost: Floats, aside: Floats) -> Booleans:
+    def _turn_little(self, rows: Extremes, shortening: Floats, aside: Floats) -> Booleans:
         """Two steps (f, s) and (f', s'), f along the line and s to its left, turn by less than a
         quarter while `cosine * (f f' + s s') + sine * (s f' - f s')` is positive. Of opposite sign,
         s and s' multiply to no less than -((s' - s) / 2)^2."""
         greatest, change = rows.greatest, rows.change
-        smallest = self.shortest - lost
+        smallest = self.shortest - shortening
         change_forward = (
             self.length_change
             + greatest * self.forward_change[0]
@@ -173,10 +173,10 @@ class FoldBounds:
             2.0 * aside,
         )
         along = smallest**2 - change_aside**2 / 4.0
-        across = aside * change_forward + (self.longest + lost) * change_aside
+        across = aside * change_forward + (self.longest + shortening) * change_aside
         return np.asarray(_SURELY * self.cosine * along > self.sine * across)
 
-    def _turned(self, rows: Extremes, advance: Floats, lost: Floats, aside: Floats) -> Floats:
+    def _turned(self, rows: Extremes, advance: Floats, shortening: Floats, aside: Floats) -> Floats:
         """(V,) radians that the turns by the curvature do not exceed.
 
         With f = 1 - k e and w^2 = f^2 + e'^2 the curvature K is
@@ -196,7 +196,7 @@ class FoldBounds:
             + change * (self.forward[1] + self.gap * self.curvature / 2.0 + self.sideways_excess)
             + turn / 2.0
         )
-        longest = np.hypot(self.longest + lost, aside)
+        longest = np.hypot(self.longest + shortening, aside)
         return np.asarray(turned * np.minimum(self.gap + longer / advance, longest / advance))
 
 

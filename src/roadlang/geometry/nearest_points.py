@@ -98,7 +98,7 @@ def nearest_points(
     counted = np.zeros(len(points), dtype=bool)
     ours, theirs = _Boxes.of(points), _Boxes.of(line)
     for block in range(len(ours.span.first)):
-        chosen = _chosen(ours.one(block), theirs, along, ratio)
+        chosen = _chosen(ours.at(block), theirs, along, ratio)
         if not len(chosen):
             continue
         spans = zip(theirs.span.first[chosen], theirs.span.last[chosen], strict=True)
@@ -129,7 +129,7 @@ class _Boxes:
         low = np.minimum.reduceat(points, first, axis=0)
         return cls(BlockRange(first, last), low, np.maximum.reduceat(points, first, axis=0))
 
-    def one(self, block: int) -> _Boxes:
+    def at(self, block: int) -> _Boxes:
         """One of the blocks."""
         part = slice(block, block + 1)
         span = BlockRange(self.span.first[part], self.span.last[part])

@@ -95,7 +95,7 @@ class AgentTrace(Frozen):
         return {one.name: getattr(self, one.name) for one in fields(self)}
 
     @classmethod
-    def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:
+    def standing(cls, actor: SceneActor, time: Floats) -> AgentTrace:
         """What stands where the scene has it, at all times (T,)."""
         import numpy as np
 

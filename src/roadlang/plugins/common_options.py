@@ -23,11 +23,11 @@ from .lane_options import LaneOptions
 from .option_types import CallType, KindNameType, ListType, PointType, QuantityType, UnionType
 from .options import OptionSchema, option, schema_of
 
-JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
-LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, whole=True), KindNameType("lane")))]
+JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_integer=True))]
+LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, is_integer=True), KindNameType("lane")))]
 _RoutePoint = UnionType((PointType(LENGTH), CallType("position")))
 RoutePoints = Annotated[Any, ListType(_RoutePoint, at_least=1)]
-RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, whole=True))]
+RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_integer=True))]
 
 
 @dataclass(frozen=True)

@@ -113,7 +113,7 @@ def _plural(type_: OptionType) -> str:
 
 
 def _quantity(type_: types.QuantityType) -> str:
-    if type_.whole:
+    if type_.is_integer:
         return "integer"
     noun = str(type_.dimension).removeprefix("an ").removeprefix("a ")
     noun = "number" if noun == "dimensionless number" else noun

@@ -122,12 +122,12 @@ def _check_attributes(cls: type[Kind]) -> None:
             raise KindFault(reason, cls, "unit") from None
 
 
-def _is_like(value: object, usual: object) -> bool:
-    if isinstance(usual, tuple):
+def _is_like(value: object, default: object) -> bool:
+    if isinstance(default, tuple):
         return isinstance(value, tuple) and all(isinstance(item, str) for item in value)
-    if isinstance(usual, float):
+    if isinstance(default, float):
         return isinstance(value, int | float) and not isinstance(value, bool) and value >= 0
-    return isinstance(value, type(usual))
+    return isinstance(value, type(default))
 
 
 def _check_methods(cls: type[Kind]) -> None:

@@ -47,7 +47,7 @@ def _default_fault(option: OptionSchema) -> str | None:
 
 def _fits(value: Any, type_: OptionType) -> bool:
     if isinstance(type_, types.QuantityType):
-        return _is_number(value) and (isinstance(value, int) or not type_.whole)
+        return _is_number(value) and (isinstance(value, int) or not type_.is_integer)
     if isinstance(type_, types.LikeType):
         return _is_number(value)
     if isinstance(type_, types.FlagType):

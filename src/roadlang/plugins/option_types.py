@@ -13,7 +13,7 @@ class QuantityType:
     """A number of one dimension; `whole`: an integer."""
 
     dimension: Dimension
-    whole: bool = False
+    is_integer: bool = False
 
 
 @dataclass(frozen=True, slots=True)

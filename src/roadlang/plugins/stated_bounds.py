@@ -89,4 +89,4 @@ def _ends(value: Any) -> list[Any] | None:
 
 
 def _is_whole(type: object) -> bool:
-    return isinstance(type, QuantityType) and type.whole
+    return isinstance(type, QuantityType) and type.is_integer

@@ -120,17 +120,17 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
     }
 
 
-def _agent(agent: Any, kept: Integers) -> dict[str, Any]:
+def _agent(agent: Any, samples: Integers) -> dict[str, Any]:
     return {
         "name": agent.name,
         "size": _rounded(agent.length, agent.width),
-        "x": deltas(agent.x[kept], CENTIMETERS),
-        "y": deltas(agent.y[kept], CENTIMETERS),
-        "heading": deltas(np.unwrap(np.nan_to_num(agent.heading))[kept], 1000.0),
+        "x": deltas(agent.x[samples], CENTIMETERS),
+        "y": deltas(agent.y[samples], CENTIMETERS),
+        "heading": deltas(np.unwrap(np.nan_to_num(agent.heading))[samples], 1000.0),
     }
 
 
-def _verdict(judged: Judged, kept: Integers) -> Mapping[str, Any]:
+def _verdict(judged: Judged, samples: Integers) -> Mapping[str, Any]:
     verdict, series = judged.verdict, judged.series
     return {
         "name": verdict.name,
@@ -138,15 +138,15 @@ def _verdict(judged: Judged, kept: Integers) -> Mapping[str, Any]:
         "unit": judged.unit,
         "robustness": verdict.robustness,
         "satisfied": verdict.satisfied,
-        "series": None if series is None else [_short(value) for value in series[kept].tolist()],
+        "series": None if series is None else [_short(value) for value in series[samples].tolist()],
     }
 
 
-def _shades(worst: Judged | None, kept: Integers) -> list[int]:
+def _shades(worst: Judged | None, samples: Integers) -> list[int]:
     """(K,) the color of the path at each sample: from 0, violated, over 8 to 16, safe."""
     if worst is None or worst.series is None:
         return []
-    shades = color_shares(worst.series)[kept] * COLOR_STEPS + COLOR_STEPS
+    shades = color_shares(worst.series)[samples] * COLOR_STEPS + COLOR_STEPS
     found: list[int] = shades.astype(int).tolist()
     return found
 

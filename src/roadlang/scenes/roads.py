@@ -112,8 +112,8 @@ def share_equal_roads(candidates: CandidateBatch) -> None:
             candidates.once(("scene road", road.name), partial(_same, made))
 
 
-def _same(made: SceneRoad) -> SceneRoad:
-    return made
+def _same(road: SceneRoad) -> SceneRoad:
+    return road
 
 
 def _is_equal(road: ScenarioRoad, candidates: CandidateBatch) -> bool:

@@ -222,11 +222,13 @@ def _candidates(
     scene: int,
     start: int,
     count: int,
-    given: Mapping[str, Floats] | None = None,
+    values: Mapping[str, Floats] | None = None,
     record: DrawRecord | None = None,
 ) -> CandidateBatch:
     attempts = np.arange(start, start + count)
-    return CandidateBatch(acceptance.scenario, seed, np.full(count, scene), attempts, given, record)
+    return CandidateBatch(
+        acceptance.scenario, seed, np.full(count, scene), attempts, values, record
+    )
 
 
 def _scale(rho: Floats) -> Floats:

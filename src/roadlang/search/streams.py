@@ -61,9 +61,9 @@ def accepted_of_stream(
     return StreamResult(wanted, tuple(accepted), tuple(missing), stats)
 
 
-def _size(given: object) -> int | None:
+def _size(value: object) -> int | None:
     """A count or None. Raises `TypeError` for anything else, `ValueError` below 0."""
-    size = None if given is None else operator.index(given)  # type: ignore[arg-type]
+    size = None if value is None else operator.index(value)  # type: ignore[arg-type]
     if size is not None and size < 0:
         raise ValueError(f"its size is {size}")
     return size

@@ -48,9 +48,9 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
 
 
 def _fault(
-    one: _OccupiedRange, other: _OccupiedRange, group: list[_OccupiedRange], room: float
+    item: _OccupiedRange, other: _OccupiedRange, group: list[_OccupiedRange], room: float
 ) -> Diagnostic:
-    first, second = (one, other) if group.index(one) < group.index(other) else (other, one)
+    first, second = (item, other) if group.index(item) < group.index(other) else (other, item)
     gap = f"there are {room:.3g}m between them" if room > 0 else f"they overlap by {-room:.3g}m"
     help_ = f"{gap}: leave more room, or write `overlap: true` if that is meant"
     return diagnose(

@@ -176,6 +176,6 @@ def _row(actor: SceneActor, body: Body, friction: float, dt: float) -> tuple[flo
     )
 
 
-def _number(value: Any, usual: float) -> float:
+def _number(value: Any, default: float) -> float:
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return float(value) if is_number else usual
+    return float(value) if is_number else default

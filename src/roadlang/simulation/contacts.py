@@ -193,11 +193,11 @@ def first_contact(a: Outlines, b: Outlines, shift: tuple[Floats, Floats]) -> Flo
     return np.where(enter <= leave, enter, math.inf)
 
 
-def _overlap(start: Floats, change: Floats, reach: Floats) -> tuple[Floats, Floats]:
+def _overlap(start: Floats, change: Floats, distance: Floats) -> tuple[Floats, Floats]:
     """When `|start + change t| <= reach`, from and to."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        one, other = (-reach - start) / change, (reach - start) / change
-    inside = np.abs(start) <= reach
+        one, other = (-distance - start) / change, (distance - start) / change
+    inside = np.abs(start) <= distance
     still = change == 0.0
     first = np.where(still, np.where(inside, -math.inf, math.inf), np.minimum(one, other))
     last = np.where(still, np.where(inside, math.inf, -math.inf), np.maximum(one, other))

@@ -127,8 +127,8 @@ class GuardedController(Controller):
 def _only(batch: ControlBatch) -> Control:
     """The decision of a batch of one agent."""
 
-    def number(column: Floats | None, usual: float) -> float:
-        return usual if column is None else float(column[0])
+    def number(column: Floats | None, default: float) -> float:
+        return default if column is None else float(column[0])
 
     pose = None
     if batch.pose is not None and math.isfinite(batch.pose[0, 0]):

@@ -122,7 +122,7 @@ def _comes_close(
 
 
 def _circles(
-    window: Window, column: Integers, things: Outlines, half: Floats, own: Floats
+    window: Window, column: Integers, things: Outlines, half: Floats, half_width: Floats
 ) -> tuple[Floats, Floats]:
     """(P,) gap and heading of the line, as `nearest_in_corridor`, by circles (C, P)."""
     share = np.linspace(-1.0, 1.0, CIRCLES)[:, None]
@@ -140,11 +140,11 @@ def _circles(
     s = window.s[place] + cosine * dx + sine * dy
     left = cosine * dy - sine * dx
     begins = s - np.minimum(things.half_width, things.half_length)
-    is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > own - AHEAD)
+    is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > half_width - AHEAD)
     swung = window.swung[place, column]
     free = np.where(left * swung > 0.0, half + np.abs(swung), half)
     fits = is_ahead & (np.abs(left) < free) & (s < window.view[column] + SAMPLE_SPACING)
-    gaps: Any = np.where(fits, begins - own, math.inf)
+    gaps: Any = np.where(fits, begins - half_width, math.inf)
     nearest = gaps.argmin(axis=0)
     heading = np.arctan2(sine[nearest, pair], cosine[nearest, pair])
     return gaps[nearest, pair], heading

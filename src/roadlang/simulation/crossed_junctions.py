@@ -143,14 +143,17 @@ def _of_line(world: World, agent: int, crossed: Sequence[SceneJunction]) -> list
 
 
 def _followed(
-    one: SceneConnection, begin: tuple[float, float], end: tuple[float, float] | None, length: float
+    connection: SceneConnection,
+    begin: tuple[float, float],
+    end: tuple[float, float] | None,
+    length: float,
 ) -> tuple[float, float]:
     """How far a line is from the ends of a connection, infinite if it does not follow it, and where
     on the line the connection ends."""
-    if end is not None and 0.0 < end[0] - begin[0] < DETOUR * one.length + 1.0:
+    if end is not None and 0.0 < end[0] - begin[0] < DETOUR * connection.length + 1.0:
         return begin[1] + end[1], end[0]
-    if length - begin[0] < one.length:
-        turned = sum(abs(piece * curvature) for piece, curvature in one.pieces)
+    if length - begin[0] < connection.length:
+        turned = sum(abs(piece * curvature) for piece, curvature in connection.pieces)
         return 1e3 + turned, length
     return math.inf, math.inf
 

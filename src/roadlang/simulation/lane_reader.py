@@ -157,9 +157,9 @@ def _reach_junctions(
         off_road[at] = least.max(axis=-1)
 
 
-def _within(ring: Floats, poses: Mapping[str, Floats], reach: float) -> Booleans:
-    """(T,) whose center is at most `reach` from the area."""
-    return np.asarray(outside_ring(ring, poses["x"][0], poses["y"][0]) < reach)
+def _within(ring: Floats, poses: Mapping[str, Floats], distance: float) -> Booleans:
+    """(T,) whose center is at most `distance` from the area."""
+    return np.asarray(outside_ring(ring, poses["x"][0], poses["y"][0]) < distance)
 
 
 def _outside_road(road: SceneRoad, points: Floats) -> Floats:

@@ -157,8 +157,8 @@ class Nearby:
         along, left = self._objects.places(world, rows)
         scenes = [world.scenes[row // world.slots].objects for row in rows]
 
-        def column(name: str, usual: Any, kind: Any = np.float64) -> Any:
-            out = np.full((len(rows), count), usual, dtype=kind)
+        def column(name: str, default: Any, kind: Any = np.float64) -> Any:
+            out = np.full((len(rows), count), default, dtype=kind)
             for row, objects in enumerate(scenes):
                 out[row, : len(objects)] = [getattr(one, name) for one in objects]
             return out

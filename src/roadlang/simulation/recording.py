@@ -65,10 +65,10 @@ class Recorder:
             row = int(self._rows[contact.agent // self._slots])
             self._events.setdefault(row, []).append(event)
 
-    def go_on_with(self, kept: Integers) -> None:
+    def go_on_with(self, rows: Integers) -> None:
         """Of the scenes that went on, only these still do."""
         self._close()
-        self._rows, self._over = self._rows[kept], self._over[kept]
+        self._rows, self._over = self._rows[rows], self._over[rows]
 
     def traces(self) -> list[Trace]:
         """The trace of each scene."""
@@ -96,7 +96,7 @@ class Recorder:
             own = tuple((part, first + slot) for part, first in parts)
             agents[actor.name] = AgentTrace.recorded(actor, time, AgentColumns(time, own))
         if scene.objects:
-            agents |= {actor.name: AgentTrace.still(actor, time) for actor in scene.objects}
+            agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.objects}
         events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
         events.sort(key=lambda event: (event["time"], event["agent"]))
         return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))

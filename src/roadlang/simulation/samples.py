@@ -102,7 +102,7 @@ class Samples:
                 )
                 for slot, actor in enumerate(record.agents)
             }
-            agents |= {actor.name: AgentTrace.still(actor, time) for actor in record.objects}
+            agents |= {actor.name: AgentTrace.standing(actor, time) for actor in record.objects}
             self._traces[scene] = Trace(time, agents, "the embedded engine")
         return self._traces[scene]
 

@@ -104,7 +104,9 @@ class SignalCall:
             things = places[rows[0]]
             objects = {
                 place: tuple(
-                    AgentTrace.still(world.scenes[scene].objects[place - self._slots], np.zeros(1))
+                    AgentTrace.standing(
+                        world.scenes[scene].objects[place - self._slots], np.zeros(1)
+                    )
                     for scene in within
                 )
                 for place in {place for named in things.values() for place in named}

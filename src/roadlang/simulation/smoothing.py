@@ -33,13 +33,13 @@ def smoothed(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     return even, columns[0], columns[1], np.unwrap(heading)
 
 
-def _averaged(s: Floats, values: Floats, at: Floats, reach: Floats) -> Floats:
+def _averaged(s: Floats, values: Floats, at: Floats, half_window: Floats) -> Floats:
     """Means over `at - reach` to `at + reach` of what is linear between `s`."""
-    fine = np.unique(np.concatenate([s, at, at - reach, at + reach]))
+    fine = np.unique(np.concatenate([s, at, at - half_window, at + half_window]))
     fine = fine[(fine >= s[0]) & (fine <= s[-1])]
     column = np.interp(fine, s, values)
     area = np.concatenate([[0.0], np.cumsum(0.5 * (column[1:] + column[:-1]) * np.diff(fine))])
-    sums = np.interp(at + reach, fine, area) - np.interp(at - reach, fine, area)
-    wide = reach > 1e-9
-    means = sums / np.where(wide, 2.0 * reach, 1.0)
+    sums = np.interp(at + half_window, fine, area) - np.interp(at - half_window, fine, area)
+    wide = half_window > 1e-9
+    means = sums / np.where(wide, 2.0 * half_window, 1.0)
     return np.asarray(np.where(wide, means, np.interp(at, s, values)))

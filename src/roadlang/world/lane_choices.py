@@ -70,9 +70,9 @@ def allowed_lanes(
     return found
 
 
-def _of_choice(lanes: LaneGraph, choice: Hashable, usual: str) -> list[int]:
+def _of_choice(lanes: LaneGraph, choice: Hashable, usual_kind: str) -> list[int]:
     if choice == "any":
-        return [n for group in _carriageways(lanes) for n in _usual(lanes, group, usual)]
+        return [n for group in _carriageways(lanes) for n in _usual(lanes, group, usual_kind)]
     if choice == "outer":
         return [
             max(group, key=lambda n: abs(lanes.lanes[n].lane)) for group in _carriageways(lanes)
@@ -89,8 +89,8 @@ def _carriageways(lanes: LaneGraph) -> list[tuple[int, ...]]:
     return sorted(set(lanes.carriageways))
 
 
-def _usual(lanes: LaneGraph, group: tuple[int, ...], usual: str) -> list[int]:
-    return [n for n in group if _kind(lanes, n) == usual] or list(group)
+def _usual(lanes: LaneGraph, group: tuple[int, ...], usual_kind: str) -> list[int]:
+    return [n for n in group if _kind(lanes, n) == usual_kind] or list(group)
 
 
 def _kind(lanes: LaneGraph, number: int) -> str:

@@ -79,12 +79,12 @@ def lanes_by_word(
 
 
 def _named_lane(
-    actor: ScenarioActor, section: CrossSection, word: str, against: bool, usual: str
+    actor: ScenarioActor, section: CrossSection, word: str, against: bool, usual_kind: str
 ) -> int:
     directed = section.driving_ids("backward" if against else "forward")
     driving = directed or section.driving_ids()
     if word == "first":
-        of_usual_kind = [id for id in driving if section.lane(id).kind == usual]
+        of_usual_kind = [id for id in driving if section.lane(id).kind == usual_kind]
         return next(iter((*of_usual_kind, *driving, *section.ids)))
     if word == "outer":
         return (driving or section.ids)[-1]

@@ -129,8 +129,8 @@ def _starts(
     ]
 
 
-def _number(actor: ScenarioActor, name: str, copies: CopyBatch, usual: float) -> Any:
+def _number(actor: ScenarioActor, name: str, copies: CopyBatch, default: float) -> Any:
     value = actor.options.get(name)
     if value is None:
-        return np.full(copies.count, usual)
+        return np.full(copies.count, default)
     return column(evaluate(value, copies, element_of(actor)), copies)

@@ -16,7 +16,7 @@ from ..plugins.guard import wrong_result
 Made = TypeVar("Made", Picture, Extraction, Curve, RoadBatch)
 
 
-def verified(call: PassCall, thing: str, made: Made, candidates: CandidateBatch) -> Made:
+def verified(call: PassCall, thing: str, result: Made, candidates: CandidateBatch) -> Made:
     """What a pass made of `thing` (`town`, `town/3`), verified and seen by the observer.
 
     Raises RL474, with the name of the plugin, for coordinates that are not finite. That stations
@@ -24,16 +24,16 @@ def verified(call: PassCall, thing: str, made: Made, candidates: CandidateBatch)
     several candidates are not looked at: what is accepted of them comes here again by itself.
     """
     if candidates.count == 1:
-        for part, points in _points(made):
+        for part, points in _points(result):
             if not np.isfinite(points).all():
                 fault = f"left {part}`{thing}` with coordinates that are not finite numbers"
                 raise wrong_result(candidates.scenario.kind(call)[0], call.span, fault)
-    return candidates.scenario.observed(call, made)
+    return candidates.scenario.observed(call, result)
 
 
-def _points(made: object) -> list[tuple[str, np.ndarray]]:
+def _points(result: object) -> list[tuple[str, np.ndarray]]:
     """The coordinates of what a pass made, and which part of it they are of."""
-    if isinstance(made, Extraction):
-        edges = made.network.edges
+    if isinstance(result, Extraction):
+        edges = result.network.edges
         return [(f"road {edge.id} of ", edge.curve.points) for edge in edges]
-    return [("", made.points)] if isinstance(made, Curve | RoadBatch) else []
+    return [("", result.points)] if isinstance(result, Curve | RoadBatch) else []

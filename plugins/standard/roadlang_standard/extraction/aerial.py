@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Floats
 
 from .clean import contract, drop_loops, extend_to_border, join, prune
-from .continuing import carry_on
+from .continuing import extend_dead_ends
 from .drafting import Draft, draft, usual_width_of
 from .evidence import Net, evidence, road_net
 from .found import FoundNetwork
@@ -24,7 +24,7 @@ from .scale import resized, start_scale
 from .skeleton import skeleton
 from .smoothing import stations
 from .tones import Image, Layer
-from .worth import drop_unworthy, prune_by_worth
+from .worth import drop_unworthy, prune_by_discounted_length
 
 _COARSE = 0.35
 """Share of the half-size view in the evidence."""
@@ -92,21 +92,31 @@ class Cutoffs:
 
     strong: float = 0.87
     weak: float = 0.52
-    spur: float = 36.0
-    crumb: float = 60.0
+    shortest_branch: float = 36.0
+    """a dead end is worth more, in pixels of certain evidence, or is cut"""
+    smallest_fragment: float = 60.0
+    """a part that nothing joins is worth more, or is dropped"""
     floor: float = 0.5
-    reach: float = 50.0
-    dear: float = 0.8
+    """evidence that is worth nothing"""
+    link_distance: float = 50.0
+    """dead ends this close may be linked"""
+    link_cost: float = 0.8
+    """of a link, for each of its pixels, at most"""
 
-    def choosy(self, shown: float) -> Cutoffs:
+    def stricter(self, shown: float) -> Cutoffs:
         """For a picture of which the user has shown roads, the shortest of `shown` pixels."""
-        spur, crumb = min(2.5 * self.spur, 0.8 * shown), min(4 * self.crumb, 0.8 * shown)
-        return replace(self, spur=spur, crumb=crumb, floor=0.75)
+        branch, fragment = (
+            min(2.5 * self.shortest_branch, 0.8 * shown),
+            min(4 * self.smallest_fragment, 0.8 * shown),
+        )
+        return replace(self, shortest_branch=branch, smallest_fragment=fragment, floor=0.75)
 
     def relaxed(self, share: float) -> Cutoffs:
         """The same with all cutoffs on evidence lowered to a share."""
         strong, weak, floor = (share * x for x in (self.strong, self.weak, self.floor))
-        return replace(self, strong=strong, weak=weak, floor=floor, dear=self.dear / share)
+        return replace(
+            self, strong=strong, weak=weak, floor=floor, link_cost=self.link_cost / share
+        )
 
 
 def roads_of_photo(
@@ -169,7 +179,7 @@ def roads_of_evidence(
             cutoffs, strong=strong, weak=request.threshold, floor=0.8 * request.threshold
         )
     if request.min_length is not None:
-        cutoffs = replace(cutoffs, spur=request.min_length)
+        cutoffs = replace(cutoffs, shortest_branch=request.min_length)
     surface = seen.surface.copy()
     score = cv2.GaussianBlur(seen.blend, (0, 0), 1.0)
     leave_out([surface, score], request.leave_out)
@@ -179,7 +189,7 @@ def roads_of_evidence(
             _forget_others([surface, score], score, ways, cutoffs.weak)
         for path in ways:
             paint(surface, score, path, request.width or max(5.0, _usual(seen)))
-        cutoffs = cutoffs.choosy(min(float(stations(path)[-1]) for path in ways))
+        cutoffs = cutoffs.stricter(min(float(stations(path)[-1]) for path in ways))
     graph, mask = _traced(score, cutoffs)
     few = request.threshold is None and len(graph.lines) <= _FEW
     for share in _FAINTER if few else ():
@@ -244,18 +254,18 @@ def _forget_others(layers: list[Layer], score: Layer, ways: list[Floats], weak: 
         layer[near <= 0] = 0
 
 
-def _tidy(graph: Graph, score: np.ndarray, usual: float, cutoffs: Cutoffs) -> None:
+def _tidy(graph: Graph, score: np.ndarray, road_width: float, cutoffs: Cutoffs) -> None:
     shape = (score.shape[0], score.shape[1])
-    contract(graph, 1.2 * usual)
-    prune(graph, 1.2 * usual, shape)
+    contract(graph, 1.2 * road_width)
+    prune(graph, 1.2 * road_width, shape)
     join(graph)
-    drop_unworthy(graph, score, cutoffs.crumb / 3, cutoffs.floor)
-    link_distance = max(cutoffs.reach, _GAP * usual)
+    drop_unworthy(graph, score, cutoffs.smallest_fragment / 3, cutoffs.floor)
+    link_distance = max(cutoffs.link_distance, _GAP * road_width)
     faint = (_CARRIED * cutoffs.strong, _CARRIED * cutoffs.weak)
-    carry_on(graph, score, faint, usual, link_distance)
-    link(graph, score, link_distance, cutoffs.dear)
-    drop_loops(graph, 6 * usual)
-    prune_by_worth(graph, score, cutoffs.spur, cutoffs.floor)
-    drop_unworthy(graph, score, cutoffs.crumb, cutoffs.floor)
-    contract(graph, 1.2 * usual)
-    drop_loops(graph, 6 * usual)
+    extend_dead_ends(graph, score, faint, road_width, link_distance)
+    link(graph, score, link_distance, cutoffs.link_cost)
+    drop_loops(graph, 6 * road_width)
+    prune_by_discounted_length(graph, score, cutoffs.shortest_branch, cutoffs.floor)
+    drop_unworthy(graph, score, cutoffs.smallest_fragment, cutoffs.floor)
+    contract(graph, 1.2 * road_width)
+    drop_loops(graph, 6 * road_width)

@@ -22,7 +22,7 @@ def roads_by_ribbons(image: Image) -> FoundNetwork:
 
     scale = start_scale(image)
     evidence = ribbon_evidence(resized(image, scale))
-    cutoffs = Cutoffs(strong=0.62, weak=0.42, floor=0.35, dear=1.2)
+    cutoffs = Cutoffs(strong=0.62, weak=0.42, floor=0.35, link_cost=1.2)
     found = roads_of_evidence(Seen(evidence, evidence), Request(), cutoffs)
     return found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
 

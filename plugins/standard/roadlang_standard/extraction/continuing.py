@@ -48,7 +48,7 @@ class Onward:
         return bool(min(turns) > _ONWARD)
 
 
-def carry_on(
+def extend_dead_ends(
     graph: Graph, score: Layer, levels: tuple[float, float], width: float, distance: float
 ) -> None:
     """Add to the graph, in place, the fainter lines that go straight on from its dead ends.

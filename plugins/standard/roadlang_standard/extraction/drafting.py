@@ -45,26 +45,26 @@ class Draft:
         return float(np.clip(self.wavelength * self.width, 8.0, 80.0))
 
 
-def draft(graph: Graph, surface: Layer, score: Layer, manner: Draft, method: str) -> FoundNetwork:
+def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: str) -> FoundNetwork:
     """Draw every line; `surface` and `score` are (h, w) in 0..1: road surface, and evidence."""
     placed: dict[int, Floats] = {}
     curves: dict[int, Floats] = {}
-    for chain in chains(graph, 1.5 * manner.width + 4):
-        _draw(chain, graph, surface, manner, placed, curves)
+    for chain in chains(graph, 1.5 * options.width + 4):
+        _draw(chain, graph, surface, options, placed, curves)
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
     roads = tuple(
-        _road(line, curves[id(line)], index, surface, score, manner) for line in graph.lines
+        _road(line, curves[id(line)], index, surface, score, options) for line in graph.lines
     )
-    return FoundNetwork(nodes, roads, surface >= manner.level, method)
+    return FoundNetwork(nodes, roads, surface >= options.level, method)
 
 
 def _draw(
     chain: LineChain,
     graph: Graph,
     surface: Layer,
-    manner: Draft,
+    options: Draft,
     placed: dict[int, Floats],
     curves: dict[int, Floats],
 ) -> None:
@@ -75,12 +75,12 @@ def _draw(
     for end, node in ((0, nodes[0]), (-1, nodes[-1])):
         points[end] = placed.get(node, points[end])
     if free_loop:
-        curve = _closed_curve(points, surface, manner)
+        curve = _closed_curve(points, surface, options)
     else:
         through = [graph.nodes[node] for node in nodes[1:-1]]
         degree = graph.degree()
         free = (degree[nodes[0]] == 1, degree[nodes[-1]] == 1)
-        curve = _open_curve(points, through, free, surface, manner)
+        curve = _open_curve(points, through, free, surface, options)
     placed.setdefault(nodes[0], curve[0])
     placed.setdefault(nodes[-1], curve[-1])
     _split(chain, nodes, graph, curve, placed, curves)
@@ -96,33 +96,33 @@ def _open_curve(
     through: list[Floats],
     free: tuple[bool, bool],
     surface: Layer,
-    manner: Draft,
+    options: Draft,
 ) -> Floats:
     weights = np.ones(len(points))
     for place in [points[0], points[-1], *through]:
-        near = np.hypot(*(points - place).T) < 0.6 * manner.width
+        near = np.hypot(*(points - place).T) < 0.6 * options.width
         if near.sum() < 0.5 * len(points):
             weights[near] = 0.02
-    tolerance, tightest = max(0.8, manner.tolerance * manner.width), 0.5 * manner.width
-    curve = smooth(points, manner.waves, tolerance, tightest, weights, free=free)
-    if manner.recenter and len(points) > manner.width:
+    tolerance, tightest = max(0.8, options.tolerance * options.width), 0.5 * options.width
+    curve = smooth(points, options.waves, tolerance, tightest, weights, free=free)
+    if options.recenter and len(points) > options.width:
         curve = resample(curve)
-        seen = sides(curve, surface, 1.1 * manner.width + 3, manner.level)
+        seen = sides(curve, surface, 1.1 * options.width + 3, options.level)
         held = (not free[0], not free[1])
-        curve = recentered(curve, seen, 0.8 * manner.waves, False, held)
-        curve = smooth(resample(curve), 0.6 * manner.waves, tolerance, tightest, free=free)
+        curve = recentered(curve, seen, 0.8 * options.waves, False, held)
+        curve = smooth(resample(curve), 0.6 * options.waves, tolerance, tightest, free=free)
     return curve
 
 
-def _closed_curve(points: Floats, surface: Layer, manner: Draft) -> Floats:
-    tolerance, tightest = max(0.8, manner.tolerance * manner.width), 0.5 * manner.width
-    curve = smooth(points[:-1], manner.waves, tolerance, tightest, closed=True)
-    if manner.recenter:
+def _closed_curve(points: Floats, surface: Layer, options: Draft) -> Floats:
+    tolerance, tightest = max(0.8, options.tolerance * options.width), 0.5 * options.width
+    curve = smooth(points[:-1], options.waves, tolerance, tightest, closed=True)
+    if options.recenter:
         curve = resample(np.vstack([curve, curve[:1]]))[:-1]
-        seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * manner.width + 3, manner.level)
+        seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * options.width + 3, options.level)
         ring = np.vstack([curve, curve[:1]])
-        ring = recentered(ring, seen, 0.8 * manner.waves, False, held=(False, False))
-        curve = smooth(resample(ring)[:-1], 0.6 * manner.waves, tolerance, tightest, closed=True)
+        ring = recentered(ring, seen, 0.8 * options.waves, False, held=(False, False))
+        curve = smooth(resample(ring)[:-1], 0.6 * options.waves, tolerance, tightest, closed=True)
     return np.vstack([curve, curve[:1]])
 
 
@@ -165,20 +165,20 @@ def _attached(piece: Floats, start: Floats, end: Floats, blend: float = 12.0) ->
 
 
 def _road(
-    line: Line, curve: Floats, index: dict[int, int], surface: Layer, score: Layer, manner: Draft
+    line: Line, curve: Floats, index: dict[int, int], surface: Layer, score: Layer, options: Draft
 ) -> FoundRoad:
     points = resample(curve, 2.0)
     at = points.astype(np.float32).reshape(1, -1, 2)
-    seen = sides(points, surface, 1.2 * manner.width + 3, manner.level)
-    solid = _along(surface, at) >= manner.sure
+    seen = sides(points, surface, 1.2 * options.width + 3, options.level)
+    solid = _along(surface, at) >= options.sure
     if solid.mean() > 0.1:
         seen = seen.where(solid)
     closed = line.closed
-    if manner.fixed_width is not None:
-        wide, spread = np.full(len(points), manner.fixed_width), 0.0
+    if options.fixed_width is not None:
+        wide, spread = np.full(len(points), options.fixed_width), 0.0
     else:
-        wide, spread = widths(seen, manner.width, 4 * manner.waves / 2, closed)
-        wide = np.sqrt(np.maximum(wide**2 - manner.blur**2, (0.4 * wide) ** 2))
+        wide, spread = widths(seen, options.width, 4 * options.waves / 2, closed)
+        wide = np.sqrt(np.maximum(wide**2 - options.blur**2, (0.4 * wide) ** 2))
     confidence = float(np.clip(_along(score, at).mean(), 0, 1)) * (1 - 0.5 * line.linked)
     return FoundRoad(
         index[line.start], index[line.end], points, wide, spread, round(confidence, 4), line.linked

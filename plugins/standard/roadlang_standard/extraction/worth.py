@@ -23,13 +23,13 @@ def mean_evidence(line: Line, score: Layer) -> float:
     )
 
 
-def worth(line: Line, score: Layer, floor: float) -> float:
+def discounted_length(line: Line, score: Layer, floor: float) -> float:
     """Length in pixels, discounted by how far the evidence is above `floor`."""
     share = (mean_evidence(line, score) - floor) / (1 - floor)
     return line.length * float(np.clip(share, 0, 1))
 
 
-def prune_by_worth(graph: Graph, score: Layer, least: float, floor: float) -> None:
+def prune_by_discounted_length(graph: Graph, score: Layer, least: float, floor: float) -> None:
     """Cut dead ends worth less than `least` pixels, least worthy first, in place."""
     shape = (score.shape[0], score.shape[1])
     while True:
@@ -40,7 +40,7 @@ def prune_by_worth(graph: Graph, score: Layer, least: float, floor: float) -> No
             if line.closed or len(free) != 1:
                 continue
             allowance = 0.5 if at_border(graph.nodes[free[0]], shape, 6.0) else 1.0
-            value = worth(line, score, floor)
+            value = discounted_length(line, score, floor)
             if value < allowance * least:
                 doomed.append((value, index))
         if not doomed:
@@ -74,7 +74,10 @@ def drop_unworthy(graph: Graph, score: Layer, least: float, floor: float) -> Non
     for part in components(graph):
         ends = {node for line in part for node in (line.start, line.end)}
         crossing = sum(at_border(graph.nodes[node], shape, 6.0) for node in ends) > 1
-        if sum(worth(x, score, floor) for x in part) >= (0.5 if crossing else 1.0) * least:
+        if (
+            sum(discounted_length(x, score, floor) for x in part)
+            >= (0.5 if crossing else 1.0) * least
+        ):
             worthy |= {id(line) for line in part}
     graph.lines = [line for line in graph.lines if id(line) in worthy]
     graph.drop_lonely()

@@ -160,19 +160,21 @@ def _searched(graph: LaneGraph, source: int) -> _Tree:
     return _Tree(cost, before)
 
 
-def _legs(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace, way: _Way) -> tuple[Leg, ...]:
-    if way.turn is None:
+def _legs(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace, route: _Way) -> tuple[Leg, ...]:
+    if route.turn is None:
         return lane_legs(graph, origin.lane, goal.lane, origin.station, goal.station, None)
-    tree = _tree(graph, way.turn.target)
+    tree = _tree(graph, route.turn.target)
     passed: list[tuple[Leg, ...]] = []
-    lane = way.entered
-    while lane != way.turn.target:
+    lane = route.entered
+    while lane != route.turn.target:
         entered, left, turn = tree.before[lane]
         passed.append(lane_legs(graph, entered, left, graph.begin[entered], graph.end[left], turn))
         lane = entered
-    last = lane_legs(graph, way.entered, goal.lane, graph.begin[way.entered], goal.station, None)
+    last = lane_legs(
+        graph, route.entered, goal.lane, graph.begin[route.entered], goal.station, None
+    )
     first = lane_legs(
-        graph, origin.lane, way.exit_lane, origin.station, graph.end[way.exit_lane], way.turn
+        graph, origin.lane, route.exit_lane, origin.station, graph.end[route.exit_lane], route.turn
     )
     return (*first, *(leg for part in reversed(passed) for leg in part), *last)
 

@@ -171,7 +171,7 @@ def of_kind(
         return checker.report(Code.COMPARED_WITH_ITSELF, call.span, name=name, operand=operand)
     if verb in ("signal", "drive_signal", "number"):
         return measured(checker, call.span, found, bound, name)
-    random = any(typed.random for typed in bound.given.values())
+    random = any(typed.random for typed in bound.stated.values())
     names = {option.name for option in found.schema}
     options, common = divided(bound.values, names)
     value = PassCall(verb, found.entry.qualified, options, name, call.span, common)
@@ -181,7 +181,7 @@ def of_kind(
 def _named_twice(checker: Checker, verb: str, bound: BoundOptions) -> str | None:
     """The agent or object that two options name; where things are placed, a group has members that
     are apart."""
-    named = [typed.value for typed in bound.given.values() if isinstance(typed.value, Entity)]
+    named = [typed.value for typed in bound.stated.values() if isinstance(typed.value, Entity)]
     names = [entity.name for entity in named if entity.role in ("agent", "object")]
     twice = (name for name in names if names.count(name) > 1)
     return next((n for n in twice if verb != "number" or not _is_group(checker, n)), None)

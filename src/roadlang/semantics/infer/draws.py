@@ -56,12 +56,12 @@ def _items(found: ResolvedKind, bound: BoundOptions) -> tuple[TypedExpression, .
 
 def _chosen(found: ResolvedKind, bound: BoundOptions) -> tuple[TypedExpression, ...]:
     for option in found.schema:
-        if option.name not in bound.given:
+        if option.name not in bound.stated:
             continue
         if isinstance(option.type, AnyType):
-            return (bound.given[option.name],)
+            return (bound.stated[option.name],)
         if isinstance(option.type, ListType) and isinstance(option.type.item, AnyType):
-            return bound.given[option.name].items
+            return bound.stated[option.name].items
     return ()
 
 
@@ -72,8 +72,8 @@ def _type_of(checker: Checker, found: ResolvedKind, bound: BoundOptions) -> ty.T
     if chosen:
         return _common_type(checker, chosen)
     numbers = [option.type for option in found.schema if isinstance(option.type, QuantityType)]
-    is_integer = bool(numbers) and all(number.whole for number in numbers)
-    return ty.Quantity(PURE, whole=is_integer)
+    is_integer = bool(numbers) and all(number.is_integer for number in numbers)
+    return ty.Quantity(PURE, is_integer=is_integer)
 
 
 def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Type | None:
@@ -90,9 +90,13 @@ def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Typ
             return None
     if isinstance(first.type, ty.Quantity):
         dimension = common_dimension(checker, parts, "chosen from")
-        is_integer = all(isinstance(part.type, ty.Quantity) and part.type.whole for part in parts)
+        is_integer = all(
+            isinstance(part.type, ty.Quantity) and part.type.is_integer for part in parts
+        )
         bare = all(isinstance(part.type, ty.Quantity) and part.type.bare for part in parts)
-        return None if dimension is None else ty.Quantity(dimension, whole=is_integer, bare=bare)
+        return (
+            None if dimension is None else ty.Quantity(dimension, is_integer=is_integer, bare=bare)
+        )
     if isinstance(first.type, ty.StringType):
         texts = [part.type.values for part in parts if isinstance(part.type, ty.StringType)]
         known = [values for values in texts if values is not None]

@@ -140,7 +140,9 @@ def infer_draw(checker: Checker, draw: ast.Draw, context: Context) -> TypedExpre
         dimension,
         fits_any=all(k.fits_any for k in kinds),
         bare=all(k.bare for k in kinds),
-        whole=low.constant is not None and low.constant == high.constant and kinds[0].whole,
+        is_integer=low.constant is not None
+        and low.constant == high.constant
+        and kinds[0].is_integer,
     )
     value = RandomValue(place, call, context.per, dimension)
     bounds = checker.bounds_of(value)

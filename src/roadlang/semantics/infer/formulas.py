@@ -64,7 +64,9 @@ def infer_comparison(
 
 
 def _is_whole(typed: TypedExpression) -> bool:
-    return isinstance(typed.type, Quantity) and typed.type.whole and typed.type.dimension.is_pure
+    return (
+        isinstance(typed.type, Quantity) and typed.type.is_integer and typed.type.dimension.is_pure
+    )
 
 
 def _formula(

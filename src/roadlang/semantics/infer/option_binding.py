@@ -26,9 +26,9 @@ from .when_condition import check_condition
 
 @dataclass(frozen=True, slots=True)
 class BoundOptions:
-    """The options that were given and fit. `complete`: no error was reported on the way."""
+    """The options that a block states and that fit. `complete`: no error was reported."""
 
-    given: dict[str, TypedExpression]
+    stated: dict[str, TypedExpression]
     complete: bool
     like: TypedExpression | None = None
     """One of the `Like` options, with the dimension that all of them have."""
@@ -37,7 +37,7 @@ class BoundOptions:
     def values(self) -> Options:
         """What the IR keeps, in the order of the kind's fields."""
         return FrozenDict({
-            name: typed.value for name, typed in self.given.items() if typed.value is not None
+            name: typed.value for name, typed in self.stated.items() if typed.value is not None
         })  # fmt: skip
 
 
@@ -117,12 +117,12 @@ def infer_option(
 
 def bound_of(
     checker: Checker,
-    given: dict[str, TypedExpression],
+    stated: dict[str, TypedExpression],
     schema: Sequence[OptionSchema],
     complete: bool,
 ) -> BoundOptions:
     """Options in the order of the schema, with their values, types and draws."""
-    ordered = {option.name: given[option.name] for option in schema if option.name in given}
+    ordered = {option.name: stated[option.name] for option in schema if option.name in stated}
     numbers: list[TypedExpression] = []
     for option in schema:
         if option.name in ordered:
@@ -196,7 +196,7 @@ def _record(
     bound = bind_options(checker, options, schema_of(record), context, owner=owner, span=value.span)
     if not bound.complete:
         return None
-    random = any(typed.random for typed in bound.given.values())
+    random = any(typed.random for typed in bound.stated.values())
     return TypedExpression(value.span, ty.MappingType(), Entries(bound.values), random)
 
 

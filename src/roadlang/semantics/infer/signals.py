@@ -34,7 +34,7 @@ def measured(
     text = name if member or not bound.values else call_text(name, bound.values)
     call = PassCall(verb, found.entry.qualified, bound.values, text, span)
     if verb == "number":
-        kind = Quantity(dimension, whole=found.kind.is_whole)
+        kind = Quantity(dimension, is_integer=found.kind.is_whole)
         return TypedExpression(span, kind, Measure(call), random=True)
     domain = _DOMAINS[verb]
     return TypedExpression(
@@ -53,7 +53,7 @@ def _dimension(
     constants = {name: constant_of(value) for name, value in bound.values.items()}
     known = {name: value for name, value in constants.items() if value is not None}
     for option in found.schema:
-        if option.name not in bound.given and not option.required:
+        if option.name not in bound.stated and not option.required:
             known.setdefault(option.name, option.default)
     try:
         with attributed():

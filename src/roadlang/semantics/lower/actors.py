@@ -144,12 +144,12 @@ def _options(
     bound = lower_options(
         checker, statement.word, block, [*spec.schema, *extra], context, statement.name.span
     )
-    if "spacing" in bound.given and "count" not in bound.given:
-        span = bound.given["spacing"].span
+    if "spacing" in bound.stated and "count" not in bound.stated:
+        span = bound.stated["spacing"].span
         checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text)
         return None, NO_OPTIONS
-    if "lane" in bound.given and "side" in bound.given:
-        checker.report(Code.LANE_AND_SIDE, bound.given["side"].span)
+    if "lane" in bound.stated and "side" in bound.stated:
+        checker.report(Code.LANE_AND_SIDE, bound.stated["side"].span)
         return None, NO_OPTIONS
     placement, rest = divided(bound.values, names)
     return (placement if bound.complete else None), rest

@@ -58,7 +58,7 @@ def lower_geometry(
         return None
     if not _spacing_is_fixed(checker, statement, bound.values):
         return None
-    if not lanes_fit(checker, statement, bound.given):
+    if not lanes_fit(checker, statement, bound.stated):
         return None
     if not _belongs_together(checker, statement, source.source, passes):
         return None

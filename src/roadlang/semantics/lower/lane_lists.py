@@ -22,43 +22,43 @@ _SAME_WIDTH = 1e-3
 Given = Mapping[str, TypedExpression]
 
 
-def lanes_fit(checker: Checker, statement: ast.Geometry, given: Given) -> bool:
+def lanes_fit(checker: Checker, statement: ast.Geometry, stated: Given) -> bool:
     """False, reported, where lanes are said twice, contradict each other, or are none."""
     if statement.word == "image":
         return True
-    if statement.word == "network" and not _same_in_every_scene(checker, given):
+    if statement.word == "network" and not _same_in_every_scene(checker, stated):
         return False
-    lists = [name for name in ("left", "right") if name in given]
+    lists = [name for name in ("left", "right") if name in stated]
     if not lists:
         return True
     name = statement.name.text
-    if any(option in given for option in ("lanes", "sidewalks")):
-        return _counted_too(checker, statement, given, lists)
-    sides = [_calls(checker, given[side].value) if side in given else [] for side in _SIDES]
+    if any(option in stated for option in ("lanes", "sidewalks")):
+        return _counted_too(checker, statement, stated, lists)
+    sides = [_calls(checker, stated[side].value) if side in stated else [] for side in _SIDES]
     if sides == [[], []]:
-        checker.report(Code.NO_LANES, given[lists[0]].span, name=name)
+        checker.report(Code.NO_LANES, stated[lists[0]].span, name=name)
         return False
-    if given.get("oneway") is not None and given["oneway"].value == Flag(True):
+    if stated.get("oneway") is not None and stated["oneway"].value == Flag(True):
         drives = [any(_kind(checker, call).drivable for call in side or []) for side in sides]
         if all(drives):
-            labels = [Label(given[side].span, "driving lanes") for side in lists]
+            labels = [Label(stated[side].span, "driving lanes") for side in lists]
             checker.report(
-                Code.ONEWAY_WITH_ONCOMING_LANES, given["oneway"].span, labels=labels, name=name
+                Code.ONEWAY_WITH_ONCOMING_LANES, stated["oneway"].span, labels=labels, name=name
             )
             return False
-    if "width" in given and None not in sides:
+    if "width" in stated and None not in sides:
         both = [*reversed(sides[0] or []), *(sides[1] or [])]
-        return _widths_fit(checker, name, both, given["width"])
+        return _widths_fit(checker, name, both, stated["width"])
     return True
 
 
 _SIDES = ("left", "right")
 
 
-def _same_in_every_scene(checker: Checker, given: Given) -> bool:
+def _same_in_every_scene(checker: Checker, stated: Given) -> bool:
     """The junctions of a network are planned once for all candidates."""
     for option in LANE_OPTIONS:
-        typed = given.get(option)
+        typed = stated.get(option)
         if option == "speed_limit" or typed is None or typed.value is None:
             continue
         if is_random(checker, typed.value):
@@ -70,14 +70,16 @@ def _same_in_every_scene(checker: Checker, given: Given) -> bool:
     return True
 
 
-def _counted_too(checker: Checker, statement: ast.Geometry, given: Given, lists: list[str]) -> bool:
-    option = "lanes" if "lanes" in given else "sidewalks"
+def _counted_too(
+    checker: Checker, statement: ast.Geometry, stated: Given, lists: list[str]
+) -> bool:
+    option = "lanes" if "lanes" in stated else "sidewalks"
     assert statement.block is not None
     written = next(o for o in statement.block.options if o.key.text == option)
     checker.report(
         Code.LANES_COUNTED_AND_LISTED,
         written.span,
-        labels=[Label(given[side].span, "listed here") for side in lists],
+        labels=[Label(stated[side].span, "listed here") for side in lists],
         help=f"leave `{option}` out",
         option=option,
     )

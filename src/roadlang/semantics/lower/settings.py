@@ -20,7 +20,7 @@ def lower_settings(checker: Checker, spec: StatementSpec, placed: PlacedStatemen
     span = placed.statement.span
     bound = lower_options(checker, spec.word, block, spec.schema, context, span)
     lower_passes(checker, spec, block, context)
-    traffic = bound.given.get("traffic")
+    traffic = bound.stated.get("traffic")
     if traffic is not None and traffic.value is not None and is_random(checker, traffic.value):
         expected = "the same in every scene: all lanes and junctions depend on it"
         checker.report(Code.MUST_NOT_BE_RANDOM, traffic.span, what="`traffic`", expected=expected)

@@ -44,7 +44,7 @@ def signal_arithmetic(
     kind = Quantity(
         dimension,
         fits_any=all(k.fits_any for k in kinds),
-        whole=node.operator in "+-*" and all(k.whole for k in kinds),
+        is_integer=node.operator in "+-*" and all(k.is_integer for k in kinds),
     )
     value = _folded(checker, node, left, right, dimension)
     if value is None:

@@ -130,13 +130,13 @@ def _quantity(
                 help=_unit_help(wanted, limits),
             )  # fmt: skip
         return None
-    if expected.whole and not _is_whole(checker, typed, kind, what):
+    if expected.is_integer and not _is_whole(checker, typed, kind, what):
         return None
     return typed if check_limits(checker, typed, limits, what, expected.dimension) else None
 
 
 def _is_whole(checker: Checker, typed: TypedExpression, kind: ty.Quantity, what: str) -> bool:
-    if kind.whole or kind.fits_any:
+    if kind.is_integer or kind.fits_any:
         return True
     if typed.constant is None and not typed.random:
         return True

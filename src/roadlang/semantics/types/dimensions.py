@@ -35,7 +35,7 @@ def infer_number(checker: Checker, number: ast.NumberLiteral, context: Context) 
         if value in (float("inf"), float("-inf")):
             return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}`")
         is_integer = value.is_integer()
-        kind = Quantity(fits_any=value == 0, bare=True, whole=is_integer)
+        kind = Quantity(fits_any=value == 0, bare=True, is_integer=is_integer)
         return TypedExpression(number.span, kind, ConstantValue(value), bounds=(value, value))
     unit = _unit(checker, number)
     if unit is None:
@@ -45,7 +45,7 @@ def infer_number(checker: Checker, number: ast.NumberLiteral, context: Context) 
     value *= unit.factor
     if value in (float("inf"), float("-inf")):
         return checker.report(Code.NOT_FINITE, number.span, what=f"`{number.digits}{number.unit}`")
-    kind = Quantity(unit.dimension, whole=unit.dimension.is_pure and value.is_integer())
+    kind = Quantity(unit.dimension, is_integer=unit.dimension.is_pure and value.is_integer())
     return TypedExpression(
         number.span, kind, ConstantValue(value, unit.dimension), bounds=(value, value)
     )

@@ -20,7 +20,7 @@ class Quantity:
     dimension: Dimension = PURE
     fits_any: bool = False
     bare: bool = False
-    whole: bool = False
+    is_integer: bool = False
 
     def __str__(self) -> str:
         return "a number" if self.fits_any else str(self.dimension)

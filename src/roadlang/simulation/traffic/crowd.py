@@ -53,7 +53,7 @@ class Crowd:
     length: Floats
     present: Booleans
     """else it has left"""
-    moves: Booleans
+    is_moving: Booleans
     obeys: Booleans
     politeness: Floats
     aggression: Floats

@@ -42,7 +42,7 @@ class Asking:
         distance, number = distance[each, slot], near.number[each, slot]
         short = tables.yields_any[number] | tables.must_stop[number]
         ahead = horizon(crowd.speed, np.where(short, SHORT_BOOKING, BOOKING))
-        asks = crowd.moves & crowd.obeys & (distance < ahead)
+        asks = crowd.is_moving & crowd.obeys & (distance < ahead)
         fresh = np.flatnonzero(asks & (grants.arrival[each, slot] == NEVER))
         arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
         grants.arrival[fresh, slot[fresh]] = arrival

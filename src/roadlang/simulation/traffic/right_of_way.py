@@ -176,7 +176,7 @@ def _remember(crowd: Crowd) -> None:
     grants, near = crowd.grants, crowd.near
     grants.forget(near.is_behind | ~crowd.present[:, None])
     obeys, speed, to_line = crowd.obeys[:, None], crowd.speed[:, None], near.to_line
-    ahead = ~near.is_behind & crowd.moves[:, None]
+    ahead = ~near.is_behind & crowd.is_moving[:, None]
     grants.order[near.must_stop & obeys] = NEVER
     grants.order[crowd.held & ~obeys & (to_line >= 0.0) & (speed < SIGN_SPEED)] = NEVER
     runs = ~obeys & (to_line >= 0.0) & (braking_to_stop(speed, to_line) > UNSTOPPABLE)

@@ -91,7 +91,7 @@ class SampledSignals:
         for name in self.signals:
             self.rows(name, 0, self.variants)
 
-    def given(self, name: str, first: int, last: int) -> FloatArray:
+    def unchecked(self, name: str, first: int, last: int) -> FloatArray:
         """Numbers per variant that need no check, shape (1, r)."""
         array = self.signals[name]
         part = array if array.shape[0] == 1 else array[first:last]

@@ -82,17 +82,17 @@ class _Blame:
         self,
         formula: f.TemporalOperator,
         interval: Interval | None,
-        asked: Mask,
+        samples_of: Mask,
         *,
         path: bool,
     ) -> Mask:
-        """The samples in the windows of `asked`; `path`: and those on the way to them."""
+        """The samples in the windows of `samples_of`; `path`: and those on the way to them."""
         past = formula.past
         reached = np.zeros(self.trace.samples, dtype=bool)
         windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, path=path)
         if windows is not None:
             low, high = windows.span
-            chosen = asked[::-1] if past else asked
+            chosen = samples_of[::-1] if past else samples_of
             reached[low : high + 1] = windows.reached(chosen, path=path)
         return reached
 
