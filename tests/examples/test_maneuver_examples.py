@@ -28,7 +28,8 @@ def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "name", ["cut_in", "overtaking", "platoon", "parked_row", "signals", "roundabout"]
+    "name",
+    ["cut_in", "overtaking", "platoon", "parked_row", "signals", "roundabout", "on_ramp"],
 )
 def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
     assert all(kept(name, tmp_path, 12))
@@ -43,6 +44,8 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
         ("overtaking", {"target:__truck,": "target: oncoming,"}),
         ("platoon", {"speed:__85km/h": "speed: 45km/h"}),
         ("roundabout", {"drive__with__traffic__}": "drive with pure_pursuit { speed: 11m/s } }"}),
+        ("on_ramp", {"drive__with__merge__{__to:__left,__within:__160m__}": "drive with traffic"}),
+        ("on_ramp", {"drive__with__merge": "drive with change_lane { to: left, force: true }#"}),
         ("parked_row", {"deceleration:__6m/s^2": "deceleration: 1m/s^2"}),
     ],
 )

@@ -165,9 +165,10 @@ def test_the_width_of_a_network_is_an_option_of_what_reads_it() -> None:
     ("written", "code", "underlined"),
     [
         ("at (900m, 900m)", "RL617", "(900m, 900m)"),
-        ("{ route: [(40m, 30m), (900m, 900m)] }", "RL617", "[(40m, 30m), (900m, 900m)]"),
-        ("{ route: [(900m, 900m), (40m, 30m)] }", "RL617", "[(900m, 900m), (40m, 30m)]"),
-        ("{ route: [(10m, 30m), (99m, 30m)], facing: back }", "RL618", "[(10m, 30m), (99m, 30m)]"),
+        ("{ route: [(40m, 30m), (900m, 900m)] }", "RL617", "(900m, 900m)"),
+        ("{ route: [(900m, 900m), (40m, 30m)] }", "RL617", "(900m, 900m)"),
+        ("at (40m, 30m) { route: [(99m, 30m), (900m, 900m)] }", "RL617", "(900m, 900m)"),
+        ("{ route: [(10m, 30m), (99m, 30m)], facing: back }", "RL618", "(99m, 30m)"),
         ("at random { lane: 9 }", "RL613", "9"),
     ],
 )  # fmt: skip

@@ -194,3 +194,10 @@ def test_drawn_points_without_a_way_are_drawn_again(sample: Sample) -> None:
     result = sample(town() + text, n=4)
     assert len(result.scenes) == 4
     assert result.candidates > 4
+
+
+def test_a_pedestrian_stands_on_the_sidewalk_at_a_junction(sample: Sample) -> None:
+    walker = "agent ego is pedestrian on town at junction(1) { lane: sidewalk }\n"
+    (scene,) = sample(town("lanes: 2, sidewalks: 2m", scale=20) + walker).scenes
+    ego = agent(scene)
+    assert ego.lane in (2, -2)

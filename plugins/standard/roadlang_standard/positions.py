@@ -91,7 +91,9 @@ class AtJunction(Position):
         if not leading:
             known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
             names = ", ".join(map(str, known)) or "none"
-            raise geometry.GeometryError(f"no lane leads to junction {self.id}; there are {names}")
+            raise geometry.GeometryError(
+                f"no lane leads to junction {self.id}; the ids of the junctions are: {names}"
+            )
         chosen = [lane for lane in leading if self.road in (None, lanes.lanes[lane].edge)]
         if not chosen:
             roads = ", ".join(map(str, sorted({lanes.lanes[lane].edge for lane in leading})))

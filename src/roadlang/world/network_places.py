@@ -182,6 +182,8 @@ class _Finder:
         ends = [sorted((graph.begin[lane], graph.end[lane])) for lane in lanes]
         if self.actor.at_fraction:
             numbers, station = _at_share(self._shares()[index], ends)
+        elif isinstance(self.actor.at, PassCall):
+            numbers, station = self._beside_lanes(edges, index)
         else:
             near = near_roads(graph, self._points()[index])
             rows = [near.edges.index(edge) for edge in edges]
@@ -202,6 +204,19 @@ class _Finder:
         if self.first is not self.copies:
             away = np.array([self._rows[row][-1] for row in index.tolist()])
             into.start[index] += away
+
+    def _beside_lanes(self, edges: list[int], index: Integers) -> tuple[Integers, Floats]:
+        """Which of some roads, and where on them, a position among their lanes (`junction(1)`) is.
+        Raises RL613 where it is on none of them."""
+        call, lanes = self.actor.at, self.lanes
+        assert isinstance(call, PassCall)
+        allowed = frozenset(n for n, lane in enumerate(lanes.lanes) if lane.edge in edges)
+        places = [
+            lane_places_of(self.actor, call, self.first, row, lanes, allowed)[0]
+            for row in index.tolist()
+        ]
+        numbers = [edges.index(lanes.lanes[place.lane].edge) for place in places]
+        return np.array(numbers), np.array([place.station for place in places])
 
     def _from_root(self, road: int, index: Integers, station: Floats) -> Floats:
         name, rows = f"{self.actor.on}/{road}", self.copies.rows[index]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..diagnostics import Code, Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..geometry.routes.lane_graph import LaneGraph
@@ -25,7 +25,7 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     parts = route_parts(actor, copies, lanes)
     for part in parts:
         if isinstance(part, NearPoints) and part.distance(0) > FARTHEST:
-            return _far(actor, part.point(0), part.distance(0), part is parts[0])
+            return _far(actor, part.point(0), part.distance(0), parts.index(part))
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
     if len(parts) == 1 or choice is None:
         return None
@@ -38,12 +38,24 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     return _no_way(actor, parts[found], stages, found, lanes)
 
 
+def _place_of(actor: ScenarioActor, part: int) -> str:
+    """The key of where a part of a way is written: `at`, or a point of the route."""
+    if "at" not in actor.option_spans:
+        return f"route {part}"
+    return "at" if part == 0 else f"route {part - 1}"
+
+
+def _span_of(actor: ScenarioActor, part: int) -> Span | None:
+    place = _place_of(actor, part)
+    return actor.span_of(place if place in actor.option_spans else "route")
+
+
 def _far(
-    actor: ScenarioActor, point: tuple[float, float], distance: float, is_first: bool
+    actor: ScenarioActor, point: tuple[float, float], distance: float, part: int
 ) -> Diagnostic:
     return diagnose(
         Code.FAR_FROM_LANES,
-        actor.span_of("at" if is_first and "at" in actor.option_spans else "route"),
+        _span_of(actor, part),
         x=f"{point[0]:g}m",
         y=f"{point[1]:g}m",
         distance=f"{distance:.3g}m",
@@ -73,7 +85,7 @@ def _no_way(
         help_ = f"see where the lanes of {names} lead to: `emit svg` draws them"
     return diagnose(
         Code.NO_WAY,
-        actor.span_of("route"),
+        _span_of(actor, failed),
         goal=_written(goal),
         network=actor.on,
         name=actor.name,

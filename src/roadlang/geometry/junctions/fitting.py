@@ -122,7 +122,8 @@ def _biarcs(ends: ConnectionEnds, hull: Floats) -> tuple[tuple[Floats, Floats], 
         second = np.where(b > 0.0, 2.0 * squared / (b + root), (root - b) / (2.0 * a))
     second = np.where(np.isfinite(second), second, 1e6)
     first = ratios * second
-    share = (first / (first + second))[..., None]
+    with np.errstate(invalid="ignore"):  # arms that meet at one point
+        share = (first / (first + second))[..., None]
     near = ends.start[:, None] + first[..., None] * u[:, None]
     far = ends.stop[:, None] - second[..., None] * v[:, None]
     joint = near + share * (far - near)

@@ -62,9 +62,13 @@ def lower_actor(
 
 
 def _option_spans(statement: ast.Actor) -> FrozenDict[str, Span]:
-    """Where `at` and the values of the options are written."""
+    """Where `at` and the values of the options are written, and the members of lists: `route 0`."""
     options = statement.block.options if statement.block else ()
     spans = {option.key.text: option.value.span for option in options}
+    for option in options:
+        if isinstance(option.value, ast.ListValue):
+            members = enumerate(option.value.items)
+            spans |= {f"{option.key.text} {place}": item.span for place, item in members}
     return FrozenDict(spans if statement.at is None else {**spans, "at": statement.at.span})
 
 
