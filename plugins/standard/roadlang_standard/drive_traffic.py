@@ -83,7 +83,8 @@ class Traffic(Controller):
         if self.speed is not None:
             return np.broadcast_to(np.asarray(self.speed, dtype=np.float64), seen.speed.shape)
         limit = seen.speed_limit_ahead(0.5 * braking, 0.0)
-        limit = np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
+        if not np.isfinite(limit).all():
+            limit = np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
         return np.asarray(limit * self.speed_factor)
 
 

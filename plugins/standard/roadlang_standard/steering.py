@@ -38,8 +38,9 @@ def target_speed(seen: ObservationBatch, speed: Column | None, deceleration: Col
     planned = PLANNED_SHARE * deceleration
     now = seen.speed_limit_ahead(planned, 0.0)
     soon = seen.speed_limit_ahead(planned, seen.speed / SPEED_GAIN)
-    limit = np.minimum(seen.speed_limit, np.minimum(now, soon))
-    return np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
+    place = seen.lane_place()
+    limit = np.minimum(place.speed_limit, np.minimum(now, soon))
+    return np.where(np.isfinite(limit), limit, place.usual_speed)
 
 
 def bend_speed(

@@ -141,7 +141,10 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class ObservationBatch:
-    """The states of N agents: columns (N,) of what `Observation` says of one."""
+    """The states of N agents: columns (N,) of what `Observation` says of one.
+
+    They are of the time at which the controller is called, and are read during that call alone.
+    """
 
     time: Floats
     step: float

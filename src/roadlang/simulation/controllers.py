@@ -72,21 +72,20 @@ class GuardedController(Controller):
             fault = f"gave a {type(decided).__name__}, not a ControlBatch"
             raise wrong_result(self.entry, None, fault)
         count = len(seen.x)
-        columns = {
-            name: None if value is None else self._column(value, name, count)
-            for name in ("steering", "acceleration", "heading", "line_offset", "line_time")
-            for value in (getattr(decided, name),)
-        }
-        steering, acceleration = columns["steering"], columns["acceleration"]
-        assert steering is not None
-        assert acceleration is not None
-        if np.isinf(acceleration).any() or np.isinf(steering).any():
+        steering = self._column(decided.steering, "steering", count)
+        acceleration = self._column(decided.acceleration, "acceleration", count)
+        if _has_infinite(acceleration) or _has_infinite(steering):
             raise wrong_result(self.entry, None, "gave controls that are not finite")
+        heading, offset, time = (
+            None if value is None else self._column(value, name, count)
+            for name, value in (
+                ("heading", decided.heading),
+                ("line_offset", decided.line_offset),
+                ("line_time", decided.line_time),
+            )
+        )
         pose = None if decided.pose is None else self._poses(decided.pose, count)
-        return ControlBatch(
-            steering, acceleration, columns["heading"], columns["line_offset"],
-            columns["line_time"], pose,
-        )  # fmt: skip
+        return ControlBatch(steering, acceleration, heading, offset, time, pose)
 
     def _poses(self, values: Any, count: int) -> Floats:
         numbers = real_numbers(values, "poses", self.entry, None)
@@ -122,6 +121,10 @@ class GuardedController(Controller):
         if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
             raise wrong_result(self.entry, None, f"gave {decision}, which is not finite")
         return control
+
+
+def _has_infinite(column: Floats) -> bool:
+    return not math.isfinite(np.add.reduce(column)) and bool(np.isinf(column).any())
 
 
 def _only(batch: ControlBatch) -> Control:

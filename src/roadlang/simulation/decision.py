@@ -62,8 +62,7 @@ class Decision:
         steering, acceleration = float(self.steering[row]), float(self.acceleration[row])
         return Control(steering, acceleration, heading, pose=pose)
 
-    def closed(self) -> Decision:
-        """With 0 for what nobody has decided."""
+    def close(self) -> None:
+        """0 is what nobody has decided."""
         for column in (self.steering, self.acceleration):
             column[np.isnan(column)] = 0.0
-        return self

@@ -39,6 +39,15 @@ class Group:
     """when each decided last"""
     held: Floats
     """(2, N) steering and acceleration then"""
+    built: Controller | None = None
+    """the controller with the options of all its agents, once there is one"""
+
+    @property
+    def of_all(self) -> Controller:
+        """The controller with the options of all its agents."""
+        if self.built is None:
+            self.built = self.controller.built(self.columns)
+        return self.built
 
     def restart(self, agents: Integers) -> None:
         """Controllers of some agents remember nothing."""
@@ -46,7 +55,7 @@ class Group:
             return
         again = np.flatnonzero(np.isin(self.rows, agents))
         if self.state is not None:
-            first = self.controller.first_state(self.controller.built(self.columns), len(self.rows))
+            first = self.controller.first_state(self.of_all, len(self.rows))
             self.state[again] = first[again]
         for row in again if self.singles else ():
             self.singles[row] = self.singles[row].anew()
@@ -55,7 +64,7 @@ class Group:
         """Agents are at other places of the world now; at -1, no more."""
         kept = np.flatnonzero(place[self.rows] >= 0)
         self.rows = place[self.rows[kept]]
-        self.columns = _part(self.columns, kept)
+        self.columns, self.built = _part(self.columns, kept), None
         self.state = None if self.state is None else self.state[kept]
         self.singles = [self.singles[row] for row in kept] if self.singles else []
         self.since, self.held = self.since[kept], self.held[:, kept]
@@ -92,8 +101,10 @@ class Crew:
                 out.put(group.rows[chosen], found)
                 if found.line_offset is not None:
                     _move_lines(world, group.rows[chosen], found)
-        self._ask_earlier(in_charge, view, out)
-        return out.closed()
+        if out.is_open.any():
+            self._ask_earlier(in_charge, view, out)
+            out.close()
+        return out
 
     def restart(self, agents: Integers) -> None:
         """Some agents are back at the start. Conditions are not: none of theirs may have any."""
@@ -112,8 +123,6 @@ class Crew:
     def _ask_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
         """A controller that does not steer, or does not accelerate, leaves that to the last one
         before it that does."""
-        if not out.is_open.any():
-            return
         for group in reversed(self._groups):
             open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
             chosen = np.flatnonzero(open_)
@@ -170,11 +179,11 @@ def _decided_now(
     group: Group, chosen: Integers, view: View, lasting: Booleans | None = None
 ) -> ControlBatch:
     rows = group.rows[chosen]
-    everyone = len(chosen) == len(group.rows)
-    columns = group.columns if everyone else _part(group.columns, chosen)
-    state = None if group.state is None else group.state[chosen]
     guarded = group.controller
-    decided = guarded.decide(guarded.built(columns), view.of(rows), state)
+    everyone = len(chosen) == len(group.rows)
+    built = group.of_all if everyone else guarded.built(_part(group.columns, chosen))
+    state = None if group.state is None else group.state[chosen]
+    decided = guarded.decide(built, view.of(rows), state)
     if state is not None:
         last = slice(None) if lasting is None else np.flatnonzero(lasting)
         group.state[chosen[last]] = state[last]

@@ -39,16 +39,18 @@ def leaders(world: World, poses: Poses) -> Leaders:
     pairs = (there & world.has_road.reshape(shape))[:, :, None] & there[:, None, :] & ~itself
     road = np.where(world.has_route, -1, world.road).reshape(shape)
     together = pairs & (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
-    gap = np.where(together, _gaps_on_roads(world, shape), math.inf)
+    gap = np.full(pairs.shape, math.inf)
+    if together.any():
+        gap = np.where(together, _gaps_on_roads(world, shape), gap)
     heading = poses.heading.reshape(shape)
     turned = heading[:, None, :] - heading[:, :, None]
     apart = pairs & ~together
     if apart.any():
         _search(world, poses, apart, gap, turned)
     first = gap.argmin(axis=2)
-    least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0]
-    speed = np.take_along_axis(world.motion.speed.reshape(shape), first, axis=1)
-    turn = np.take_along_axis(turned, first[:, :, None], axis=2)[:, :, 0]
+    scene, agent = np.ogrid[: shape[0], : shape[1]]
+    least, turn = gap[scene, agent, first], turned[scene, agent, first]
+    speed = world.motion.speed.reshape(shape)[scene, first]
     along = np.where(np.isfinite(least), speed * np.cos(turn), 0.0)
     return Leaders(gap, least.ravel(), along.ravel())
 

@@ -14,8 +14,8 @@ from ..ir.control import Observation, ObservationBatch
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
+from .lazy_observations import LazyObservations
 from .leaders import Leaders, leaders
-from .nearest import nearest
 from .neighbors import Nearby, StandingObjects
 from .obstacles import Obstacles
 from .poses import Poses, line_points
@@ -116,45 +116,7 @@ class View:
 
     def of(self, chosen: Integers) -> ObservationBatch:
         """What some agents see."""
-        everyone = len(chosen) == len(self.world.present)
-        rows: Any = slice(None) if everyone else chosen
-        world, poses = self.world, self.poses
-        motion = world.motion
-        error = np.arctan2(motion.sine[rows], motion.cosine[rows])
-        return ObservationBatch(
-            time=world.age[rows],
-            step=self.step,
-            agent=world.names[rows],
-            x=poses.x[rows],
-            y=poses.y[rows],
-            heading=poses.heading[rows],
-            speed=motion.speed[rows],
-            steering=np.arctan(motion.tangent[rows]),
-            cross_track_error=world.cross_track_error[rows],
-            heading_error=error,
-            station=world.station[rows],
-            wheelbase=world.bodies.wheelbase[rows],
-            road_offset=motion.offset[rows],
-            road_width=np.where(world.has_road[rows], poses.road_width[rows], math.inf),
-            line_ahead=lambda distance: self.line_ahead(rows, distance),
-            speed_for_bends=lambda *limits: self.surroundings.bends.at(world, rows, *limits),
-            vehicle_ahead=lambda: self.vehicle_ahead(rows),
-            length=world.bodies.length[rows],
-            width=world.bodies.width[rows],
-            yaw_rate=motion.yaw_rate[rows],
-            acceleration=motion.acceleration[rows],
-            contacts=world.contacts[rows],
-            traveled=world.traveled[rows],
-            lane_place=lambda: self.lane_place(chosen),
-            offset_of_lane=lambda which: self.of_lane(chosen, which, "middles"),
-            direction_of_lane=lambda which: self.of_lane(chosen, which, "direction"),
-            speed_limit_ahead=lambda braking, on: self.speed_limit_ahead(chosen, braking, on),
-            stop_ahead=lambda: self.right_of_way(chosen)[0],
-            right_of_way=lambda *temper: self.right_of_way(chosen, temper),
-            nearby=lambda distance: self.nearby(chosen, distance),
-            path_ahead=lambda distances: self.path_ahead(rows, distances),
-            nearest=lambda count: nearest(world, poses, chosen, count),
-        )
+        return LazyObservations(self, chosen)
 
     def line_ahead(
         self, rows: Any, distance: Floats | float

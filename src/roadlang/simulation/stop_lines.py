@@ -66,13 +66,16 @@ class StopLines:
         begin, seconds = span
         ahead = self.along[agents] - front[:, None]
         closed = np.isfinite(lap) & (moved > 0.0)
-        laps = np.floor(ahead[closed] / lap[closed, None])
-        ahead[closed] -= np.where(np.isfinite(laps), laps, 0.0) * lap[closed, None]
+        if closed.any():
+            laps = np.floor(ahead[closed] / lap[closed, None])
+            ahead[closed] -= np.where(np.isfinite(laps), laps, 0.0) * lap[closed, None]
+        crossed = np.zeros(len(agents), dtype=bool)
         agent, column = np.nonzero((ahead > 0.0) & (ahead <= moved[:, None]))
+        if not len(agent):
+            return crossed
         passed = ahead[agent, column] / moved[agent]
         time = begin[agent] + passed * np.broadcast_to(seconds, begin.shape)[agent]
         is_red = self.lights.is_red(self.connection[agents[agent], column], time)
-        crossed = np.zeros(len(agents), dtype=bool)
         crossed[agent[is_red]] = True
         return crossed
 

@@ -68,18 +68,26 @@ class Triggers:
             *_triggers(world, limits, signals, latched=False),
         ]
         self._number = np.arange(places)[:, None]
+        self._always: Integers | None = None
+        """what `in_charge` gives, where no condition changes it"""
         depths = [s.looks_back for t in self._triggers for s in t.signals.values()]
         self._samples = Samples(max(depths, default=0))
 
     def in_charge(self, world: World, poses: Poses) -> Integers:
         """(N,) the place of the controller in charge, -1 for none."""
-        active = self._exists
-        if self._triggers:
-            active = active.copy()
-            self._samples.add(world, poses)
-            for trigger in self._triggers:
-                holds = trigger.holds(self._samples, world.time)
-                active[trigger.place, trigger.rows] &= holds
+        if not self._triggers:
+            if self._always is None:
+                self._always = self._last(self._exists)
+            return self._always
+        active = self._exists.copy()
+        self._samples.add(world, poses)
+        for trigger in self._triggers:
+            holds = trigger.holds(self._samples, world.time)
+            active[trigger.place, trigger.rows] &= holds
+        return self._last(active)
+
+    def _last(self, active: Booleans) -> Integers:
+        """(N,) the last place that is active, -1 for none."""
         return np.asarray(np.where(active, self._number, -1).max(axis=0))
 
     def take(self, place: Integers, agents: Integers) -> None:
@@ -87,7 +95,7 @@ class Triggers:
         for trigger in self._triggers:
             trigger.take(place, agents)
         self._samples.take(agents)
-        self._exists = self._exists[:, agents]
+        self._exists, self._always = self._exists[:, agents], None
 
 
 def _triggers(

@@ -1,0 +1,112 @@
+"""What a batch of agents sees: columns that are computed when a controller first looks at them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from ..ir.control import ObservationBatch
+from .nearest import nearest
+
+
+class LazyObservations(ObservationBatch):
+    """The observations of the agents `chosen` in a view. It holds while the world stands still."""
+
+    __slots__ = ("chosen", "rows", "view")
+
+    view: Any
+    """a `View`, which this file must not import"""
+    chosen: Integers
+    rows: Any
+    """the same as an index: a slice where they are all agents, as that copies nothing"""
+
+    def __init__(self, view: Any, chosen: Integers) -> None:
+        everyone = len(chosen) == len(view.world.present)
+        for name, value in (
+            ("view", view),
+            ("chosen", chosen),
+            ("rows", slice(None) if everyone else chosen),
+            ("step", view.step),
+        ):
+            object.__setattr__(self, name, value)
+
+    if not TYPE_CHECKING:  # where it would hide what is no member
+
+        def __getattr__(self, name: str) -> Any:
+            if name in _COLUMNS:
+                value: Any = _COLUMNS[name](self.view)[self.rows]
+            elif name in _DERIVED:
+                value = _DERIVED[name](self)
+            else:
+                raise AttributeError(f"an observation has no member `{name}`")
+            object.__setattr__(self, name, value)
+            return value
+
+
+_COLUMNS: Mapping[str, Callable[[Any], Floats]] = {
+    "time": lambda view: view.world.age,
+    "agent": lambda view: view.world.names,
+    "x": lambda view: view.poses.x,
+    "y": lambda view: view.poses.y,
+    "heading": lambda view: view.poses.heading,
+    "speed": lambda view: view.world.motion.speed,
+    "cross_track_error": lambda view: view.world.cross_track_error,
+    "station": lambda view: view.world.station,
+    "wheelbase": lambda view: view.world.bodies.wheelbase,
+    "road_offset": lambda view: view.world.motion.offset,
+    "length": lambda view: view.world.bodies.length,
+    "width": lambda view: view.world.bodies.width,
+    "yaw_rate": lambda view: view.world.motion.yaw_rate,
+    "acceleration": lambda view: view.world.motion.acceleration,
+    "contacts": lambda view: view.world.contacts,
+    "traveled": lambda view: view.world.traveled,
+}
+"""(N,) of all agents."""
+
+
+def _heading_error(seen: LazyObservations) -> Floats:
+    motion = seen.view.world.motion
+    return np.asarray(np.arctan2(motion.sine[seen.rows], motion.cosine[seen.rows]))
+
+
+def _road_width(seen: LazyObservations) -> Floats:
+    has_road = seen.view.world.has_road[seen.rows]
+    return np.where(has_road, seen.view.poses.road_width[seen.rows], math.inf)
+
+
+def _speed_for_bends(seen: LazyObservations) -> Callable[..., Floats]:
+    bends, world = seen.view.surroundings.bends, seen.view.world
+    return lambda *limits: bends.at(world, seen.rows, *limits)
+
+
+def _lane(quantity: str) -> Callable[[LazyObservations], Callable[..., Floats]]:
+    return lambda seen: lambda which: seen.view.of_lane(seen.chosen, which, quantity)
+
+
+def _nearest(seen: LazyObservations) -> Callable[[int], tuple[Floats, ...]]:
+    world, poses = seen.view.world, seen.view.poses
+    return lambda count: nearest(world, poses, seen.chosen, count)
+
+
+_DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
+    "steering": lambda seen: np.arctan(seen.view.world.motion.tangent[seen.rows]),
+    "heading_error": _heading_error,
+    "road_width": _road_width,
+    "line_ahead": lambda seen: lambda distance: seen.view.line_ahead(seen.rows, distance),
+    "path_ahead": lambda seen: lambda distances: seen.view.path_ahead(seen.rows, distances),
+    "speed_for_bends": _speed_for_bends,
+    "vehicle_ahead": lambda seen: lambda: seen.view.vehicle_ahead(seen.rows),
+    "lane_place": lambda seen: lambda: seen.view.lane_place(seen.chosen),
+    "offset_of_lane": _lane("middles"),
+    "direction_of_lane": _lane("direction"),
+    "speed_limit_ahead": lambda seen: lambda *at: seen.view.speed_limit_ahead(seen.chosen, *at),
+    "stop_ahead": lambda seen: lambda: seen.view.right_of_way(seen.chosen)[0],
+    "right_of_way": lambda seen: lambda *temper: seen.view.right_of_way(seen.chosen, temper),
+    "nearby": lambda seen: lambda distance: seen.view.nearby(seen.chosen, distance),
+    "nearest": _nearest,
+}
+"""Of the chosen agents alone."""
