@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import Axis, DiagnosticError, Search, Searcher
 from roadlang_standard.cube_encoding import CubeEncoding
+from roadlang_standard.failure_model import graded
 from roadlang_standard.failure_spread import FailureSpread
 from roadlang_standard.falsify_cma import Cma
 from roadlang_standard.falsify_grid import Grid
@@ -153,6 +154,29 @@ def test_children_of_failures_spread_over_the_unordered_values() -> None:
     assert ((children >= 0.0) & (children <= 1.0)).all()
     assert (encoding.choices(children).sum(axis=0) > 0).all()
     assert (children[:, 0] < 0.5).mean() > 0.8, "the model has seen what fails"
+
+
+def test_the_safe_candidates_that_came_nearest_have_children_until_something_fails() -> None:
+    encoding = CubeEncoding(CONTINUOUS)
+    spread = FailureSpread(np.random.Generator(np.random.Philox(key=1)), encoding.choices)
+    vectors = np.random.default_rng(2).random((60, encoding.columns))
+    spread.tell(vectors[:5], np.full(5, 1.5), np.full((5, 0), np.nan))
+    assert not spread.has_parents, "nothing could be driven"
+    away = np.abs(vectors - 0.9).mean(axis=1)
+    spread.tell(vectors, 0.5 + 1e-6 * away, 0.1 * vectors)  # as good as flat: ranks decide
+    assert spread.has_parents
+    assert len(spread) == 0
+    children = spread.ask(30)
+    assert np.abs(children - 0.9).mean() < np.sort(away)[:20].mean()
+
+
+def test_safe_values_are_graded_by_rank_and_others_stay() -> None:
+    values = np.array([0.5001, 1.4, -0.7, 0.5, 0.5002, 7.0, 0.0])
+    found = graded(values)
+    assert np.argsort(found[[6, 3, 0, 4]]).tolist() == [0, 1, 2, 3]
+    assert found[4] - found[0] > 0.1
+    assert found[[1, 2, 5]].tolist() == [1.4, -0.7, 2.0]
+    assert graded(np.array([3.0, -0.5])).tolist() == [2.0, -0.5]
 
 
 def test_points_are_found_again_from_their_vectors() -> None:

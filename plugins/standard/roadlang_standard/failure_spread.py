@@ -1,4 +1,4 @@
-"""Candidates near failures that are known, to find others that are unlike them."""
+"""Candidates near failures that are known and near the safe drives that came nearest to failing."""
 
 from __future__ import annotations
 
@@ -13,71 +13,101 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_POOL = 40
-"""Children made for each that is chosen."""
+_POOL, _SHORTLIST = 24, 6
+"""Children made, and looked at more closely, for each that is chosen."""
+_ELITE, _FEWEST = 40, 10
+"""Safe candidates that are parents: the greatest number, and that with which it begins."""
+_RECENT = 400
+"""Failures of which differences are taken: the latest."""
 _LEAST_STEP, _MOST_STEP = 0.03, 0.4
 """Of the normal steps that children take, in parts of each range."""
 _ON_LINE, _CROSSED = 0.3, 0.3
-"""Shares of children on the line between two failures, and mixed of two (uniform crossover)."""
-_APART = 1.3
-"""How far from all failures a child should be: further than 1 is distinct."""
-_ALIKE = 3.0
-"""What a child loses in value that is like a failure; the best value is below 0, the worst 1."""
+"""Shares of children on the line between two parents, and mixed of two (uniform crossover)."""
+_DIFFERENT = 0.3
+"""Share of the children that lie off a failure by the difference of two others."""
+_MOST_DIFFERENCE, _NEIGHBORS, _NOISE = 2.5, 30, 0.02
+"""The greatest multiple of the difference, how many neighbors it is of, normal steps beside it."""
+_UNLIKE = (1.3, 3.0)
+"""How far from all failures a child should be (further than 1 is distinct), and what it loses in
+value for what it lacks; the best value is below 0, the worst 1."""
+_UNLIKE_AT_FIRST = (0.5, 0.3)
+"""The same until there are two distinct failures: to find any comes before variety."""
 
 
 class FailureSpread:
-    """Distinct failures and their offspring, of which a model of what was evaluated so far chooses
-    those that should fail, each unlike all others (surrogate-assisted illumination: Gaier, Asteroth
-    and Mouret 2018, without the grid of cells: distances of descriptors count)."""
+    """Distinct failures, the safe candidates of least robustness, and their offspring, of which a
+    model of what was evaluated so far chooses those that should fail, each unlike all failures
+    (surrogate-assisted illumination: Gaier, Asteroth and Mouret 2018, without the grid of cells:
+    distances of descriptors count)."""
 
     def __init__(self, random: np.random.Generator, choices: Callable[[Floats], Floats]) -> None:
         """`choices`: (n, c) the unordered values that vectors stand for; failures with others are
         unlike each other."""
         self._random = random
         self._choices = choices
-        self._parents: list[Floats] = []
+        self._distinct: list[Floats] = []
         self._descriptors: list[Floats] = []
+        self._failures: list[Floats] = []
+        self._elite: list[tuple[float, Floats]] = []
         self._model = FailureModel()
 
     def __len__(self) -> int:
-        return len(self._parents)
+        """How many distinct failures are known."""
+        return len(self._distinct)
+
+    @property
+    def has_parents(self) -> bool:
+        """Whether enough is known to ask for candidates."""
+        return len(self._distinct) > 1 or len(self._elite) >= _FEWEST
 
     def tell(self, vectors: Floats, values: Floats, descriptors: Floats) -> None:
         """What came of candidates, these or others: (n, columns), (n,), (n, D)."""
         import numpy as np
 
         self._model.tell(vectors, values, descriptors)
+        safe = np.flatnonzero((values >= 0.0) & (values < 1.0)).tolist()
+        self._elite += [(float(values[row]), vectors[row]) for row in safe]
+        self._elite = sorted(self._elite, key=lambda pair: pair[0])[:_ELITE]
         descriptors = np.column_stack([descriptors, self._choices(vectors)])
         for row in np.flatnonzero(values < 0.0):
+            self._failures = [*self._failures, vectors[row]][-_RECENT:]
             if self._descriptors:
                 gaps = np.stack(self._descriptors) - descriptors[row]
                 if (gaps * gaps).sum(axis=1).min() <= 1.0:
                     continue
-            self._parents.append(vectors[row])
+            self._distinct.append(vectors[row])
             self._descriptors.append(descriptors[row])
 
     def ask(self, count: int) -> Floats:
-        """(count, columns) vectors in [0, 1]; there has to be a failure."""
+        """(count, columns) vectors in [0, 1]; there have to be parents."""
         import numpy as np
 
         children = self._children(_POOL * count)
         values, predicted = self._model.predicted(children)
         descriptors = np.column_stack([predicted, self._choices(children)])
-        nearest = squares_apart(descriptors, np.stack(self._descriptors)).min(axis=1)
-        chosen = []
-        for _ in range(count):
-            lacking = np.maximum(_APART - np.sqrt(nearest), 0.0)
-            best = int((values + _ALIKE * lacking).argmin())
-            chosen.append(best)
-            off = squares_apart(descriptors, descriptors[best : best + 1])[:, 0]
-            nearest = np.minimum(nearest, off)
-            values[best] = np.inf
-        return children[chosen]
+        nearest, unlike = np.full(len(children), np.inf), _UNLIKE_AT_FIRST
+        if len(self) > 1:
+            nearest = squares_apart(descriptors, np.stack(self._descriptors)).min(axis=1)
+            unlike = _UNLIKE
+        best = np.argsort(values + _loss(nearest, unlike), kind="stable")[: _SHORTLIST * count]
+        chosen = _spread(values[best], descriptors[best], nearest[best], unlike, count)
+        return children[best[chosen]]
 
     def _children(self, count: int) -> Floats:
         import numpy as np
 
-        random, parents = self._random, np.stack(self._parents)
+        different = round(_DIFFERENT * count) if len(self._failures) >= _FEWEST else 0
+        children = self._varied(count - different)
+        if different:
+            children = np.concatenate([self._differing(different), children])
+        return np.asarray(1.0 - np.abs(np.mod(children, 2.0) - 1.0))
+
+    def _varied(self, count: int) -> Floats:
+        """Children of one parent or of two, in steps of many sizes."""
+        import numpy as np
+
+        random = self._random
+        parents = np.stack([*self._distinct, *(vector for _, vector in self._elite)])
         child = parents[random.integers(len(parents), size=count)]
         other = parents[random.integers(len(parents), size=count)]
         choice = random.random((count, 1))
@@ -86,5 +116,46 @@ class FailureSpread:
         child = np.where(choice < _ON_LINE, on_line, child)
         child = np.where((choice >= _ON_LINE) & (choice < _ON_LINE + _CROSSED), crossed, child)
         step = _LEAST_STEP * (_MOST_STEP / _LEAST_STEP) ** random.random((count, 1))
-        child = child + step * random.standard_normal(child.shape)
-        return np.asarray(1.0 - np.abs(np.mod(child, 2.0) - 1.0))
+        return np.asarray(child + step * random.standard_normal(child.shape))
+
+    def _differing(self, count: int) -> Floats:
+        """Failures, moved as failures near them differ from each other: along the directions in
+        which it goes on failing (differential evolution: Storn and Price 1997)."""
+        import numpy as np
+
+        random, failures = self._random, np.stack(self._failures)
+        base = np.stack(self._distinct if len(self._distinct) >= _FEWEST else self._failures)
+        base = base[random.integers(len(base), size=count)]
+        near = np.argsort(squares_apart(base, failures), axis=1, kind="stable")[:, :_NEIGHBORS]
+        rows = np.arange(count)
+        one, other = (
+            failures[near[rows, random.integers(near.shape[1], size=count)]] for _ in range(2)
+        )
+        moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (one - other)
+        noise = _NOISE * random.random((count, 1)) * random.standard_normal(base.shape)
+        return np.asarray(moved + noise)
+
+
+def _loss(squares: Floats, unlike: tuple[float, float]) -> Floats:
+    """What candidates lose that are as near as this to a failure, or to one that is chosen."""
+    import numpy as np
+
+    apart, alike = unlike
+    return np.asarray(alike * np.maximum(apart - np.sqrt(squares), 0.0))
+
+
+def _spread(
+    values: Floats, descriptors: Floats, nearest: Floats, unlike: tuple[float, float], count: int
+) -> list[int]:
+    """The rows of `count` candidates of little value, each unlike those before it. `nearest`: of
+    each candidate, the squared distance to the nearest failure."""
+    import numpy as np
+
+    values, chosen = values.copy(), []
+    for _ in range(count):
+        best = int((values + _loss(nearest, unlike)).argmin())
+        chosen.append(best)
+        gaps = descriptors - descriptors[best]
+        nearest = np.minimum(nearest, (gaps * gaps).sum(axis=1))
+        values[best] = np.inf
+    return chosen

@@ -36,10 +36,11 @@ class Cma(Searcher):
         help="share of failures in a generation at which the search starts somewhere else",
     )
     spread: Number = option(
-        0.95,
+        0.9,
         minimum=0,
         maximum=1,
-        help="share of candidates near failures that were found, to find others unlike them",
+        help="share of candidates near those that failed or came nearest to failing, chosen by a "
+        "model of what was evaluated so far, each unlike all failures",
     )
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
@@ -47,9 +48,10 @@ class Cma(Searcher):
 
 
 class CmaSearch(Search):
-    """Two runs of the strategy side by side, each with half of the points; the first begins in the
-    middle of the cube, all others at random points. Once failures are known, one run waits, and its
-    half is spread around them. What is over is replaced."""
+    """Runs of the strategy, each with half of a batch as its generation; the first begins in the
+    middle of the cube, all others at random points, and what is over is replaced. As soon as some
+    candidates could be driven, a share of each batch is spread around failures, and around the
+    safe candidates that came nearest to failing; the runs get the rest."""
 
     def __init__(self, axes: Sequence[Axis], seed: int, options: Cma) -> None:
         import numpy as np
@@ -60,7 +62,7 @@ class CmaSearch(Search):
         self._random = np.random.Generator(np.random.Philox(key=seed % 2**64))
         self._encoding = CubeEncoding(axes)
         self._options = options
-        self._failures = FailureSpread(self._random, self._encoding.choices)
+        self._spread = FailureSpread(self._random, self._encoding.choices)
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
@@ -74,9 +76,9 @@ class CmaSearch(Search):
         if columns < 2:  # the strategy needs two dimensions
             return self._encoding.points(self._random.random((count, columns)))
         self._population = self._population or max(_SMALLEST, round(0.5 * count))
-        share = round(count * self._options.spread) if len(self._failures) > 1 else 0
+        share = round(count * self._options.spread) if self._spread.has_parents else 0
         if share:
-            self._asked.append((self._failures, self._failures.ask(share)))
+            self._asked.append((self._spread, self._spread.ask(share)))
             count -= share
         number = 0
         while count > 0:
@@ -96,7 +98,7 @@ class CmaSearch(Search):
             restart = self._options.restart
             if isinstance(asked, _Run) and asked.tell(vectors, values[part], restart):
                 self._runs.remove(asked)
-            self._failures.tell(vectors, values[part], descriptors[part])
+            self._spread.tell(vectors, values[part], descriptors[part])
 
     def _new_run(self) -> _Run:
         import numpy as np
