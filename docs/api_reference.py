@@ -28,7 +28,8 @@ _SCENE = (
     "Profile", "Verdict", "ViolatedSegment", "RoadPlace", "Call", "Provenance",
 )  # fmt: skip
 _DIAGNOSTICS = (
-    "Diagnostic", "DiagnosticError", "Label", "Fix", "Code", "diagnose", "did_you_mean",
+    "Diagnostic", "DiagnosticError", "Label", "Source", "Span", "Fix", "Code", "diagnose",
+    "did_you_mean",
 )  # fmt: skip
 _FILES = ("read_input", "read_image", "to_json", "scene_from_json")
 _GEOMETRY = (
@@ -191,6 +192,8 @@ def _fields(kind: type) -> Iterator[str]:
     fields: dict[str, Any] = getattr(kind, "__dataclass_fields__", {})
     texts = _attribute_texts(kind)
     for name, field in fields.items():
+        if name.startswith("_"):
+            continue
         # "= ..." says that it may be left out; the values of factories say nothing
         optional = field.default is not MISSING or field.default_factory is not MISSING
         text = f": {texts[name]}" if texts.get(name) else ""

@@ -103,7 +103,17 @@ from .plugins.options import option
 from .version import API_VERSION
 
 if TYPE_CHECKING:
-    from .diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, diagnose, did_you_mean
+    from .diagnostics import (
+        Code,
+        Diagnostic,
+        DiagnosticError,
+        Fix,
+        Label,
+        Source,
+        Span,
+        diagnose,
+        did_you_mean,
+    )
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.control import Control, ControlBatch, Observation, ObservationBatch
@@ -152,7 +162,7 @@ if TYPE_CHECKING:
     from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
-    ".diagnostics": "Code Diagnostic DiagnosticError Fix Label diagnose did_you_mean",
+    ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.placed_batch": "PlacedBatch",
     ".ir.control": "Control ControlBatch Observation ObservationBatch",
@@ -204,11 +214,11 @@ __all__ = [
     "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
     "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
     "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead", "SignalPhase",
-    "Simulator", "Speed", "Standing", "String", "Trace", "Verdict", "ViolatedSegment", "Whole",
-    "Word", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_paint",
-    "kind_of", "list_of", "map_of", "one_of", "option", "pair_of", "quantity", "read_image",
-    "read_input", "record_of", "route_points", "scene_from_json", "signal_heads", "simulate_scenes",
-    "to_json", "vehicle_parameters",
+    "Simulator", "Source", "Span", "Speed", "Standing", "String", "Trace", "Verdict",
+    "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
+    "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
+    "quantity", "read_image", "read_input", "record_of", "route_points", "scene_from_json",
+    "signal_heads", "simulate_scenes", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

@@ -120,3 +120,19 @@ def test_a_single_reason_is_taken_and_anything_else_is_a_fault_of_the_plugin(
     text = TEXT.replace("simulate with tunnel\n", "").replace("{ size: 3m }", "")
     (found,) = testing.check(text, kinds=[Wrong])
     assert found.code == code
+
+
+@pytest.mark.parametrize(
+    ("emit", "reason"),
+    [
+        ("emit sbft", "it has no road"),
+        ('emit sbft { road: "mian" }', "it has no road"),
+        (f'{TEXT.splitlines()[0]}\nemit sbft {{ road: "mian" }}', "it has no road `mian`"),
+        (f'{TEXT.splitlines()[0]}\nemit sbft {{ road: "main" }}', None),
+        (f"{TEXT.splitlines()[0]}\nemit sbft", None),
+    ],
+)
+def test_road_points_need_their_road(emit: str, reason: str | None) -> None:
+    found = [(d.code, d.message) for d in testing.check(emit)]
+    message = f"`emit sbft` does not support this scenario: {reason}"
+    assert found == ([] if reason is None else [("RL243", message)])

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Backend, Flag, Length, String, option
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
-    from roadlang.api import Scene, SceneRoad
+    from roadlang.api import ScenarioContents, Scene, SceneRoad
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,14 @@ class SbftBackend(Backend):
     )
     size: Length = option(200.0, minimum=50, maximum=10000, help="width and height of the map")
     centered: Flag = option(True, help="move the road to the middle of the map")
+
+    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
+        """It is of one road, which has to be there."""
+        named = self.road.partition("/")[0]  # a road of a network is `town/3`
+        if not (contents.roads or contents.networks):
+            yield "it has no road"
+        elif self.road and named not in (*contents.roads, *contents.networks):
+            yield f"it has no road `{self.road}`"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         import json

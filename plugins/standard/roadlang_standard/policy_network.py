@@ -37,6 +37,8 @@ def policy(path: str, inputs: int) -> Callable[[NDArray[np.float32]], NDArray[np
             try:
                 (answer,) = session.run([found.name], {given.name: vectors[row : row + 1]})
                 out[row] = np.asarray(answer, dtype=np.float64).reshape(OUTPUTS)
+            # onnxruntime has no base class of errors; it raises ValueError, RuntimeError,
+            # and classes of its compiled part.
             except Exception as error:
                 raise _unusable(name, f"it fails: {_first_line(error)}") from error
         if not np.isfinite(out).all():
