@@ -61,7 +61,7 @@ def _type(type_: OptionType) -> Schema:
 
 
 _SCHEMAS: dict[type, Callable[[Any], Schema]] = {
-    types.QuantityType: lambda t: {"type": "integer" if t.whole else "number"},
+    types.QuantityType: lambda t: {"type": "integer" if t.is_integer else "number"},
     types.LikeType: lambda t: {"type": "number"},
     types.FlagType: lambda t: {"type": "boolean"},
     types.TextType: lambda t: {"type": "string"},
