@@ -3,6 +3,7 @@ perturbation is too short for the stations."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -82,25 +83,41 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
 
 def perturbed_names(scenario: IndexedScenario) -> list[str]:
     """The roads and networks that have a `perturb` of their own."""
-    things: tuple[ScenarioRoad | ScenarioNetwork, ...] = (
-        *scenario.roads.values(),
-        *scenario.networks.values(),
-    )
-    return [thing.name for thing in things if any(call.verb == "perturb" for call in thing.passes)]
+    return [
+        thing.name
+        for thing in _things(scenario)
+        if any(call.verb == "perturb" for call in thing.passes)
+    ]
 
 
-def does_not_fold(name: str, scenario: IndexedScenario) -> Requirement:
-    """A road does not run backward where it was pushed beyond the center of a bend."""
+def _things(scenario: IndexedScenario) -> tuple[ScenarioRoad | ScenarioNetwork, ...]:
+    return (*scenario.roads.values(), *scenario.networks.values())
+
+
+def _implied(
+    name: str,
+    scenario: IndexedScenario,
+    text: str,
+    rho: Callable[[str, CandidateBatch], Floats],
+    cost: float,
+) -> Requirement:
+    """A requirement on one road or network."""
     return Requirement(
         name=name,
-        text=f"`{name}` does not fold back on itself",
-        rho=partial(_unfolded, name),
-        cost=3.0,
+        text=text,
+        rho=partial(rho, name),
+        cost=cost,
         names=frozenset([name]),
         is_random=is_thing_random(name, scenario),
         implied=True,
         span=scenario.thing(name).span,
     )
+
+
+def does_not_fold(name: str, scenario: IndexedScenario) -> Requirement:
+    """A road does not run backward where it was pushed beyond the center of a bend."""
+    text = f"`{name}` does not fold back on itself"
+    return _implied(name, scenario, text, _unfolded, cost=3.0)
 
 
 def _unfolded(name: str, candidates: CandidateBatch) -> Floats:
@@ -120,25 +137,13 @@ def _unfolded(name: str, candidates: CandidateBatch) -> Floats:
 
 def hidden_perturbations(scenario: IndexedScenario) -> list[str]:
     """The roads and networks whose draws may make a wave too short for their stations."""
-    things: tuple[ScenarioRoad | ScenarioNetwork, ...] = (
-        *scenario.roads.values(),
-        *scenario.networks.values(),
-    )
-    return [thing.name for thing in things if unknown_features(thing, scenario)]
+    return [thing.name for thing in _things(scenario) if unknown_features(thing, scenario)]
 
 
 def is_shown_by_stations(name: str, scenario: IndexedScenario) -> Requirement:
     """No wave or bump of a road is too short for its stations."""
-    return Requirement(
-        name=name,
-        text=f"`{name}` has no wave or bump shorter than {STATIONS_PER_FEATURE} stations",
-        rho=partial(_room_for_stations, name),
-        cost=2.0,
-        names=frozenset([name]),
-        is_random=is_thing_random(name, scenario),
-        implied=True,
-        span=scenario.thing(name).span,
-    )
+    text = f"`{name}` has no wave or bump shorter than {STATIONS_PER_FEATURE} stations"
+    return _implied(name, scenario, text, _room_for_stations, cost=2.0)
 
 
 def _room_for_stations(name: str, candidates: CandidateBatch) -> Floats:

@@ -67,17 +67,7 @@ def _agreeing(
         return checker.report(
             Code.WRONG_TYPE, typed.span, what=what, expected=expected, found=typed.type
         )
-    if isinstance(default.type, ty.Quantity):
-        if not isinstance(typed.type, ty.Quantity):
-            what, expected = f"`{name}`", default.type
-            return checker.report(
-                Code.WRONG_TYPE,
-                typed.span,
-                labels=labels,
-                what=what,
-                expected=expected,
-                found=typed.type,
-            )
+    if isinstance(default.type, ty.Quantity) and isinstance(typed.type, ty.Quantity):
         return _same_dimension(checker, name, default.type, typed, labels)
     if type(default.type) is not type(typed.type):
         what, expected = f"`{name}`", default.type

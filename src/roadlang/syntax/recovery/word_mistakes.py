@@ -17,24 +17,18 @@ def next_item(place: ErrorPosition) -> Mistake | None:
     """A value is missing, and the next line's `key:` or `verb with` was read as the value."""
     if place.kind() not in ("COLON", "WITH") or not place.starts_line(-1):
         return None
-    before = place.back(-1)
-    if before is None or not before.wants_value:
-        return None
-    end = before.token(-1)[3]
-    span = place.source.span(end, end)
-    found = diagnose(
-        Code.UNEXPECTED_TOKEN,
-        span,
-        expected=expectation(before),
-        found=f"the next line, `{place.word(-1)}`",
-    )
-    return Mistake(found, culprit=place.index - 2)
+    return _value_missing(place)
 
 
 def next_statement(place: ErrorPosition) -> Mistake | None:
     """A value is missing, and the next line's statement word was read as the value."""
     if place.kind(-1) not in STATEMENT_KINDS or not place.starts_line(-1):
         return None
+    return _value_missing(place)
+
+
+def _value_missing(place: ErrorPosition) -> Mistake | None:
+    """The word before the place, on a new line, was read as the value of what precedes it."""
     before = place.back(-1)
     if before is None or not before.wants_value:
         return None
