@@ -13,6 +13,7 @@ from ..diagnostics.renamed_names import current_name
 if TYPE_CHECKING:
     from .evaluate.online import OnlineMonitor
     from .evaluate.smooth import smooth_rho
+    from .evaluate.streaming import DecidedSample, StreamMonitor
     from .evaluate.verdicts import Range, Verdict
     from .explain.causes import ViolationInterval
     from .explain.explanation import Explanation, Link
@@ -62,6 +63,7 @@ _HOMES = {
     "explain.mining": "Mined Parameter mine mine_front",
     "evaluate.online": "OnlineMonitor",
     "evaluate.smooth": "smooth_rho",
+    "evaluate.streaming": "DecidedSample StreamMonitor",
     "formula.terms": "Apply Arithmetic Constant Negate Term Variable",
     "formats.staliro": "read_staliro",
     "formats.text": "parse",
@@ -80,6 +82,7 @@ __all__ = [
     "Comparison",
     "Connective",
     "Constant",
+    "DecidedSample",
     "Eventually",
     "Explanation",
     "Formula",
@@ -98,6 +101,7 @@ __all__ = [
     "Parameter",
     "Range",
     "Since",
+    "StreamMonitor",
     "TemporalOperator",
     "Term",
     "Truth",

@@ -1,0 +1,172 @@
+"""A monitor of a stream: the robustness at each sample as soon as it is known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from ...diagnostics import Code
+from ..errors import stl_error
+from ..formula import formulas as f
+from ..formula.horizon import horizon
+from ..formula.interval import UNBOUNDED
+from . import operations as op
+from .graph import FormulaGraph
+from .kernels import GREATEST
+from .operations import NumberOperation, PointwiseOperation, Reaching, Read, Sliding
+from .position_text import position_text
+from .stream_nodes import (
+    Clock,
+    FutureReach,
+    FutureWindow,
+    PastReach,
+    PastWindow,
+    Pointwise,
+    Stream,
+    StreamNode,
+)
+
+
+class DecidedSample(NamedTuple):
+    """The robustness at the sample at `position`, whatever comes next."""
+
+    position: float
+    rho: float
+
+
+class StreamMonitor:
+    """Gives the robustness of a formula at every sample of a stream.
+
+    Of a formula that looks back, the robustness at the current sample is known at once; one that
+    looks ahead is known when its `delay`, the furthest that it looks, has passed. What is given is
+    what `formula.robustness` gives on the whole trace. Work and memory depend on the longest
+    interval only.
+
+    Raises DiagnosticError RL309 for a formula that looks ahead without end.
+    """
+
+    def __init__(self, formula: f.Formula) -> None:
+        self.formula = formula
+        self.delay = horizon(formula)
+        if math.isinf(self.delay):
+            raise stl_error(Code.ENDLESS_FUTURE, formula=str(formula))
+        self._names = sorted(formula.variables)
+        self._clock = Clock()
+        graph = FormulaGraph.of(formula)
+        self._steps = [
+            (_source(node.operation), _node(node.operation, len(node.inputs), self._clock),
+             node.inputs)
+            for node in graph.nodes
+        ]  # fmt: skip
+
+    def push(self, position: float, values: Mapping[str, float]) -> tuple[DecidedSample, ...]:
+        """Take the next sample; return the samples whose robustness has become known, in order.
+
+        Raises DiagnosticError RL301, RL302 or RL304 for a sample that does not fit, and forgets it.
+        """
+        place = self._clock.latest + self._clock.first
+        if not math.isfinite(position) or (self._clock.count and not position > place):
+            pair = f"{position_text(place)} is followed by {position_text(position)}"
+            raise stl_error(Code.INVALID_POSITIONS, problem=pair)
+        for name in self._names:
+            if name not in values:
+                raise stl_error(Code.MISSING_SIGNAL, name=name)
+            if values[name] != values[name]:
+                where = f"position {position_text(position)}"
+                raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=values[name], place=where)
+        place = self._clock.advance(float(position))
+        streams: list[Stream] = []
+        for source, node, inputs in self._steps:
+            if node is None:
+                streams.append([(place, source(values))])
+            else:
+                streams.append(node.step([streams[index] for index in inputs]))
+        return self._decided(streams[-1])
+
+    def finish(self) -> tuple[DecidedSample, ...]:
+        """The samples that are left, as if the trace ended here. No sample can follow."""
+        streams: list[Stream] = []
+        for _, node, inputs in self._steps:
+            fed = [streams[index] for index in inputs]
+            streams.append([] if node is None else node.finish(fed))
+        return self._decided(streams[-1])
+
+    def _decided(self, stream: Stream) -> tuple[DecidedSample, ...]:
+        first = self._clock.first
+        return tuple(DecidedSample(first + place, value) for place, value in stream)
+
+
+def _source(operation: op.Operation) -> Callable[[Mapping[str, float]], float]:
+    match operation:
+        case Read(name):
+            return lambda values: float(values[name])
+        case NumberOperation(value):
+            return lambda values: value
+    return lambda values: math.nan
+
+
+def _node(operation: op.Operation, inputs: int, clock: Clock) -> StreamNode | None:
+    match operation:
+        case Read() | NumberOperation():
+            return None
+        case PointwiseOperation(function):
+            return Pointwise(_SCALARS[function], inputs)
+        case Sliding(extreme, interval, past):
+            window = PastWindow if past else FutureWindow
+            return window(clock, interval or UNBOUNDED, 1 if extreme is GREATEST else -1)
+        case Reaching(interval, past):
+            return (PastReach if past else FutureReach)(clock, interval or UNBOUNDED)
+    raise TypeError(f"not an operation of a formula: {operation!r}")
+
+
+def _zero_for_nan(value: float) -> float:
+    return 0.0 if value != value else value
+
+
+def _difference(left: float, right: float) -> float:
+    return _zero_for_nan(left - right)
+
+
+def _quotient(left: float, right: float) -> float:
+    if right == 0.0:
+        return 0.0 if left == 0.0 else math.copysign(math.inf, left)
+    return _zero_for_nan(left / right)
+
+
+def _power(left: float, right: float) -> float:
+    return float(op.power(np.float64(left), np.float64(right)))  # type: ignore[arg-type]
+
+
+def _least(*values: float) -> float:
+    return min(values)
+
+
+def _greatest(*values: float) -> float:
+    return max(values)
+
+
+_SCALARS: dict[op.Function, Callable[..., float]] = {
+    op.TERM_FUNCTIONS["+"]: lambda left, right: _zero_for_nan(left + right),
+    op.TERM_FUNCTIONS["-"]: _difference,
+    op.TERM_FUNCTIONS["*"]: lambda left, right: _zero_for_nan(left * right),
+    op.TERM_FUNCTIONS["/"]: _quotient,
+    op.TERM_FUNCTIONS["^"]: _power,
+    op.TERM_FUNCTIONS["abs"]: abs,
+    op.TERM_FUNCTIONS["min"]: _least,
+    op.TERM_FUNCTIONS["max"]: _greatest,
+    op.negative: lambda value: -value,
+    op.ROBUST["<"]: lambda left, right: _difference(right, left),
+    op.ROBUST["=="]: lambda left, right: -abs(_difference(left, right)),
+    op.ROBUST["!="]: lambda left, right: abs(_difference(left, right)),
+}
+"""For one sample what the functions of arrays are for many; numbers may be infinite."""
+_SCALARS.update(
+    {
+        infinite: _SCALARS[function]
+        for function, infinite in op.OF_INFINITIES.items()
+        if function in _SCALARS
+    }
+)
