@@ -38,14 +38,20 @@ if TYPE_CHECKING:
 @click.option(
     "--strict", is_flag=True, help="Count a vacuous verdict as a violation (exit code 4)."
 )
+@click.option(
+    "--follow",
+    "following",
+    is_flag=True,
+    help="Read one TRACE (`-`: standard input) while it is being written; print a line whenever "
+    "FORMULA begins or ceases to hold.",
+)
 def command(
     formula: str,
     traces: tuple[str, ...],
-    agent: str | None,
-    as_json: bool,
+    following: bool,
     plot: str | None,
-    wrap: float | None,
-    strict: bool,
+    as_json: bool,
+    **how: Any,
 ) -> None:
     """Evaluate FORMULA on each TRACE (CSV with the positions in the first column, or JSON).
 
@@ -60,9 +66,18 @@ def command(
     """
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
+    if following and (len(traces) > 1 or plot or as_json or any(how.values())):
+        raise click.UsageError("--follow goes with one TRACE and no other option")
     from ..stl import parse, read_trace
 
     parsed = parse(formula)
+    if following:
+        from .follow import follow
+
+        failed = follow(parsed, traces[0])
+        code = exit_codes.EXPECTATION_VIOLATED if failed else exit_codes.DONE
+        click.get_current_context().exit(code)
+    agent, wrap = how["agent"], how["wrap"]
     findings = [_finding(parsed, read_trace(path, agent), path, wrap, plot) for path in traces]
     if as_json:
         echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
@@ -71,7 +86,7 @@ def command(
         echo(_table(findings))
     for finding in findings:
         _warn_of_empty_windows(finding)
-    failing = ("violated", "vacuous") if strict else ("violated",)
+    failing = ("violated", "vacuous") if how["strict"] else ("violated",)
     broken = any(finding["verdict"] in failing for finding in findings)
     click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
 
