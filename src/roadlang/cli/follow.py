@@ -74,21 +74,20 @@ def _lines(path: str) -> Generator[str, None, None]:
     from ..diagnostics import Code, DiagnosticError, diagnose
 
     try:
-        file = Path(path).open(encoding="utf-8-sig", errors="replace")
+        with Path(path).open(encoding="utf-8-sig", errors="replace") as file:
+            begun = ""
+            while True:
+                begun += file.readline()
+                if begun.endswith("\n"):
+                    yield begun
+                    begun = ""
+                else:
+                    time.sleep(_PAUSE)
     except OSError as problem:
         reason = str(problem.strerror).lower()
         raise DiagnosticError(
             diagnose(Code.UNREADABLE_TRACE, path=path, file=_name(path), problem=reason)
         ) from None
-    with file:
-        begun = ""
-        while True:
-            begun += file.readline()
-            if begun.endswith("\n"):
-                yield begun
-                begun = ""
-            else:
-                time.sleep(_PAUSE)
 
 
 def _name(path: str) -> str:
