@@ -53,7 +53,7 @@ class StreamNode(Protocol):
         ...
 
 
-class Pointwise:
+class StreamPointwise:
     """`function` of the inputs, sample by sample; inputs that look ahead come later than others."""
 
     def __init__(self, function: Scalar, count: int) -> None:
@@ -81,7 +81,7 @@ def joined(waiting: Sequence[deque[Sample]], inputs: Sequence[Stream]) -> list[l
 
 
 @dataclass
-class PastWindow:
+class StreamPastWindow:
     """The greatest (`sign` 1) or least (`sign` -1) over `t - interval`: a queue of the samples that
     are greater than all later ones (Lemire, Streaming maximum-minimum filter, 2006)."""
 
@@ -123,7 +123,7 @@ def _enqueue(queue: deque[Sample], sample: Sample, *, endless: bool) -> None:
 
 
 @dataclass
-class FutureWindow:
+class StreamFutureWindow:
     """The greatest (`sign` 1) or least (`sign` -1) over `t + interval`, which has an end.
 
     `upcoming` are the positions of samples whose value the input does not know yet.
@@ -168,7 +168,7 @@ class FutureWindow:
 
 
 @dataclass
-class PastReach:
+class StreamSince:
     """`left since[a, b] right`: of each witness the least of `right` there and `left` since then.
 
     A new value of `left` caps those of all witnesses, of which the queue holds the ones that are
@@ -215,7 +215,7 @@ class PastReach:
 
 
 @dataclass
-class FutureReach:
+class StreamUntil:
     """`left until[a, b] right`, b finite. Work a sample can grow to the length of the window."""
 
     clock: Clock

@@ -20,13 +20,13 @@ from .operations import NumberOperation, PointwiseOperation, Reaching, Read, Sli
 from .position_text import position_text
 from .stream_nodes import (
     Clock,
-    FutureReach,
-    FutureWindow,
-    PastReach,
-    PastWindow,
-    Pointwise,
     Stream,
+    StreamFutureWindow,
     StreamNode,
+    StreamPastWindow,
+    StreamPointwise,
+    StreamSince,
+    StreamUntil,
 )
 
 
@@ -113,12 +113,12 @@ def _node(operation: op.Operation, inputs: int, clock: Clock) -> StreamNode | No
         case Read() | NumberOperation():
             return None
         case PointwiseOperation(function):
-            return Pointwise(_SCALARS[function], inputs)
+            return StreamPointwise(_SCALARS[function], inputs)
         case Sliding(extreme, interval, past):
-            window = PastWindow if past else FutureWindow
+            window = StreamPastWindow if past else StreamFutureWindow
             return window(clock, interval or UNBOUNDED, 1 if extreme is GREATEST else -1)
         case Reaching(interval, past):
-            return (PastReach if past else FutureReach)(clock, interval or UNBOUNDED)
+            return (StreamSince if past else StreamUntil)(clock, interval or UNBOUNDED)
     raise TypeError(f"not an operation of a formula: {operation!r}")
 
 
