@@ -227,3 +227,22 @@ def test_the_line_to_follow_is_the_middle_of_the_lane() -> None:
     ego = scene.run("builtin", duration=20).trace.agents["ego"]
     assert ego.y[-1] == pytest.approx(float(section.offset(-1, 100.0)), abs=0.02)
     assert abs(ego.cross_track_error[-1]) < 0.02
+
+
+@pytest.mark.parametrize(("kind", "speed"), [("stanley", 45.0), ("car_follow", 36.0)])
+def test_fast_cars_do_not_swing_after_a_bend(kind: str, speed: float) -> None:
+    text = f"""
+    road main {{
+      draw with segments {{ pieces: [straight(200m), arc(400m, 40deg), straight(700m)] }}
+      width: 8m
+    }}
+    agent ego is car on main at 20m {{
+      start_speed: {speed}m/s
+      drive with {kind} {{ speed: {speed}m/s, lateral_acceleration: 30m/s^2 }}
+    }}
+    """
+    (drive,) = testing.sample(text, 1).run("builtin", duration=25)
+    ego = drive.trace.agents["ego"]
+    assert np.abs(ego.cross_track_error).max() < 2.5
+    straight = ego.station > 700.0
+    assert np.abs(ego.cross_track_error[straight]).max() < 0.1

@@ -28,5 +28,4 @@ func command(agent: Agent, signals: Callable, _dt: float) -> Vector2:
 		var wanted := _gap + maxf(0.0, agent.speed * _headway + braking)
 		pull = pow(wanted / maxf(gap, 0.1), 2.0)
 	var acceleration := clampf(max_acceleration * (free - pull), -HARDEST, max_acceleration)
-	var reach := clampf(0.5 * agent.speed, 5.0, 20.0)
-	return Vector2(pursuit(agent, reach), acceleration)
+	return Vector2(along_line(agent), acceleration)

@@ -7,6 +7,10 @@ const Agent := preload("res://agents/agent.gd")
 const SPEED_GAIN := 2.0
 ## Share of the greatest deceleration with which drivers plan to brake before a bend.
 const PLANNED_SHARE := 0.5
+## Seconds by which the curvature is looked up ahead.
+const PREVIEW_TIME := 0.12
+## Below it, a cross-track error is corrected as at this speed.
+const SLOWEST := 3.0
 
 var max_acceleration := 3.0
 var max_deceleration := 6.0
@@ -59,6 +63,18 @@ func bend_speed(agent: Agent, target: float) -> float:
 		var limit := agent.path.bend_speed(place, agent.direction, max_lateral, planned)
 		target = minf(target, limit)
 	return target
+
+
+## Steering angle that keeps to the line: its curvature, looked up ahead, and a correction of the
+## errors in place and heading.
+static func along_line(agent: Agent) -> float:
+	if agent.path == null:
+		return 0.0
+	var wheelbase: float = agent.body.wheelbase
+	var bend := atan(wheelbase * agent.line_curvature(PREVIEW_TIME * maxf(agent.speed, 0.0)))
+	# A car on a circle points along the circle at its rear axle.
+	var turn := angle_difference(agent.heading, agent.line_heading(-0.5 * wheelbase))
+	return bend + turn - atan(2.0 * agent.cross_track_error / maxf(agent.speed, SLOWEST))
 
 
 ## Steering angle of pure pursuit (Coulter 1992): the arc from the rear axle through the line

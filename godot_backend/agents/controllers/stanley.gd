@@ -1,6 +1,8 @@
 extends "res://agents/controllers/controller.gd"
 ## The Stanley controller (Hoffmann et al. 2007): heading error plus an angle for the cross-track
-## error of the front axle.
+## error of the front axle, and against yaw rates that are not those of the line.
+
+const YAW_DAMPING := 0.1
 
 var _speed := 0.0
 var _gain := 0.0
@@ -23,4 +25,6 @@ func command(agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	var left := -sin(direction) * off.x + cos(direction) * off.y
 	var turn := angle_difference(agent.heading, direction)
 	var steer := turn - atan2(_gain * left, _softening + maxf(agent.speed, 0.0))
+	var turning := agent.speed * agent.line_curvature(half)
+	steer -= YAW_DAMPING * (agent.yaw_rate - turning)
 	return Vector2(steer, toward(agent, bend_speed(agent, _speed)))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
 
-from .steering import bend_speed, pursuit
+from .steering import along_line, bend_speed
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
@@ -57,5 +57,4 @@ class CarFollow(Controller):
         free = 1.0 - share * share * share * share
         acceleration = self.acceleration * (free - pull * pull)
         acceleration = np.minimum(np.maximum(acceleration, -HARDEST), self.acceleration)
-        lookahead = np.minimum(np.maximum(0.5 * speed, 5.0), 20.0)
-        return ControlBatch(pursuit(seen, lookahead), acceleration)
+        return ControlBatch(along_line(seen), acceleration)

@@ -1,0 +1,1 @@
+"""How far the embedded engine and Godot agree on the same scenes."""

@@ -1,0 +1,22 @@
+"""The embedded engine and Godot come to the same: on random bends, alone and in traffic."""
+
+from __future__ import annotations
+
+import pytest
+
+from benchmarks.agreement.drives import in_embedded, in_godot
+from benchmarks.agreement.measures import Agreement, Pair
+from benchmarks.agreement.scenes import random_scenes
+from tests.godot.godot_engines import started
+
+pytestmark = [pytest.mark.godot, pytest.mark.slow]
+
+
+def test_both_engines_agree_on_twenty_random_scenes() -> None:
+    started().stop()
+    scenes = list(random_scenes(20, 12))
+    found = Agreement.of(map(Pair.of, in_embedded(scenes), in_godot(scenes)))
+    assert 6 <= found.failing <= 14, str(found)
+    assert found.speed_rmse <= 0.5, str(found)
+    assert found.lateral_correlation >= 0.9, str(found)
+    assert min(found.right_failing, found.right_safe) >= 0.8, str(found)
