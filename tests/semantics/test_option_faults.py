@@ -26,6 +26,9 @@ ROUTES = TOWN + "agent ego is car on town { % }\n"
 IN_TOWN = TOWN + "agent ego is car on town at %\n"
 EXPECT = LEAD + EGO + "expect e: always (%)\n"
 JOINED = f"road wide {{ {DRAWN} }}\nroad narrow {{ {DRAWN} }}\nroad both from wide {{ % }}\n"
+LEGEND = PLAN.replace('"#": road', '"#": %') + "network n from plan\n"
+    'image plan from """\n####\n""" { scale: 9m/px, legend: { "#": % } }\nnetwork n from plan\n'
+)
 FALSIFY = LEAD + EGO + "expect e: always (ego.speed > 1m/s)\nfalsify %\n"
 
 # The scene, what is written at its %, the code, the text that is underlined, the fix.
@@ -129,6 +132,8 @@ FAULTS = [
     (JOINED, "then: narrow, taper: 30", "RL202", "30", "30m"),
     (JOINED, "then: narrow, taper: 0m", "RL208", "0m", None),
     (JOINED, "taper: 3m", "RL219", "taper", None),
+    (LEGEND, "eastbond", "RL210", "eastbond", "eastbound"),
+    (LEGEND, "notrhbound", "RL210", "notrhbound", "northbound"),
     (FALSIFY, "with randon", "RL210", "randon", "random"),
     (FALSIFY, "wth random", "RL021", "wth", "with"),
     (FALSIFY, "with random { evalutions: 3 }", "RL220", "evalutions", "evaluations"),

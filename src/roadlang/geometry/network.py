@@ -44,6 +44,8 @@ class Edge(SharedArrays):
     before its start); one width is for all of it. `confidence` in [0, 1] is the extractor's.
     `cross_section` are its lanes along the curve, which also say the width, whatever `widths` is;
     without it the lanes are those that the network's options say. `Edge.of` makes one of them.
+    `forward` is True where all lanes run from the start to the end node, False where they run the
+    other way, None where the lanes say themselves how they run.
     What maps say besides: the `name` of the street, and `elevations` (n,), meters above the origin
     at even arc lengths, which nothing uses yet.
     """
@@ -57,6 +59,7 @@ class Edge(SharedArrays):
     cross_section: CrossSection | None = None
     name: str = ""
     elevations: Floats | None = None
+    forward: bool | None = None
 
     @classmethod
     def of(cls, id: int, start: int, end: int, curve: Curve, section: CrossSection) -> Edge:

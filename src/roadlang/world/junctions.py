@@ -11,6 +11,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..geometry import CrossSection, Edge, RoadNetwork
 from ..geometry.arrays import Floats
 from ..geometry.junctions.model import JunctionPlan
+from ..geometry.junctions.one_way import one_way
 from ..geometry.junctions.plan import PlanOptions, plan_junctions
 from ..ir.scenario import ScenarioNetwork
 from .lane_building import built_lanes, left_hand
@@ -85,7 +86,13 @@ def network_plans(
 def edge_section(edge: Edge, lanes: LanePlan, candidates: CandidateBatch) -> CrossSection:
     """The lanes of an edge before any `perturb`, of candidates that have the same ones."""
     built = built_lanes(lanes, candidates, edge.cross_section)
+    built = replace(built, pattern=directed(built.pattern, edge))
     return built.cross_section(edge.width, edge.width.stations)
+
+
+def directed(pattern: CrossSection, edge: Edge) -> CrossSection:
+    """The lanes of an edge, all in its direction where it has one."""
+    return pattern if edge.forward is None else one_way(pattern, edge.forward)
 
 
 def _greatest(

@@ -24,7 +24,7 @@ from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
 from .cross_sections import LaneBatch
-from .junctions import NetworkPlans, network_plans
+from .junctions import NetworkPlans, directed, network_plans
 from .lane_building import built_lanes
 from .lane_plan import lane_plan
 from .perturbation import perturbed
@@ -98,7 +98,9 @@ def lanes_of_edge(network: ScenarioNetwork, edge: int, candidates: CandidateBatc
     """
     root = network_root(network, candidates)
     plan = lane_plan(network, candidates.scenario)
-    lanes = built_lanes(plan, candidates, root.network.edge(edge).cross_section)
+    found = root.network.edge(edge)
+    lanes = built_lanes(plan, candidates, found.cross_section)
+    lanes = replace(lanes, pattern=directed(lanes.pattern, found))
     ring = root.junctions.plans[network.name].ring
     if edge in ring:
         lanes = replace(lanes, pattern=one_way(lanes.pattern, ring[edge]))

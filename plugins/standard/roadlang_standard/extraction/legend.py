@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -16,6 +16,14 @@ from .masks import roads_of_surface
 from .tones import Image
 
 ROAD = "road"
+WAYS = {
+    "eastbound": (1.0, 0.0),
+    "westbound": (-1.0, 0.0),
+    "northbound": (0.0, -1.0),
+    "southbound": (0.0, 1.0),
+}
+"""Directions of one-way roads, in pixels: y runs down."""
+ROADS = (ROAD, *WAYS)
 
 
 @dataclass(frozen=True)
@@ -39,13 +47,25 @@ def read_text(
         len(rows), width
     )
     kinds = dict(legend)
-    road = np.isin(cells, [c for c, kind in kinds.items() if kind == ROAD])
+    road = np.isin(cells, [c for c, kind in kinds.items() if kind in ROADS])
     things = tuple(
         LegendObject(kinds[str(cells[y, x])], float(x), float(y), 1.0, 1.0)
         for y, x in np.argwhere(~road)
         if str(cells[y, x]) in kinds
     )
-    return roads_of_cells(road, thickness), things
+    ways = _ways({name: np.isin(cells, _keys(kinds, name)) for name in WAYS})
+    return replace(roads_of_cells(road, thickness), ways=ways), things
+
+
+def _keys(legend: Mapping[str, str], kind: str) -> list[str]:
+    return [key for key, named in legend.items() if named == kind]
+
+
+def _ways(where: Mapping[str, NDArray[np.bool_]]) -> NDArray[np.float64] | None:
+    """(h, w, 2) directions, from where each is; None where no road has any."""
+    if not any(mask.any() for mask in where.values()):
+        return None
+    return np.asarray(sum(mask[..., None] * np.array(WAYS[name]) for name, mask in where.items()))
 
 
 def read_colors(
@@ -58,7 +78,7 @@ def read_colors(
     names = list(legend)
     palette = np.array([bgr(name) for name in names], float)
     label = _nearest(image, palette)
-    roads = [i for i, name in enumerate(names) if legend[name] == ROAD]
+    roads = [i for i, name in enumerate(names) if legend[name] in ROADS]
     road = np.isin(label, roads)
     things = tuple(
         thing
@@ -66,10 +86,15 @@ def read_colors(
         if i not in roads
         for thing in _things(label == i, legend[name])
     )
+    ways = _ways({
+        name: np.isin(label, [i for i, key in enumerate(names) if legend[key] == name])
+        for name in WAYS
+    })  # fmt: skip
     inner = cv2.distanceTransform(np.pad(road.astype(np.uint8), 1), cv2.DIST_L2, 5)
     if inner.max() <= 1.5:
-        return roads_of_cells(road, thickness or 1.0), things
-    return roads_of_surface(road.astype(np.float32), "legend", width=thickness, specks=2), things
+        return replace(roads_of_cells(road, thickness or 1.0), ways=ways), things
+    found = roads_of_surface(road.astype(np.float32), "legend", width=thickness, specks=2)
+    return replace(found, ways=ways), things
 
 
 def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> NDArray[np.intp]:

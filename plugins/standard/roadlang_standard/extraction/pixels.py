@@ -8,7 +8,7 @@ from roadlang.api import Code
 
 from .colors import NAMES, bgr
 from .found import FoundNetwork
-from .legend import ROAD, LegendObject, read_colors, read_text
+from .legend import ROAD, ROADS, LegendObject, read_colors, read_text
 from .tones import Image
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def read_legend(
     legend = dict(picture.legend)
     if not legend and picture.characters is not None:
         legend = {"#": ROAD}
-    if ROAD not in legend.values():
+    if not set(ROADS) & set(legend.values()):
         example = '`legend: { "#": road }`' if picture.characters else '`legend: { "white": road }`'
         raise DiagnosticError(
             diagnose(Code.LEGEND_WITHOUT_ROAD, help=f"add {example} to the image")

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from roadlang.geometry import Floats
 
+from .directions import runs_forward
 from .found import FoundNetwork, FoundRoad
 from .legend import LegendObject
 from .smoothing import resample
@@ -48,7 +50,8 @@ def extraction(
                 where[road.start] = curve.at(0.0)
             widths = np.maximum(road.widths * picture.scale, 1e-3)
             ids = (road.start, road.end)
-            edges.append(Edge(len(edges) + 1, *ids, curve, widths, road.confidence))
+            edge = Edge(len(edges) + 1, *ids, curve, widths, road.confidence)
+            edges.append(replace(edge, forward=runs_forward(road, found.ways)))
             errors.append(float(road.width_error * picture.scale))
     used = {node for edge in edges for node in (edge.start, edge.end)}
     nodes = tuple(Node(i, (float(x), float(y))) for i, (x, y) in enumerate(where) if i in used)

@@ -46,8 +46,9 @@ class ImageOptions:
     )
     legend: Legend = option(
         None,
-        words=("road",),
-        help="meaning of each character of a text image, or of each color of a drawing",
+        words=("road", "eastbound", "westbound", "northbound", "southbound"),
+        help="meaning of each character of a text image, or of each color of a drawing; "
+        "`eastbound` is a one-way road to the east, as far as a road of it goes that way",
         example='{ "#": road, "T": tree }',
     )
 
