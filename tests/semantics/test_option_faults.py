@@ -27,8 +27,6 @@ IN_TOWN = TOWN + "agent ego is car on town at %\n"
 EXPECT = LEAD + EGO + "expect e: always (%)\n"
 JOINED = f"road wide {{ {DRAWN} }}\nroad narrow {{ {DRAWN} }}\nroad both from wide {{ % }}\n"
 LEGEND = PLAN.replace('"#": road', '"#": %') + "network n from plan\n"
-    'image plan from """\n####\n""" { scale: 9m/px, legend: { "#": % } }\nnetwork n from plan\n'
-)
 FALSIFY = LEAD + EGO + "expect e: always (ego.speed > 1m/s)\nfalsify %\n"
 
 # The scene, what is written at its %, the code, the text that is underlined, the fix.
