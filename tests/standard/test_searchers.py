@@ -13,6 +13,7 @@ from roadlang_standard.cube_encoding import CubeEncoding
 from roadlang_standard.failure_model import graded
 from roadlang_standard.failure_spread import FailureSpread
 from roadlang_standard.falsify_cma import Cma
+from roadlang_standard.falsify_elites import Archive, Elites
 from roadlang_standard.falsify_grid import Grid
 from roadlang_standard.falsify_halton import Halton
 from roadlang_standard.falsify_random import Random
@@ -46,7 +47,7 @@ def rare(points: Floats) -> Floats:
     return np.asarray(away + 0.1 * wrong + 0.2 * few - 0.1)
 
 
-@pytest.mark.parametrize("searcher", [Random(), Halton(), Grid(steps=2), Cma()])
+@pytest.mark.parametrize("searcher", [Random(), Halton(), Grid(steps=2), Cma(), Elites(initial=10)])
 @pytest.mark.parametrize("axes", [MIXED, CONTINUOUS[:1], (WEATHER,)])
 def test_every_searcher_asks_for_points_of_the_unit_cube(
     searcher: Searcher, axes: Sequence[Axis]
@@ -60,7 +61,7 @@ def test_every_searcher_asks_for_points_of_the_unit_cube(
         search.tell(points, np.linspace(-1.0, 2.0, len(points)), points)
 
 
-@pytest.mark.parametrize("searcher", [Random(), Halton(), Cma()])
+@pytest.mark.parametrize("searcher", [Random(), Halton(), Cma(), Elites()])
 def test_a_search_is_the_same_for_the_same_seed_and_another_for_another(
     searcher: Searcher,
 ) -> None:
@@ -177,6 +178,38 @@ def test_safe_values_are_graded_by_rank_and_others_stay() -> None:
     assert found[4] - found[0] > 0.1
     assert found[[1, 2, 5]].tolist() == [1.4, -0.7, 2.0]
     assert graded(np.array([3.0, -0.5])).tolist() == [2.0, -0.5]
+
+
+def test_elites_cover_more_behavior_than_chance_and_fail_more() -> None:
+    def value(points: Floats) -> Floats:
+        return np.asarray(np.abs(points - 0.85).mean(axis=1) - 0.1)
+
+    def niches(searcher: Searcher) -> tuple[int, int]:
+        search, archive, failures = searcher.start(CONTINUOUS, seed=4), Archive(), 0
+        for _ in range(20):
+            points = search.ask(50)
+            values = value(points)
+            search.tell(points, values, 12.0 * points[:, :2])
+            failing = values < 0.0
+            archive.add(points[failing], values[failing], 12.0 * points[failing, :2])
+            failures += int(failing.sum())
+        return len(archive.vectors), failures
+
+    found, by_chance = niches(Elites()), niches(Random())
+    assert found[0] > 1.5 * by_chance[0]
+    assert found[1] > 3 * by_chance[1]
+
+
+def test_a_niche_keeps_its_worst_drive_and_what_was_not_driven_leaves() -> None:
+    archive = Archive()
+    undriven = np.full((2, 2), np.nan)
+    archive.add(np.array([[0.1], [0.2]]), np.array([1.9, 1.2]), undriven)
+    assert [vector.tolist() for vector in archive.vectors] == [[0.2]]
+    places = np.array([[0.0, 0.0], [0.5, 0.0], [3.0, 0.0]])
+    archive.add(np.array([[0.3], [0.4], [0.5]]), np.array([0.5, -0.1, 0.7]), places)
+    assert [vector.tolist() for vector in archive.vectors] == [[0.4], [0.5]]
+    archive.add(np.array([[0.6], [0.7]]), np.array([1.1, 0.6]), np.array([[9.0, 9.0], [0.2, 0.0]]))
+    assert archive.values == [-0.1, 0.7]
 
 
 def test_points_are_found_again_from_their_vectors() -> None:

@@ -79,6 +79,7 @@ _KINDS = {
     "sample halton": "sample_halton:HaltonSampler",
     "sample guided": "sample_guided:Guided",
     "falsify random": "falsify_random:Random",
+    "falsify elites": "falsify_elites:Elites",
     "falsify halton": "falsify_halton:Halton",
     "falsify grid": "falsify_grid:Grid",
     "falsify cma": "falsify_cma:Cma",
