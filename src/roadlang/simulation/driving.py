@@ -18,8 +18,8 @@ from ..plugins.registry import KindEntry
 from .controllers import Driver, GuardedController
 from .decision import Decision
 from .observing import Surroundings, View
-from .others_seen import OthersSeen
 from .poses import Poses
+from .single_agents import OthersSeen, observations
 from .triggers import PlacedCall, Triggers
 from .world import World
 
@@ -192,16 +192,17 @@ def _decided_now(
 
 def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
     """Loop over agents whose controllers decide for one alone."""
-    found = []
     slots = view.world.slots
-    seen: dict[int, OthersSeen] = {}
-    for index in chosen:
-        row = int(group.rows[index])
-        scene = row // slots
-        if scene not in seen:
-            agents = enumerate(view.world.scenes[scene].agents, scene * slots)
-            seen[scene] = OthersSeen(view, {actor.name: at for at, actor in agents})
-        found.append(group.singles[index].control(view.single(row, seen[scene])))
+    rows = group.rows[chosen]
+    scenes = rows // slots
+    found = []
+    for scene in dict.fromkeys(scenes.tolist()):  # the rows are in the order of the scenes
+        own = scenes == scene
+        agents = enumerate(view.world.scenes[scene].agents, scene * slots)
+        others = OthersSeen(view, {actor.name: at for at, actor in agents})
+        seen = observations(view, rows[own], others)
+        found += [group.singles[index].control(one)
+                  for index, one in zip(chosen[own], seen, strict=True)]  # fmt: skip
     return ControlBatch.of(found)
 
 

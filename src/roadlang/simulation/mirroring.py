@@ -17,8 +17,8 @@ from .contacts import Contact
 from .controllers import Driver
 from .decision import Decision
 from .driving import Crew
-from .others_seen import OthersSeen
 from .recording import Recorder
+from .single_agents import OthersSeen, observations
 from .world_building import world_of
 
 
@@ -107,12 +107,17 @@ class Mirror:
 
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""
-        return self._crew.view(self._world, self._world.poses).single(self._names.index(name))
+        view = self._crew.view(self._world, self._world.poses)
+        return observations(view, np.array([self._names.index(name)]))[0]
 
     def _decided_alone(self) -> tuple[Integers, ControlBatch]:
         view = self._crew.view(self._world, self._world.poses)
+        rows = np.array(list(self._alone), dtype=np.int64)
         others = OthersSeen(view, {name: row for row, name in enumerate(self._names)})
         found: Sequence[Control] = [
-            controller.control(view.single(row, others)) for row, controller in self._alone.items()
+            controller.control(seen)
+            for controller, seen in zip(
+                self._alone.values(), observations(view, rows, others), strict=True
+            )
         ]
-        return np.array(list(self._alone), dtype=np.int64), ControlBatch.of(found)
+        return rows, ControlBatch.of(found)

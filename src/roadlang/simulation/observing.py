@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats, Integers, wrapped
-from ..ir.control import Observation, ObservationBatch
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.control import ObservationBatch
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
@@ -222,41 +221,3 @@ class View:
         if self._lanes is None:
             self._lanes = self.surroundings.lanes(self.world)
         return self._lanes
-
-    def single(self, agent: int, others: Mapping[str, Observation] | None = None) -> Observation:
-        """What one agent sees, as controllers get it that decide for one."""
-        rows = np.array([agent])
-        seen = self.of(rows)
-
-        def line_ahead(distance: float) -> tuple[float, float, float, float]:
-            x, y, heading, curvature = self.line_ahead(rows, distance)
-            return float(x[0]), float(y[0]), float(heading[0]), float(curvature[0])
-
-        def vehicle_ahead() -> tuple[float, float]:
-            gap, speed = self.vehicle_ahead(rows)
-            return float(gap[0]), float(speed[0])
-
-        def right_of_way(politeness: float, aggression: float) -> tuple[float, float, float]:
-            stop, gap, speed = seen.right_of_way(politeness, aggression)
-            return float(stop[0]), float(gap[0]), float(speed[0])
-
-        numbers: dict[str, Any] = {
-            name: float(getattr(seen, name)[0]) for name in seen.number_columns()
-        }
-        numbers["heading_error"] = float(wrapped(seen.heading_error)[0])
-        return Observation(
-            **numbers,
-            step=self.step,
-            agent=seen.agent[0],
-            line_ahead=line_ahead,
-            others={} if others is None else others,
-            speed_for_bends=lambda *limits: float(seen.speed_for_bends(*limits)[0]),
-            vehicle_ahead=vehicle_ahead,
-            lane_place=lambda: seen.lane_place().single(0),
-            offset_of_lane=lambda which: float(seen.offset_of_lane(which)[0]),
-            direction_of_lane=lambda which: float(seen.direction_of_lane(which)[0]),
-            speed_limit_ahead=lambda braking, on: float(seen.speed_limit_ahead(braking, on)[0]),
-            stop_ahead=lambda: float(seen.stop_ahead()[0]),
-            right_of_way=right_of_way,
-            nearby=lambda distance: seen.nearby(distance).single(0),
-        )

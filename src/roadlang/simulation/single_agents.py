@@ -1,0 +1,118 @@
+"""What single agents see: for controllers that decide for one agent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+import numpy as np
+
+from ..geometry.arrays import Integers, wrapped
+from ..ir.control import Observation, ObservationBatch
+from ..ir.read_only import ReadOnlyMapping
+from ..ir.surroundings import LaneChoice, LanePlace, Neighbor
+from .observing import View
+
+_NOBODY: Mapping[str, Observation] = {}
+
+
+class OthersSeen(ReadOnlyMapping[str, Observation]):
+    """What all agents of one scene see, by name; few controllers look at it."""
+
+    __slots__ = ("_known", "_rows", "_view")
+
+    def __init__(self, view: View, rows: Mapping[str, int]) -> None:
+        """`rows`: of the agents, in the columns of the world."""
+        self._view = view
+        self._rows = rows
+        self._known: dict[str, Observation] = {}
+
+    def __getitem__(self, name: str) -> Observation:
+        if name not in self._known:
+            (self._known[name],) = observations(self._view, np.array([self._rows[name]]))
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._rows)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+
+class _SingleAgent:
+    """What is looked up for one agent when its controller asks for it."""
+
+    def __init__(self, view: View, row: int) -> None:
+        self._view = view
+        self._rows = np.array([row])
+
+    @cached_property
+    def _seen(self) -> ObservationBatch:
+        return self._view.of(self._rows)
+
+    def line_ahead(self, distance: float) -> tuple[float, float, float, float]:
+        x, y, heading, curvature = self._view.line_ahead(self._rows, distance)
+        return float(x[0]), float(y[0]), float(heading[0]), float(curvature[0])
+
+    def vehicle_ahead(self) -> tuple[float, float]:
+        gap, speed = self._view.vehicle_ahead(self._rows)
+        return float(gap[0]), float(speed[0])
+
+    def right_of_way(self, politeness: float, aggression: float) -> tuple[float, float, float]:
+        stop, gap, speed = self._seen.right_of_way(politeness, aggression)
+        return float(stop[0]), float(gap[0]), float(speed[0])
+
+    def speed_for_bends(self, lateral: float, braking: float, on: float) -> float:
+        return float(self._seen.speed_for_bends(lateral, braking, on)[0])
+
+    def lane_place(self) -> LanePlace:
+        return self._seen.lane_place().single(0)
+
+    def offset_of_lane(self, which: LaneChoice) -> float:
+        return float(self._seen.offset_of_lane(which)[0])
+
+    def direction_of_lane(self, which: LaneChoice) -> float:
+        return float(self._seen.direction_of_lane(which)[0])
+
+    def speed_limit_ahead(self, braking: float, on: float) -> float:
+        return float(self._seen.speed_limit_ahead(braking, on)[0])
+
+    def stop_ahead(self) -> float:
+        return float(self._seen.stop_ahead()[0])
+
+    def nearby(self, distance: float) -> tuple[Neighbor, ...]:
+        return self._seen.nearby(distance).single(0)
+
+
+def observations(
+    view: View, rows: Integers, others: Mapping[str, Observation] | None = None
+) -> list[Observation]:
+    """What some agents of one scene see, each as controllers get it that decide for one."""
+    seen = view.of(rows)
+    names = ObservationBatch.number_columns()
+    columns = [
+        (wrapped(seen.heading_error) if name == "heading_error" else getattr(seen, name)).tolist()
+        for name in names
+    ]
+    out = []
+    for row, agent, *numbers in zip(rows.tolist(), seen.agent, *columns, strict=True):
+        one = _SingleAgent(view, row)
+        out.append(
+            Observation(
+                **dict(zip(names, numbers, strict=True)),
+                step=view.step,
+                agent=agent,
+                line_ahead=one.line_ahead,
+                others=_NOBODY if others is None else others,
+                speed_for_bends=one.speed_for_bends,
+                vehicle_ahead=one.vehicle_ahead,
+                lane_place=one.lane_place,
+                offset_of_lane=one.offset_of_lane,
+                direction_of_lane=one.direction_of_lane,
+                speed_limit_ahead=one.speed_limit_ahead,
+                stop_ahead=one.stop_ahead,
+                right_of_way=one.right_of_way,
+                nearby=one.nearby,
+            )
+        )
+    return out
