@@ -98,10 +98,13 @@ def test_joined_roads_can_be_joined(sample: Sample) -> None:
     assert len(more.speed_zones) == 4
 
 
-def test_an_agent_obeys_the_limit_where_it_drives() -> None:
+@pytest.mark.parametrize("driver", ["lane_follow", "traffic"])
+def test_an_agent_obeys_the_limit_where_it_drives(driver: str) -> None:
     text = HEADER + (
         "road street from wide { then: [narrow, wide] }\n"
-        "agent ego is car on street at 20m { lane: -1, drive with lane_follow }"
+        "agent ego is car on street at 5m { lane: -1, start_speed: 70km/h, drive with "
+        + driver
+        + " }"
     )
     (scene,) = roadlang.loads(text).sample()
     ego = scene.run(duration=30.0).trace.agents["ego"]

@@ -31,6 +31,10 @@ NEAREST = 0.1
 """Meters: gaps count as no smaller."""
 
 
+FORESIGHT = 2.0
+"""Seconds ahead at which a lower speed limit is obeyed, so that it holds where it begins."""
+
+
 @dataclass(frozen=True)
 class Traffic(Controller):
     """Drive as traffic does: along its route, by speed limits, signals, stop lines and right of
@@ -83,6 +87,9 @@ class Traffic(Controller):
         if self.speed is not None:
             return np.broadcast_to(np.asarray(self.speed, dtype=np.float64), seen.speed.shape)
         limit = seen.speed_limit_ahead(0.5 * braking, 0.0)
+        # The speed comes after its target by about a second.
+        soon = seen.speed_limit_ahead(0.5 * braking, FORESIGHT * seen.speed)
+        limit = np.minimum(limit, soon)
         if not np.isfinite(limit).all():
             limit = np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
         return np.asarray(limit * self.speed_factor)
