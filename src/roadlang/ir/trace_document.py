@@ -14,7 +14,7 @@ Column = tuple[float | None, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class AgentRecord:
+class AgentColumns:
     """One agent, or a copy of a group; a value for each time, null where none was recorded."""
 
     x: Column
@@ -69,7 +69,7 @@ class TraceDocument:
     """the simulator, as it calls itself"""
     time: Column
     """seconds from the start"""
-    agents: Mapping[str, AgentRecord]
+    agents: Mapping[str, AgentColumns]
     """by name; the third of the group `oncoming` is `oncoming[2]`"""
     events: tuple[Mapping[str, Any], ...]
     """what else the simulator reports, such as collisions"""

@@ -63,7 +63,7 @@ class RecordedPart:
 
 
 @dataclass(frozen=True)
-class AgentColumns:
+class RecordedAgent:
     """The members of the `AgentTrace` of one agent, by their names."""
 
     time: Floats

@@ -13,7 +13,7 @@ from .columns import COLUMNS
 from .contacts import Contact
 from .lane_reader import LaneReader
 from .poses import Poses
-from .recorded_columns import RECORDED, AgentColumns, RecordedPart
+from .recorded_columns import RECORDED, RecordedAgent, RecordedPart
 from .world import World
 
 ENGINE = "the embedded engine"
@@ -94,7 +94,7 @@ class Recorder:
         agents: dict[str, AgentTrace] = {}
         for slot, actor in enumerate(scene.agents):
             own = tuple((part, first + slot) for part, first in parts)
-            agents[actor.name] = AgentTrace.recorded(actor, time, AgentColumns(time, own))
+            agents[actor.name] = AgentTrace.recorded(actor, time, RecordedAgent(time, own))
         if scene.objects:
             agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.objects}
         events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
