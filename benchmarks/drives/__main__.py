@@ -46,6 +46,19 @@ TWENTY = LONG + "\n".join(
     f" {{ lane: -1, drive with car_follow {{ speed: {15 + i % 3}m/s }} }}"
     for i in range(20)
 )
+PLUS = "\n".join(["." * 14 + "#" + "." * 14] * 12 + ["#" * 29] + ["." * 14 + "#" + "." * 14] * 12)
+TRAFFIC = """
+image plan from \"\"\"
+PLUS
+\"\"\" { scale: 8m/px }
+network town from plan { lanes: 2, speed_limit: 50km/h
+  control with signals { green: 12s, yellow: 3s, all_red: 2s }
+}
+agent cars is choice(car, van, weights: [4, 1]) on town at random {
+  count: 20, route_length: 1500m
+  drive with traffic { speed_factor: 0.8..1.2, aggression: 0..1 }
+}
+""".replace("PLUS", PLUS)
 
 
 def scenes_of(text: str, count: int) -> list[Scene]:
@@ -81,7 +94,11 @@ def main() -> None:
     for control_step in (0.1, 0.04):
         found = speed(roads, control_step=control_step)
         print(f"{how}: {len(roads)} roads, control every {control_step} s: {found:,.0f}")
-    for name, text in (("one car", ONE), ("20 cars", TWENTY)):
+    for name, text in (
+        ("one car", ONE),
+        ("20 cars in a row", TWENTY),
+        ("20 cars with `traffic` at a crossing", TRAFFIC),
+    ):
         print(f"{how}: one scene, {name}: {speed(scenes_of(text, 1)):,.0f}")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache
 from xml.sax.saxutils import escape
 
 import numpy as np
@@ -109,7 +110,8 @@ def _text(content: str) -> str:
 
 
 def _polyline(line: Floats, color: str, width: float) -> str:
-    line = line[np.isfinite(line).all(axis=1)]
+    if not np.isfinite(line).all():
+        line = line[np.isfinite(line).all(axis=1)]
     points = " ".join(["%.1f,%.1f"] * len(line)) % tuple(line.ravel().tolist())
     return (
         f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="{width:.1f}"'
@@ -121,9 +123,10 @@ def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
     """Runs of samples of one color."""
     shares = color_shares(robustness)
     edges = np.flatnonzero(np.diff(shares)) + 1
-    for run in np.split(np.arange(len(shares)), edges):
-        last = min(int(run[-1]) + 2, len(line))
-        yield _polyline(line[run[0] : last], robustness_color(float(shares[run[0]])), width)
+    begins = [0, *edges.tolist()]
+    for first, end in zip(begins, [*begins[1:], len(shares)], strict=True):
+        color = robustness_color(float(shares[first]))
+        yield _polyline(line[first : end + 1], color, width)
 
 
 def color_shares(robustness: Floats) -> Floats:
@@ -135,6 +138,7 @@ def color_shares(robustness: Floats) -> Floats:
     return np.asarray(np.sign(shares) * np.ceil(np.abs(shares) * COLOR_STEPS) / COLOR_STEPS)
 
 
+@cache
 def robustness_color(share: float) -> str:
     """Green at 1, yellow at 0, red from -1/8 on."""
     end = _SAFE if share >= 0 else _FAILED

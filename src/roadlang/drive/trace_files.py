@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from ..ir.number_text import floats_text
@@ -39,8 +40,7 @@ def to_csv(trace: Trace) -> str:
         zip(time, [name] * len(time), *(_shown(getattr(agent, c)) for c in COLUMNS), strict=True)
         for name, agent in trace.agents.items()
     ]
-    for rows in zip(*tables, strict=True):
-        writer.writerows(rows)
+    writer.writerows(chain.from_iterable(zip(*tables, strict=True)))
     return out.getvalue()
 
 

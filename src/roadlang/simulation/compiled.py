@@ -38,7 +38,7 @@ def advance(
     ) = after  # fmt: skip
 
 
-LOADING = 1.0
+LOADING = 0.5
 """Seconds of processor time that it takes about to load the compiled motion; to compile it, once
 after an installation, takes longer."""
 PER_STEP, PER_AGENT = 8e-5, 1e-7

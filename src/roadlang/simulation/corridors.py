@@ -16,6 +16,7 @@ import numpy as np
 from ..geometry.arrays import Booleans, Floats, Integers
 from .outlines import Outlines
 from .poses import line_points
+from .sorted_groups import sorted_groups
 from .world import World
 
 SAMPLE_SPACING = 2.0
@@ -90,12 +91,13 @@ def looks_ahead(world: World) -> Floats:
 def nearest_in_corridor(
     world: World, agent: Integers, thing: Integers, things: Outlines
 ) -> tuple[Floats, Floats]:
-    """(P,) for pairs of an agent and one of `things`: the gap along the line to what of it is in
-    the corridor, infinite where nothing is, and the heading of the line there."""
+    """(P,) for pairs of an agent, in ascending order, and one of `things`: the gap along the line
+    to what of it is in the corridor, infinite where nothing is, and the heading of the line there.
+    """
     gap, heading = np.full(len(agent), math.inf), np.zeros(len(agent))
     if not len(agent):
         return gap, heading
-    agents, column = np.unique(agent, return_inverse=True)
+    agents, _, column = sorted_groups(agent)
     window = Window.of(world, agents)
     half = 0.5 * world.bodies.width[agent] + things.half_width[thing] + MARGIN
     close = np.flatnonzero(_comes_close(window, column, thing, things, half))

@@ -84,6 +84,9 @@ class Crew:
         self._slots = world.slots
         self._groups, calls = _grouped(world, controllers)
         self._triggers = Triggers(world, calls, _signals(controllers))
+        self._in_charge = np.zeros(0, dtype=np.int64)
+        self._chosen: list[Integers] = []
+        """of each group who is in charge, by the last `in_charge`"""
 
     def view(self, world: World, poses: Poses) -> View:
         """What the agents see."""
@@ -94,8 +97,10 @@ class Crew:
         view = self.view(world, poses)
         in_charge = self._triggers.in_charge(world, poses)
         out = Decision.open(in_charge >= 0)
-        for group in self._groups:
-            chosen = np.flatnonzero(in_charge[group.rows] == group.place)
+        if in_charge is not self._in_charge:
+            self._in_charge = in_charge
+            self._chosen = [np.flatnonzero(in_charge[g.rows] == g.place) for g in self._groups]
+        for group, chosen in zip(self._groups, self._chosen, strict=True):
             if len(chosen):
                 found = _decided(group, chosen, view)
                 out.put(group.rows[chosen], found)

@@ -101,10 +101,13 @@ class RouteTable:
                 is_straight = len(leg.along) == 2
                 last[at] = 1 if is_straight else max(1, math.ceil(span / STATION_SPACING))
                 per_meter[at] = last[at] / span if span > 0.0 else 0.0
-                even = np.linspace(leg.begin, float(leg.along[-1]), last[at] + 1)
-                stations.append(np.interp(even, leg.along, leg.station))
+                nodes = leg.station
+                if not is_straight:
+                    even = np.linspace(leg.begin, float(leg.along[-1]), last[at] + 1)
+                    nodes = np.interp(even, leg.along, leg.station)
+                stations.append(nodes)
                 first[at] = filled
-                filled += len(even)
+                filled += len(nodes)
         return cls(
             line, begin, step, road, lane, limit, turn, tuple(turns), first, last, per_meter,
             np.concatenate(stations), direction, changed, bool(changed.any()),

@@ -90,6 +90,15 @@ class CopyKinds:
 
 def kinds_of_copies(actor: ScenarioActor, copies: CopyBatch) -> CopyKinds:
     """What each copy is, its options drawn."""
+    scenario = copies.scenario
+    if scenario.dependencies.differ(actor.kind):
+        return CopyKinds(tuple(_kinds(actor, copies)))
+    first = copies.chosen(np.zeros(1, dtype=np.intp))
+    same = scenario.once(("kind of copies", actor.name), lambda: _kinds(actor, first)[0])
+    return CopyKinds((same,) * copies.count)
+
+
+def _kinds(actor: ScenarioActor, copies: CopyBatch) -> list[KindInstance]:
     element = element_of(actor)
     value = evaluate(actor.kind, copies, element)
     calls = value.reshape(-1).tolist() if isinstance(value, np.ndarray) else [scalar(value)]
@@ -100,7 +109,7 @@ def kinds_of_copies(actor: ScenarioActor, copies: CopyBatch) -> CopyKinds:
         rows = np.array([row for row, other in enumerate(calls) if other is call])
         for row, found in zip(rows, _instances(call, copies.chosen(rows), element), strict=True):
             instances[row] = found
-    return CopyKinds(tuple(instances))
+    return instances
 
 
 def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInstance]:

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ..sorted_groups import sorted_groups
 from .junction_tables import JunctionTables
 
 
@@ -47,9 +48,8 @@ class Meetings:
         key = scene[row] * len(tables.first) + junction[row, slot]
         sort = np.argsort(key, kind="stable")
         row, slot = row[sort], slot[sort]
-        keys, start, group, count = np.unique(
-            key[sort], return_index=True, return_inverse=True, return_counts=True
-        )
+        keys, start, group = sorted_groups(key[sort])
+        count = np.diff(start, append=len(group))
         shape = len(keys), int(count.max(initial=1))
         at = group, np.arange(len(row)) - start[group]
         is_there = np.zeros(shape, dtype=bool)

@@ -17,6 +17,7 @@ from ..crossed_junctions import crossings_of
 from ..crossings import STOP_GAP
 from ..leaders import Leaders
 from ..poses import Poses
+from ..sorted_groups import sorted_groups
 from ..world import World
 from . import rules
 from .approaches import (
@@ -116,7 +117,7 @@ class RightOfWayGrants:
     def _look(self, world: World, leaders: Leaders, rows: Integers) -> None:
         """Bring the scenes of some agents up to date, where that is due. Who has asked since the
         last time obeys; at first everybody is taken to."""
-        scenes = np.unique(rows // world.slots)
+        scenes = sorted_groups(rows // world.slots)[0]
         due = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
         if len(due):
             agents = (due[:, None] * world.slots + np.arange(world.slots)).ravel()
