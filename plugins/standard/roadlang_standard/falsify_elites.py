@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class Elites(Searcher):
     """MAP-Elites (Mouret and Clune 2015): the least robust drive of each road and behavior that
-    differs from all others, and children of these. Covers more, and fails less, than `cma`."""
+    differs from all others, and children of these. For a survey: `cma` finds more failures."""
 
     name: ClassVar[str] = "elites"
     initial: Whole = option(
