@@ -22,7 +22,7 @@ const FLUSH_USEC := 50000
 const STATE_EVERY_USEC := 20000
 ## A step is looked for this often at first, and less often the longer it does not come.
 const POLL_USEC := 30
-const LONGEST_POLL_USEC := 400
+const LONGEST_POLL_USEC := 2000
 const MAX_STEERING := 10.0
 const MAX_ACCELERATION := 1000.0
 
