@@ -25,7 +25,8 @@ def test_a_circuit_is_one_closed_road_between_its_lines(
     assert found.method == "edge lines"
     assert road.closed
     (true,) = drawn.truth.roads
-    assert distance_to(road.points, np.vstack([true.points, true.points[:1]])).max() < 1.5
+    # Bends tighter than half the road's width, of 2 px radius here, come out rounder.
+    assert distance_to(road.points, np.vstack([true.points, true.points[:1]])).max() < 1.8
     assert distance_to(true.points, road.points).max() < 2.5
     assert abs(np.median(road.widths) / true.width - 1) < 0.15
 

@@ -77,8 +77,8 @@ def test_the_direction_of_an_end_is_seen_over_some_length() -> None:
     assert direction(Line(1, 2, np.array([[0.0, 0], [0, 2]])), 0, 20.0) == pytest.approx([0, 1])
 
 
-@pytest.mark.parametrize(("degrees", "count"), [(37, 1), (39, 2)])
-def test_lines_are_one_chain_where_they_bend_by_less_than_38_degrees(
+@pytest.mark.parametrize(("degrees", "count"), [(19, 1), (21, 2)])
+def test_lines_are_one_chain_where_they_bend_by_less_than_20_degrees(
     degrees: float, count: int
 ) -> None:
     turn = np.radians(degrees)

@@ -9,7 +9,6 @@ from roadlang_standard.extraction.drafting import usual_width_of
 from roadlang_standard.extraction.edges import (
     Sides,
     normals,
-    recentered,
     sides,
     usual_width,
     widths,
@@ -64,30 +63,6 @@ def test_normals_are_to_the_right_of_east_in_a_picture() -> None:
 
 def both(left: float, right: float, count: int = 200) -> Sides:
     return Sides(np.full(count, left), np.full(count, right))
-
-
-def test_a_line_moves_to_the_middle_and_held_ends_stay() -> None:
-    """12.5 px to the left and 7.5 px to the right: 2.5 px to the left, within 15 px of an end."""
-    line = dense((0, 47), (199, 47))
-    moved = recentered(line, both(12.5, 7.5), 30.0, closed=False)
-    assert moved[20:180, 1] == pytest.approx(np.full(160, 49.5), abs=0.01)
-    assert moved[[0, -1], 1].tolist() == [47, 47]
-    assert moved[6, 1] == pytest.approx(47 + 2.5 * 6 / 15, abs=0.01)
-    free = recentered(line, both(12.5, 7.5), 30.0, closed=False, held=(False, True))
-    assert (free[0, 1], free[-1, 1]) == (pytest.approx(49.5, abs=0.01), 47)
-
-
-def test_a_line_moves_by_at_most_a_third_of_the_width() -> None:
-    line = dense((0, 47), (199, 47))
-    moved = recentered(line, both(20.0, 0.0), 30.0, closed=True)
-    assert moved[:, 1] == pytest.approx(np.full(200, 47 + 0.35 * 20), abs=0.01)
-
-
-def test_a_line_whose_edges_are_hardly_seen_stays() -> None:
-    line = dense((0, 47), (199, 47))
-    hardly = both(12.5, 7.5).where(np.arange(200) < 15)
-    assert recentered(line, hardly, 30.0, closed=False) is line
-    assert recentered(line, both(12.5, 7.5).where(np.arange(200) < 25), 30.0, False) is not line
 
 
 def test_widths_leave_out_what_is_far_from_the_usual() -> None:

@@ -10,14 +10,19 @@ from roadlang.geometry import Floats
 
 from .graph import Graph, Line
 
-_TURN = np.deg2rad(38)
+_TURN = np.deg2rad(20)
+"""Lines that turn more at a junction meet there, but do not run straight on through it."""
 
 
 @dataclass
 class LineChain:
-    """Lines one after another, each with the way it is run through."""
+    """Lines one after another, each with the way it is run through.
+
+    A `closed` one goes straight on from its last line to its first.
+    """
 
     parts: list[tuple[Line, bool]]
+    closed: bool = False
 
     @property
     def nodes(self) -> list[int]:
@@ -39,16 +44,20 @@ def chains(graph: Graph, look: float) -> list[LineChain]:
     """
     follow = _partners(graph, look)
     left = {id(line) for line in graph.lines}
+    degree = graph.degree()
     found = []
     for line in sorted(graph.lines, key=lambda item: -item.length):
         if id(line) in left:
             left.discard(id(line))
-            parts = [(line, True)]
-            if not line.closed:
-                parts = parts + _onward(line, 1, follow, left)
+            parts = [(line, True), *_onward(line, 1, follow, left)]
+            last, ahead = parts[-1]
+            beyond = follow.get((id(last), 1 if ahead else 0))
+            closed = beyond is not None and beyond[0] is line and beyond[1] == 0
+            closed |= line.closed and degree[line.start] == 2  # begins anywhere, at a corner too
+            if not closed:
                 back = _onward(line, 0, follow, left)
                 parts = [(part, not ahead) for part, ahead in reversed(back)] + parts
-            found.append(LineChain(parts))
+            found.append(LineChain(parts, closed))
     return sorted(found, key=lambda chain: -chain.length)
 
 
@@ -57,7 +66,7 @@ def _onward(
 ) -> list[tuple[Line, bool]]:
     parts = []
     while (id(line), side) in follow:
-        line, entered = follow[id(line), side]
+        line, entered = follow[id(line), side]  # a loop that goes straight on is its own
         if id(line) not in left:
             break
         left.discard(id(line))
@@ -70,23 +79,36 @@ def _partners(graph: Graph, look: float) -> dict[tuple[int, int], tuple[Line, in
     ends: dict[int, list[tuple[Line, int, Floats]]] = {}
     for line in graph.lines:
         for side, node in ((0, line.start), (1, line.end)):
-            ends.setdefault(node, []).append((line, side, direction(line, side, look)))
+            ends.setdefault(node, []).append((line, side, heading(line, side, look)))
     follow: dict[tuple[int, int], tuple[Line, int]] = {}
     for meeting in ends.values():
         pairs = [
-            (_turn(a[2], b[2]), i, j)
+            (turn(a[2], b[2]), i, j)
             for i, a in enumerate(meeting)
             for j, b in enumerate(meeting[:i])
-            if a[0] is not b[0]
         ]
         used: set[int] = set()
-        for turn, i, j in sorted(pairs):
-            if turn < _TURN and i not in used and j not in used:
+        for angle, i, j in sorted(pairs):
+            if angle < _TURN and i not in used and j not in used:
                 used |= {i, j}
                 (a, side_a, _), (b, side_b, _) = meeting[i], meeting[j]
                 follow[id(a), side_a] = (b, side_b)
                 follow[id(b), side_b] = (a, side_a)
     return follow
+
+
+def heading(line: Line, side: int, look: float) -> Floats:
+    """Unit vector in which a line leaves its end (0 start, 1 end), carried back to the end along
+    its bend; seen beyond half of `look` pixels, where the junction does not bend it."""
+    points = line.points if side == 0 else line.points[::-1]
+    away = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
+    chosen = (away >= 0.5 * look) & (away <= min(3.5 * look, away[-1] - 0.5 * look))
+    seen = away[chosen]
+    if len(seen) < 6 or seen[-1] - seen[0] < max(0.8 * look, 8.0):
+        return direction(line, side, look)
+    fits = [np.polynomial.Polynomial.fit(seen, column, 2) for column in points[chosen].T]
+    first = np.array([fit.deriv()(0.0) for fit in fits])
+    return np.asarray(first / max(1e-9, float(np.hypot(*first))))
 
 
 def direction(line: Line, side: int, look: float) -> Floats:
@@ -99,5 +121,6 @@ def direction(line: Line, side: int, look: float) -> Floats:
     return np.asarray(step / max(1e-9, float(np.hypot(*step))))
 
 
-def _turn(a: Floats, b: Floats) -> float:
+def turn(a: Floats, b: Floats) -> float:
+    """Radians between leaving in a direction and coming from another, 0 if straight on."""
     return float(np.arccos(np.clip(-(a @ b), -1, 1)))

@@ -27,7 +27,7 @@ def contract(graph: Graph, distance: float) -> None:
         bridges = _apart(graph, [item for item in short if item[0] < distance])
         if not bridges:
             return
-        _merge(graph, bridges)
+        contract_lines(graph, bridges)
 
 
 def _apart(graph: Graph, lines: list[tuple[float, int]]) -> list[Line]:
@@ -42,7 +42,7 @@ def _apart(graph: Graph, lines: list[tuple[float, int]]) -> list[Line]:
     return chosen
 
 
-def _merge(graph: Graph, bridges: list[Line]) -> None:
+def contract_lines(graph: Graph, bridges: list[Line]) -> None:
     """Contract lines that share no node; what becomes a small loop by it goes as well."""
     gone = {id(line) for line in bridges}
     into: dict[int, int] = {}

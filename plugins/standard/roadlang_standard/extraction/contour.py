@@ -74,8 +74,8 @@ def _soft(gray: Layer, level: float) -> Layer | None:
     if not len(low) or not len(high):
         return None
     dark, bright = float(np.median(low)), float(np.median(high))
-    below = (gray - level) / max(level - dark, 1.0)
-    above = (gray - level) / max(bright - level, 1.0)
+    below = (gray - level) / max(level - dark, 0.5)
+    above = (gray - level) / max(bright - level, 0.5)
     return np.clip(0.5 + 0.5 * np.where(gray < level, below, above), 0, 1).astype(np.float32)
 
 

@@ -10,11 +10,14 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
-from .chains import LineChain, chains
-from .edges import recentered, sides, usual_width, widths
+from .chains import chains
+from .edges import sides, usual_width, widths
+from .fairing import even_points
 from .found import FoundNetwork, FoundRoad
 from .graph import Graph, Line
-from .smoothing import resample, smooth, stations
+from .meeting import Passing, extended, meeting_point
+from .running import Fit, Run, fitted, through
+from .smoothing import resample, stations
 
 Layer = NDArray[np.float32]
 
@@ -24,14 +27,16 @@ class Draft:
     """How lines are drawn, in pixels: the usual width sets all scales.
 
     `wavelength`: waves shorter than this many widths are noise; `tolerance`: how far the curve
-    may leave what was seen, in widths.
+    may leave what was seen, in widths, and `accuracy` the least of it, in pixels.
     """
 
     width: float
     wavelength: float = 3.0
     tolerance: float = 0.15
+    accuracy: float = 0.5
     fixed_width: float | None = None
-    recenter: bool = True
+    fair: bool = True
+    """whether lines and arcs are sought, or lines are only rid of waves"""
     level: float = 0.5
     """surface at the edge of a road"""
     sure: float = 0.0
@@ -44,13 +49,22 @@ class Draft:
         """Shortest wavelength kept, pixels."""
         return float(np.clip(self.wavelength * self.width, 8.0, 80.0))
 
+    @property
+    def fit(self) -> Fit:
+        """How curves are fitted."""
+        return Fit(
+            self.width,
+            self.level,
+            max(self.accuracy, self.tolerance * self.width),
+            0.5 * max(self.width, self.fixed_width or 0.0, 2.0),
+            self.waves,
+            self.fair,
+        )
+
 
 def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: str) -> FoundNetwork:
     """Draw every line; `surface` and `score` are (h, w) in 0..1: road surface, and evidence."""
-    placed: dict[int, Floats] = {}
-    curves: dict[int, Floats] = {}
-    for chain in chains(graph, 1.5 * options.width + 4):
-        _draw(chain, graph, surface, options, placed, curves)
+    placed, curves = _drawn(graph, surface, options)
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
@@ -60,114 +74,64 @@ def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: st
     return FoundNetwork(nodes, roads, surface >= options.level, method)
 
 
-def _draw(
-    chain: LineChain,
-    graph: Graph,
-    surface: Layer,
-    options: Draft,
-    placed: dict[int, Floats],
-    curves: dict[int, Floats],
-) -> None:
-    nodes = chain.nodes
-    loop = len(chain.parts) == 1 and chain.parts[0][0].closed
-    free_loop = loop and graph.degree()[nodes[0]] == 2
-    points = _concatenated(chain)
-    for end, node in ((0, nodes[0]), (-1, nodes[-1])):
-        points[end] = placed.get(node, points[end])
-    if free_loop:
-        curve = _closed_curve(points, surface, options)
-    else:
-        through = [graph.nodes[node] for node in nodes[1:-1]]
-        degree = graph.degree()
-        free = (degree[nodes[0]] == 1, degree[nodes[-1]] == 1)
-        curve = _open_curve(points, through, free, surface, options)
-    placed.setdefault(nodes[0], curve[0])
-    placed.setdefault(nodes[-1], curve[-1])
-    _split(chain, nodes, graph, curve, placed, curves)
+def _drawn(
+    graph: Graph, surface: Layer, options: Draft
+) -> tuple[dict[int, Floats], dict[int, Floats]]:
+    """Where the nodes are, and the curve of each line by its identity, from node to node."""
+    degree = graph.degree()
+    found = chains(graph, 1.5 * options.width + 4)
+    ends = [(degree[chain.nodes[0]] == 1, degree[chain.nodes[-1]] == 1) for chain in found]
+    runs = [
+        fitted(chain, graph.nodes, free, surface, options.fit)
+        for chain, free in zip(found, ends, strict=True)
+    ]
+    placed = _nodes(graph, runs, options)
+    curves: dict[int, Floats] = {}
+    for run, free in zip(runs, ends, strict=True):
+        pieces = through(run, placed, free, surface, options.fit)
+        for (line, forward), piece in zip(run.chain.parts, pieces, strict=True):
+            curves[id(line)] = piece if forward else piece[::-1]
+    return placed, curves
 
 
-def _concatenated(chain: LineChain) -> Floats:
-    pieces = [line.points if forward else line.points[::-1] for line, forward in chain.parts]
-    return resample(np.vstack([pieces[0], *[piece[1:] for piece in pieces[1:]]]))
+def _nodes(graph: Graph, runs: list[Run], options: Draft) -> dict[int, Floats]:
+    """Where the fitted curves meet; a dead end is where its curve ends."""
+    passing: dict[int, list[Passing]] = {}
+    near = 2.5 * options.width + 10
+    placed: dict[int, Floats] = {}
+    degree = graph.degree()
+    for run in runs:
+        for place, node in enumerate(run.nodes):
+            ends = run.is_end(place)
+            if degree[node] == (2 if run.chain.closed else 1):
+                placed[node] = run.curve[0 if place == 0 else -1]
+                continue
+            part = _part(run, place, near)
+            passing.setdefault(node, []).append(Passing(part, not ends))
+    limit = 1.5 * options.width + 3
+    for node, curves in passing.items():
+        placed[node] = meeting_point(graph.nodes[node], curves, limit)
+    return placed
 
 
-def _open_curve(
-    points: Floats,
-    through: list[Floats],
-    free: tuple[bool, bool],
-    surface: Layer,
-    options: Draft,
-) -> Floats:
-    weights = np.ones(len(points))
-    for place in [points[0], points[-1], *through]:
-        near = np.hypot(*(points - place).T) < 0.6 * options.width
-        if near.sum() < 0.5 * len(points):
-            weights[near] = 0.02
-    tolerance, tightest = max(0.8, options.tolerance * options.width), 0.5 * options.width
-    curve = smooth(points, options.waves, tolerance, tightest, weights, free=free)
-    if options.recenter and len(points) > options.width:
-        curve = resample(curve)
-        seen = sides(curve, surface, 1.1 * options.width + 3, options.level)
-        held = (not free[0], not free[1])
-        curve = recentered(curve, seen, 0.8 * options.waves, False, held)
-        curve = smooth(resample(curve), 0.6 * options.waves, tolerance, tightest, free=free)
-    return curve
-
-
-def _closed_curve(points: Floats, surface: Layer, options: Draft) -> Floats:
-    tolerance, tightest = max(0.8, options.tolerance * options.width), 0.5 * options.width
-    curve = smooth(points[:-1], options.waves, tolerance, tightest, closed=True)
-    if options.recenter:
-        curve = resample(np.vstack([curve, curve[:1]]))[:-1]
-        seen = sides(np.vstack([curve, curve[:1]]), surface, 1.1 * options.width + 3, options.level)
-        ring = np.vstack([curve, curve[:1]])
-        ring = recentered(ring, seen, 0.8 * options.waves, False, held=(False, False))
-        curve = smooth(resample(ring)[:-1], 0.6 * options.waves, tolerance, tightest, closed=True)
-    return np.vstack([curve, curve[:1]])
-
-
-def _split(
-    chain: LineChain,
-    nodes: list[int],
-    graph: Graph,
-    curve: Floats,
-    placed: dict[int, Floats],
-    curves: dict[int, Floats],
-) -> None:
-    lengths = np.cumsum([line.length for line, _ in chain.parts])
-    station = stations(curve)
-    cuts = [0]
-    for node, reached in zip(nodes[1:-1], lengths, strict=False):
-        goal = placed.get(node, graph.nodes[node])
-        expected = np.abs(station / station[-1] - reached / lengths[-1]) * station[-1]
-        away = np.hypot(*(curve - goal).T) + 0.05 * expected
-        cut = int(
-            np.clip(np.argmin(away), cuts[-1] + 1, len(curve) - 1 - (len(chain.parts) - len(cuts)))
-        )
-        placed.setdefault(node, curve[cut])
-        cuts.append(cut)
-    cuts.append(len(curve) - 1)
-    for (line, forward), a, b in zip(chain.parts, cuts[:-1], cuts[1:], strict=True):
-        piece = curve[a : b + 1].copy()
-        piece = piece if forward else piece[::-1]
-        curves[id(line)] = _attached(piece, placed[line.start], placed[line.end])
-
-
-def _attached(piece: Floats, start: Floats, end: Floats, blend: float = 12.0) -> Floats:
-    """The piece bent a little so that it begins and ends exactly at its nodes."""
-    station = stations(piece)
-    blend_length = min(blend, station[-1] / 2) or 1.0
-    fade_in = np.clip(1 - station / blend_length, 0, 1)[:, None]
-    fade_out = np.clip(1 - (station[-1] - station) / blend_length, 0, 1)[:, None]
-    moved = piece + fade_in * (start - piece[0]) + fade_out * (end - piece[-1])
-    moved[0], moved[-1] = start, end
-    return np.asarray(moved)
+def _part(run: Run, place: int, near: float) -> Floats:
+    """The run's curve about one of its nodes, carried straight on where it ends there."""
+    along, reached = stations(run.curve), run.reached[place]
+    if run.chain.closed:
+        around = np.vstack([run.curve[:-1]] * 3)
+        middle = reached + along[-1]
+        s = np.arange(len(around)) * along[-1] / (len(run.curve) - 1)
+        return np.asarray(around[np.abs(s - middle) <= near])
+    part = run.curve[np.abs(along - reached) <= near]
+    if not run.is_end(place):
+        return part
+    return extended(part, (near, 0.0) if place == 0 else (0.0, near))
 
 
 def _road(
     line: Line, curve: Floats, index: dict[int, int], surface: Layer, score: Layer, options: Draft
 ) -> FoundRoad:
-    points = resample(curve, 2.0)
+    points = even_points(curve, step=2.0)
     at = points.astype(np.float32).reshape(1, -1, 2)
     seen = sides(points, surface, 1.2 * options.width + 3, options.level)
     solid = _along(surface, at) >= options.sure

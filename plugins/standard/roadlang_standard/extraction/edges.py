@@ -33,15 +33,19 @@ class Sides:
 
 
 def sides(
-    points: Floats, surface: NDArray[np.float32], search_radius: float, level: float = 0.5
+    points: Floats,
+    surface: NDArray[np.float32],
+    search_radius: float,
+    level: float = 0.5,
+    closed: bool = False,
 ) -> Sides:
     """Look along the normals for where the surface (h, w), 0..1, falls through `level`."""
-    normal = normals(points)
+    normal = normals(points, closed)
     away = np.arange(0, search_radius + _STEP, _STEP)
     found = []
     for sign in (1, -1):
         at = (points[:, None] + sign * away[None, :, None] * normal[:, None]).astype(np.float32)
-        profile = _sampled(surface, at)
+        profile = sampled(surface, at)
         below = profile < level
         below[:, 0] = False
         first = np.argmax(below, axis=1)
@@ -53,16 +57,21 @@ def sides(
     return Sides(found[0], found[1])
 
 
-def normals(points: Floats) -> Floats:
-    """Unit normals (n, 2) of a polyline."""
-    tangent = np.gradient(points, axis=0)
-    tangent /= np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
+def normals(points: Floats, closed: bool = False) -> Floats:
+    """Unit normals (n, 2) of a polyline; a closed one repeats its first point."""
+    if closed:
+        around = np.vstack([points[-2:-1], points, points[1:2]])
+        tangent = (around[2:] - around[:-2]) / 2
+    else:
+        tangent = np.gradient(points, axis=0)
+    tangent = tangent / np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
     return np.column_stack([-tangent[:, 1], tangent[:, 0]])
 
 
-def _sampled(
+def sampled(
     surface: NDArray[np.float32], at: NDArray[np.float32], rows: int = 4096
 ) -> NDArray[np.float32]:
+    """The surface (h, w) at points (n, m, 2), so many of them at a time."""
     pieces = [
         cv2.remap(
             surface,
@@ -80,28 +89,6 @@ def usual_width(found: Sides) -> float:
     """The median of the measured widths, NaN without any."""
     widths = (found.left + found.right)[found.seen]
     return float(np.median(widths)) if len(widths) else float("nan")
-
-
-def recentered(
-    points: Floats,
-    found: Sides,
-    wavelength: float,
-    closed: bool,
-    held: tuple[bool, bool] = (True, True),
-) -> Floats:
-    """The line moved half-way between its edges, by offsets that vary slowly; held ends stay."""
-    width = usual_width(found)
-    good = found.seen & (np.abs(found.left + found.right - width) < 0.35 * width)
-    if good.sum() < max(5, 0.1 * len(points)):
-        return points
-    offset = np.where(good, (found.left - found.right) / 2, 0.0)
-    offset = smooth_values(offset, wavelength, closed, np.where(good, 1.0, 1e-3))
-    offset = np.clip(offset, -0.35 * width, 0.35 * width)
-    from_end = np.arange(len(points)) / max(1.0, 0.75 * width)
-    for is_held, away in zip(held, (from_end, from_end[::-1]), strict=True):
-        if is_held and not closed:
-            offset = offset * np.clip(away, 0, 1)
-    return points + offset[:, None] * normals(points)
 
 
 def widths(found: Sides, fallback: float, wavelength: float, closed: bool) -> tuple[Floats, float]:

@@ -99,7 +99,7 @@ def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) ->
     free = {int(i) for i in np.flatnonzero(padded)} - owner.keys()
 
     def go(pixel: int, start: int, path: list[int]) -> None:
-        """Follow free pixels until a node or a dead end; straight steps before diagonal ones."""
+        """Follow free pixels until a node or a dead end."""
         while True:
             path.append(pixel)
             free.discard(pixel)
@@ -113,7 +113,7 @@ def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) ->
             )
             if hit is not None:
                 return _add(graph, start, hit, path, stride)
-            onward = next((pixel + s for s in steps if pixel + s in free), None)
+            onward = _onward(pixel, start if len(path) < 3 else None, free, owner, steps)
             if onward is None:
                 back = len(path) > 2 and any(
                     pixel + s in owner and owner[pixel + s] == start for s in steps
@@ -136,6 +136,21 @@ def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) ->
         if onward is not None:
             owner[root] = node
             go(onward, node, [])
+
+
+def _onward(
+    pixel: int, start: int | None, free: set[int], owner: dict[int, int], steps: tuple[int, ...]
+) -> int | None:
+    """The next free pixel: straight steps before diagonal ones.
+
+    First of all a step away from the `start`, if that is near, or the beginning of its next branch
+    would be taken for the way.
+    """
+    ahead = [pixel + s for s in steps if pixel + s in free]
+    if start is not None and len(ahead) > 1:
+        away = [p for p in ahead if all(owner.get(p + s) != start for s in steps)]
+        ahead = away or ahead
+    return ahead[0] if ahead else None
 
 
 def _fresh(path: list[int], start: int, node: int) -> bool:

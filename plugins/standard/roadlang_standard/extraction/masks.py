@@ -12,6 +12,7 @@ from .clean import contract, drop_crumbs, extend_to_border, join, prune
 from .drafting import Draft, draft, usual_width_of
 from .found import FoundNetwork
 from .graph import trace
+from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 
 Layer = NDArray[np.float32]
@@ -25,7 +26,7 @@ def roads_of_surface(
     least: float | None = None,
     specks: float = 12.0,
     waves: float = 2.0,
-    tolerance: float = 0.1,
+    tolerance: float = 0.0,
 ) -> FoundNetwork:
     """The road network of a clean surface (h, w), 0..1, whose half level is the road edge.
 
@@ -44,10 +45,13 @@ def roads_of_surface(
     contract(graph, 1.2 * usual)
     prune(graph, least if least is not None else 1.1 * usual, mask.shape, margin=0.6 * usual + 2)
     join(graph)
+    join_oblique_crossings(graph, usual)
     drop_crumbs(graph, min(2 * usual, 0.5 * max(mask.shape)))
     usual = usual_width_of(graph, mask)
     extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * usual + 2)
-    manner = Draft(usual, waves if spline else 0.5, tolerance, width)
+    manner = Draft(
+        usual, waves if spline else 0.5, tolerance, _accuracy(surface), width, fair=spline
+    )
     score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
     return draft(graph, surface, score, manner, method)
 
@@ -55,6 +59,16 @@ def roads_of_surface(
 def _is_noise(thin: Booleans) -> bool:
     """Whether a skeleton fills a large picture more than roads do: it is smoothed first."""
     return bool(thin.size > 100_000 and thin.mean() > 0.03)
+
+
+def _accuracy(surface: Layer) -> float:
+    """How far in pixels a curve may be off what was seen: half a pixel, less where edges are soft
+    and so say where they are between pixels."""
+    low, high = float(surface.min()), float(surface.max())
+    between = np.abs(surface - (low + high) / 2) < 0.4 * (high - low)
+    inner = surface >= 0.5
+    edge = inner & (cv2.erode(inner.astype(np.uint8), np.ones((3, 3), np.uint8)) == 0)
+    return 0.25 if between.sum() > 0.3 * edge.sum() else 0.5
 
 
 def without_specks(mask: Booleans, least: float) -> Booleans:

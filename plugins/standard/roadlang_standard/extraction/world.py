@@ -12,9 +12,9 @@ import numpy as np
 from roadlang.geometry import Floats
 
 from .directions import runs_forward
+from .fairing import even_points
 from .found import FoundNetwork, FoundRoad
 from .legend import LegendObject
-from .smoothing import resample
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, FoundObject, Picture
@@ -84,7 +84,7 @@ def _spline(picture: Picture, road: FoundRoad, where: Floats) -> Curve | None:
     from roadlang.geometry import Curve
 
     usual = float(np.median(road.widths))
-    world = picture.to_world(resample(road.points, max(2.0, 0.5 * usual)))
+    world = picture.to_world(even_points(road.points, step=max(2.0, 0.5 * usual)))
     world[0], world[-1] = where[road.start], where[road.end]
     apart = np.r_[True, np.hypot(*np.diff(world, axis=0).T) > 1e-6]
     world = world[apart]

@@ -1,0 +1,1 @@
+"""Drawn strokes with exact truth, and how straight and round their roads come out."""

@@ -1,0 +1,61 @@
+"""Where the middle of a road is, beside a line along it, and where that can be trusted."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import label, median_filter, minimum_filter1d
+
+from roadlang.geometry import Booleans, Floats
+
+from .edges import normals, sampled, sides
+
+Layer = NDArray[np.float32]
+_THIN = 5.0
+"""Pixels: of thinner strokes the middle is the centroid of their ink."""
+_STEP = 0.25
+
+
+def centers(
+    points: Floats, surface: Layer, width: float, level: float, closed: bool = False
+) -> tuple[Floats, Booleans]:
+    """Pixels (n,) from the points, about one apart, to the middle of the road, along `normals`;
+    and whether the road is as wide there as around: not so at junctions, corners and ends."""
+    if width < _THIN:
+        offset, wide = _centroid(points, surface, width, closed)
+    else:
+        seen = sides(points, surface, 1.1 * width + 3, level, closed)
+        offset, wide = (seen.left - seen.right) / 2, seen.left + seen.right
+    known = np.isfinite(wide)
+    if not known.any():
+        return np.zeros(len(points)), known
+    usual = float(np.median(wide[known]))
+    around = median_filter(np.where(known, wide, usual), int(4 * width) + 41, mode="nearest")
+    even = known & (np.abs(np.where(known, wide, 0) - around) < _unevenness(around))
+    even &= np.abs(around - usual) < 0.5 * usual
+    even = minimum_filter1d(even.astype(np.uint8), 2 * int(0.25 * width + 2) + 1) > 0
+    even = _without_short_runs(even, 0.5 * width + 4)
+    return np.where(even, offset, 0.0), even
+
+
+def _unevenness(width: Floats) -> Floats:
+    """By how many pixels the measured width of an even stroke varies: by those at its edges."""
+    return np.maximum(np.minimum(0.5 + 0.1 * width, 0.9), 0.08 * width)
+
+
+def _without_short_runs(flags: Booleans, least: float) -> Booleans:
+    """Only those that are set so many times in a row; chance has it so in a junction's middle."""
+    runs, count = label(flags)
+    if not count:
+        return flags
+    return np.asarray(np.append(0, np.bincount(runs)[1:])[runs] >= least)
+
+
+def _centroid(points: Floats, surface: Layer, width: float, closed: bool) -> tuple[Floats, Floats]:
+    """Of the ink across the line, and how much of it there is, NaN without any."""
+    away = np.arange(-(width / 2 + 2), width / 2 + 2 + _STEP, _STEP)
+    at = points[:, None] + away[None, :, None] * normals(points, closed)[:, None]
+    ink = sampled(surface, at.astype(np.float32)).astype(float)
+    total = ink.sum(axis=1)
+    there = total * _STEP > 0.3
+    return (ink @ away) / np.maximum(total, 1e-9), np.where(there, total * _STEP, np.nan)

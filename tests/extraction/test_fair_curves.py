@@ -1,0 +1,135 @@
+"""Drawn strokes become straight roads, round corners and even arcs, whatever the pen."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from benchmarks.drawings.__main__ import compared
+from benchmarks.drawings.strokes import Pen, drawn, strokes_of
+from roadlang.geometry import Curve
+from roadlang.ir.picture import Picture
+from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.fairing import Seen, even_points, faired
+from roadlang_standard.extraction.graph import trace
+from roadlang_standard.extraction.meeting import Passing, meeting_point
+from tests.extraction.graph_drawings import dense
+
+PENS = [Pen(1, False), Pen(3, True), Pen(20, False)]
+
+
+def differences(shape: str, seed: int, pen: Pen) -> list[tuple[float, float, float]]:
+    """Of each stroke: pixels off it, greatest curvature, and that of the stroke, in 1/px."""
+    strokes = strokes_of(shape, seed, pen)
+    picture = Picture(drawn(strokes, pen), 1.0)
+    network = Auto().extract(picture).network
+    found = []
+    for stroke in strokes:
+        away, curvature = compared(stroke, network, picture, 1.5 * pen.width + 3)
+        assert not np.isnan(away).any()
+        found.append((away.max(), curvature.max(), stroke.curvature[stroke.inner].max()))
+    return found
+
+
+@pytest.mark.parametrize("pen", PENS, ids=str)
+@pytest.mark.parametrize("shape", ["crossing", "T", "grid"])
+def test_straight_strokes_are_straight_through_crossings_and_side_roads(
+    shape: str, pen: Pen
+) -> None:
+    for away, curvature, _ in differences(shape, 11, pen):
+        assert away < 0.5
+        assert curvature < 0.005
+
+
+@pytest.mark.parametrize("pen", PENS, ids=str)
+def test_the_ring_of_a_drawn_roundabout_is_a_circle_all_round(pen: Pen) -> None:
+    ring, *arms = differences("roundabout", 11, pen)
+    assert ring[0] < 0.5
+    assert ring[1] == pytest.approx(ring[2], rel=0.1)
+    assert max(curvature for _, curvature, _ in arms) < 0.01
+
+
+@pytest.mark.parametrize("pen", PENS, ids=str)
+def test_a_line_drawn_by_hand_stays_as_smooth_as_it_was_drawn(pen: Pen) -> None:
+    """A polygon would have its whole turn at a few places: several times the curvature."""
+    ((away, curvature, truth),) = differences("by hand", 11, pen)
+    assert away < 0.7
+    assert curvature < 1.3 * truth
+
+
+def test_roads_that_cross_at_an_acute_angle_meet_in_one_node() -> None:
+    pen, size = Pen(9, True), 260
+    strokes = strokes_of("crossing", 11, pen)
+    middle, ahead = strokes[0].points.mean(axis=0), np.array([0.0, 1.0])
+    skew = np.radians(25.0)
+    second = np.array([np.sin(skew), np.cos(skew)])
+    s = np.linspace(-95, 95, 381)[:, None]
+    lines = [
+        type(strokes[0])(middle + s * way, np.zeros(381), np.ones(381, bool))
+        for way in (ahead, second)
+    ]
+    network = Auto().extract(Picture(drawn(lines, pen), 1.0)).network
+    assert sorted(network.degree(node.id) for node in network.nodes) == [1, 1, 1, 1, 4]
+    (place,) = [node.position for node in network.nodes if network.degree(node.id) == 4]
+    assert place == pytest.approx((middle[0] + 0.5, size - 0.5 - middle[1]), abs=0.5)
+
+
+def test_a_ring_is_whole_where_its_junction_is_a_knot_of_pixels() -> None:
+    """The first step from a junction pixel must not run into the next branch's first pixel."""
+    rows = (
+        "#......",
+        ".#.....",
+        "..##...",
+        "..#.#..",
+        ".#...##",
+        "#......",
+    )
+    graph = trace(np.array([[c == "#" for c in row] for row in rows]))
+    assert sorted(graph.degree().values()) == [1, 1, 1, 3]
+
+
+def test_within_the_tolerance_a_staircase_is_nearly_a_line() -> None:
+    """Pixels of a stroke that rises by one in 75: steps of 1 px, and a quarter is left."""
+    points = dense((0, 0), (300, 0))
+    steps = np.floor(np.arange(301) / 75) - np.arange(301) / 75 + 0.5
+    seen = Seen(steps, np.ones(301), np.full(301, 0.5))
+    line = faired(points, seen)
+    slope = np.polyfit(line[:, 0], line[:, 1], 1)
+    assert np.abs(line[:, 1] - np.polyval(slope, line[:, 0])).max() < 1 / 4
+
+
+def test_a_curve_passes_through_its_pins() -> None:
+    points = dense((0, 0), (200, 0))
+    seen = Seen(np.zeros(201), np.ones(201), np.full(201, 0.5), ((0, 0.0), (100, 0.8), (200, 0.0)))
+    assert faired(points, seen)[100, 1] == pytest.approx(0.8, abs=1e-3)
+
+
+def test_what_is_not_seen_between_two_lines_is_one_arc() -> None:
+    """A right angle whose corner of 60 px is not seen: no bend is tighter than need be."""
+    corner = np.vstack([dense((0, 0), (150, 0)), dense((150, 0), (150, 150))[1:]])
+    unseen = np.abs(np.arange(301) - 150) < 30
+    smooth = even_points(np.vstack([corner[:120], [[141.0, 9.0]], corner[181:]]))
+    for _ in range(4):
+        near = np.hypot(*(smooth[:, None] - corner[None]).transpose(2, 0, 1)).argmin(axis=1)
+        line = Curve.through(smooth[::4])
+        normal = line.normal(line.stations(count=len(smooth)))
+        offset = ((corner[near] - smooth) * normal).sum(axis=1)
+        seen = Seen(offset, np.where(unseen[near], 1e-6, 1.0), np.full(len(smooth), 0.5))
+        smooth = even_points(faired(smooth, seen))
+    tightest = np.abs(Curve.through(smooth[::3]).curvature(np.arange(5, 280, 1.0))).max()
+    assert 20 < 1 / tightest < 40
+
+
+def test_a_side_road_meets_the_road_that_goes_through_on_it() -> None:
+    road = Passing(dense((0, 0), (100, 0)), through=True)
+    side = Passing(dense((52, 40), (50, 4)), through=False)
+    assert meeting_point(np.array([49.0, 1.0]), [road, side], 10.0) == pytest.approx(
+        [50 - 4 / 18, 0], abs=0.01
+    )
+
+
+def test_a_meeting_is_not_farther_than_its_limit() -> None:
+    """Two roads that are nearly parallel cross far away."""
+    roads = [Passing(dense((0, 0), (100, 0)), True), Passing(dense((0, 3), (100, 2)), True)]
+    place = meeting_point(np.array([50.0, 1.0]), roads, 5.0)
+    assert np.hypot(*(place - [50, 1])) == pytest.approx(5.0)
