@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import argparse
 import time
+from collections.abc import Iterator
+from pathlib import Path
 
 from benchmarks.junctions.checks import Figures, check_junction, effective_sections
-from benchmarks.junctions.random_networks import KINDS, random_network
+from benchmarks.junctions.extracted_networks import drawn_network, photo_networks, typed_network
+from benchmarks.junctions.random_networks import KINDS, RandomNetwork, random_network
 from roadlang.geometry.junctions.plan import plan_junctions
+
+READ = {"drawn": drawn_network, "typed": typed_network}
+"""Kinds that are read from pictures."""
 
 
 def main() -> None:
@@ -15,15 +21,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--networks", type=int, default=10, help="of each kind")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--kinds", nargs="*", default=list(KINDS))
+    parser.add_argument("--kinds", nargs="*", default=[*KINDS, *READ])
+    parser.add_argument("--photos", type=Path, help="manifest of photos, for one more kind")
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
     print(f"{'kind':16} junctions merged faulty (merged, unreported) turns refused ms/junction")
     total, seconds = Figures(), 0.0
-    for kind in options.kinds:
+    kinds = {kind: _networks(kind, options.networks, options.seed) for kind in options.kinds}
+    if options.photos:
+        kinds["photo"] = photo_networks(options.photos)
+    for kind, networks in kinds.items():
         figures, spent = Figures(), 0.0
-        for number in range(options.networks):
-            drawn = random_network(kind, options.seed * 100_003 + number)
+        for number, drawn in enumerate(networks):
             start = time.process_time()
             plan = plan_junctions(drawn.network, drawn.sections)
             spent += time.process_time() - start
@@ -40,6 +49,11 @@ def main() -> None:
     _print("all", total, seconds)
     print(total.faults)
     _print_apart(total)
+
+
+def _networks(kind: str, count: int, seed: int) -> Iterator[RandomNetwork]:
+    for number in range(seed * 100_003, seed * 100_003 + count):
+        yield READ[kind](number) if kind in READ else random_network(kind, number)
 
 
 def _print(kind: str, figures: Figures, seconds: float) -> None:
