@@ -10,7 +10,7 @@ from benchmarks.drawings.strokes import Pen, drawn, strokes_of
 from roadlang.geometry import Curve
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.fairing import Seen, even_points, faired
+from roadlang_standard.extraction.fairing import SeenOffsets, even_points, faired
 from roadlang_standard.extraction.graph import trace
 from roadlang_standard.extraction.meeting import Passing, meeting_point
 from tests.extraction.graph_drawings import dense
@@ -92,7 +92,7 @@ def test_within_the_tolerance_a_staircase_is_nearly_a_line() -> None:
     """Pixels of a stroke that rises by one in 75: steps of 1 px, and a quarter is left."""
     points = dense((0, 0), (300, 0))
     steps = np.floor(np.arange(301) / 75) - np.arange(301) / 75 + 0.5
-    seen = Seen(steps, np.ones(301), np.full(301, 0.5))
+    seen = SeenOffsets(steps, np.ones(301), np.full(301, 0.5))
     line = faired(points, seen)
     slope = np.polyfit(line[:, 0], line[:, 1], 1)
     assert np.abs(line[:, 1] - np.polyval(slope, line[:, 0])).max() < 1 / 4
@@ -100,7 +100,9 @@ def test_within_the_tolerance_a_staircase_is_nearly_a_line() -> None:
 
 def test_a_curve_passes_through_its_pins() -> None:
     points = dense((0, 0), (200, 0))
-    seen = Seen(np.zeros(201), np.ones(201), np.full(201, 0.5), ((0, 0.0), (100, 0.8), (200, 0.0)))
+    seen = SeenOffsets(
+        np.zeros(201), np.ones(201), np.full(201, 0.5), ((0, 0.0), (100, 0.8), (200, 0.0))
+    )
     assert faired(points, seen)[100, 1] == pytest.approx(0.8, abs=1e-3)
 
 
@@ -114,7 +116,7 @@ def test_what_is_not_seen_between_two_lines_is_one_arc() -> None:
         line = Curve.through(smooth[::4])
         normal = line.normal(line.stations(count=len(smooth)))
         offset = ((corner[near] - smooth) * normal).sum(axis=1)
-        seen = Seen(offset, np.where(unseen[near], 1e-6, 1.0), np.full(len(smooth), 0.5))
+        seen = SeenOffsets(offset, np.where(unseen[near], 1e-6, 1.0), np.full(len(smooth), 0.5))
         smooth = even_points(faired(smooth, seen))
     tightest = np.abs(Curve.through(smooth[::3]).curvature(np.arange(5, 280, 1.0))).max()
     assert 20 < 1 / tightest < 40

@@ -30,7 +30,7 @@ _PINNED = 1e5
 
 
 @dataclass(frozen=True)
-class Seen:
+class SeenOffsets:
     """What was seen along a curve of n points: `offset` (n,), pixels to the left of each point,
     how much it weighs (n,), 0 to 1, and the `tolerance` (n,) in pixels within which it is as good
     as met. `pins` are offsets that are met exactly, by the index of their point."""
@@ -60,7 +60,7 @@ def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floa
     return np.asarray(spline(at))
 
 
-def faired(points: Floats, seen: Seen, closed: bool = False) -> Floats:
+def faired(points: Floats, seen: SeenOffsets, closed: bool = False) -> Floats:
     """The fair curve near `points` (n, 2), which are evenly spaced; so many points of it.
 
     A closed line repeats its first point, and so does the result.
@@ -78,13 +78,13 @@ def faired(points: Floats, seen: Seen, closed: bool = False) -> Floats:
     return np.asarray(points + np.append(offsets, offsets[0])[:, None] * normal)
 
 
-def _repeated(seen: Seen, count: int) -> Seen:
+def _repeated(seen: SeenOffsets, count: int) -> SeenOffsets:
     """The same three times round a closed line of so many points."""
     offset, weight, tolerance = (
         np.tile(values[:count], 3) for values in (seen.offset, seen.weight, seen.tolerance)
     )
     pins = tuple((i + turn * count, value) for turn in range(3) for i, value in seen.pins)
-    return Seen(offset, weight, tolerance, pins)
+    return SeenOffsets(offset, weight, tolerance, pins)
 
 
 def _bends(points: Floats, step: float) -> Floats:
@@ -92,7 +92,7 @@ def _bends(points: Floats, step: float) -> Floats:
     return np.asarray((np.diff(points, 2, axis=0) * normals(points)[1:-1]).sum(axis=1) / step**2)
 
 
-def _solved(seen: Seen, bend: Floats, step: float) -> Floats:
+def _solved(seen: SeenOffsets, bend: Floats, step: float) -> Floats:
     """The offsets (n,) for which the curve is fair, of a line that bends by so much (n - 2,)."""
     goal, weight, change = seen.offset, step * seen.weight, np.diff(bend) / step
     found, outside = np.zeros(len(goal)), np.zeros(len(goal))

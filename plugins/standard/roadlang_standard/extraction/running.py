@@ -16,7 +16,7 @@ from roadlang.geometry import Booleans, Floats
 from .centers import centers
 from .chains import LineChain
 from .edges import normals
-from .fairing import Seen, even_points, faired
+from .fairing import SeenOffsets, even_points, faired
 from .meeting import at_stations, extended, foot_station
 from .smoothing import curvature, resample, smooth, stations
 
@@ -138,7 +138,7 @@ def _fitted_again(
     loose = np.where(vague, max(1.0, 0.25 * fit.width), max(0.6, fit.tolerance))
     tolerance = np.where(even, fit.tolerance, loose)
     for _ in range(_EASINGS):
-        found = faired(curve, Seen(offset, weight, tolerance, pins), closed)
+        found = faired(curve, SeenOffsets(offset, weight, tolerance, pins), closed)
         sharp = curvature(found) > 1.02 / fit.tightest
         if not sharp.any():
             break
