@@ -71,3 +71,14 @@ def test_a_scale_changes_no_number_in_pixels(circuit: Any) -> None:
     scaled = json.loads(run(folder / "circuit.png", "--scale", "0.25").output)["roads"][0]
     assert plain["length"] == pytest.approx(scaled["length"], rel=1e-6)
     assert plain["widths"] == pytest.approx(scaled["widths"], abs=0.02)
+
+
+@pytest.mark.parametrize(("words", "scale"), [((), 0.25), (("--scale", "0.5"), 0.5)])
+def test_a_world_file_gives_the_scale_unless_another_is_said(
+    circuit: Any, words: tuple[str, ...], scale: float
+) -> None:
+    _, folder = circuit
+    (folder / "circuit.pgw").write_text("0.25\n0\n0\n-0.25\n0\n0\n")
+    result = run(folder / "circuit.png", "-o", folder / "roads.json", *words)
+    assert result.exit_code == 0, result.output
+    assert json.loads((folder / "roads.json").read_text())["meters_per_pixel"] == scale

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.files.journal import JournalFile
+from roadlang.files.journal import JournalFile, read_lines
 
 
 @pytest.fixture
@@ -49,3 +49,16 @@ def test_the_journal_of_something_else_stays_as_it_is(path: Path) -> None:
     with pytest.raises(DiagnosticError):
         JournalFile(path, "other", resume=True)
     assert path.read_bytes() == before
+
+
+def test_lines_are_read_of_any_key_but_damaged_and_unfinished_ones_are_not(path: Path) -> None:
+    JournalFile(path, "key", resume=False).append([b'{"a": 1}', b'{"b": 2}'])
+    path.write_bytes(path.read_bytes() + b'{"c": \n{"d": 4}\n{"e": 5}')
+    assert read_lines(path) == [b'{"a": 1}', b'{"b": 2}', b'{"d": 4}']
+
+
+@pytest.mark.parametrize("header", [b'{"schema": "other"}', b"[]", b'"text"'])
+def test_another_file_is_no_journal(path: Path, header: bytes) -> None:
+    path.write_bytes(header + b'\n{"a": 1}\n')
+    with pytest.raises(ValueError, match="it is no journal of roadlang"):
+        read_lines(path)
