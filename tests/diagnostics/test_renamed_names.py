@@ -13,6 +13,7 @@ import pytest
     [
         ("roadlang.api", "Stretch", "ViolatedSegment"),
         ("roadlang.stl", "Monitor", "OnlineMonitor"),
+        ("roadlang.stl", "Junction", "LogicalJunction"),
         ("roadlang.stl", "Stretch", "ViolationInterval"),
     ],
 )

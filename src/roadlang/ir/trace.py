@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
@@ -93,6 +94,13 @@ class AgentTrace(Frozen):
 
     def __getstate__(self) -> dict[str, Any]:
         return {one.name: getattr(self, one.name) for one in fields(self)}
+
+    @classmethod
+    def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:
+        """The old name of `standing`."""
+        text = "AgentTrace.still is now AgentTrace.standing; the old name goes with the next minor"
+        warnings.warn(f"{text} version", DeprecationWarning, stacklevel=2)
+        return cls.standing(actor, time)
 
     @classmethod
     def standing(cls, actor: SceneActor, time: Floats) -> AgentTrace:

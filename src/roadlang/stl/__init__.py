@@ -125,7 +125,11 @@ __all__ = [
 ]
 
 
-_RENAMED = {"Monitor": "OnlineMonitor", "Stretch": "ViolationInterval"}
+_RENAMED = {
+    "Junction": "LogicalJunction",
+    "Monitor": "OnlineMonitor",
+    "Stretch": "ViolationInterval",
+}
 
 
 def __getattr__(name: str) -> object:
