@@ -6,7 +6,7 @@ python -m benchmarks.falsification.hard [SEARCHER ...] [--seeds N] [--evaluation
 from .bent_road import lane_keeper
 from .comparison import compare
 
-FRICTION = 1.08
+FRICTION = 0.617
 
 if __name__ == "__main__":
     compare(lane_keeper(FRICTION))
