@@ -37,7 +37,7 @@ def drawn_network(seed: int) -> RandomNetwork:
     shape = SHAPES[seed % len(SHAPES)]
     network = random_network(shape, seed).network
     widths = rng.uniform(5.0, 11.0, 2)
-    picture = _drawing(network, {e.id: float(rng.choice(widths)) for e in network.edges})
+    picture = drawing(network, {e.id: float(rng.choice(widths)) for e in network.edges})
     return _with_lanes("drawn", Auto().extract(Picture(picture, _SCALE)).network, rng)
 
 
@@ -88,7 +88,7 @@ def _with_lanes(kind: str, network: RoadNetwork, rng: np.random.Generator) -> Ra
     return RandomNetwork(kind, network, sections)
 
 
-def _drawing(network: RoadNetwork, widths: dict[int, float]) -> NDArray[np.uint8]:
+def drawing(network: RoadNetwork, widths: dict[int, float]) -> NDArray[np.uint8]:
     """Dark roads of these widths in meters on white (h, w, 3), anti-aliased."""
     west, south, east, north = network.bounds
     origin = np.array([west - _MARGIN, north + _MARGIN])
