@@ -135,3 +135,11 @@ def test_a_meeting_is_not_farther_than_its_limit() -> None:
     roads = [Passing(dense((0, 0), (100, 0)), True), Passing(dense((0, 3), (100, 2)), True)]
     place = meeting_point(np.array([50.0, 1.0]), roads, 5.0)
     assert np.hypot(*(place - [50, 1])) == pytest.approx(5.0)
+
+
+def test_a_short_road_between_two_parallel_ones_stays() -> None:
+    """An H: the roads at both ends of the short one are straight, but do not cross."""
+    image = np.full((120, 200, 3), 230, np.uint8)
+    image[31:39] = image[61:69] = image[31:69, 96:104] = 60
+    network = Auto().extract(Picture(image, 1.0)).network
+    assert sorted(network.degree(node.id) for node in network.nodes) == [1, 1, 1, 1, 3, 3]

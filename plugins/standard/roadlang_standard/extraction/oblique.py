@@ -10,7 +10,10 @@ from .graph import Graph, Line
 
 _LONGEST = 5.5
 """Widths: roads that cross at 20 degrees lie over one another for w / sin(10 degrees)."""
-_STRAIGHT, _LEAST_SKEW = np.deg2rad(12.0), np.deg2rad(12.0)
+_STRAIGHT = np.deg2rad(12.0)
+_LEAST_SKEW, _MOST_SKEW = np.deg2rad(12.0), np.deg2rad(100.0)
+"""Between the two roads where they leave one end. Two T junctions joined by a short road, as in an
+H, have theirs in opposite directions there."""
 
 
 def join_oblique_crossings(graph: Graph, width: float) -> None:
@@ -46,4 +49,4 @@ def _crosses(line: Line, at: dict[int, list[tuple[Line, int]]], look: float) -> 
     before, after = ([heading(*end, look) for end in ends] for ends in (near, far))
     skew = np.pi - turn(before[0], before[1])
     straight = min(max(turn(before[0], after[i]), turn(before[1], after[1 - i])) for i in (0, 1))
-    return bool(straight < _STRAIGHT and skew > _LEAST_SKEW)
+    return bool(straight < _STRAIGHT and _LEAST_SKEW < skew < _MOST_SKEW)
