@@ -1,9 +1,24 @@
 # Merging from an on-ramp: the lane beside the motorway ends, and traffic leaves a gap or does not.
 scenario on_ramp "Merging from an on-ramp"
 
-road before { draw with segments { pieces: [straight(250m)] }, lanes: 2, oneway: true, speed_limit: 100km/h }
-road beside { draw with segments { pieces: [straight(250m)] }, lanes: 3, oneway: true, speed_limit: 100km/h }
-road after { draw with segments { pieces: [arc(900m, 20deg)] }, lanes: 2, oneway: true, speed_limit: 100km/h }
+road before {
+  draw with segments { pieces: [straight(250m)] }
+  lanes: 2
+  oneway: true
+  speed_limit: 100km/h
+}
+road beside {
+  draw with segments { pieces: [straight(250m)] }
+  lanes: 3
+  oneway: true
+  speed_limit: 100km/h
+}
+road after {
+  draw with segments { pieces: [arc(900m, 20deg)] }
+  lanes: 2
+  oneway: true
+  speed_limit: 100km/h
+}
 road motorway from before { then: [beside, after], taper: 60m }
 
 agent ego is car on motorway at 320m {

@@ -52,7 +52,8 @@ def tweaked_lines(name: str, count: int, drive: bool = False) -> Iterator[str]:
         try:
             scenes = LoadedScenario(text, path, {}, registry).sample(1, seed=SEED)
         except NoSceneError as error:
-            yield f"  no scene: {error}".replace("\n", " / ")[:400]
+            refusal = str(error).replace(str(SCENES), "SCENES").replace("\n", " / ")
+            yield f"  no scene: {refusal}"[:400]
         except DiagnosticError as error:
             for found in error.diagnostics[:2]:
                 place = f"{found.span.line}:{found.span.column}" if found.span else "-"

@@ -144,7 +144,7 @@ def test_a_junction_that_is_not_there(sample: Sample) -> None:
         sampled(sample, "agent ego is car on town at junction(99)")
     (found,) = caught.value.diagnostics
     assert found.code == "RL472"
-    assert "no lane leads to junction 99; there are 1," in found.message
+    assert "no lane leads to junction 99; the ids of the junctions are: 1," in found.message
 
 
 def test_nobody_begins_too_fast_for_the_turn_ahead(sample: Sample) -> None:
