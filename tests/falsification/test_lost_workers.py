@@ -31,7 +31,7 @@ require radius: always (abs(curvature(bent)) < 1 / 14m)
 agent ego is choice(car, van) on bent at 5m..15m {
   drive with stanley { speed: (14m/s)..(20m/s), lateral_acceleration: 6m/s^2 }
 }
-world { friction: 0.6 }
+world { friction: 0.45 }
 expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
 """
 FEW: dict[str, Any] = {"evaluations": 240, "batch": 60, "seed": 2}

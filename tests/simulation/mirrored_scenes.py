@@ -108,7 +108,12 @@ def _bend(draw: Random) -> tuple[list[list[Point]], list[float]]:
               for a, b, c in zip(*corner, strict=True))
         for t in (k / 12 for k in range(13))
     ]  # fmt: skip
-    line: list[Any] = [_polar(ARM, headings[0]), *smooth, _polar(ARM, headings[1])]
+    away = [12.0 + (ARM - 12.0) * k / 9 for k in range(1, 10)]
+    line: list[Any] = [
+        *[_polar(distance, headings[0]) for distance in reversed(away)],
+        *smooth,
+        *[_polar(distance, headings[1]) for distance in away],
+    ]
     return [line], headings
 
 
