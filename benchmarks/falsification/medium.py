@@ -6,7 +6,7 @@ python -m benchmarks.falsification.medium [SEARCHER ...] [--seeds N] [--evaluati
 from .bent_road import lane_keeper
 from .comparison import compare
 
-FRICTION = 0.577
+FRICTION = 0.581
 
 if __name__ == "__main__":
     compare(lane_keeper(FRICTION))
