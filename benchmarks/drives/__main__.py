@@ -85,7 +85,7 @@ def main() -> None:
     parser.add_argument("--roads", type=int, default=10_000)
     parser.add_argument("--numpy", action="store_true")
     arguments = parser.parse_args()
-    if arguments.numpy:
+    if arguments.numpy:  # as on a machine without numba; users have no switch for it
         compiled.is_installed = lambda: False  # type: ignore[assignment]
     how = "numba" if compiled.is_installed() else "numpy"
     if compiled.is_installed():

@@ -87,11 +87,16 @@ def test_a_pedestrian_walks_along_the_edge(session: Session) -> None:
     assert ego.y[-1] == pytest.approx(-7.5, abs=0.2)
 
 
+def recording(folders: pytest.TempPathFactory, text: str) -> Path:
+    file = folders.mktemp("replay") / "recorded.csv"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
 def test_an_agent_goes_where_a_recording_had_it(
     session: Session, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    file = tmp_path_factory.mktemp("replay") / "recorded.csv"
-    file.write_text("time,x,y,heading\n0,20,0,0\n4,60,0,0\n8,100,4,0.1\n", encoding="utf-8")
+    file = recording(tmp_path_factory, "time,x,y,heading\n0,20,0,0\n4,60,0,0\n8,100,4,0.1\n")
     text = (
         ROAD
         + f"""
@@ -107,8 +112,7 @@ def test_an_agent_goes_where_a_recording_had_it(
 def test_who_goes_by_a_recording_is_moved_by_physics_after_a_crash(
     session: Session, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    file = tmp_path_factory.mktemp("replay") / "recorded.csv"
-    file.write_text("time,x,y,heading\n0,20,-5.25,0\n10,120,-5.25,0\n", encoding="utf-8")
+    file = recording(tmp_path_factory, "time,x,y,heading\n0,20,-5.25,0\n10,120,-5.25,0\n")
     text = (
         ROAD
         + f"""

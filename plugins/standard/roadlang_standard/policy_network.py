@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -34,13 +35,9 @@ def policy(path: str, inputs: int) -> Callable[[NDArray[np.float32]], NDArray[np
     def wanted(vectors: NDArray[np.float32]) -> NDArray[np.float64]:
         out = np.empty((len(vectors), OUTPUTS))
         for row in range(len(vectors)):
-            try:
+            with _faults_of(name, "it fails"):
                 (answer,) = session.run([found.name], {given.name: vectors[row : row + 1]})
                 out[row] = np.asarray(answer, dtype=np.float64).reshape(OUTPUTS)
-            # onnxruntime has no base class of errors; it raises ValueError, RuntimeError,
-            # and classes of its compiled part.
-            except Exception as error:
-                raise _unusable(name, f"it fails: {_first_line(error)}") from error
         if not np.isfinite(out).all():
             raise _unusable(name, "it gave a number that is not finite")
         return np.minimum(np.maximum(out, -1.0), 1.0)
@@ -60,11 +57,22 @@ def _session(path: str, name: str) -> Any:
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.log_severity_level = 4
-    try:
+    with _faults_of(name, "it cannot be loaded"):
         providers = ["CPUExecutionProvider"]
         return onnxruntime.InferenceSession(content, options, providers=providers)
+
+
+@contextmanager
+def _faults_of(name: str, what: str) -> Iterator[None]:
+    """What onnxruntime raises becomes a diagnostic about the file.
+
+    It has no base class of errors: it raises ValueError, RuntimeError, and classes of its
+    compiled part that it does not export, so that nothing narrower than Exception will do.
+    """
+    try:
+        yield
     except Exception as error:
-        raise _unusable(name, f"it cannot be loaded: {_first_line(error)}") from error
+        raise _unusable(name, f"{what}: {_first_line(error)}") from error
 
 
 def _only(ends: Any, name: str) -> list[Any]:
