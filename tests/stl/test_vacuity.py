@@ -90,7 +90,10 @@ def test_monitor_warns_of_a_vacuous_verdict_and_strict_fails_it(
     printed = capfd.readouterr()
     assert ended.value.code == code
     assert "steps.csv  vacuous  inf" in printed.out
-    assert "warning[RL308]: `always[0.2, 0.8] (x < 0)` looks between two samples" in printed.err
+    assert (
+        "warning[RL308]: a window of `always[0.2, 0.8] (x < 0)` falls between two samples"
+        in printed.err
+    )
 
 
 def _widened(formula: stl.Formula, least: float) -> stl.Formula:

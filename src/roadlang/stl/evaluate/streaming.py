@@ -45,14 +45,14 @@ class StreamMonitor:
     what `formula.robustness` gives on the whole trace. Work and memory depend on the longest
     interval only.
 
-    Raises DiagnosticError RL309 for a formula that looks ahead without end.
+    Raises DiagnosticError RL309 for a formula with an unbounded future operator.
     """
 
     def __init__(self, formula: f.Formula) -> None:
         self.formula = formula
         self.delay = horizon(formula)
         if math.isinf(self.delay):
-            raise stl_error(Code.ENDLESS_FUTURE, formula=str(formula))
+            raise stl_error(Code.UNBOUNDED_FUTURE, formula=str(formula))
         self._names = sorted(formula.variables)
         self._clock = Clock()
         graph = FormulaGraph.of(formula)

@@ -108,11 +108,22 @@ class Pointwise(Compound):
         raise NotImplementedError
 
 
+@dataclass(frozen=True, slots=True)
 class TemporalOperator(Compound):
-    """An operator that looks at other samples: ahead, or back if it is `past`."""
+    """An operator that looks at the samples in an interval (None: at all of them): ahead, or back
+    if it is `past`."""
 
-    __slots__ = ()
+    interval: Interval | None
     past: ClassVar[bool]
+
+    def __post_init__(self) -> None:
+        if self.interval == UNBOUNDED:  # `always[0, inf] p` is `always p`
+            object.__setattr__(self, "interval", None)
+
+    @property
+    def window(self) -> Interval | None:
+        """The interval, None for all later (or earlier) samples."""
+        return self.interval
 
 
 class Derived(Compound):
@@ -203,18 +214,8 @@ class Connective(Pointwise, Derived):
 class UnaryTemporal(TemporalOperator):
     """The least or the greatest of the operand in a window (None: as far as the trace goes)."""
 
-    interval: Interval | None
     operand: Formula
     least: ClassVar[bool]
-
-    def __post_init__(self) -> None:
-        if self.interval == UNBOUNDED:  # `always[0, inf] p` is `always p`
-            object.__setattr__(self, "interval", None)
-
-    @property
-    def window(self) -> Interval | None:
-        """The interval, None for all later (or earlier) samples."""
-        return self.interval
 
     @property
     def parts(self) -> tuple[Formula, ...]:
@@ -231,18 +232,8 @@ class UnaryTemporal(TemporalOperator):
 class BinaryTemporal(TemporalOperator):
     """`right` at a witness in the window, `left` at every sample on the way to it."""
 
-    interval: Interval | None
     left: Formula
     right: Formula
-
-    def __post_init__(self) -> None:
-        if self.interval == UNBOUNDED:  # `always[0, inf] p` is `always p`
-            object.__setattr__(self, "interval", None)
-
-    @property
-    def window(self) -> Interval | None:
-        """The interval, None for all later (or earlier) samples."""
-        return self.interval
 
     @property
     def parts(self) -> tuple[Formula, ...]:
