@@ -13,7 +13,7 @@ from ..drive.simulators import engine_settings
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..simulation.contacts import ContactDetector
 from ..simulation.decision import Decision
-from ..simulation.driving import Crew
+from ..simulation.driving import DriverGroup
 from ..simulation.observing import Surroundings, View
 from ..simulation.samples import Samples
 from ..simulation.world import World
@@ -66,7 +66,7 @@ class Episodes:
         self._agents = np.arange(len(scenes)) * world.slots + np.array(driven, dtype=np.int64)
         self._vector = settings.vector
         self._surroundings = Surroundings(world)
-        self._crew = _crew(world, pool, settings)
+        self._drivers = _drivers(world, pool, settings)
         self._contacts = ContactDetector(world)
         poses = world.poses
         self._contacts.watch(world, poses, 0.0)
@@ -88,8 +88,8 @@ class Episodes:
             column[agents] = first[agents]
         self._poses = world.poses
         self._contacts.restart(agents, self._poses)
-        if self._crew is not None:
-            self._crew.restart(agents)
+        if self._drivers is not None:
+            self._drivers.restart(agents)
         self._samples.restart(agents, world, self._poses)
         self._before[rows] = 0.0
 
@@ -117,10 +117,10 @@ class Episodes:
     def _decided(self, rows: Integers, actions: Floats) -> Decision:
         world, settings = self._world, self._settings
         count = len(world.present)
-        if self._crew is None:
+        if self._drivers is None:
             decision = Decision(np.zeros(count), np.full(count, -IDLE_BRAKING))
         else:
-            decision = self._crew.decide(world, self._poses)
+            decision = self._drivers.decide(world, self._poses)
         agents = self._agents[rows]
         decision.steering[agents] = actions[:, 0] * world.bodies.max_steering[agents]
         scale = np.where(actions[:, 1] < 0.0, settings.deceleration, settings.acceleration)
@@ -183,9 +183,9 @@ def can_restart(pool: ScenePool) -> bool:
     ) and not any(network.junctions for scene in pool.scenes for network in scene.networks)
 
 
-def _crew(world: World, pool: ScenePool, settings: EnvSettings) -> Crew | None:
+def _drivers(world: World, pool: ScenePool, settings: EnvSettings) -> DriverGroup | None:
     """What drives the other agents; None where there are none that anything drives."""
     if not any(actor.drive for scene in world.scenes for actor in scene.agents):
         return None
     controllers = [python_controllers(scene, pool.registry) for scene in world.scenes]
-    return Crew(world, controllers, settings.step)
+    return DriverGroup(world, controllers, settings.step)

@@ -44,9 +44,11 @@ def _stop_lines(scene: Scene) -> dict[Lane, list[float]]:
     found: dict[Lane, list[float]] = {}
     for network in scene.networks:
         for junction in network.junctions:
-            for one in junction.connections if junction.kind != "joint" else ():
-                road = roads[one.source.road]
-                at_start = one.source.end == "start"
+            for connection in junction.connections if junction.kind != "joint" else ():
+                road = roads[connection.source.road]
+                at_start = connection.source.end == "start"
                 station = road.trim[0] if at_start else road.length - road.trim[1]
-                found.setdefault((one.source.road, one.source.lane), []).append(station)
+                found.setdefault((connection.source.road, connection.source.lane), []).append(
+                    station
+                )
     return found

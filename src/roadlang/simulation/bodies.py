@@ -81,9 +81,9 @@ class Bodies:
         dt: float,
     ) -> Bodies:
         """`friction`: of the road below each; `kinds`: by the name of the kind."""
-        usual = Body()
+        defaults = Body()
         rows = [
-            _row(actor, kinds.get(actor.kind, usual), max(mu, LEAST_FRICTION), dt)
+            _row(actor, kinds.get(actor.kind, defaults), max(mu, LEAST_FRICTION), dt)
             for actor, mu in zip(actors, friction, strict=True)
         ]
         columns = np.ascontiguousarray(np.array(rows, dtype=np.float64).reshape(len(rows), -1).T)
@@ -135,11 +135,11 @@ class VehicleParameters:
 def vehicle_parameters(actor: SceneActor, body: Body | None = None) -> VehicleParameters:
     """Those of an agent, whose kind is this: what its options say, else usual numbers."""
     options, body = actor.options, body or Body()
-    usual_base = WALKER_BASE if body.walks else 0.6 * actor.length
+    default_wheelbase = WALKER_BASE if body.walks else 0.6 * actor.length
     mass = max(1e-3, _number(options.get("mass"), 1500.0))
     return VehicleParameters(
         mass=mass,
-        wheelbase=max(0.05, _number(options.get("wheelbase"), usual_base)),
+        wheelbase=max(0.05, _number(options.get("wheelbase"), default_wheelbase)),
         max_steering=min(1.5, _number(options.get("max_steering"), 0.61)),
         mass_height=body.mass_height * actor.height,
         drag=0.5 * AIR * body.drag_area / mass,

@@ -93,8 +93,8 @@ def _advanced(
         c = columns[:, i]
         car = (c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10])
         last, origin, spacing, per_meter = numbers[:, i]
-        gone = s - origin
-        cell = int(np.minimum(np.maximum(gone * per_meter, 0.0), last))
+        advance = s - origin
+        cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
         curvature = curvatures[first[i] + cell]
         for _ in range(steps):
             tangent = vehicle.steered(tangent, wanted[0][i], c[11], c[12])
@@ -106,10 +106,10 @@ def _advanced(
             speeds = (speed, found[0], found[1])
             speed, slide, yaw_rate, acceleration = found
             s, n = vehicle.moved((s, n), speeds, (cosine, sine), curvature, dt)
-            gone = s - origin
-            cell = int(np.minimum(np.maximum(gone * per_meter, 0.0), last))
+            advance = s - origin
+            cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
             curvature = curvatures[first[i] + cell]
-            heading = headings[first[i] + cell] + curvature * (gone - cell * spacing)
+            heading = headings[first[i] + cell] + curvature * (advance - cell * spacing)
             angle = yaw_rate * dt - (heading - line)
             cosine, sine = vehicle.turned(cosine, sine, angle)
             line = heading

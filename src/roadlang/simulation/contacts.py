@@ -40,15 +40,15 @@ class ContactDetector:
     """
 
     def __init__(self, world: World) -> None:
-        self._objects = Outlines.of([one for scene in world.scenes for one in scene.objects])
-        self._names = [one.name for scene in world.scenes for one in scene.objects]
+        self._objects = Outlines.of([actor for scene in world.scenes for actor in scene.objects])
+        self._names = [actor.name for scene in world.scenes for actor in scene.objects]
         radius = np.hypot(self._objects.half_length, self._objects.half_width)
         self._object_radius = radius
         self._pairs, self._near = _pairs(world)
         self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
         self._before: Poses | None = None
-        self._due = np.zeros(len(self._near[0]))
-        self._gone = np.zeros(len(world.present))
+        self._next_check = np.zeros(len(self._near[0]))
+        self._traveled = np.zeros(len(world.present))
 
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
@@ -58,7 +58,7 @@ class ContactDetector:
         self._before = poses
         shift_x, shift_y = poses.x - before.x, poses.y - before.y
         shift = np.hypot(shift_x, shift_y)
-        self._gone += shift
+        self._traveled += shift
         found = self._of_agents(world, poses, (shift_x, shift_y, shift))
         found += self._of_objects(world, poses, (shift_x, shift_y))
         return self._settled(found, world, seconds) if found else []
@@ -69,22 +69,22 @@ class ContactDetector:
 
     def restart(self, agents: Integers, poses: Poses) -> None:
         """Some agents are back at the start; `poses`: of all, now."""
-        back = np.zeros(len(self._gone), dtype=bool)
+        back = np.zeros(len(self._traveled), dtype=bool)
         back[agents] = True
-        self._gone[agents] = 0.0
-        self._due[back[self._near[0]]] = 0.0
+        self._traveled[agents] = 0.0
+        self._next_check[back[self._near[0]]] = 0.0
         self._before = poses
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
         place = np.full(count, -1)
         place[agents] = np.arange(len(agents))
-        kept = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
-        self._pairs = (place[self._pairs[0][kept]], place[self._pairs[1][kept]])
-        kept = place[self._near[0]] >= 0
-        self._near = (place[self._near[0][kept]], self._near[1][kept])
-        self._due = self._due[kept]
-        self._radius, self._gone = self._radius[agents], self._gone[agents]
+        remaining = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
+        self._pairs = (place[self._pairs[0][remaining]], place[self._pairs[1][remaining]])
+        remaining = place[self._near[0]] >= 0
+        self._near = (place[self._near[0][remaining]], self._near[1][remaining])
+        self._next_check = self._next_check[remaining]
+        self._radius, self._traveled = self._radius[agents], self._traveled[agents]
         if self._before is not None:
             self._before = self._before.take(agents)
 
@@ -95,48 +95,48 @@ class ContactDetector:
         if not len(first):
             return []
         off_x, off_y = poses.x[first] - poses.x[second], poses.y[first] - poses.y[second]
-        reach = (self._radius + shift[2])[first] + (self._radius + shift[2])[second]
-        close = np.flatnonzero(off_x * off_x + off_y * off_y <= reach * reach)
+        distance = (self._radius + shift[2])[first] + (self._radius + shift[2])[second]
+        close = np.flatnonzero(off_x * off_x + off_y * off_y <= distance * distance)
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]
             close = close[world.present[first[close]] & world.present[second[close]]]
         if not len(close):
             return []
-        one, other = first[close], second[close]
+        agent, partner = first[close], second[close]
         outlines = Outlines.moving(world, poses)
-        relative = (shift[0][one] - shift[0][other], shift[1][one] - shift[1][other])
-        share = first_contact(outlines.take(one), outlines.take(other), relative)
+        relative = (shift[0][agent] - shift[0][partner], shift[1][agent] - shift[1][partner])
+        share = first_contact(outlines.take(agent), outlines.take(partner), relative)
         length = np.hypot(*relative)
         return [
-            (float(share[i]), int(one[i]), int(other[i]), -1, float(length[i]))
+            (float(share[i]), int(agent[i]), int(partner[i]), -1, float(length[i]))
             for i in np.flatnonzero(share <= 1.0)
         ]
 
     def _of_objects(self, world: World, poses: Poses, shift: tuple[Floats, Floats]) -> list[Any]:
         """An agent that is far from an object need not be looked at until it has gone that far."""
-        agent, thing = self._near
-        due = np.flatnonzero(self._gone[agent] >= self._due)
-        if len(due):
-            due = due[~world.halted[agent[due]] & world.present[agent[due]]]
-        if not len(due):
+        agent, objects = self._near
+        pending = np.flatnonzero(self._traveled[agent] >= self._next_check)
+        if len(pending):
+            pending = pending[~world.halted[agent[pending]] & world.present[agent[pending]]]
+        if not len(pending):
             return []
-        one, other = agent[due], thing[due]
+        checked, object_ = agent[pending], objects[pending]
         away = np.hypot(
-            poses.x[one] - self._objects.x[other], poses.y[one] - self._objects.y[other]
+            poses.x[checked] - self._objects.x[object_], poses.y[checked] - self._objects.y[object_]
         )
-        moved = np.hypot(shift[0][one], shift[1][one])
-        free = away - self._radius[one] - self._object_radius[other]
-        self._due[due] = self._gone[one] + free
+        moved = np.hypot(shift[0][checked], shift[1][checked])
+        free = away - self._radius[checked] - self._object_radius[object_]
+        self._next_check[pending] = self._traveled[checked] + free
         close = free <= moved
         if not close.any():
             return []
-        one, other = one[close], other[close]
-        relative = (shift[0][one], shift[1][one])
-        outlines = Outlines.moving(world, poses).take(one)
-        share = first_contact(outlines, self._objects.take(other), relative)
+        checked, object_ = checked[close], object_[close]
+        relative = (shift[0][checked], shift[1][checked])
+        outlines = Outlines.moving(world, poses).take(checked)
+        share = first_contact(outlines, self._objects.take(object_), relative)
         length = np.hypot(*relative)
         return [
-            (float(share[i]), int(one[i]), -1, int(other[i]), float(length[i]))
+            (float(share[i]), int(checked[i]), -1, int(object_[i]), float(length[i]))
             for i in np.flatnonzero(share <= 1.0)
         ]
 
@@ -144,14 +144,17 @@ class ContactDetector:
         """The contacts in the order of time; who has touched something goes no further."""
         out: list[Contact] = []
         stopped: dict[int, float] = {}
-        for share, one, other, thing, length in sorted(found):
-            both = [agent for agent in (one, other) if agent >= 0]
+        for share, first, second, object_, length in sorted(found):
+            both = [agent for agent in (first, second) if agent >= 0]
             if any(share > stopped.get(agent, math.inf) for agent in both):
                 continue
             moment = world.time - (1.0 - share) * seconds
             speed = length / seconds if seconds > 0.0 else 0.0
-            names = [_name(world, other) if other >= 0 else self._names[thing], _name(world, one)]
-            for agent, partner, name in zip(both, [other, one], names, strict=False):
+            names = [
+                _name(world, second) if second >= 0 else self._names[object_],
+                _name(world, first),
+            ]
+            for agent, partner, name in zip(both, [second, first], names, strict=False):
                 out.append(Contact(moment, agent, partner, name, speed))
                 world.contacts[agent] += 1.0
                 world.collision[agent] = max(world.collision[agent], speed)
@@ -196,11 +199,11 @@ def first_contact(a: Outlines, b: Outlines, shift: tuple[Floats, Floats]) -> Flo
 def _overlap(start: Floats, change: Floats, distance: Floats) -> tuple[Floats, Floats]:
     """When `|start + change t| <= reach`, from and to."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        one, other = (-distance - start) / change, (distance - start) / change
+        entry, leaving = (-distance - start) / change, (distance - start) / change
     inside = np.abs(start) <= distance
-    still = change == 0.0
-    first = np.where(still, np.where(inside, -math.inf, math.inf), np.minimum(one, other))
-    last = np.where(still, np.where(inside, math.inf, -math.inf), np.maximum(one, other))
+    at_rest = change == 0.0
+    first = np.where(at_rest, np.where(inside, -math.inf, math.inf), np.minimum(entry, leaving))
+    last = np.where(at_rest, np.where(inside, math.inf, -math.inf), np.maximum(entry, leaving))
     return first, last
 
 
@@ -208,21 +211,21 @@ def _pairs(world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Int
     """Pairs of agents that can touch each other, and of agents and objects."""
     base = 0
     none = np.zeros(0, dtype=np.int64)
-    first, second, agent, thing = [none], [none], [none], [none]
+    first, second, agent, object_ = [none], [none], [none], [none]
     for scene, record in enumerate(world.scenes):
         if len(record.agents) < 2 and not record.objects:
             continue
-        here = scene * world.slots + np.arange(len(record.agents))
-        vehicles = here[~world.bodies.walks[here]]
-        one, other = np.triu_indices(len(here), 1)
-        touch = ~(world.bodies.walks[here[one]] & world.bodies.walks[here[other]])
-        first.append(here[one[touch]])
-        second.append(here[other[touch]])
+        agents = scene * world.slots + np.arange(len(record.agents))
+        vehicles = agents[~world.bodies.walks[agents]]
+        row, column = np.triu_indices(len(agents), 1)
+        touch = ~(world.bodies.walks[agents[row]] & world.bodies.walks[agents[column]])
+        first.append(agents[row[touch]])
+        second.append(agents[column[touch]])
         count = len(record.objects)
         agent.append(np.repeat(vehicles, count))
-        thing.append(base + np.tile(np.arange(count), len(vehicles)))
+        object_.append(base + np.tile(np.arange(count), len(vehicles)))
         base += count
-    joined = [np.concatenate(part).astype(np.int64) for part in (first, second, agent, thing)]
+    joined = [np.concatenate(part).astype(np.int64) for part in (first, second, agent, object_)]
     return (joined[0], joined[1]), (joined[2], joined[3])
 
 

@@ -89,7 +89,7 @@ def looks_ahead(world: World) -> Floats:
 
 
 def nearest_in_corridor(
-    world: World, agent: Integers, thing: Integers, things: Outlines
+    world: World, agent: Integers, target: Integers, outlines: Outlines
 ) -> tuple[Floats, Floats]:
     """(P,) for pairs of an agent, in ascending order, and one of `things`: the gap along the line
     to what of it is in the corridor, infinite where nothing is, and the heading of the line there.
@@ -99,37 +99,39 @@ def nearest_in_corridor(
         return gap, heading
     agents, _, column = sorted_groups(agent)
     window = Window.of(world, agents)
-    half = 0.5 * world.bodies.width[agent] + things.half_width[thing] + MARGIN
-    close = np.flatnonzero(_comes_close(window, column, thing, things, half))
+    half = 0.5 * world.bodies.width[agent] + outlines.half_width[target] + MARGIN
+    close = np.flatnonzero(_may_overlap(window, column, target, outlines, half))
     if not len(close):
         return gap, heading
-    own = 0.5 * world.bodies.length[agent[close]]
-    found = _circles(window, column[close], things.take(thing[close]), half[close], own)
+    half_length = 0.5 * world.bodies.length[agent[close]]
+    found = _circles(window, column[close], outlines.take(target[close]), half[close], half_length)
     gap[close], heading[close] = found
     return gap, heading
 
 
-def _comes_close(
-    window: Window, column: Integers, thing: Integers, things: Outlines, half: Floats
+def _may_overlap(
+    window: Window, column: Integers, target: Integers, outlines: Outlines, half: Floats
 ) -> Booleans:
     """(P,) whether any part can lie in the corridor."""
-    off_x = things.x[thing] - window.x[:, column]
-    off_y = things.y[thing] - window.y[:, column]
+    off_x = outlines.x[target] - window.x[:, column]
+    off_y = outlines.y[target] - window.y[:, column]
     square = off_x * off_x + off_y * off_y
     seen = window.s[:, None] <= window.view[column]
     swung = np.abs(window.swung).max(axis=0)[column]
-    around = np.maximum(things.half_length - things.half_width, 0.0)[thing] + half + SAMPLE_SPACING
+    around = (
+        np.maximum(outlines.half_length - outlines.half_width, 0.0)[target] + half + SAMPLE_SPACING
+    )
     around = around + swung
     return np.asarray(np.where(seen, square, math.inf).min(axis=0) < around * around)
 
 
 def _circles(
-    window: Window, column: Integers, things: Outlines, half: Floats, half_width: Floats
+    window: Window, column: Integers, outlines: Outlines, half: Floats, half_width: Floats
 ) -> tuple[Floats, Floats]:
     """(P,) gap and heading of the line, as `nearest_in_corridor`, by circles (C, P)."""
     share = np.linspace(-1.0, 1.0, CIRCLES)[:, None]
-    out = share * np.maximum(things.half_length - things.half_width, 0.0)
-    x, y = things.x + out * things.cosine, things.y + out * things.sine
+    out = share * np.maximum(outlines.half_length - outlines.half_width, 0.0)
+    x, y = outlines.x + out * outlines.cosine, outlines.y + out * outlines.sine
     off_x = x[:, None, :] - window.x[:, column]
     off_y = y[:, None, :] - window.y[:, column]
     square = off_x * off_x + off_y * off_y
@@ -141,7 +143,7 @@ def _circles(
     cosine, sine = window.cosine[place, column], window.sine[place, column]
     s = window.s[place] + cosine * dx + sine * dy
     left = cosine * dy - sine * dx
-    begins = s - np.minimum(things.half_width, things.half_length)
+    begins = s - np.minimum(outlines.half_width, outlines.half_length)
     is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > half_width - AHEAD)
     swung = window.swung[place, column]
     free = np.where(left * swung > 0.0, half + np.abs(swung), half)

@@ -49,18 +49,18 @@ def crossings_of(world: World) -> Crossings:
             if key not in known:
                 known[key] = _of_line(world, agent, list(crossed.values()))
             found.append(known[key])
-    for one in (crossing for row in found for crossing in row):
-        if id(one.junction) not in numbers:
-            numbers[id(one.junction)] = len(junctions)
-            junctions.append(one.junction)
+    for crossing in (crossing for row in found for crossing in row):
+        if id(crossing.junction) not in numbers:
+            numbers[id(crossing.junction)] = len(junctions)
+            junctions.append(crossing.junction)
     shape = len(found), max(1, *(len(row) for row in found))
     stop, exit_ = np.full(shape, math.inf), np.full(shape, math.inf)
     junction, connection = np.full(shape, -1), np.full(shape, -1)
     for agent, row in enumerate(found):
-        for place, one in enumerate(row):
+        for place, crossing in enumerate(row):
             at = agent, place
-            stop[at], exit_[at] = one.stop, one.exit
-            junction[at], connection[at] = numbers[id(one.junction)], one.place
+            stop[at], exit_[at] = crossing.stop, crossing.exit
+            junction[at], connection[at] = numbers[id(crossing.junction)], crossing.place
     return Crossings(stop, exit_, junction, connection, tuple(junctions))
 
 
@@ -73,7 +73,8 @@ def _places(scene: Scene) -> dict[Any, SceneJunction]:
     return {
         place: junction
         for place, junction in built.items()
-        if junction.control.phases or any(one.kind != "diverge" for one in junction.conflicts)
+        if junction.control.phases
+        or any(conflict.kind != "diverge" for conflict in junction.conflicts)
     }
 
 
@@ -104,12 +105,14 @@ def _same_connection(wanted: SceneConnection, junction: SceneJunction) -> int | 
     """The place among the connections of a junction of that which is the same but for the names of
     its roads; None where a network made from another has other lanes."""
 
-    def lanes(one: SceneConnection) -> Any:
-        ends = one.source, one.target
-        return one.id, [(end.end, end.lane) for end in ends]
+    def lanes(connection: SceneConnection) -> Any:
+        ends = connection.source, connection.target
+        return connection.id, [(end.end, end.lane) for end in ends]
 
     places = (
-        place for place, one in enumerate(junction.connections) if lanes(one) == lanes(wanted)
+        place
+        for place, connection in enumerate(junction.connections)
+        if lanes(connection) == lanes(wanted)
     )
     return next(places, None)
 
@@ -129,17 +132,17 @@ def _of_line(world: World, agent: int, crossed: Sequence[SceneJunction]) -> list
     length = float(lines.length[row])
     out: dict[Any, tuple[float, _Crossing]] = {}
     for junction in crossed:
-        for place, one in enumerate(junction.connections):
-            _, x, y, h = connection_points(one)
-            begin = _passed(points, heading, along, (x[0], y[0], h[0]), 0.5 * one.widths[0])
+        for place, connection in enumerate(junction.connections):
+            _, x, y, h = connection_points(connection)
+            begin = _passed(points, heading, along, (x[0], y[0], h[0]), 0.5 * connection.widths[0])
             if begin is None or not 0.0 <= begin[0] < length:
                 continue
-            end = _passed(points, heading, along, (x[-1], y[-1], h[-1]), 0.5 * one.widths[1])
-            worth, exit_ = _followed(one, begin, end, length)
+            end = _passed(points, heading, along, (x[-1], y[-1], h[-1]), 0.5 * connection.widths[1])
+            error, exit_ = _followed(connection, begin, end, length)
             key = (junction.id, round(begin[0]))
-            if worth < out.get(key, (math.inf, None))[0]:
-                out[key] = worth, _Crossing(begin[0], exit_, junction, place)
-    return sorted((one for _, one in out.values()), key=lambda one: one.stop)
+            if error < out.get(key, (math.inf, None))[0]:
+                out[key] = error, _Crossing(begin[0], exit_, junction, place)
+    return sorted((crossing for _, crossing in out.values()), key=lambda crossing: crossing.stop)
 
 
 def _followed(

@@ -62,15 +62,15 @@ class Group:
 
     def take(self, place: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
-        kept = np.flatnonzero(place[self.rows] >= 0)
-        self.rows = place[self.rows[kept]]
-        self.columns, self.built = _part(self.columns, kept), None
-        self.state = None if self.state is None else self.state[kept]
-        self.singles = [self.singles[row] for row in kept] if self.singles else []
-        self.since, self.held = self.since[kept], self.held[:, kept]
+        remaining = np.flatnonzero(place[self.rows] >= 0)
+        self.rows = place[self.rows[remaining]]
+        self.columns, self.built = _part(self.columns, remaining), None
+        self.state = None if self.state is None else self.state[remaining]
+        self.singles = [self.singles[row] for row in remaining] if self.singles else []
+        self.since, self.held = self.since[remaining], self.held[:, remaining]
 
 
-class Crew:
+class DriverGroup:
     """What drives the agents of a world. `controllers`: of each scene, by agent."""
 
     def __init__(
@@ -153,7 +153,7 @@ def _move_lines(world: World, rows: Integers, found: ControlBatch) -> None:
     target[rows] = found.line_offset
     if found.line_time is not None:
         time[rows] = found.line_time
-    world.moves.move(target, time)
+    world.lateral.move(target, time)
 
 
 def _decided(
@@ -202,12 +202,12 @@ def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
     scenes = rows // slots
     found = []
     for scene in dict.fromkeys(scenes.tolist()):  # the rows are in the order of the scenes
-        own = scenes == scene
+        of_scene = scenes == scene
         agents = enumerate(view.world.scenes[scene].agents, scene * slots)
         others = OthersSeen(view, {actor.name: at for at, actor in agents})
-        seen = observations(view, rows[own], others)
-        found += [group.singles[index].control(one)
-                  for index, one in zip(chosen[own], seen, strict=True)]  # fmt: skip
+        seen = observations(view, rows[of_scene], others)
+        found += [group.singles[index].control(observation)
+                  for index, observation in zip(chosen[of_scene], seen, strict=True)]  # fmt: skip
     return ControlBatch.of(found)
 
 

@@ -38,23 +38,23 @@ def zipper(world: World) -> tuple[Floats, Floats]:
         np.where(place.turn < 0, place.road, -1), place.direction, place.lane, least, most,
         world.station, half, world.motion.speed,
     )  # fmt: skip
-    road, way, lane, low, high, station, reach, pace = (
+    road, direction, lane, low, high, station, half_length, pace = (
         column.reshape(shape)[scenes] for column in columns
     )
     changes = changing[scenes]
     low, high = np.where(changes, low, lane), np.where(changes, high, lane)
     same = (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
-    same &= way[:, :, None] == way[:, None, :]
+    same &= direction[:, :, None] == direction[:, None, :]
     same &= world.present.reshape(shape)[scenes][:, None, :]
     into = (low[:, :, None] <= lane[:, None, :]) & (lane[:, None, :] <= high[:, :, None])
     meets = (low[:, :, None] <= high[:, None, :]) & (low[:, None, :] <= high[:, :, None])
     meets |= into | np.swapaxes(into, 1, 2)
     either = (changes[:, :, None] | changes[:, None, :]) & same & meets
-    ahead = way[:, :, None] * (station[:, None, :] - station[:, :, None])
+    ahead = direction[:, :, None] * (station[:, None, :] - station[:, :, None])
     numbers = np.arange(shape[1])
     tie = (ahead == 0.0) & (numbers[None, :] < numbers[:, None])
     apart = np.where(either & ((ahead > 0.0) | tie), ahead, math.inf)
-    apart = apart - reach[:, :, None] - reach[:, None, :]
+    apart = apart - half_length[:, :, None] - half_length[:, None, :]
     first = apart.argmin(axis=2)
     gap.reshape(shape)[scenes] = np.take_along_axis(apart, first[:, :, None], axis=2)[:, :, 0]
     speed.reshape(shape)[scenes] = np.take_along_axis(pace, first, axis=1)

@@ -78,7 +78,7 @@ class LaneSection:
         """(C, R, T) how far points beside the curve are outside the drivable lanes, meters; below
         zero within. `offsets` (C, R, T): left of the curve."""
         borders = self._borders(on.station)
-        first, last = drivable_borders(np.array([one.drivable for one in self.section.lanes]))
+        first, last = drivable_borders(np.array([lane.drivable for lane in self.section.lanes]))
         return np.asarray(np.maximum(offsets - borders[first], borders[last] - offsets))
 
     def _borders(self, station: Floats) -> Floats:
@@ -119,7 +119,7 @@ def on_road(road: SceneRoad, station: Floats, x: Floats, y: Floats, heading: Flo
         stations = np.append(stations, road.length)
         turn = round((columns[3][-1] - columns[3][0]) / math.tau) * math.tau
         ends = [columns[0][0], columns[1][0], columns[2][0], columns[3][0] + turn]
-        columns = [np.append(one, end) for one, end in zip(columns, ends, strict=True)]
+        columns = [np.append(column, end) for column, end in zip(columns, ends, strict=True)]
 
     def at(s: Floats) -> list[Floats]:
         s = s % road.length if road.closed else s

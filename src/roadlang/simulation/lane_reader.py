@@ -51,8 +51,8 @@ class LaneReader:
                 self._fill(out, rows, self._plain(agents[rows], part, self._lanes[number]))
             elif number == _ALONE:
                 for row in rows:
-                    one = {name: column[row] for name, column in columns.items()}
-                    found = _along_route(self._world, int(agents[row]), one)
+                    row_columns = {name: column[row] for name, column in columns.items()}
+                    found = _along_route(self._world, int(agents[row]), row_columns)
                     self._fill(out, row, found)
         return out
 
@@ -122,14 +122,14 @@ def _along_route(world: World, agent: int, columns: Mapping[str, Floats]) -> dic
     out["lane_offset"][crossing] = columns["cross_track_error"][crossing]
     out["speed_limit"][crossing] = world.table.speed_limit(rows[crossing], along[crossing])
     out["road"][crossing] = -1.0
-    _reach_junctions(out["off_road"], scene, turns, place.turn, poses, size)
+    _include_junctions(out["off_road"], scene, turns, place.turn, poses, size)
     return out
 
 
 _POSE = ("station", "x", "y", "heading")
 
 
-def _reach_junctions(
+def _include_junctions(
     off_road: Floats,
     scene: Scene,
     turns: tuple[RouteConnection, ...],
@@ -144,11 +144,11 @@ def _reach_junctions(
         inside = turn == number
         junction = turns[number].junction
         ring = np.array(junction.area)
-        reach = float(size[0][0, 0])
-        near = inside | _within(ring, poses, reach)
+        distance = float(size[0][0, 0])
+        near = inside | _within(ring, poses, distance)
         at = np.flatnonzero(near)
         x, y, heading = (poses[name][0, at] for name in ("x", "y", "heading"))
-        lengths, widths = (np.full(len(at), float(one[0, 0])) for one in size)
+        lengths, widths = (np.full(len(at), float(extent[0, 0])) for extent in size)
         corners = Footprints(x, y, heading, lengths, widths).corners
         least = outside_ring(ring, corners[..., 0], corners[..., 1])
         for arm in junction.arms:

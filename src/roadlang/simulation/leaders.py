@@ -67,10 +67,10 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
     if world.track.has_closed:
         closed = world.closed.reshape(shape)[:, :, None]
         ahead = np.where(closed, ahead - np.floor(ahead / road) * road, ahead)
-    own = world.line_offset.reshape(shape)[:, :, None]
+    offset = world.line_offset.reshape(shape)[:, :, None]
     length = world.bodies.length.reshape(shape)
     gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
-    fits = (ahead > 0.0) & (np.abs(beside - own) < SAME_LANE)
+    fits = (ahead > 0.0) & (np.abs(beside - offset) < SAME_LANE)
     return np.where(fits, gap, math.inf)
 
 
@@ -84,7 +84,7 @@ def _search(world: World, poses: Poses, apart: Booleans, gap: Floats, turned: Fl
     near = apart & (np.abs(x[:, None, :] - x[:, :, None]) < view)
     near &= np.abs(y[:, None, :] - y[:, :, None]) < view
     scene, first, second = np.nonzero(near)
-    one, other = scene * world.slots + first, scene * world.slots + second
-    found, along = nearest_in_corridor(world, one, other, Outlines.moving(world, poses))
+    follower, leader = scene * world.slots + first, scene * world.slots + second
+    found, along = nearest_in_corridor(world, follower, leader, Outlines.moving(world, poses))
     gap[scene, first, second] = found
-    turned[scene, first, second] = poses.heading[other] - along
+    turned[scene, first, second] = poses.heading[leader] - along

@@ -105,24 +105,27 @@ class Lines:
     @classmethod
     def of(cls, sources: Sequence[LineSource], margin: float) -> Lines:
         """Tables of lines; closed ones go on for `margin` meters at both ends."""
-        counts = [one.count for one in sources]
+        counts = [source.count for source in sources]
         pads = [
-            math.ceil(margin * count / one.length) if one.closed else 1
-            for one, count in zip(sources, counts, strict=True)
+            math.ceil(margin * count / source.length) if source.closed else 1
+            for source, count in zip(sources, counts, strict=True)
         ]
         nodes = 1 + max(count + 2 * pad for count, pad in zip(counts, pads, strict=True))
         x, y, heading, width = (np.empty((len(sources), nodes)) for _ in range(4))
         for row, (source, count, pad) in enumerate(zip(sources, counts, pads, strict=True)):
             _fill((x[row], y[row], heading[row], width[row]), source, count, pad)
-        length = np.array([one.length for one in sources])
+        length = np.array([source.length for source in sources])
         spacing = length / np.array(counts)
-        ends = [one.heading[-1] - one.heading[0] if one.closed else 0.0 for one in sources]
+        ends = [
+            source.heading[-1] - source.heading[0] if source.closed else 0.0 for source in sources
+        ]
         curvature = np.zeros((len(sources), nodes))
         curvature[:, :-1] = (heading[:, 1:] - heading[:, :-1]) / spacing[:, None]
         return cls(
             nodes, -np.array(pads) * spacing, spacing,
             np.array(counts) + 2 * np.array(pads) - 1, length,
-            np.array([one.closed for one in sources], dtype=bool), np.array(ends, dtype=float),
+            np.array([source.closed for source in sources], dtype=bool),
+            np.array(ends, dtype=float),
             heading.ravel(), curvature.ravel(), _averaged(heading, spacing).ravel(),
             x.ravel(), y.ravel(), width.ravel(),
         )  # fmt: skip
@@ -164,9 +167,9 @@ def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> 
     if source.closed:
         heading[:used] += laps * (source.heading[-1] - source.heading[0])
     else:
-        for end, way in ((0, -spacing), (used - 1, spacing)):
-            x[end] += way * math.cos(heading[end])
-            y[end] += way * math.sin(heading[end])
+        for end, step in ((0, -spacing), (used - 1, spacing)):
+            x[end] += step * math.cos(heading[end])
+            y[end] += step * math.sin(heading[end])
     for column in row:
         column[used:] = column[used - 1]
 
@@ -174,9 +177,9 @@ def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> 
 def _averaged(heading: Floats, spacing: Floats) -> Floats:
     """(L, M) curvature at the nodes, over `AROUND` meters to each side."""
     out = np.zeros_like(heading)
-    reach = np.maximum(np.round(AROUND / spacing), 1.0).astype(np.int64)
-    for cells in np.unique(reach):
-        rows = np.flatnonzero(reach == cells)
+    half_window = np.maximum(np.round(AROUND / spacing), 1.0).astype(np.int64)
+    for cells in np.unique(half_window):
+        rows = np.flatnonzero(half_window == cells)
         wide = np.pad(heading[rows], ((0, 0), (cells, cells)), mode="edge")
         over = (2.0 * cells * spacing[rows])[:, None]
         out[rows] = (wide[:, 2 * cells :] - wide[:, : -2 * cells]) / over

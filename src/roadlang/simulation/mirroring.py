@@ -16,7 +16,7 @@ from .bodies import Body
 from .contacts import Contact
 from .controllers import Driver
 from .decision import Decision
-from .driving import Crew
+from .driving import DriverGroup
 from .recording import Recorder
 from .single_agents import OthersSeen, observations
 from .world_building import world_of
@@ -39,7 +39,9 @@ class Mirror:
         step: float,
         bodies: Mapping[str, Body] | None = None,
     ) -> None:
-        drivers = {name: one for name, one in controllers.items() if isinstance(one, Driver)}
+        drivers = {
+            name: driver for name, driver in controllers.items() if isinstance(driver, Driver)
+        }
         agents = tuple(
             actor if actor.name in drivers else replace(actor, drive=()) for actor in scene.agents
         )
@@ -54,7 +56,7 @@ class Mirror:
         )
         """the agents that are decided for"""
         self._world = world_of([replace(scene, agents=agents)], bodies or {}, step, step)
-        self._crew = Crew(self._world, [drivers], step)
+        self._drivers = DriverGroup(self._world, [drivers], step)
         self._recorder = Recorder(self._world)
 
     @property
@@ -99,7 +101,7 @@ class Mirror:
         Raises RL470, RL474 of controllers, RL513 of conditions.
         """
         world = self._world
-        decision = self._crew.decide(world, world.poses)
+        decision = self._drivers.decide(world, world.poses)
         if self._alone:
             rows, found = self._decided_alone()
             decision.put(rows, found)
@@ -107,11 +109,11 @@ class Mirror:
 
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""
-        view = self._crew.view(self._world, self._world.poses)
+        view = self._drivers.view(self._world, self._world.poses)
         return observations(view, np.array([self._names.index(name)]))[0]
 
     def _decided_alone(self) -> tuple[Integers, ControlBatch]:
-        view = self._crew.view(self._world, self._world.poses)
+        view = self._drivers.view(self._world, self._world.poses)
         rows = np.array(list(self._alone), dtype=np.int64)
         others = OthersSeen(view, {name: row for row, name in enumerate(self._names)})
         found: Sequence[Control] = [

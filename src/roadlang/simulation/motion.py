@@ -49,9 +49,9 @@ class Motion:
             column[rows] = getattr(other, field.name)[rows]
             setattr(self, field.name, column)
 
-    def face(self, who: Booleans, heading: Floats) -> None:
+    def face(self, turning: Booleans, heading: Floats) -> None:
         """Who is on foot turns to a heading, at once."""
-        rows = np.flatnonzero(who)
+        rows = np.flatnonzero(turning)
         if len(rows):
             error = heading[rows] - self.line_heading[rows]
             self.cosine[rows], self.sine[rows] = np.cos(error), np.sin(error)
@@ -119,9 +119,9 @@ class Track:
 
     def cell(self, along: Floats) -> tuple[Any, Floats]:
         """(N,) the cells at arc lengths, and the distance from where each begins."""
-        gone = along - self.origin
-        cell = np.minimum(np.maximum(gone * self.per_meter, 0.0), self.last).astype(np.int64)
-        return self.first + cell, gone - cell * self.spacing
+        advance = along - self.origin
+        cell = np.minimum(np.maximum(advance * self.per_meter, 0.0), self.last).astype(np.int64)
+        return self.first + cell, advance - cell * self.spacing
 
 
 Advance = Callable[[Motion, Bodies, Track, tuple[Floats, Floats], int, float], None]

@@ -53,7 +53,7 @@ def _on_line(world: World, row: int, objects: tuple[SceneActor, ...]) -> tuple[F
     lines = world.track.lines
     start = row * lines.cells
     stop = start + int(lines.last[row]) + 1
-    x, y = (np.array([getattr(one, name) for one in objects], dtype=float) for name in "xy")
+    x, y = (np.array([getattr(actor, name) for actor in objects], dtype=float) for name in "xy")
     off_x, off_y = x[:, None] - lines.x[start:stop], y[:, None] - lines.y[start:stop]
     cell = (off_x * off_x + off_y * off_y).argmin(axis=1)
     heading = lines.heading[start + cell]
@@ -72,8 +72,8 @@ class Nearby:
 
     def of(self, rows: Integers, distance: float) -> Neighbors:
         """(N, K) what is within a distance of some agents, from center to center."""
-        movers, still = self._agents(rows, distance), self._things(rows)
-        columns = {name: np.concatenate([movers[name], still[name]], axis=1) for name in movers}
+        movers, objects = self._agents(rows, distance), self._standing(rows)
+        columns = {name: np.concatenate([movers[name], objects[name]], axis=1) for name in movers}
         off_x = columns["x"] - self._poses.x[rows][:, None]
         off_y = columns["y"] - self._poses.y[rows][:, None]
         near = off_x * off_x + off_y * off_y <= distance * distance
@@ -89,7 +89,9 @@ class Nearby:
         ahead, beside, line = self._along(rows, others, there, distance)
         heading, speed = poses.heading[others], world.motion.speed[others]
         turned = heading - line
-        kinds = np.array([one.kind if one is not None else "" for one in world.actors], object)
+        kinds = np.array(
+            [actor.kind if actor is not None else "" for actor in world.actors], object
+        )
         return {
             "there": there & np.isfinite(ahead),
             "name": world.names[others],
@@ -131,11 +133,11 @@ class Nearby:
         """(P,) the same for pairs, at the nearest node of the line of `agent` near it."""
         world, poses, lines = self._world, self._poses, self._world.track.lines
         out = np.full((3, len(agent)), math.nan)
-        for pair, (one, two) in enumerate(zip(agent, other, strict=True)):
-            x, y = poses.x[two], poses.y[two]
-            if max(abs(x - poses.x[one]), abs(y - poses.y[one])) > distance:
+        for pair, (first, second) in enumerate(zip(agent, other, strict=True)):
+            x, y = poses.x[second], poses.y[second]
+            if max(abs(x - poses.x[first]), abs(y - poses.y[first])) > distance:
                 continue
-            row, along = int(world.track.row[one]), world.motion.along[one]
+            row, along = int(world.track.row[first]), world.motion.along[first]
             spacing, origin = lines.spacing[row], lines.origin[row]
             last = int(lines.last[row])
             low = min(max(int((along - LONGER * distance - origin) / spacing), 0), last)
@@ -151,7 +153,7 @@ class Nearby:
             out[2, pair] = heading
         return out
 
-    def _things(self, rows: Integers) -> dict[str, Any]:
+    def _standing(self, rows: Integers) -> dict[str, Any]:
         """The objects, (N, K)."""
         world, count = self._world, self._objects.count
         along, left = self._objects.places(world, rows)
@@ -160,7 +162,7 @@ class Nearby:
         def column(name: str, default: Any, kind: Any = np.float64) -> Any:
             out = np.full((len(rows), count), default, dtype=kind)
             for row, objects in enumerate(scenes):
-                out[row, : len(objects)] = [getattr(one, name) for one in objects]
+                out[row, : len(objects)] = [getattr(record, name) for record in objects]
             return out
 
         zero = np.zeros((len(rows), count))

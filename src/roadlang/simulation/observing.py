@@ -72,16 +72,16 @@ class Surroundings:
         first = np.repeat(self._first, world.slots)
         place = world.place
         road = np.where((place.road >= 0) & (place.turn < 0), first + place.road, -1)
-        here = self._lanes.at(road, world.station, _backward(world))
+        lanes = self._lanes.at(road, world.station, _backward(world))
         rows = np.flatnonzero(world.has_route)
         if not len(rows):
-            return here
+            return lanes
         # The tabled line of a route is the middle of its lane, not that of the road.
-        lane = here.take(rows)
+        lane = lanes.take(rows)
         middle = lane_values(lane.middles, lane.choose(place.lane[rows], np.zeros(len(rows))))
         shift = np.zeros(len(road))
         shift[rows] = np.where(np.isfinite(middle), middle, 0.0)
-        return replace(here, borders=here.borders - shift[:, None])
+        return replace(lanes, borders=lanes.borders - shift[:, None])
 
     def nearby(self, world: World, poses: Poses) -> Nearby:
         """Of all agents."""
@@ -128,7 +128,7 @@ class View:
         heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
         curvature = track.lines.seen_curvature[cell]
         speed = world.motion.speed[rows]
-        offset, slope, bend, moving = world.moves.ahead(rows, distance, speed)
+        offset, slope, bend, moving = world.lateral.ahead(rows, distance, speed)
         x -= np.sin(heading) * offset
         y += np.cos(heading) * offset
         if moving is not None:
@@ -147,7 +147,7 @@ class View:
         x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
         bend = curvature * rest
         bulge = 0.5 * bend * (rest - track.spacing)
-        left = world.moves.ahead(rows, distances[:, None], world.motion.speed[rows])[0]
+        left = world.lateral.ahead(rows, distances[:, None], world.motion.speed[rows])[0]
         # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
         ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
         across = bulge + left
@@ -181,7 +181,7 @@ class View:
     def lane_place(self, rows: Integers) -> LanePlaces:
         """In which lanes agents are."""
         world = self.world
-        place = self._lanes_here().take(rows).place(world.motion.offset[rows])
+        place = self._current_lanes().take(rows).place(world.motion.offset[rows])
         routed = world.has_route[rows]
         if not routed.any():
             return place
@@ -200,16 +200,16 @@ class View:
         routed = self.world.has_route[rows]
         if routed.all():
             return ahead
-        here = self.lane_place(rows).speed_limit
+        limit = self.lane_place(rows).speed_limit
         # Without a route the table knows the lane of the start, and with it the zones ahead.
         zoned = self.world.table.has_several_legs(rows)
-        return np.where(routed, ahead, np.where(zoned, np.minimum(ahead, here), here))
+        return np.where(routed, ahead, np.where(zoned, np.minimum(ahead, limit), limit))
 
     def of_lane(self, rows: Integers, which: LaneChoice | Floats, quantity: str) -> Floats:
         """(N,) a quantity of one lane of each agent, NaN where there is none."""
-        here = self._lanes_here().take(rows)
-        index = here.choose(which, self.world.motion.offset[rows])
-        return lane_values(getattr(here, quantity), index)
+        lanes = self._current_lanes().take(rows)
+        index = lanes.choose(which, self.world.motion.offset[rows])
+        return lane_values(getattr(lanes, quantity), index)
 
     def nearby(self, rows: Integers, distance: float) -> Neighbors:
         """Who and what is within a distance of agents."""
@@ -217,7 +217,7 @@ class View:
             self._nearby = self.surroundings.nearby(self.world, self.poses)
         return self._nearby.of(rows, distance)
 
-    def _lanes_here(self) -> LanesHere:
+    def _current_lanes(self) -> LanesHere:
         if self._lanes is None:
             self._lanes = self.surroundings.lanes(self.world)
         return self._lanes

@@ -51,9 +51,9 @@ class Obstacles:
         """Those of some of `count` agents."""
         place = np.full(count, -1)
         place[agents] = np.arange(len(agents))
-        stays = place[self.agent] >= 0
-        columns = (self.begin[stays], self.left[stays], self.half[stays])
-        return Obstacles(place[self.agent[stays]], *columns)
+        remaining = place[self.agent] >= 0
+        columns = (self.begin[remaining], self.left[remaining], self.half[remaining])
+        return Obstacles(place[self.agent[remaining]], *columns)
 
     def ahead(self, world: World) -> Floats:
         """(N,) meters from the front of each agent to the next object in its way, infinite for

@@ -67,10 +67,10 @@ class Placing:
             yaw_rate=(now[:, 2] - self.start[:, 2]) / seconds,
             acceleration=(now[:, 3] - self.start[:, 3]) / seconds,
         )
-        for one in fields(Motion):
-            column = getattr(motion, one.name).copy()
-            column[rows] = getattr(there, one.name)
-            setattr(motion, one.name, column)
+        for field in fields(Motion):
+            column = getattr(motion, field.name).copy()
+            column[rows] = getattr(there, field.name)
+            setattr(motion, field.name, column)
 
     def poses(self, poses: Poses, steps: int, halted: Booleans) -> Poses:
         """Those of all agents, with those of who goes by a recording, and is not halted, exact."""

@@ -93,8 +93,8 @@ class Recorder:
         time = self._axis[: min(self._ends.get(row, recorded), recorded)]
         agents: dict[str, AgentTrace] = {}
         for slot, actor in enumerate(scene.agents):
-            own = tuple((part, first + slot) for part, first in parts)
-            agents[actor.name] = AgentTrace.recorded(actor, time, RecordedAgent(time, own))
+            columns = tuple((part, first + slot) for part, first in parts)
+            agents[actor.name] = AgentTrace.recorded(actor, time, RecordedAgent(time, columns))
         if scene.objects:
             agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.objects}
         events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]

@@ -50,21 +50,21 @@ class RoadLanes:
             else:
                 row.append(known[key])
         self._row = np.array(row, dtype=np.int64)
-        self._widest = widest = max((len(one.ids) for one in sections), default=1)
-        self._ids = _padded([one.ids for one in sections], widest, 0)
-        self._direction = _padded([one.direction for one in sections], widest, 0.0)
-        self._drivable = _padded([one.drivable for one in sections], widest, False)
-        self._kinds = _padded([one.kinds for one in sections], widest, "").astype(object)
-        self._count = np.array([len(one.ids) for one in sections], dtype=np.int64)
-        self._nodes = np.array([len(one.borders) for one in sections], dtype=np.int64)
+        self._widest = widest = max((len(section.ids) for section in sections), default=1)
+        self._ids = _padded([section.ids for section in sections], widest, 0)
+        self._direction = _padded([section.direction for section in sections], widest, 0.0)
+        self._drivable = _padded([section.drivable for section in sections], widest, False)
+        self._kinds = _padded([section.kinds for section in sections], widest, "").astype(object)
+        self._count = np.array([len(section.ids) for section in sections], dtype=np.int64)
+        self._nodes = np.array([len(section.borders) for section in sections], dtype=np.int64)
         self._first = np.concatenate([[0], np.cumsum(self._nodes)])[:-1].astype(np.int64)
-        self._spacing = np.array([one.spacing for one in sections])
+        self._spacing = np.array([section.spacing for section in sections])
         wide = [
-            np.pad(one.borders, ((0, 0), (0, widest - len(one.ids))), mode="edge")
-            for one in sections
+            np.pad(section.borders, ((0, 0), (0, widest - len(section.ids))), mode="edge")
+            for section in sections
         ]
         self._borders = np.concatenate(wide) if wide else np.zeros((1, widest + 1))
-        limits = [row for one in sections for row in one.limits.tolist()]
+        limits = [row for section in sections for row in section.limits.tolist()]
         self._limits = _padded(limits, widest, math.inf)
 
     def at(self, road: Integers, station: Floats, backward: Booleans) -> LanesHere:
@@ -103,7 +103,7 @@ class LanesHere:
 
     def take(self, rows: Integers) -> LanesHere:
         """Those at some of the places."""
-        return LanesHere(**{one.name: getattr(self, one.name)[rows] for one in fields(self)})
+        return LanesHere(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
 
     @property
     def middles(self) -> Floats:
@@ -112,8 +112,8 @@ class LanesHere:
 
     def index(self, offset: Floats) -> Integers:
         """(N,) the lane at offsets (N,), -1 for none."""
-        one, other = self.borders[:, :-1], self.borders[:, 1:]
-        low, high = np.minimum(one, other), np.maximum(one, other)
+        first, second = self.borders[:, :-1], self.borders[:, 1:]
+        low, high = np.minimum(first, second), np.maximum(first, second)
         inside = self.there & (offset[:, None] >= low) & (offset[:, None] <= high) & (high > low)
         return np.where(inside.any(axis=1), inside.argmax(axis=1), -1)
 
@@ -174,7 +174,7 @@ def lane_values(columns: Floats, index: Integers) -> Floats:
 
 def _key(road: SceneRoad) -> Any:
     """Roads of one key have the same section everywhere; None for widths that vary."""
-    widths = [len(one.width) for one in road.lane_list]
+    widths = [len(lane.width) for lane in road.lane_list]
     if not widths or max(widths) > 1 or len(road.center_offset) > 1 or road.speed_zones:
         return None
     return (road.lane_list, road.center_offset, road.center_marking, road.speed_limit)

@@ -23,7 +23,7 @@ LANE_CHANGE_TIME = 3.0
 """Seconds that a lane change of a route takes at the speed limit."""
 LANE_CHANGE_LENGTHS = (20.0, 120.0)
 """Meters, at least and at most, for a lane change of a route."""
-USUAL_SPEED = 50 / 3.6
+DEFAULT_SPEED = 50 / 3.6
 """m/s, where a road has no speed limit."""
 COINCIDENT = 1e-6
 """Meters: points so close are the same."""
@@ -136,16 +136,18 @@ def route_points(scene: Scene, route: SceneRoute) -> tuple[Floats, Floats, Float
 
 def speed_limit(road: SceneRoad, lane: int, zone: int = 0) -> float:
     """That of a lane, m/s: its own, or that of its road; infinite for none."""
-    limits = [one.speed_limit for one in road.lane_list if one.id == lane]
+    limits = [lane_.speed_limit for lane_ in road.lane_list if lane_.id == lane]
     limit = limits[0] if limits and limits[0] is not None else road.zones()[zone].speed_limit
     return math.inf if limit is None else limit
 
 
 def turn_of(turn: RouteTurn, scene: Scene) -> RouteConnection:
     """The connection that a turn names."""
-    network = next(one for one in scene.networks if one.name == turn.network)
-    junction = next(one for one in network.junctions if one.id == turn.junction)
-    connection = next(one for one in junction.connections if one.id == turn.connection)
+    network = next(candidate for candidate in scene.networks if candidate.name == turn.network)
+    junction = next(candidate for candidate in network.junctions if candidate.id == turn.junction)
+    connection = next(
+        candidate for candidate in junction.connections if candidate.id == turn.connection
+    )
     return RouteConnection(junction, connection)
 
 
@@ -241,7 +243,7 @@ def _eased(u: Floats) -> Floats:
 def _change_length(step: RouteStep, other: RouteStep, road: SceneRoad) -> float:
     """Meters along the road, one half of them on each of the two steps."""
     limit = speed_limit(road, step.lane)
-    wanted = LANE_CHANGE_TIME * (limit if math.isfinite(limit) else USUAL_SPEED)
+    wanted = LANE_CHANGE_TIME * (limit if math.isfinite(limit) else DEFAULT_SPEED)
     wanted = min(max(wanted, LANE_CHANGE_LENGTHS[0]), LANE_CHANGE_LENGTHS[1])
     shorter = min(abs(step.stop - step.start), abs(other.stop - other.start))
     return max(min(wanted, 2.0 * shorter), COINCIDENT)

@@ -76,7 +76,7 @@ class RouteTable:
     @classmethod
     def of(cls, lines: Sequence[RouteLine], line: Integers) -> RouteTable:
         """The table of lines, in their order. `line`: (N,) that of each agent."""
-        shape = len(lines), max(len(one.legs) for one in lines)
+        shape = len(lines), max(len(line.legs) for line in lines)
         begin, limit = np.full(shape, math.inf), np.full(shape, math.inf)
         per_meter, changed = np.zeros(shape), np.zeros(shape)
         step, road, lane, turn, first, last, direction = (
@@ -87,8 +87,8 @@ class RouteTable:
         turns: list[RouteConnection] = []
         stations: list[Floats] = []
         filled = 0
-        for row, one in enumerate(lines):
-            for place, leg in enumerate(one.legs):
+        for row, route in enumerate(lines):
+            for place, leg in enumerate(route.legs):
                 at = row, place
                 begin[at] = leg.begin if place else -math.inf
                 step[at], road[at], lane[at] = leg.step, leg.road, leg.lane
@@ -191,10 +191,10 @@ class RouteTable:
     def _station(self, line: Integers, leg: Integers, along: Floats) -> Floats:
         """Linear between the stations of the table."""
         begin = self.begin[line, leg]
-        gone = np.where(np.isfinite(begin), along - begin, along) * self.per_meter[line, leg]
+        advance = np.where(np.isfinite(begin), along - begin, along) * self.per_meter[line, leg]
         last = self.last[line, leg]
-        gone = np.minimum(np.maximum(gone, 0.0), last)
-        cell = np.minimum(gone.astype(np.int64), last - 1)
+        advance = np.minimum(np.maximum(advance, 0.0), last)
+        cell = np.minimum(advance.astype(np.int64), last - 1)
         node = self.first[line, leg] + cell
         low = self.stations[node]
-        return np.asarray(low + (self.stations[node + 1] - low) * (gone - cell))
+        return np.asarray(low + (self.stations[node + 1] - low) * (advance - cell))

@@ -18,7 +18,7 @@ from .world import World
 
 _SIZES = ("length", "width")
 _RECORDED = tuple(
-    one.name for one in fields(AgentTrace) if one.name in COLUMNS and one.name not in _SIZES
+    field.name for field in fields(AgentTrace) if field.name in COLUMNS and field.name not in _SIZES
 )
 
 

@@ -45,7 +45,7 @@ class Lights:
         begin, yellow, red = (np.full(shape, math.inf) for _ in range(3))
         cycles, offsets, signals = [], [], []
         for number, junction in enumerate(junctions):
-            places = {one.id: place for place, one in enumerate(junction.connections)}
+            places = {connection.id: place for place, connection in enumerate(junction.connections)}
             control = junction.control
             for index, (phase, times) in enumerate(
                 zip(control.phases, control.changes, strict=True)
@@ -69,9 +69,9 @@ class Lights:
         """
         junction = self.junction[connections]
         now = np.mod(time + self.offset[junction], self.cycle[junction])[..., None]
-        begun, red = self.begin[connections] <= now, self.red[connections]
-        green = begun & (now < self.yellow[connections])
-        left = np.where(begun & (now < red), red - now, 0.0).max(axis=-1)
+        started, red = self.begin[connections] <= now, self.red[connections]
+        green = started & (now < self.yellow[connections])
+        left = np.where(started & (now < red), red - now, 0.0).max(axis=-1)
         signals = self.has_signals[junction]
         return green.any(axis=-1) | ~signals, np.where(signals, left, math.inf)
 

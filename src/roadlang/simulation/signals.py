@@ -53,7 +53,9 @@ class ObjectsNow:
         return np.tile(np.array(first), (len(self.time), 1))
 
 
-_MEMBERS = frozenset(one.name for one in fields(AgentTrace) if one.name not in ("name", "time"))
+_MEMBERS = frozenset(
+    field.name for field in fields(AgentTrace) if field.name not in ("name", "time")
+)
 
 
 @dataclass(frozen=True)
@@ -62,7 +64,7 @@ class _Part:
 
     rows: Integers
     scenes: Integers
-    things: Mapping[str, tuple[int, ...]]
+    places: Mapping[str, tuple[int, ...]]
     """of each option that names agents or objects: their places, objects after `World.slots`"""
     options: Mapping[str, Any]
     objects: Mapping[int, tuple[AgentTrace, ...]]
@@ -101,7 +103,7 @@ class SignalCall:
         for rows in found.values():
             options = dict(calls[rows[0]].get("options", {}))
             within = np.array([scenes[row] for row in rows], dtype=np.int64)
-            things = places[rows[0]]
+            actors = places[rows[0]]
             objects = {
                 place: tuple(
                     AgentTrace.standing(
@@ -109,10 +111,10 @@ class SignalCall:
                     )
                     for scene in within
                 )
-                for place in {place for named in things.values() for place in named}
+                for place in {place for named in actors.values() for place in named}
                 if place >= self._slots
             }
-            self._parts.append(_Part(np.array(rows), within, things, options, objects))
+            self._parts.append(_Part(np.array(rows), within, actors, options, objects))
 
     @property
     def looks_back(self) -> float:
@@ -138,14 +140,14 @@ class SignalCall:
         number[rows] = np.arange(len(rows))
         self._parts = [
             _Part(
-                number[part.rows[kept]],
-                place[part.scenes[kept] * self._slots] // self._slots,
-                part.things,
+                number[part.rows[remaining]],
+                place[part.scenes[remaining] * self._slots] // self._slots,
+                part.places,
                 part.options,
-                {at: tuple(some[i] for i in kept) for at, some in part.objects.items()},
+                {at: tuple(some[i] for i in remaining) for at, some in part.objects.items()},
             )
             for part in self._parts
-            if len(kept := np.flatnonzero(number[part.rows] >= 0))
+            if len(remaining := np.flatnonzero(number[part.rows] >= 0))
         ]
         self._count = len(rows)
 
@@ -154,8 +156,8 @@ class SignalCall:
         is_member = drive_signal_kind(self._entry).member
         out = {}
         for option, name in named_entities(self._entry, call.get("options", {})).items():
-            things = [*enumerate(scene.agents), *enumerate(scene.objects, self._slots)]
-            places = tuple(at for at, one in things if name in (one.name, one.group))
+            actors = [*enumerate(scene.agents), *enumerate(scene.objects, self._slots)]
+            places = tuple(at for at, actor in actors if name in (actor.name, actor.group))
             if not places:
                 raise unsupported(str(call["kind"]))
             out[option] = places[:1] if is_member else places
@@ -168,10 +170,10 @@ class SignalCall:
             place: ObjectsNow(part.objects[place], time)
             if place >= self._slots
             else AgentsNow(samples, part.scenes * self._slots + place, depth)
-            for place in sorted({place for some in part.things.values() for place in some})
+            for place in sorted({place for some in part.places.values() for place in some})
         }
         named: dict[str, Any] = {
-            key: tuple(now[place] for place in some) for key, some in part.things.items()
+            key: tuple(now[place] for place in some) for key, some in part.places.items()
         }
         if drive_signal_kind(self._entry).member:
             named = {key: some[0] for key, some in named.items()}
@@ -189,7 +191,7 @@ class SignalCall:
         """Of one scene, by all that has happened in it."""
         trace = samples.trace(scene)
         is_member = drive_signal_kind(self._entry).member
-        named: dict[str, Any] = {key: trace.named(str(part.options[key])) for key in part.things}
+        named: dict[str, Any] = {key: trace.named(str(part.options[key])) for key in part.places}
         if is_member:
             named = {key: some[0] for key, some in named.items()}
         found = drive_signal_values(self._entry, {**part.options, **named}, trace)

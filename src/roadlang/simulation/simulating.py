@@ -14,7 +14,7 @@ from ..plugins.kinds import Controller
 from . import compiled, motion
 from .bodies import Body
 from .contacts import Contact, ContactDetector
-from .driving import Crew
+from .driving import DriverGroup
 from .motion import Advance
 from .recording import Recorder
 from .world import World
@@ -89,7 +89,7 @@ def _drive_block(
     dt = settings.vehicle_step
     world = world_of(scenes, settings.bodies, dt, settings.control_step)
     world.advance = advance
-    crew = Crew(world, controllers, held * dt)
+    drivers = DriverGroup(world, controllers, held * dt)
     contacts = ContactDetector(world)
     poses = world.poses
     recorder = Recorder(world)
@@ -102,11 +102,11 @@ def _drive_block(
             return recorder.traces()
         if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
             agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
-            crew.take(agents, len(world.present))
+            drivers.take(agents, len(world.present))
             contacts.take(agents, len(world.present))
             world, poses = world.take(going_on), poses.take(agents)
             recorder.go_on_with(going_on)
-        decision = crew.decide(world, poses)
+        decision = drivers.decide(world, poses)
         steps = min(held, last - world.tick)
         samples = range(sampled - world.tick % sampled, steps, sampled)
         pose = None if decision.pose is None else (decision.pose, held)

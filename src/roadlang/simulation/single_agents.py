@@ -96,23 +96,23 @@ def observations(
     ]
     out = []
     for row, agent, *numbers in zip(rows.tolist(), seen.agent, *columns, strict=True):
-        one = _SingleAgent(view, row)
+        single = _SingleAgent(view, row)
         out.append(
             Observation(
                 **dict(zip(names, numbers, strict=True)),
                 step=view.step,
                 agent=agent,
-                line_ahead=one.line_ahead,
+                line_ahead=single.line_ahead,
                 others=_NOBODY if others is None else others,
-                speed_for_bends=one.speed_for_bends,
-                vehicle_ahead=one.vehicle_ahead,
-                lane_place=one.lane_place,
-                offset_of_lane=one.offset_of_lane,
-                direction_of_lane=one.direction_of_lane,
-                speed_limit_ahead=one.speed_limit_ahead,
-                stop_ahead=one.stop_ahead,
-                right_of_way=one.right_of_way,
-                nearby=one.nearby,
+                speed_for_bends=single.speed_for_bends,
+                vehicle_ahead=single.vehicle_ahead,
+                lane_place=single.lane_place,
+                offset_of_lane=single.offset_of_lane,
+                direction_of_lane=single.direction_of_lane,
+                speed_limit_ahead=single.speed_limit_ahead,
+                stop_ahead=single.stop_ahead,
+                right_of_way=single.right_of_way,
+                nearby=single.nearby,
             )
         )
     return out

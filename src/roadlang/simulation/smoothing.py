@@ -8,7 +8,7 @@ from ..geometry.arrays import Floats
 
 TIGHTEST = 0.2
 """1/m: lanes with sharper bends are smoothed there."""
-REACH = 6.0
+HALF_WINDOW = 6.0
 """Meters to each side over which places are averaged: of a right angle remains a radius of 4 m."""
 SPACING = 0.5
 """Meters between two points of a smoothed line."""
@@ -27,8 +27,8 @@ def smoothed(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     fresh = np.append(True, np.diff(s) > 1e-6)
     s, x, y = s[fresh], x[fresh], y[fresh]
     even = np.linspace(0.0, s[-1], max(3, int(np.ceil(s[-1] / SPACING)) + 1))
-    reach = np.minimum(REACH, np.minimum(even, s[-1] - even))
-    columns = [_averaged(s, column, even, reach) for column in (x, y)]
+    half_window = np.minimum(HALF_WINDOW, np.minimum(even, s[-1] - even))
+    columns = [_averaged(s, column, even, half_window) for column in (x, y)]
     heading = np.arctan2(*(np.gradient(column, even) for column in columns[::-1]))
     return even, columns[0], columns[1], np.unwrap(heading)
 

@@ -17,19 +17,19 @@ def start_of(
     actors: Sequence[SceneActor], track: Track, backward: Booleans, has_road: Booleans
 ) -> Motion:
     """The state at the start: each at the pose of its scene, at its speed."""
-    pose = np.array([(one.x, one.y, one.heading) for one in actors], dtype=np.float64)
-    station = np.array([one.start or 0.0 for one in actors], dtype=np.float64)
+    pose = np.array([(actor.x, actor.y, actor.heading) for actor in actors], dtype=np.float64)
+    station = np.array([actor.start or 0.0 for actor in actors], dtype=np.float64)
     length = track.lines.length[track.row]
     along = np.where(backward, length - station, station) * has_road
-    for row, one in enumerate(actors):
-        if one.route is not None:  # its line begins with its first step
-            along[row] = abs(station[row] - one.route.steps[0].start)
+    for row, actor in enumerate(actors):
+        if actor.route is not None:  # its line begins with its first step
+            along[row] = abs(station[row] - actor.route.steps[0].start)
     # The station of the scene is nearly that of the foot point of the pose.
     along, offset, heading = foot_points(track, pose[:, 0], pose[:, 1], along)
     error = pose[:, 2] - heading
     zero = np.zeros(len(actors))
     return Motion(
-        along, offset, np.array([start_speed(one) for one in actors]), zero, zero.copy(),
+        along, offset, np.array([start_speed(actor) for actor in actors]), zero, zero.copy(),
         np.cos(error), np.sin(error), zero.copy(), heading, zero.copy(),
     )  # fmt: skip
 
@@ -61,7 +61,7 @@ class LineOffsets:
         return offset if abs(offset) < width / 2 else 0.0
 
     def _lane_center(self, lane: int, road: SceneRoad, station: float) -> float | None:
-        widths = [len(one.width) for one in road.lane_list]
+        widths = [len(lane_.width) for lane_ in road.lane_list]
         if not widths or max(widths) > 1 or len(road.center_offset) > 1:
             section = road.cross_section()
             return float(section.offset(lane, station)) if lane in section.ids else None

@@ -43,12 +43,12 @@ class Trigger:
 
     def take(self, place: Integers, agents: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
-        kept = np.flatnonzero(place[self.rows] >= 0)
+        remaining = np.flatnonzero(place[self.rows] >= 0)
         for signal in self.signals.values():
-            signal.take(kept, agents, len(place))
-        self.condition.take(kept)
-        self.rows = place[self.rows[kept]]
-        self.latched = None if self.latched is None else self.latched[kept]
+            signal.take(remaining, agents, len(place))
+        self.condition.take(remaining)
+        self.rows = place[self.rows[remaining]]
+        self.latched = None if self.latched is None else self.latched[remaining]
 
 
 class Triggers:
@@ -109,7 +109,7 @@ def _triggers(
     members: dict[Any, list[tuple[int, Mapping[str, Any]]]] = {}
     for place, row, condition in conditions:
         if condition is not None:
-            kinds = {name: one["kind"] for name, one in condition.get("signals", {}).items()}
+            kinds = {name: signal["kind"] for name, signal in condition.get("signals", {}).items()}
             numbers = sorted(condition.get("numbers", {}))
             form = json.dumps([condition["formula"], kinds, numbers], sort_keys=True)
             members.setdefault((place, form), []).append((row, condition))
@@ -129,11 +129,11 @@ def _trigger(
     first = members[0][1]
     scenes = [row // world.slots for row, _ in members]
     signals = {
-        name: SignalCall([one["signals"][name] for _, one in members], scenes, world, kinds)
+        name: SignalCall([member["signals"][name] for _, member in members], scenes, world, kinds)
         for name in first.get("signals", {})
     }
     numbers = {
-        name: np.array([float(one["numbers"][name]) for _, one in members])
+        name: np.array([float(member["numbers"][name]) for _, member in members])
         for name in first.get("numbers", {})
     }
     condition = ControllerCondition(first["formula"], numbers, len(rows))

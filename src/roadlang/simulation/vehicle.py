@@ -25,7 +25,7 @@ SLOW = 1.2 * REAR_STIFFNESS * GRAVITY
 equations would be too stiff for the step"""
 LEAST_POWER_SPEED = 1.0
 """m/s: below it, the engine's force is that at this speed"""
-LEAST_STRETCH = 0.1
+LEAST_SCALE = 0.1
 """how much shorter the inside of a bend may be than its middle, at most"""
 
 
@@ -118,8 +118,8 @@ def displaced(along: Any, left: Any, cosine: Any, sine: Any, offset: Any, curvat
 
     `cosine`, `sine`: of the car's heading from that of the line.
     """
-    stretch = np.maximum(1.0 - offset * curvature, LEAST_STRETCH)
-    return (along * cosine - left * sine) / stretch, along * sine + left * cosine
+    scale = np.maximum(1.0 - offset * curvature, LEAST_SCALE)
+    return (along * cosine - left * sine) / scale, along * sine + left * cosine
 
 
 def turned(cosine: Any, sine: Any, angle: Any) -> Any:

@@ -14,7 +14,7 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
 from .arrivals import ARRIVED
 from .bodies import Bodies
-from .line_moves import LineMoves
+from .lateral_motion import LateralMotion
 from .motion import Advance, Motion, Track, advance
 from .placing import Placing
 from .poses import Poses, poses_of
@@ -54,7 +54,7 @@ class World:
     """without a route, against the direction of the road"""
     road: Integers
     """the road of each agent at the start, within its scene, -1 for none"""
-    moves: LineMoves
+    lateral: LateralMotion
     """of the lines to follow, left of the tabled lines"""
     end: Floats
     """arc length of the line at which the agent arrives"""
@@ -115,7 +115,7 @@ class World:
         counted = (self.contacts, self.collision, self.red_lights, self.traveled)
         for column in (*counted, *self.pace):
             column[agents] = 0.0
-        self.moves.restart(agents)
+        self.lateral.restart(agents)
         self.began[agents] = self.tick
 
     def step(
@@ -144,7 +144,7 @@ class World:
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, bodies, self.track, held, end - begin, self.dt)
             if end < steps:
-                between = replace(self, motion=replace(motion), moves=replace(self.moves))
+                between = replace(self, motion=replace(motion), lateral=replace(self.lateral))
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()
                 between._arrive(before, end)
@@ -181,7 +181,7 @@ class World:
         seconds = steps * self.dt
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
-        self.moves.advance(self.motion.speed, seconds)
+        self.lateral.advance(self.motion.speed, seconds)
         if not self.stop_lines.is_empty:
             self._count_red_lights(before[0], moved, seconds)
         self._wrap()
@@ -189,9 +189,9 @@ class World:
 
     def _leave(self) -> None:
         """Who has arrived is no longer there, unless it began where it would arrive."""
-        gone = self.at_end & ~self.closed & (self.traveled > ARRIVED)
-        if gone.any():
-            self.present = self.filled & ~gone
+        arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
+        if arrived.any():
+            self.present = self.filled & ~arrived
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
         front = before + 0.5 * self.bodies.length
@@ -203,7 +203,7 @@ class World:
     @property
     def line_offset(self) -> Floats:
         """(N,) of the line to follow, left of the tabled line."""
-        return self.moves.offset
+        return self.lateral.offset
 
     @property
     def closed(self) -> Booleans:
@@ -279,7 +279,7 @@ class World:
             stop_lines=self.stop_lines.take(agents),
             start=self.start.take(agents),
             motion=self.motion.take(agents),
-            moves=self.moves.take(agents),
+            lateral=self.lateral.take(agents),
             pace=(self.pace[0][agents], self.pace[1][agents]),
             placing=None,
             **{name: getattr(self, name)[agents] for name in _COLUMNS},

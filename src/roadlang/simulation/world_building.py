@@ -12,7 +12,7 @@ from ..ir.scene import Scene, SceneActor
 from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
-from .line_moves import LineMoves
+from .lateral_motion import LateralMotion
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
 from .route_lines import RouteLine, plain_line, route_line
@@ -21,7 +21,7 @@ from .starting import LineOffsets, start_of
 from .stop_lines import StopLines, has_signals
 from .world import World
 
-USUAL_FRICTION = 0.9
+DEFAULT_FRICTION = 0.9
 FASTEST = 120.0
 """m/s: lines go on beyond their ends for as far as this takes an agent in one step."""
 
@@ -30,16 +30,16 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
     """The world of some scenes at the start. `margin`: seconds of the longest step."""
     slots = max(1, *(len(scene.agents) for scene in scenes))
     sources: list[LineSource] = []
-    ways: list[RouteLine] = []
+    routes: list[RouteLine] = []
     found: list[_Slot] = []
     for scene in scenes:
         names = {road.name: number for number, road in enumerate(scene.roads)}
         rows: dict[Any, int] = {}
         for place in range(slots):
             actor = scene.agents[place] if place < len(scene.agents) else None
-            found.append(_slot(actor, scene, names, rows, (sources, ways)))
+            found.append(_slot(actor, scene, names, rows, (sources, routes)))
     lines = Lines.of(sources, FASTEST * margin)
-    table = RouteTable.of(ways, np.array([slot.way for slot in found], dtype=np.int64))
+    table = RouteTable.of(routes, np.array([slot.route for slot in found], dtype=np.int64))
     return _started(tuple(scenes), slots, found, lines, table, kinds, dt)
 
 
@@ -47,7 +47,7 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
 class _Slot:
     actor: SceneActor | None
     line: int
-    way: int
+    route: int
     road: int
     friction: float
 
@@ -63,31 +63,31 @@ def _slot(
     built: tuple[list[LineSource], list[RouteLine]],
 ) -> _Slot:
     """An agent with its line, which those of one road and direction share."""
-    sources, ways = built
-    who = actor or _NOBODY
-    number = roads.get(who.road or "", -1)
-    backward = who.facing == "back"
-    key: Any = (number, backward) if number >= 0 else (who.x, who.y, who.heading)
-    key = key if who.route is None else id(who.route)
-    if who.route is not None and key not in rows:
+    sources, routes = built
+    placed = actor or _NOBODY
+    number = roads.get(placed.road or "", -1)
+    backward = placed.facing == "back"
+    key: Any = (number, backward) if number >= 0 else (placed.x, placed.y, placed.heading)
+    key = key if placed.route is None else id(placed.route)
+    if placed.route is not None and key not in rows:
         rows[key] = len(sources)
-        rows[key, 0] = len(ways)
-        ways.append(route_line(who.route, scene, roads))
-        sources.append(ways[-1].source)
+        rows[key, 0] = len(routes)
+        routes.append(route_line(placed.route, scene, roads))
+        sources.append(routes[-1].source)
     elif key not in rows:
         rows[key] = len(sources)
         on_road = number >= 0
         sources.append(
             road_line(scene.roads[number], backward)
             if on_road
-            else straight_line(who.x, who.y, who.heading)
+            else straight_line(placed.x, placed.y, placed.heading)
         )
-    lane = 0 if who.route is not None else who.lane or 0
+    lane = 0 if placed.route is not None else placed.lane or 0
     if (key, lane) not in rows:
-        rows[key, lane] = len(ways)
+        rows[key, lane] = len(routes)
         road = scene.roads[number] if number >= 0 else None
-        ways.append(plain_line(sources[rows[key]], number, road, lane, backward))
-    friction = scene.world.get("friction", USUAL_FRICTION)
+        routes.append(plain_line(sources[rows[key]], number, road, lane, backward))
+    friction = scene.world.get("friction", DEFAULT_FRICTION)
     return _Slot(actor, rows[key], rows[key, lane], number, float(friction))
 
 
@@ -121,11 +121,11 @@ def _started(
     arrivals = [Arrivals(scene) for scene in scenes]
     lengths = track.length.tolist()
     ends = [arrivals[i // slots].end(actor, lengths[i]) for i, actor in enumerate(actors)]
-    moves = LineMoves.at_rest(np.where(backward, -1.0, 1.0) * np.array(offsets))
+    lateral = LateralMotion.at_rest(np.where(backward, -1.0, 1.0) * np.array(offsets))
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
-        has_road, has_route, backward, road, moves, np.array(ends), start, start, ~present,
+        has_road, has_route, backward, road, lateral, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),
         StopLines.none(count),

@@ -33,7 +33,7 @@ class Places:
     def of(cls, junctions: Sequence[SceneJunction], scenes: Sequence[Scene]) -> Places:
         """Of the junctions of some scenes."""
         tables = JunctionTables.of(junctions)
-        rounds = np.array([one.kind == "roundabout" for one in junctions], dtype=bool)
+        rounds = np.array([junction.kind == "roundabout" for junction in junctions], dtype=bool)
         by_right = (tables.rule == RIGHT_FIRST) & ~rounds
         return cls(tables, Lights.of(junctions), Rings.of(junctions, scenes), by_right)
 

@@ -59,8 +59,8 @@ def let_go(crowd: Crowd, last_grant: Floats) -> None:
     if not asking.asks.any():
         return
     wanted = np.zeros(crowd.held.shape, dtype=bool)
-    asked = np.flatnonzero(asking.asks)
-    wanted[asked, asking.slot[asked]] = True
+    askers = np.flatnonzero(asking.asks)
+    wanted[askers, asking.slot[askers]] = True
     meetings = crowd.meetings(wanted | crowd.held)
     wants = meetings.is_there & meetings.of_crossings(wanted)
     is_first = _is_first(crowd, asking)
@@ -68,8 +68,8 @@ def let_go(crowd: Crowd, last_grant: Floats) -> None:
     count = len(crowd.places.by_right)
     scene, junction = meetings.key // count, meetings.key % count
     by_right = crowd.places.by_right[junction]
-    comes = wants & meetings.of_agents(is_first)
-    right = rules.waits_for_right(meetings, crowd.near, comes, crowd.speed)
+    arriving = wants & meetings.of_agents(is_first)
+    right = rules.waits_for_right(meetings, crowd.near, arriving, crowd.speed)
     passes = able & ~(by_right[:, None] & right)
     stuck = by_right & ~passes.any(axis=1)
     wave = stuck & (crowd.time - last_grant[scene, junction] > WAVED_THROUGH)
@@ -90,12 +90,12 @@ def _able(
     stopped = asking.of_crossings(grants.has_stopped) | ~tables.must_stop[number]
     may = asking.asks & asking.of_crossings(near.may_go) & stopped & is_first
     may &= ~_ring_is_full(crowd, number)
-    goes = rules.let_go(meetings, grants)
-    taken = rules.space_for_others(meetings, goes, crowd.length)
-    free = meetings.of_agents(_room(crowd, asking) - crowd.length) - taken
+    may_go = rules.let_go(meetings, grants)
+    used = rules.space_for_others(meetings, may_go, crowd.length)
+    free = meetings.of_agents(_room(crowd, asking) - crowd.length) - used
     able = wants & meetings.of_agents(may) & (free >= rules.STANDING_GAP)
     motion = crowd.speed, crowd.length, crowd.aggression
-    able &= ~rules.in_the_way(meetings, near, grants, *motion)
+    able &= ~rules.is_blocked(meetings, near, grants, *motion)
     polite = rules.lets_in(meetings, near, grants, wants, crowd.speed, crowd.politeness)
     return np.asarray(able & ~polite)
 
@@ -109,8 +109,8 @@ def _is_first(crowd: Crowd, asking: Asking) -> Booleans:
     leader = each // slots * slots + ahead
     junction = asking.of_crossings(crowd.crossings.junction)
     same = crowd.crossings.junction[leader] == junction[:, None]
-    goes = (crowd.held[leader] & same).any(axis=1)
-    return np.asarray((gap > asking.distance) | goes)
+    leader_goes = (crowd.held[leader] & same).any(axis=1)
+    return np.asarray((gap > asking.distance) | leader_goes)
 
 
 def _room(crowd: Crowd, asking: Asking) -> Floats:
@@ -127,9 +127,9 @@ def _ring_is_full(crowd: Crowd, number: Integers) -> Booleans:
     rings = crowd.places.rings
     if not len(rings.capacity):
         return np.zeros(len(number), dtype=bool)
-    begun = (crowd.held | crowd.near.is_over) & (crowd.crossings.junction >= 0)
-    slots = np.arange(begun.shape[1])
-    last = np.where(begun, slots, -1).max(axis=1)
+    entered = (crowd.held | crowd.near.is_over) & (crowd.crossings.junction >= 0)
+    slots = np.arange(entered.shape[1])
+    last = np.where(entered, slots, -1).max(axis=1)
     each = np.arange(len(last))
     on = np.where(last >= 0, rings.onward[crowd.near.number[each, last]], -1)
     first = int(crowd.scene.min(initial=0))

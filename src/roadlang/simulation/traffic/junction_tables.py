@@ -60,35 +60,35 @@ class JunctionTables:
             shaped = [column[view].reshape(count, count) for column in (conflict, begin, end)]
             _fill_conflicts(junction, shaped)
             places = _numbers(junction)
-            for one, other in junction.yields:
-                yields[pair[number] + places[one] * count + places[other]] = True
-        every = [one for junction in junctions for one in junction.connections]
+            for yielding, passing in junction.yields:
+                yields[pair[number] + places[yielding] * count + places[passing]] = True
+        every = [connection for junction in junctions for connection in junction.connections]
         rules = [_RULES.index(junction.control.kind) for junction in junctions]
         return cls(
             first[:-1], counts, pair[:-1], np.array(rules, dtype=np.int64),
             np.array([stop for junction in junctions for stop in _stops(junction)], dtype=bool),
-            np.array([one for junction in junctions for one in _yielding(junction)], dtype=bool),
-            np.array([one for junction in junctions for one in _targets(junction)], dtype=np.int64),
-            np.array([one.length for one in every], dtype=np.float64),
+            np.array([flag for junction in junctions for flag in _yielding(junction)], dtype=bool),
+            np.array([goal for junction in junctions for goal in _targets(junction)], np.int64),
+            np.array([connection.length for connection in every], dtype=np.float64),
             conflict, begin, end, yields,
         )  # fmt: skip
 
 
 def _numbers(junction: SceneJunction) -> dict[int, int]:
-    return {one.id: place for place, one in enumerate(junction.connections)}
+    return {connection.id: place for place, connection in enumerate(junction.connections)}
 
 
 def _fill_conflicts(junction: SceneJunction, columns: Sequence[np.ndarray]) -> None:
     """(C, C) kind, begin and end."""
     kind, begin, end = columns
     places = _numbers(junction)
-    for one in junction.conflicts:
-        if one.kind == "diverge":
+    for conflict in junction.conflicts:
+        if conflict.kind == "diverge":
             continue
-        a, b = places[one.a], places[one.b]
-        kind[a, b] = kind[b, a] = CROSS if one.kind == "cross" else MERGE
-        begin[a, b], end[a, b] = one.interval_a
-        begin[b, a], end[b, a] = one.interval_b
+        a, b = places[conflict.a], places[conflict.b]
+        kind[a, b] = kind[b, a] = CROSS if conflict.kind == "cross" else MERGE
+        begin[a, b], end[a, b] = conflict.interval_a
+        begin[b, a], end[b, a] = conflict.interval_b
 
 
 def _stops(junction: SceneJunction) -> list[bool]:
@@ -96,12 +96,12 @@ def _stops(junction: SceneJunction) -> list[bool]:
     if control.kind == "all_way_stop":
         return [True] * len(junction.connections)
     minor = control.minor if control.kind == "stop" else ()
-    return [one.source.road in minor for one in junction.connections]
+    return [connection.source.road in minor for connection in junction.connections]
 
 
 def _yielding(junction: SceneJunction) -> list[bool]:
-    yielding = {one for one, _ in junction.yields}
-    return [one.id in yielding for one in junction.connections]
+    yielding = {connection for connection, _ in junction.yields}
+    return [connection.id in yielding for connection in junction.connections]
 
 
 def _targets(junction: SceneJunction) -> list[int]:

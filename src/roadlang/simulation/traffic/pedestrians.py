@@ -50,12 +50,12 @@ class _Seen:
     """meters of the pedestrian from the lane of the car"""
     lane: Floats
     """meters of that lane across"""
-    reach: Floats
+    half_extent: Floats
     """half of the size of the pedestrian"""
     toward: Floats
     """m/s, of the pedestrian toward the lane"""
     faces: Booleans
-    stands: Booleans
+    is_standing: Booleans
 
 
 class Pedestrians:
@@ -85,7 +85,7 @@ class Pedestrians:
             return out
         car = rows[seen.agent]
         speed, half = world.motion.speed[car], 0.5 * world.bodies.length[car]
-        gap = seen.ahead - half - seen.reach
+        gap = seen.ahead - half - seen.half_extent
         stop = gap - BEFORE
         needs = (stop > -BEFORE) & (_steps_in(seen, gap, speed, half))
         courteous = self._wants_to_cross(world, seen, car) & (stop > -BEFORE)
@@ -103,18 +103,18 @@ class Pedestrians:
         before = self._places[car, :, 1] - along
         there = (beyond > first) & (beyond < last) | (before > first) & (before < last)
         close = (seen.outside > 0.0) & (seen.outside < AT_CURB)
-        return np.asarray(seen.stands & seen.faces & close & there.any(axis=1))
+        return np.asarray(seen.is_standing & seen.faces & close & there.any(axis=1))
 
     def _patient(
-        self, world: World, rows: Integers, car: Integers, speed: Floats, who: Booleans
+        self, world: World, rows: Integers, car: Integers, speed: Floats, waiting: Booleans
     ) -> Booleans:
         """(P,) whether a car has not waited too long yet. Counts for how long it has."""
         waits = np.zeros(len(self._waited), dtype=bool)
-        waits[car[who & (speed < STEPS)]] = True
+        waits[car[waiting & (speed < STEPS)]] = True
         step = np.where(np.isfinite(self._time[rows]), world.time - self._time[rows], 0.0)
         self._waited[rows] += np.where(waits[rows], np.maximum(step, 0.0), 0.0)
-        moves = world.motion.speed[rows] > COURTEOUS
-        self._waited[rows] = np.where(moves, 0.0, self._waited[rows])
+        is_moving = world.motion.speed[rows] > COURTEOUS
+        self._waited[rows] = np.where(is_moving, 0.0, self._waited[rows])
         self._time[rows] = world.time
         return np.asarray(self._waited[car] < PATIENCE)
 
@@ -126,7 +126,7 @@ def _steps_in(seen: _Seen, gap: Floats, speed: Floats, half: Floats) -> Booleans
     leaves = (seen.outside + seen.lane) / toward
     pace = np.maximum(speed, 1e-3)
     arrives = np.maximum(gap, 0.0) / pace
-    passed = (gap + 2.0 * (half + seen.reach)) / pace
+    passed = (gap + 2.0 * (half + seen.half_extent)) / pace
     steps = (seen.outside > 0.0) & (seen.toward > STEPS) & (enters < SOON)
     return np.asarray(steps & (passed + CLEARANCE > enters) & (leaves + CLEARANCE > arrives))
 
@@ -156,10 +156,10 @@ def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
     side = np.where(left > 0.0, -1.0, 1.0)
     turned = side * (cosine * np.sin(poses.heading[walker]) - sine * np.cos(poses.heading[walker]))
     speed, bodies = world.motion.speed[walker], world.bodies
-    reach = 0.5 * np.maximum(bodies.length[walker], bodies.width[walker])
-    half = 0.5 * bodies.width[rows[place]] + reach + MARGIN
+    half_extent = 0.5 * np.maximum(bodies.length[walker], bodies.width[walker])
+    half = 0.5 * bodies.width[rows[place]] + half_extent + MARGIN
     ahead = window.s[sample] + cosine * dx + sine * dy
     return _Seen(
-        place, ahead, np.abs(left) - half, 2.0 * half, reach, speed * turned,
+        place, ahead, np.abs(left) - half, 2.0 * half, half_extent, speed * turned,
         turned > FACES, speed < STEPS,
     )  # fmt: skip

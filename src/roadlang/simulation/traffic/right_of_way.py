@@ -66,7 +66,7 @@ class RightOfWayGrants:
         self._grants = Grants.none(crossings.stop.shape)
         self._last_grant = np.full((scenes, max(1, len(crossings.junctions))), -math.inf)
         self._looked = np.full(scenes, -math.inf)
-        self._asked = np.zeros(count, dtype=bool)
+        self._has_asked = np.zeros(count, dtype=bool)
         self._asking = np.zeros(count, dtype=bool)
         self._temper = np.full((2, count), MODERATE)
         self._waits = Waits(
@@ -76,12 +76,12 @@ class RightOfWayGrants:
     def take(self, agents: Integers, scenes: Integers) -> None:
         """From now on the world has these of its agents and scenes alone."""
         self._pedestrians.take(agents)
-        place = np.full(len(self._asked) + 1, -1)
+        place = np.full(len(self._has_asked) + 1, -1)
         place[agents] = np.arange(len(agents))
         self._crossings, self._grants = self._crossings.take(agents), self._grants.take(agents)
         self._last_grant, self._looked = self._last_grant[scenes], self._looked[scenes]
         self._temper = self._temper[:, agents]
-        self._asked, self._asking = self._asked[agents], self._asking[agents]
+        self._has_asked, self._asking = self._has_asked[agents], self._asking[agents]
         waits = self._waits
         self._waits = Waits(waits.stop[agents], place[waits.leader[agents]], waits.distance[agents])
 
@@ -118,25 +118,25 @@ class RightOfWayGrants:
         """Bring the scenes of some agents up to date, where that is due. Who has asked since the
         last time obeys; at first everybody is taken to."""
         scenes = sorted_groups(rows // world.slots)[0]
-        due = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
-        if len(due):
-            agents = (due[:, None] * world.slots + np.arange(world.slots)).ravel()
-            self._asked[agents] = self._asking[agents]
-            new = np.repeat(np.isinf(self._looked[due]), world.slots)
-            self._asked[agents] |= new
+        scenes_to_update = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
+        if len(scenes_to_update):
+            agents = (scenes_to_update[:, None] * world.slots + np.arange(world.slots)).ravel()
+            self._has_asked[agents] = self._asking[agents]
+            new = np.repeat(np.isinf(self._looked[scenes_to_update]), world.slots)
+            self._has_asked[agents] |= new
             self._asking[agents] = False
-            self._looked[due] = world.time
+            self._looked[scenes_to_update] = world.time
             self._update(world, leaders, agents)
         self._asking[rows] = True
 
     def _update(self, world: World, leaders: Leaders, rows: Integers) -> None:
         crossings, places = self._crossings.take(rows), self._places
-        moves = world.present & ~world.halted & ~world.bodies.walks
+        is_moving = world.present & ~world.halted & ~world.bodies.walks
         crowd = Crowd(
             places, world.time, crossings,
             Approaches.of(world, rows, (crossings, places.tables, places.lights)),
             self._grants.take(rows), rows // world.slots, world.motion.speed[rows],
-            world.bodies.length[rows], world.present[rows], moves[rows], self._asked[rows],
+            world.bodies.length[rows], world.present[rows], is_moving[rows], self._has_asked[rows],
             self._temper[0, rows], self._temper[1, rows],
             leaders.gaps.reshape(-1, world.slots)[rows],
         )  # fmt: skip

@@ -40,7 +40,7 @@ class Rings:
             lengths = {road.name: road.length for road in scene.roads}
             for network in scene.networks:
                 for ring in _rings(network):
-                    members = [numbers[id(one)] for one in ring[0] if id(one) in numbers]
+                    members = [numbers[id(node)] for node in ring[0] if id(node) in numbers]
                     if not members or (members[0], next(iter(ring[1]), "")) in ring_of:
                         continue
                     ring_of |= {(m, road): len(capacity) for m in members for road in ring[1]}
@@ -48,10 +48,10 @@ class Rings:
                     capacity.append(max(2.0, math.floor(SHARE * around / CAR_SPACE)))
         into, onward = [], []
         for number, junction in enumerate(junctions):
-            for one in junction.connections:
-                leads = ring_of.get((number, one.target.road), -1)
+            for connection in junction.connections:
+                leads = ring_of.get((number, connection.target.road), -1)
                 onward.append(leads)
-                into.append(-1 if (number, one.source.road) in ring_of else leads)
+                into.append(-1 if (number, connection.source.road) in ring_of else leads)
         return cls(
             np.array(into, dtype=np.int64), np.array(onward, dtype=np.int64), np.array(capacity)
         )
@@ -59,15 +59,15 @@ class Rings:
 
 def _rings(network: SceneNetwork) -> list[tuple[list[SceneJunction], list[str]]]:
     """The junctions of each ring, and its roads."""
-    left = [one for one in network.junctions if one.kind == "roundabout"]
+    left = [junction for junction in network.junctions if junction.kind == "roundabout"]
     found = []
     while left:
         members, roads = [left.pop(0)], set[str]()
         for member in members:
             roads |= _ring_roads(member)
-            mates = [one for one in left if _ring_roads(one) & roads]
+            mates = [junction for junction in left if _ring_roads(junction) & roads]
             members += mates
-            left = [one for one in left if one not in mates]
+            left = [junction for junction in left if junction not in mates]
         found.append((members, sorted(roads)))
     return found
 
@@ -75,9 +75,9 @@ def _rings(network: SceneNetwork) -> list[tuple[list[SceneJunction], list[str]]]
 def _ring_roads(junction: SceneJunction) -> set[str]:
     """Those whose traffic yields to nobody although others yield to it, and where who enters goes
     on."""
-    by_id = {one.id: one for one in junction.connections}
-    yielding = {one for one, _ in junction.yields}
-    entering = {by_id[one].source.road for one in yielding}
+    by_id = {connection.id: connection for connection in junction.connections}
+    yielding = {id_ for id_, _ in junction.yields}
+    entering = {by_id[id_].source.road for id_ in yielding}
     inner = {by_id[other].source.road for _, other in junction.yields if other not in yielding}
-    onward = {by_id[one].target.road for one in yielding}
+    onward = {by_id[id_].target.road for id_ in yielding}
     return (inner | onward) - entering

@@ -44,27 +44,27 @@ def let_go(meetings: Meetings, grants: Grants) -> Booleans:
     return np.asarray(meetings.is_there & (meetings.of_crossings(grants.order) < NEVER))
 
 
-def in_the_way(
+def is_blocked(
     meetings: Meetings, near: Approaches, grants: Grants, speed: Floats, length: Floats,
     aggression: Floats,
 ) -> Booleans:  # fmt: skip
     """(G, P) for whom one that may go already leaves no gap. `speed`, `length`, `aggression` from 0
     to 1: (N,)."""
-    _, goes = pairs(let_go(meetings, grants))
+    _, other_goes = pairs(let_go(meetings, grants))
     to_line, other_line = pairs(meetings.of_crossings(near.to_line))
-    own, other = pairs(meetings.of_agents(speed))
+    speed_a, speed_b = pairs(meetings.of_agents(speed))
     other_length = meetings.of_agents(length)[:, None, :]
     calm = 1.0 - meetings.of_agents(aggression)[:, :, None]
     apart = CLEARANCE * calm
-    arrives = seconds_for(to_line + meetings.begin, own, EAGER, EAGER_SPEED)
+    arrives = seconds_for(to_line + meetings.begin, speed_a, EAGER, EAGER_SPEED)
     end = np.swapaxes(meetings.end, 1, 2)
     leaves_in = other_line + end + other_length
-    leaves = seconds_for(leaves_in, other, SLUGGISH, SLUGGISH_SPEED)
+    leaves = seconds_for(leaves_in, speed_b, SLUGGISH, SLUGGISH_SPEED)
     crosses = (meetings.conflict == CROSS) & (leaves_in > 0.0) & (arrives <= leaves + apart)
     gap = _behind(meetings, near, length)
-    wanted = STANDING_GAP + HEADWAY * calm * own + np.maximum(0.0, own - other)
+    wanted = STANDING_GAP + HEADWAY * calm * speed_a + np.maximum(0.0, speed_a - speed_b)
     merges = (meetings.conflict == MERGE) & (gap <= wanted)
-    return np.asarray((goes & (crosses | merges)).any(axis=2))
+    return np.asarray((other_goes & (crosses | merges)).any(axis=2))
 
 
 def waits_for_right(
@@ -73,8 +73,8 @@ def waits_for_right(
     """(G, P) who yields to one that arrives now and was not let go either. `asks`: (G, P)."""
     to_line = meetings.of_crossings(near.to_line)
     soon = to_line < FROM_RIGHT * meetings.of_agents(speed) + FROM_RIGHT_DISTANCE
-    _, comes = pairs(asks & soon)
-    return np.asarray((meetings.yields & comes).any(axis=2))
+    _, arriving = pairs(asks & soon)
+    return np.asarray((meetings.yields & arriving).any(axis=2))
 
 
 def lets_in(
@@ -91,22 +91,22 @@ def lets_in(
     return np.asarray(meets & (braking < COURTEOUS * meetings.of_agents(politeness)))
 
 
-def space_for_others(meetings: Meetings, goes: Booleans, length: Floats) -> Floats:
+def space_for_others(meetings: Meetings, may_go: Booleans, length: Floats) -> Floats:
     """(G, P) meters of the lane that each enters which those let go already will take."""
     _, other = pairs(meetings.of_agents(length) + STANDING_GAP)
-    _, counts = pairs(goes)
-    taken = np.where(meetings.share_exit & counts, other, 0.0)
-    return np.asarray(np.cumsum(taken, axis=2)[:, :, -1])  # a sum that padding does not change
+    _, counts = pairs(may_go)
+    used = np.where(meetings.share_exit & counts, other, 0.0)
+    return np.asarray(np.cumsum(used, axis=2)[:, :, -1])  # a sum that padding does not change
 
 
 def _behind(meetings: Meetings, near: Approaches, length: Floats) -> Floats:
     """(G, P, P) the gap of the first behind the second, measured from where their lanes merge."""
     leave = np.where(meetings.is_there, meetings.of_crossings(near.to_leave), 0.0)
-    own, other = pairs(leave - meetings.of_agents(length))
-    return np.asarray(own - other - meetings.of_agents(length)[:, None, :])
+    first, second = pairs(leave - meetings.of_agents(length))
+    return np.asarray(first - second - meetings.of_agents(length)[:, None, :])
 
 
-def goes_earlier(meetings: Meetings, grants: Grants) -> Booleans:
+def has_earlier_grant(meetings: Meetings, grants: Grants) -> Booleans:
     """(G, P, P) whether the second was let go before the first."""
     order, other_order = pairs(meetings.of_crossings(grants.order))
     row, other = pairs(meetings.row)
@@ -119,7 +119,7 @@ def zone_stops(
 ) -> tuple[Floats, Floats]:
     """(G, P, P) meters from the front of the first to where it has to wait for the second to pass,
     infinite for no need; and where lanes merge the gap at which it follows the second."""
-    earlier = goes_earlier(meetings, grants)
+    earlier = has_earlier_grant(meetings, grants)
     to_line, other_line = pairs(meetings.of_crossings(near.to_line))
     other_length = meetings.of_agents(length)[:, None, :]
     to_zone = to_line + meetings.begin

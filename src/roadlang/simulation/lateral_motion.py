@@ -1,4 +1,4 @@
-"""Sideways moves of the lines that agents follow: smooth, and begun anew from where one is."""
+"""Lateral motion of the lines that agents follow: smooth, also when redirected midway."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SLOW = 2.0
 
 
 @dataclass
-class LineMoves:
+class LateralMotion:
     """Columns (N,) of lines, left of the tabled ones. A move is a quintic of the share of its time
     that has passed: position, velocity and acceleration are continuous, and end with the line at
     rest (`h (10 u^3 - 15 u^4 + 6 u^5)` from rest over a distance `h`)."""
@@ -32,7 +32,7 @@ class LineMoves:
     """now"""
 
     @classmethod
-    def at_rest(cls, offset: Floats) -> LineMoves:
+    def at_rest(cls, offset: Floats) -> LateralMotion:
         """Lines that do not move."""
         count = len(offset)
         powers = np.zeros((6, count))
@@ -43,15 +43,15 @@ class LineMoves:
 
     def restart(self, agents: Integers) -> None:
         """Those of some agents are as at the start of the drive."""
-        rest = LineMoves.at_rest(self.start[agents])
+        rest = LateralMotion.at_rest(self.start[agents])
         for name in ("target", "time", "share", "powers", "offset"):
             column = getattr(self, name).copy()
             column[..., agents] = getattr(rest, name)
             setattr(self, name, column)
 
-    def take(self, rows: Integers) -> LineMoves:
+    def take(self, rows: Integers) -> LateralMotion:
         """Those of some agents."""
-        return LineMoves(
+        return LateralMotion(
             self.start[rows], self.target[rows], self.time[rows], self.share[rows],
             self.powers[:, rows], self.offset[rows],
         )  # fmt: skip
@@ -98,8 +98,8 @@ class LineMoves:
         per_meter = 1.0 / (part.time * forward)
         share = np.minimum(np.maximum(part.share + per_meter * distance, 0.0), 1.0)
         place, slope, bend = _values(part.powers, share)
-        still = ~moving
-        place = np.where(still, offset, place)
+        settled = ~moving
+        place = np.where(settled, offset, place)
         return place, slope * per_meter, bend * per_meter * per_meter, moving
 
     def _pace(self, speed: Floats) -> Floats:

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from roadlang.geometry.arrays import Floats
-from roadlang.simulation.line_moves import LineMoves
+from roadlang.simulation.lateral_motion import LateralMotion
 
 STEP = 0.01
 
 
-def moved(moves: LineMoves, seconds: float, speed: float = 20.0) -> Floats:
+def moved(moves: LateralMotion, seconds: float, speed: float = 20.0) -> Floats:
     """Offsets of the only line at each step."""
     out = []
     for _ in range(round(seconds / STEP)):
@@ -23,7 +23,7 @@ def moved(moves: LineMoves, seconds: float, speed: float = 20.0) -> Floats:
 @pytest.mark.parametrize("height", [3.5, -3.25])
 @pytest.mark.parametrize("time", [2.5, 4.0])
 def test_a_move_has_the_peaks_of_its_quintic(height: float, time: float) -> None:
-    moves = LineMoves.at_rest(np.array([1.0]))
+    moves = LateralMotion.at_rest(np.array([1.0]))
     moves.move(np.array([1.0 + height]), np.array([time]))
     offset = moved(moves, time + 1.0)
     speed = np.gradient(offset, STEP)
@@ -36,7 +36,7 @@ def test_a_move_has_the_peaks_of_its_quintic(height: float, time: float) -> None
 
 
 def test_a_move_that_is_called_off_begins_anew_from_where_it_is() -> None:
-    moves = LineMoves.at_rest(np.array([0.0]))
+    moves = LateralMotion.at_rest(np.array([0.0]))
     moves.move(np.array([3.5]), np.array([4.0]))
     first = moved(moves, 1.5)
     moves.move(np.array([0.0]), np.array([4.0]))
@@ -50,7 +50,7 @@ def test_a_move_that_is_called_off_begins_anew_from_where_it_is() -> None:
 
 
 def test_the_same_target_again_goes_on_with_the_move() -> None:
-    once, again = (LineMoves.at_rest(np.array([0.0])) for _ in range(2))
+    once, again = (LateralMotion.at_rest(np.array([0.0])) for _ in range(2))
     once.move(np.array([3.5]), np.array([4.0]))
     for _ in range(600):
         again.move(np.array([3.5]), np.array([4.0]))
@@ -60,7 +60,7 @@ def test_the_same_target_again_goes_on_with_the_move() -> None:
 
 
 def test_the_line_waits_for_an_agent_that_stands() -> None:
-    moves = LineMoves.at_rest(np.array([0.0]))
+    moves = LateralMotion.at_rest(np.array([0.0]))
     moves.move(np.array([3.5]), np.array([4.0]))
     assert moved(moves, 2.0)[-1] == pytest.approx(1.75)
     assert moved(moves, 10.0, speed=0.0)[-1] == pytest.approx(1.75)
@@ -68,13 +68,13 @@ def test_the_line_waits_for_an_agent_that_stands() -> None:
 
 
 def test_without_a_time_the_line_is_there_at_once() -> None:
-    moves = LineMoves.at_rest(np.array([0.0, 1.0, 2.0]))
+    moves = LateralMotion.at_rest(np.array([0.0, 1.0, 2.0]))
     moves.move(np.array([3.0, np.nan, 5.0]), None)
     assert moves.offset.tolist() == [3.0, 1.0, 5.0]
 
 
 def test_the_line_ahead_is_where_it_will_be() -> None:
-    moves = LineMoves.at_rest(np.array([0.0]))
+    moves = LateralMotion.at_rest(np.array([0.0]))
     moves.move(np.array([3.5]), np.array([4.0]))
     moved(moves, 1.0)
     offset, slope, bend, _ = moves.ahead(slice(None), 20.0, np.array([20.0]))
