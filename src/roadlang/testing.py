@@ -135,10 +135,10 @@ def road_batch(
 
     from .geometry import Curve, CurveFrame
     from .world.root_roads import undisplaced_road
-    from .world.stations import usual_stations
+    from .world.stations import default_stations
 
     curve = Curve.through(points, closed=closed)
-    frame = CurveFrame.of(curve, usual_stations(curve))
+    frame = CurveFrame.of(curve, default_stations(curve))
     widths = np.broadcast_to(np.asarray(width, dtype=float).reshape(-1, 1), (variants, 1))
     return undisplaced_road(name, name, frame, widths, 1.0, variants)
 

@@ -7,6 +7,8 @@ from typing import Any
 
 import pytest
 
+from roadlang.api import LaneKind
+
 
 @pytest.mark.parametrize(
     ("module", "old", "new"),
@@ -29,3 +31,12 @@ def test_names_that_never_were_are_unknown() -> None:
 
     for module in (api, stl):
         assert not hasattr(module, "Stretches")
+
+
+def test_a_lane_kind_may_still_state_its_width_and_marking_by_their_old_names() -> None:
+    with pytest.warns(DeprecationWarning, match="`usual_width` of lanes is now `default_width`"):
+
+        class TramLane(LaneKind):
+            usual_width = 2.8
+
+    assert TramLane.default_width == 2.8

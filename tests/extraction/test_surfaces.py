@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drafting import usual_width_of
+from roadlang_standard.extraction.drafting import typical_width_of
 from roadlang_standard.extraction.edges import (
     Sides,
     normals,
     sides,
-    usual_width,
+    typical_width,
     widths,
 )
 from roadlang_standard.extraction.hints import leave_out, paint, ways_through
@@ -34,7 +34,7 @@ def test_the_edges_of_a_road_are_where_the_surface_falls_through_one_half() -> N
     seen = sides(dense((20, 47), (180, 47)), band(40, 60), 20.0)
     assert seen.left == pytest.approx(np.full(161, 12.5), abs=0.15)
     assert seen.right == pytest.approx(np.full(161, 7.5), abs=0.15)
-    assert usual_width(seen) == pytest.approx(20, abs=0.1)
+    assert typical_width(seen) == pytest.approx(20, abs=0.1)
     assert seen.seen.all()
 
 
@@ -44,7 +44,7 @@ def test_an_edge_beyond_the_radius_or_a_line_beside_the_road_is_not_seen() -> No
     assert np.isfinite(near.right).all()
     beside = sides(dense((20, 20), (180, 20)), band(40, 60), 50.0)
     assert not beside.seen.any()
-    assert np.isnan(usual_width(beside))
+    assert np.isnan(typical_width(beside))
 
 
 def test_the_level_of_an_edge_may_be_set() -> None:
@@ -86,11 +86,11 @@ def test_unseen_widths_are_the_fallback() -> None:
     assert np.isnan(spread)
 
 
-def test_the_usual_width_is_that_of_the_mask_along_the_lines() -> None:
+def test_the_typical_width_is_that_of_the_mask_along_the_lines() -> None:
     """Twice the distance from row 49.5 to the edge, 10.5 px to the first pixel outside, less 1."""
     graph = graph_of(((10, 49), (190, 49)))
-    assert usual_width_of(graph, band(40, 60) > 0) == pytest.approx(19.5, abs=1.0)
-    assert usual_width_of(graph_of(), band(40, 60) > 0) == 1.0
+    assert typical_width_of(graph, band(40, 60) > 0) == pytest.approx(19.5, abs=1.0)
+    assert typical_width_of(graph_of(), band(40, 60) > 0) == 1.0
 
 
 def test_a_straight_road_is_found_where_it_lies_from_edge_to_edge() -> None:

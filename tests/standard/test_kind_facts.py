@@ -107,7 +107,7 @@ def test_what_faults_of_geometry_are_the_users_own() -> None:
 
 
 def test_lanes_by_their_width_users_and_place() -> None:
-    assert facts("lane", "usual_width") == {
+    assert facts("lane", "default_width") == {
         "drive": 3.25, "bus": 3.5, "bike": 1.5, "parking": 2.3, "shoulder": 1.5, "sidewalk": 2.0,
         "median": 2.0, "grass": 2.0,
     }  # fmt: skip
@@ -121,7 +121,7 @@ def test_lanes_by_their_width_users_and_place() -> None:
     directions = facts("lane", "direction")
     assert {name for name, way in directions.items() if way == "side"} == {"drive", "bus", "bike"}
     assert directions["sidewalk"] == "both"
-    marking = facts("lane", "usual_marking")
+    marking = facts("lane", "default_marking")
     assert {name for name, line in marking.items() if line == "none"} == {"shoulder", "grass"}
 
 

@@ -13,7 +13,7 @@ from roadlang.api import vehicle_parameters
 from roadlang_standard.engine_tables import BODIES
 
 from .conditions import engine_condition
-from .drives import is_walker, option_values, usual_speed
+from .drives import default_speed, is_walker, option_values
 from .frame import SceneOrigin
 from .line import RoadSamples, line_of_route
 from .names import plain_name
@@ -93,7 +93,7 @@ def _drives(actor: SceneActor, scene: Scene, frame: SceneOrigin) -> list[dict[st
     out = []
     for call in actor.drive:
         drive = {
-            "kind": plain_name(call.kind), **option_values(call, usual_speed(actor, scene))
+            "kind": plain_name(call.kind), **option_values(call, default_speed(actor, scene))
         }  # fmt: skip
         for key, condition in (("when", call.when), ("while", call.during)):
             if condition is not None:

@@ -55,17 +55,17 @@ def undriven_agents(scene: Scene, python_driven: Collection[str]) -> tuple[str, 
     )
 
 
-def usual_speed(actor: SceneActor, scene: Scene) -> float:
+def default_speed(actor: SceneActor, scene: Scene) -> float:
     """What controllers drive that say no speed, m/s: the speed limit, where there is one."""
     road = next((one for one in scene.roads if one.name == actor.road), None)
     if road is None:
-        return LanePlace.usual_speed
+        return LanePlace.default_speed
     limits = [one.speed_limit for one in road.lane_list if one.id == actor.lane]
     limit = limits[0] if limits and limits[0] is not None else road.speed_limit
-    return LanePlace.usual_speed if limit is None else limit
+    return LanePlace.default_speed if limit is None else limit
 
 
-def option_values(call: Call, default_speed: float = LanePlace.usual_speed) -> dict[str, Any]:
+def option_values(call: Call, default_speed: float = LanePlace.default_speed) -> dict[str, Any]:
     """The options that are numbers or words; an engine knows nothing else. `default_speed`: of a
     controller that says none."""
     out: dict[str, Any] = {}

@@ -91,7 +91,7 @@ class Traffic(Controller):
         soon = seen.speed_limit_ahead(0.5 * braking, FORESIGHT * seen.speed)
         limit = np.minimum(limit, soon)
         if not np.isfinite(limit).all():
-            limit = np.where(np.isfinite(limit), limit, seen.lane_place().usual_speed)
+            limit = np.where(np.isfinite(limit), limit, seen.lane_place().default_speed)
         return np.asarray(limit * self.speed_factor)
 
 

@@ -14,7 +14,7 @@ class DriveLane(LaneKind):
 
     name: ClassVar[str] = "drive"
     is_default: ClassVar[bool] = True
-    usual_width: ClassVar[float] = 3.25
+    default_width: ClassVar[float] = 3.25
     drivable: ClassVar[bool] = True
     users: ClassVar[tuple[str, ...]] = ("car", "bus", "bicycle")
 
@@ -24,7 +24,7 @@ class BusLane(LaneKind):
     """A lane for buses, 3.5 m wide."""
 
     name: ClassVar[str] = "bus"
-    usual_width: ClassVar[float] = 3.5
+    default_width: ClassVar[float] = 3.5
     drivable: ClassVar[bool] = True
     users: ClassVar[tuple[str, ...]] = ("bus",)
 
@@ -34,7 +34,7 @@ class BikeLane(LaneKind):
     """A lane for bicycles, 1.5 m wide."""
 
     name: ClassVar[str] = "bike"
-    usual_width: ClassVar[float] = 1.5
+    default_width: ClassVar[float] = 1.5
     users: ClassVar[tuple[str, ...]] = ("bicycle",)
 
 
@@ -43,7 +43,7 @@ class ParkingLane(LaneKind):
     """A strip for parked vehicles, 2.3 m wide."""
 
     name: ClassVar[str] = "parking"
-    usual_width: ClassVar[float] = 2.3
+    default_width: ClassVar[float] = 2.3
     direction: ClassVar[Literal["none"]] = "none"
 
 
@@ -52,9 +52,9 @@ class ShoulderLane(LaneKind):
     """A paved strip beside the outer lane, 1.5 m wide."""
 
     name: ClassVar[str] = "shoulder"
-    usual_width: ClassVar[float] = 1.5
+    default_width: ClassVar[float] = 1.5
     direction: ClassVar[Literal["none"]] = "none"
-    usual_marking: ClassVar[Literal["none"]] = "none"
+    default_marking: ClassVar[Literal["none"]] = "none"
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class SidewalkLane(LaneKind):
 
     name: ClassVar[str] = "sidewalk"
     is_default: ClassVar[bool] = True
-    usual_width: ClassVar[float] = 2.0
+    default_width: ClassVar[float] = 2.0
     direction: ClassVar[Literal["both"]] = "both"
     users: ClassVar[tuple[str, ...]] = ("pedestrian",)
     raised: ClassVar[bool] = True
@@ -74,7 +74,7 @@ class MedianLane(LaneKind):
     """A paved island behind curbs, 2 m wide."""
 
     name: ClassVar[str] = "median"
-    usual_width: ClassVar[float] = 2.0
+    default_width: ClassVar[float] = 2.0
     direction: ClassVar[Literal["none"]] = "none"
     raised: ClassVar[bool] = True
 
@@ -84,6 +84,6 @@ class GrassLane(LaneKind):
     """A strip of grass, 2 m wide."""
 
     name: ClassVar[str] = "grass"
-    usual_width: ClassVar[float] = 2.0
+    default_width: ClassVar[float] = 2.0
     direction: ClassVar[Literal["none"]] = "none"
-    usual_marking: ClassVar[Literal["none"]] = "none"
+    default_marking: ClassVar[Literal["none"]] = "none"

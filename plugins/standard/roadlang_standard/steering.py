@@ -40,7 +40,7 @@ def target_speed(seen: ObservationBatch, speed: Column | None, deceleration: Col
     soon = seen.speed_limit_ahead(planned, seen.speed / SPEED_GAIN)
     place = seen.lane_place()
     limit = np.minimum(place.speed_limit, np.minimum(now, soon))
-    return np.where(np.isfinite(limit), limit, place.usual_speed)
+    return np.where(np.isfinite(limit), limit, place.default_speed)
 
 
 def bend_speed(

@@ -21,8 +21,8 @@ T = TypeVar("T")
 class CandidateBatch:
     """V candidates, identified by (scene, attempt).
 
-    `given` holds coordinates that a sampler or a search has chosen, (V,) by name; all others are
-    hashed of their place. `record`, where one is passed, is given all that is drawn. Whatever is
+    `coordinates` are those that a sampler or a search has chosen, (V,) by name; all others are
+    hashed of their place. `record`, where one is passed, collects all draws. Whatever is
     computed is kept by `once`, also for the survivors that `take` chooses, so that a later
     requirement pays only for what is new to it; they have no record.
     """
@@ -33,14 +33,14 @@ class CandidateBatch:
         seed: int,
         scenes: NDArray[np.int64],
         attempts: NDArray[np.int64],
-        given: Mapping[str, Floats] | None = None,
+        coordinates: Mapping[str, Floats] | None = None,
         record: DrawRecord | None = None,
     ) -> None:
         self.scenario = scenario
         self.seed = seed
         self.scenes = scenes
         self.attempts = attempts
-        self.given = given or {}
+        self.coordinates = coordinates or {}
         self.record = record
         self._computed: dict[Hashable, Any] = {}
         self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
@@ -57,9 +57,9 @@ class CandidateBatch:
 
     def take(self, rows: NDArray[np.intp]) -> CandidateBatch:
         """The candidates at `rows`."""
-        given = {name: values[rows] for name, values in self.given.items()}
+        coordinates = {name: values[rows] for name, values in self.coordinates.items()}
         chosen = CandidateBatch(
-            self.scenario, self.seed, self.scenes[rows], self.attempts[rows], given
+            self.scenario, self.seed, self.scenes[rows], self.attempts[rows], coordinates
         )
         chosen._parent = (self, rows)
         return chosen
@@ -97,8 +97,8 @@ class CandidateBatch:
     def uniform(self, place: str, element: int = 0) -> Floats:
         """(V, 1) numbers in [0, 1)."""
         name = coordinate_name(place, element)
-        if name in self.given:
-            numbers = self.given[name][:, None]
+        if name in self.coordinates:
+            numbers = self.coordinates[name][:, None]
         else:
             numbers = unit_interval(place_keys(self.keys, place, element)[:, None], 1)
         if self.record is not None:
@@ -129,13 +129,13 @@ class _PassRandom(BatchRandom):
 
     def uniform(self, count: int, stream: int = 0) -> Floats:
         numbers = super().uniform(count, stream)
-        record, given = self._candidates.record, self._candidates.given
-        if record is None and not given:
+        record, coordinates = self._candidates.record, self._candidates.coordinates
+        if record is None and not coordinates:
             return numbers
         for column in range(count):
             name = f"{self._name}:{stream}:{column}"
-            if name in given:
-                numbers[:, column] = given[name]
+            if name in coordinates:
+                numbers[:, column] = coordinates[name]
             if record is not None:
                 record.coordinates[name] = numbers[:, column]
         return numbers

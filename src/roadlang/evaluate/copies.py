@@ -60,12 +60,12 @@ class CopyBatch(CandidateBatch):
         numbers = np.zeros(len(self.rows)) if element == 0 else self.copies
         words = retried(place_keys(self.keys, place, numbers), self.tries)
         found = unit_interval(words[:, None], 1)
-        given = self.candidates.given
-        for copy in np.unique(numbers).tolist() if given else ():
+        coordinates = self.candidates.coordinates
+        for copy in np.unique(numbers).tolist() if coordinates else ():
             name = coordinate_name(place, int(copy))
-            if name in given:
+            if name in coordinates:
                 chosen = (numbers == copy) & (self.tries == 0)
-                found[chosen, 0] = given[name][self.rows[chosen]]
+                found[chosen, 0] = coordinates[name][self.rows[chosen]]
         self._uniform[place, element] = found
         return found
 

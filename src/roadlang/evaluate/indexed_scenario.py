@@ -54,7 +54,7 @@ class IndexedScenario:
         self.images: dict[str, ScenarioImage] = {item.name: item for item in source.images}
         self.networks: dict[str, ScenarioNetwork] = {item.name: item for item in source.networks}
         self.roads: dict[str, ScenarioRoad] = {item.name: item for item in source.roads}
-        self._things: dict[str, ScenarioImage | ScenarioNetwork | ScenarioRoad] = {
+        self._declarations: dict[str, ScenarioImage | ScenarioNetwork | ScenarioRoad] = {
             **self.images, **self.networks, **self.roads
         }  # fmt: skip
         self.actors: dict[str, ScenarioActor] = {
@@ -127,41 +127,41 @@ class IndexedScenario:
                 found[origin.distribution] = origin.version
         return dict(sorted(found.items()))
 
-    def thing(self, name: str) -> ScenarioImage | ScenarioNetwork | ScenarioRoad:
+    def declaration(self, name: str) -> ScenarioImage | ScenarioNetwork | ScenarioRoad:
         """The road, network or image of that name. Raises `KeyError`."""
-        return self._things[name]
+        return self._declarations[name]
 
     def source_of(
-        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+        self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad
     ) -> ScenarioImage | ScenarioNetwork | ScenarioRoad | None:
         """The thing that another is made from, where it has a name; none of a road that is joined
         of several, which is a root."""
-        if not isinstance(thing.source, NameSource) or self.is_joined(thing):
+        if not isinstance(declaration.source, NameSource) or self.is_joined(declaration):
             return None
-        return self._things[thing.source.name]
+        return self._declarations[declaration.source.name]
 
     def chain(
-        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+        self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad
     ) -> Iterator[ScenarioImage | ScenarioNetwork | ScenarioRoad]:
-        """A thing, the thing that it is made from, and so on."""
-        link: ScenarioImage | ScenarioNetwork | ScenarioRoad | None = thing
+        """A declaration, the thing that it is made from, and so on."""
+        link: ScenarioImage | ScenarioNetwork | ScenarioRoad | None = declaration
         while link is not None:
             yield link
             link = self.source_of(link)
 
-    def is_joined(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
+    def is_joined(self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
         """Whether a road is made of several, end to end."""
-        return "then" in thing.options
+        return "then" in declaration.options
 
     def joined_roads(
-        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+        self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad
     ) -> tuple[ScenarioRoad, ...]:
         """The roads that a road is joined of, in their order; none of any other."""
-        if not self.is_joined(thing):
+        if not self.is_joined(declaration):
             return ()
-        assert isinstance(thing.source, NameSource)
-        following = [entity.name for entity in self._entities(thing.options["then"])]
-        return tuple(self.roads[name] for name in (thing.source.name, *following))
+        assert isinstance(declaration.source, NameSource)
+        following = [entity.name for entity in self._entities(declaration.options["then"])]
+        return tuple(self.roads[name] for name in (declaration.source.name, *following))
 
     def _entities(self, value: Value) -> list[Entity]:
         """The named things of a value or a list, in their order."""
@@ -171,10 +171,10 @@ class IndexedScenario:
         return [item for item in items if isinstance(item, Entity)]
 
     def ancestry(
-        self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad
+        self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad
     ) -> Iterator[ScenarioImage | ScenarioNetwork | ScenarioRoad]:
         """A thing and all that it is made from, roads that are joined included."""
-        for link in self.chain(thing):
+        for link in self.chain(declaration):
             yield link
             for part in self.joined_roads(link):
                 yield from self.ancestry(part)
@@ -184,12 +184,12 @@ class IndexedScenario:
 
         Such roads differ in their stations, so that candidates are evaluated one by one.
         """
-        return self.once(("varying", name), lambda: self._is_varying(self.thing(name)))
+        return self.once(("varying", name), lambda: self._is_varying(self.declaration(name)))
 
-    def _is_varying(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
+    def _is_varying(self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
         return any(
             self._is_drawn(link) or any(map(self._is_random, self.joined_roads(link)))
-            for link in self.chain(thing)
+            for link in self.chain(declaration)
         )
 
     def _is_random(self, road: ScenarioRoad) -> bool:
@@ -203,16 +203,16 @@ class IndexedScenario:
                 return True
         return False
 
-    def _is_drawn(self, thing: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
-        shaping = [call for call in thing.passes if call.verb not in _AFTERWARDS]
+    def _is_drawn(self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
+        shaping = [call for call in declaration.passes if call.verb not in _AFTERWARDS]
         if any(self.kind(call)[1].is_random for call in shaping):
             return True
         across = ("width", *LANE_OPTIONS)
-        options = [value for name, value in thing.options.items() if name not in across]
-        if thing.options.get("select") == TextValue("any"):
+        options = [value for name, value in declaration.options.items() if name not in across]
+        if declaration.options.get("select") == TextValue("any"):
             return True
-        if isinstance(thing, ScenarioNetwork):
-            options += self._lane_options(thing)
+        if isinstance(declaration, ScenarioNetwork):
+            options += self._lane_options(declaration)
         return bool(self.dependencies.draws(*shaping, *options))
 
     def _lane_options(self, network: ScenarioNetwork) -> list[Value]:

@@ -154,23 +154,23 @@ class Evaluator:
     def _candidates(self, proposals: Sequence[Proposal]) -> CandidateBatch:
         points = np.array([proposal.point for proposal in proposals])
         points = points.reshape(len(proposals), len(self.task.axes))
-        given = {name: points[:, column] for column, name in enumerate(self.task.axes)}
+        coordinates = {name: points[:, column] for column, name in enumerate(self.task.axes)}
         attempts = np.array([proposal.index for proposal in proposals])
         scenes = np.zeros_like(attempts)
         record = DrawRecord()
-        return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, given, record)
+        return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, coordinates, record)
 
     def _violations(self, measured: Measurements) -> Floats:
-        """(V,) over the violated requirements the sum of their lack of robustness, measured in what
-        it usually is and below 1 for each."""
+        """(V,) over the violated requirements the sum of their violations, each relative
+        to its typical size and below 1."""
         rho = np.nan_to_num(measured.rho, nan=0.0, posinf=0.0, neginf=-np.inf)
-        lack = np.maximum(-rho, 0.0) / self._usual
+        lack = np.maximum(-rho, 0.0) / self._typical_violation
         size = np.where(np.isfinite(lack), lack / (1.0 + lack), 1.0)
         return np.asarray(np.where(measured.satisfied, 0.0, 0.01 + size).sum(axis=0))
 
     @cached_property
-    def _usual(self) -> Floats:
-        """(R, 1) the usual size of a violation of each requirement."""
+    def _typical_violation(self) -> Floats:
+        """(R, 1) the typical size of a violation of each requirement."""
         attempts = np.arange(_PILOT_SIZE)
         pilot = CandidateBatch(
             self.scenario, self.task.seed, np.full(_PILOT_SIZE, _PILOT), attempts

@@ -25,12 +25,12 @@ class Islands:
         for island in range(plan.islands):
             with plugin_guard(plan.entry, None):
                 self._searches.append(plan.searcher.start(self._axes, _seed(plan.seed, island)))
-        self._asked: list[tuple[Search, list[int], Floats]] = []
+        self._pending: list[tuple[Search, list[int], Floats]] = []
 
     def ask(self, first: int, most: int) -> list[Proposal]:
         """The candidates of the next round, at most `most`, numbered from `first`; none where all
         searches have come to their ends."""
-        self._asked = []
+        self._pending = []
         proposals: list[Proposal] = []
         for search in self._searches:
             count = min(self._plan.batch, most - len(proposals))
@@ -42,14 +42,14 @@ class Islands:
             # A search that has come to its end takes no more random candidates with it.
             end = (searched[-1] + 1 if searched else start) if has_ended else start + count
             chosen = dict(zip(searched, points.tolist(), strict=True))
-            self._asked.append((search, [index - first for index in searched], points))
+            self._pending.append((search, [index - first for index in searched], points))
             proposals += (self._proposal(index, chosen.get(index)) for index in range(start, end))
         return proposals
 
     def tell(self, outcomes: Sequence[Outcome], values: Floats) -> None:
         """What came of the candidates of the round."""
         length = max((len(outcome.descriptor) for outcome in outcomes), default=0)
-        for search, rows, points in self._asked:
+        for search, rows, points in self._pending:
             if not rows:
                 continue
             descriptors = np.full((len(rows), length), np.nan)

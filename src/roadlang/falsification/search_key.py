@@ -41,11 +41,11 @@ def digest(scenario: Scenario, settings: dict[str, Any]) -> str:
     record = scenario_to_json(scenario)
     text = json.dumps([_without_places(record), settings], sort_keys=True, default=str)
     content = hashlib.sha256(text.encode())
-    things: tuple[ScenarioImage | ScenarioNetwork | ScenarioRoad, ...] = (
+    declarations: tuple[ScenarioImage | ScenarioNetwork | ScenarioRoad, ...] = (
         *scenario.images, *scenario.networks, *scenario.roads
     )  # fmt: skip
-    for thing in things:
-        source = thing.source
+    for declaration in declarations:
+        source = declaration.source
         if isinstance(source, FileSource):
             path = Path(source.resolved)
             content.update(path.read_bytes() if path.is_file() else b"")

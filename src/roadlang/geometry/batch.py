@@ -15,7 +15,7 @@ from .differences import derivative, station_gaps
 from .errors import GeometryError
 from .folding import fold_of_points
 
-Taken = TypeVar("Taken", bound="CurveBatch")
+Batch = TypeVar("Batch", bound="CurveBatch")
 _COMPUTED = {"heading", "speed", "curvature", "steps", "folded", "slope"}
 """Properties that are computed when they are first used, with a row for each variant."""
 
@@ -122,12 +122,12 @@ class CurveBatch(SharedArrays):
             CurveBatch(self.stations, self.points[rows], self.closed, self.period), rows
         )
 
-    def _computed_for(self, rows_taken: Taken, rows: NDArray[Any]) -> Taken:
+    def _computed_for(self, batch: Batch, rows: NDArray[Any]) -> Batch:
         """Rows of this batch, with what was computed of them so far."""
         computed = vars(self)
         for name in _COMPUTED & computed.keys():
-            vars(rows_taken)[name] = read_only(computed[name][rows])
-        return rows_taken
+            vars(batch)[name] = read_only(computed[name][rows])
+        return batch
 
 
 def _tangents(heading: Floats) -> Floats:

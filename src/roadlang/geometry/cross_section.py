@@ -40,12 +40,12 @@ def scaled_widths(widths: Floats, drivable: Booleans, total: Floats) -> Floats:
     """
     first, last = drivable_borders(drivable)
     stretched = drivable if drivable.any() else ~drivable
-    own = widths[stretched].sum(axis=0)
-    left = total - (widths[first:last].sum(axis=0) - own)
+    stretched_width = widths[stretched].sum(axis=0)
+    left = total - (widths[first:last].sum(axis=0) - stretched_width)
     if not (left > 0.0).all():
         raise GeometryError("the lanes between drivable lanes are wider than the road")
     with np.errstate(divide="ignore", invalid="ignore"):
-        factor = left / own
+        factor = left / stretched_width
     if not np.isfinite(factor).all():
         raise GeometryError("drivable lanes without width cannot be stretched")
     choice = stretched.reshape(-1, *(1,) * (widths.ndim - 1))
@@ -249,10 +249,10 @@ class CrossSection:
             stations = np.unique(np.mod(stations, width.period))
         widths = np.stack([lane.width.at(stations) for lane in self.lanes])
         scaled = scaled_widths(widths, self._drivable, width.at(stations))
-        kept = self._drivable.any() & ~self._drivable
+        fixed = self._drivable.any() & ~self._drivable
         lanes = (
             lane if keeps else replace(lane, width=WidthProfile(stations, new, width.period))
-            for lane, new, keeps in zip(self.lanes, scaled, kept, strict=True)
+            for lane, new, keeps in zip(self.lanes, scaled, fixed, strict=True)
         )
         return replace(self, lanes=tuple(lanes))
 

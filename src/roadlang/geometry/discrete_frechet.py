@@ -30,9 +30,9 @@ def frechet(a: CurveBatch, b: CurveBatch) -> Floats:
         low, high = max(0, k - columns + 1), min(k, rows - 1) + 1
         near = p[..., low:high] - q[..., columns - 1 - k + low : columns - 1 - k + high]
         gap = near[0] ** 2 + near[1] ** 2
-        before_this = np.minimum(latest[:, low:high], latest[:, low + 1 : high + 1])
-        np.minimum(before_this, before[:, low:high], out=before_this)
+        previous = np.minimum(latest[:, low:high], latest[:, low + 1 : high + 1])
+        np.minimum(previous, before[:, low:high], out=previous)
         following = np.full((count, rows + 1), np.inf)
-        np.maximum(gap, before_this, out=following[:, low + 1 : high + 1])
+        np.maximum(gap, previous, out=following[:, low + 1 : high + 1])
         before, latest = latest, following
     return np.sqrt(latest[:, rows])

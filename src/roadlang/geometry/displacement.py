@@ -151,9 +151,9 @@ class MovedBatch(CurveBatch):
         """The variants chosen by index or by mask."""
         rows = np.arange(self.variants)[np.asarray(variants)]
         velocity = self.forward[rows], self.sideways[rows]
-        taken = MovedBatch(self._base, self.points[rows], velocity, self.along_base)
-        taken._rows = rows if self._rows is None else self._rows[rows]
-        return self._computed_for(taken, rows)
+        batch = MovedBatch(self._base, self.points[rows], velocity, self.along_base)
+        batch._rows = rows if self._rows is None else self._rows[rows]
+        return self._computed_for(batch, rows)
 
 
 def displace(

@@ -22,10 +22,10 @@ def time_to_contact(a: Footprints, b: Footprints, velocity: Floats) -> Floats:
     first, last = np.full(shape, -np.inf), np.full(shape, np.inf)
     cosine = np.abs(a.cosine * b.cosine + a.sine * b.sine)
     sine = np.abs(a.sine * b.cosine - a.cosine * b.sine)
-    for own, other in ((a, b), (b, a)):
-        along = 0.5 * (own.length + other.length * cosine + other.width * sine)
-        across = 0.5 * (own.width + other.length * sine + other.width * cosine)
-        for x, y, half in ((own.cosine, own.sine, along), (-own.sine, own.cosine, across)):
+    for ego, other in ((a, b), (b, a)):
+        along = 0.5 * (ego.length + other.length * cosine + other.width * sine)
+        across = 0.5 * (ego.width + other.length * sine + other.width * cosine)
+        for x, y, half in ((ego.cosine, ego.sine, along), (-ego.sine, ego.cosine, across)):
             place = (b.x - a.x) * x + (b.y - a.y) * y
             speed = velocity[..., 0] * x + velocity[..., 1] * y
             begin, end = _overlap(place, speed, half)
@@ -38,10 +38,10 @@ def _overlap(place: Floats, speed: Floats, half: Floats) -> tuple[Floats, Floats
     """The interval of time in which |place + speed t| <= half; of no such time, it is reversed."""
     moving = speed != 0.0
     divisor = np.where(moving, speed, 1.0)
-    one, other = (-half - place) / divisor, (half - place) / divisor
+    entry, leaving = (-half - place) / divisor, (half - place) / divisor
     inside = np.abs(place) <= half
-    begin = np.where(moving, np.minimum(one, other), np.where(inside, -np.inf, np.inf))
-    end = np.where(moving, np.maximum(one, other), np.where(inside, np.inf, -np.inf))
+    begin = np.where(moving, np.minimum(entry, leaving), np.where(inside, -np.inf, np.inf))
+    end = np.where(moving, np.maximum(entry, leaving), np.where(inside, np.inf, -np.inf))
     return begin, end
 
 

@@ -169,8 +169,8 @@ def _candidates(
     """
     x, y = min(a.x.min(), b.x.min()), min(a.y.min(), b.y.min())
     wide, high = max(a.x.max(), b.x.max()) - x, max(a.y.max(), b.y.max()) - y
-    reach = float(a.radius.max() + b.radius.max()) + margin
-    cell = max(reach * (1.0 + 1e-9), float(max(wide, high)) / _MOST_CELLS)
+    distance = float(a.radius.max() + b.radius.max()) + margin
+    cell = max(distance * (1.0 + 1e-9), float(max(wide, high)) / _MOST_CELLS)
     columns, rows = int(wide / cell) + 3, int(high / cell) + 3
 
     def key(boxes: Footprints, group: Integers | None) -> Integers:

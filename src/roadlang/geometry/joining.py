@@ -74,14 +74,14 @@ def joined_section(parts: Sequence[RoadToJoin], taper: float) -> CrossSection:
     lanes = [lane for side, sign in zip(sides, (-1, 1), strict=True) for lane in side[::sign]]
     starts = seams([part.curve for part in parts])
     stations = _stations(parts, taper)
-    made = []
+    pieces = []
     for lane in lanes:
         columns = _widths(lane.of_parts, parts, stations, taper)
         width = WidthProfile(np.concatenate(_placed(stations, starts)), np.concatenate(columns))
-        made.append(replace(_pattern(lane.of_parts, parts), id=lane.id, width=width))
+        pieces.append(replace(_pattern(lane.of_parts, parts), id=lane.id, width=width))
     widest = max(parts, key=lambda part: len(part.section.lanes))
     offset = _reference_line(parts, stations, starts)
-    return CrossSection(tuple(made), widest.section.center_marking, offset)
+    return CrossSection(tuple(pieces), widest.section.center_marking, offset)
 
 
 def seams(curves: Sequence[Curve]) -> list[float]:
@@ -169,15 +169,15 @@ def _widths(
     """Of each part, the widths of a lane at its stations."""
     columns = []
     for index, (lane, part, local) in enumerate(zip(of_parts, parts, stations, strict=True)):
-        own = np.zeros(len(local)) if lane is None else lane.width.at(local)
+        width = np.zeros(len(local)) if lane is None else lane.width.at(local)
         near = min(taper, part.curve.length / 2.0)
         if index > 0:
             target = _end_width(of_parts[index - 1], parts[index - 1], last=True)
-            own = _tapered(own, target, local / near)
+            width = _tapered(width, target, local / near)
         if index + 1 < len(parts):
             target = _end_width(of_parts[index + 1], parts[index + 1], last=False)
-            own = _tapered(own, target, (part.curve.length - local) / near)
-        columns.append(own)
+            width = _tapered(width, target, (part.curve.length - local) / near)
+        columns.append(width)
     return columns
 
 
@@ -197,6 +197,6 @@ def _reference_line(
     columns: list[Floats] = []
     for part, local in zip(parts, stations, strict=True):
         count = sum(lane.id > 0 for lane in part.section.lanes)
-        own = part.section.border_offsets(local)[count]
-        columns.append(own if not columns else own - own[0] + columns[-1][-1])
+        border = part.section.border_offsets(local)[count]
+        columns.append(border if not columns else border - border[0] + columns[-1][-1])
     return OffsetProfile(np.concatenate(_placed(stations, starts)), np.concatenate(columns))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from ..geometry.arrays import Booleans, Floats, Integers
 
-USUAL_SPEED = 50 / 3.6
+DEFAULT_SPEED = 50 / 3.6
 """m/s: what agents drive where neither a scene nor a speed limit says how fast."""
 LaneChoice = str | int
 """A lane as seen by an agent: its id, `left`, `right` (next to the agent's), `inner` (toward the
@@ -25,7 +25,9 @@ class LanePlace:
     """The lane in which an agent is, meters. Offsets are left of the tabled line of the agent, as
     `Observation.road_offset` is."""
 
-    usual_speed: ClassVar[float] = USUAL_SPEED
+    default_speed: ClassVar[float] = DEFAULT_SPEED
+    usual_speed: ClassVar[float] = DEFAULT_SPEED
+    """deprecated: now `default_speed`"""
 
     lane: int = 0
     """its id; 0: in none"""
@@ -44,7 +46,9 @@ class LanePlace:
 class LanePlaces:
     """Columns (N,) of what `LanePlace` says of one agent."""
 
-    usual_speed: ClassVar[float] = USUAL_SPEED
+    default_speed: ClassVar[float] = DEFAULT_SPEED
+    usual_speed: ClassVar[float] = DEFAULT_SPEED
+    """deprecated: now `default_speed`"""
 
     lane: Integers
     offset: Floats

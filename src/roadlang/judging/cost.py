@@ -31,7 +31,7 @@ def _compares_roots(call: PassCall, scenario: IndexedScenario) -> bool:
     roots = set()
     for entity in scenario.dependencies.entities(call):
         if entity.name in scenario.roads or entity.name in scenario.networks:
-            chain = scenario.chain(scenario.thing(entity.name))
+            chain = scenario.chain(scenario.declaration(entity.name))
             links = [link for link in chain if link.name not in scenario.images]
             roots.add((links[-1].name, any(link.name in scenario.roads for link in links)))
     return len(roots) > 1

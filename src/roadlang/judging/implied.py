@@ -110,7 +110,7 @@ def _implied(
         names=frozenset([name]),
         is_random=is_thing_random(name, scenario),
         implied=True,
-        span=scenario.thing(name).span,
+        span=scenario.declaration(name).span,
     )
 
 
@@ -149,7 +149,7 @@ def is_shown_by_stations(name: str, scenario: IndexedScenario) -> Requirement:
 def _room_for_stations(name: str, candidates: CandidateBatch) -> Floats:
     """(V,) meters that the shortest wave or bump is longer than the stations need."""
     scenario = candidates.scenario
-    thing = scenario.thing(name)
+    thing = scenario.declaration(name)
     assert isinstance(thing, ScenarioRoad | ScenarioNetwork)
     if isinstance(thing, ScenarioRoad):
         frames = {0: road_root(name, candidates).frame}

@@ -91,7 +91,7 @@ def _names_in(actor: ScenarioActor, scenario: IndexedScenario) -> set[str]:
 
 
 def _is_thing_random(name: str, scenario: IndexedScenario) -> bool:
-    for link in scenario.ancestry(scenario.thing(name)):
+    for link in scenario.ancestry(scenario.declaration(name)):
         values = (*(value for value in link.options.values()), *link.passes)
         if scenario.dependencies.draws(*values) or scenario.is_varying(name):
             return True

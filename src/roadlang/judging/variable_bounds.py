@@ -74,7 +74,7 @@ class VariableBounds:
         """The bounds of a road or network by its passes; of other things the name."""
         if entity.role not in ("road", "network"):
             return entity.name
-        links = list(self.scenario.chain(self.scenario.thing(entity.name)))
+        links = list(self.scenario.chain(self.scenario.declaration(entity.name)))
         root = [link for link in links if isinstance(link, type(links[0]))][-1]
         bounds: dict[str, Any] = {}
         for link in links:

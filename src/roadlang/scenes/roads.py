@@ -22,11 +22,11 @@ from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..ir.scene_road import SpeedZone
 from ..ir.scene_section import lane_members
 from ..world.cross_sections import LaneBatch
-from ..world.junction_control import rights_of_way
+from ..world.junction_control import right_of_way_rules
 from ..world.lane_plan import lane_plan, traffic_side
 from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
 from ..world.road_lanes import lanes_of
-from ..world.road_strips import has_heirs, has_perturbed_heirs
+from ..world.road_strips import has_descendants, has_perturbed_descendants
 from ..world.roads import road_batch, road_root
 from ..world.selected_roads import parts_of_network
 from .junctions import scene_junctions
@@ -37,7 +37,7 @@ def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
     scenario = candidates.scenario
     roads = [_declared(road, candidates) for road in scenario.roads.values()]
     for network in scenario.networks.values():
-        derived = not has_perturbed_heirs(network, scenario)
+        derived = not has_perturbed_descendants(network, scenario)
         bottom = _bottom(network, scenario)
         root = network_root(network, candidates)
         for edge in root.edges:
@@ -132,13 +132,13 @@ def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
         root = _root_name(road, candidates)
         lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
         along = parts_of_network(road, candidates)
-        derived = not has_heirs(road, scenario) and not (along and is_network_built())
+        derived = not has_descendants(road, scenario) and not (along and is_network_built())
         made = scene_road(road.name, root, batch, lanes, limit, derived)
         return replace(made, along=along, speed_zones=_speed_zones(made, road, candidates))
 
     def is_network_built() -> bool:
         network = road_root(road.name, candidates).network
-        return network is not None and not has_perturbed_heirs(network, scenario)
+        return network is not None and not has_perturbed_descendants(network, scenario)
 
     return candidates.once(("scene road", road.name), make)
 
@@ -212,7 +212,7 @@ def _network(network: ScenarioNetwork, candidates: CandidateBatch) -> SceneNetwo
         junctions=scene_junctions(
             network.name,
             root.junctions.plans[network.name],
-            rights_of_way(network, candidates),
+            right_of_way_rules(network, candidates),
         ),
     )
 

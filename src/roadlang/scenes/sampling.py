@@ -117,7 +117,7 @@ def _observed(
     """The scene made from nothing that was computed before, so that every pass runs once."""
     scenario = index_scenario(candidates.scenario.source, candidates.scenario.registry)
     scenario.observer = partial(observer, index)
-    identity = (candidates.seed, candidates.scenes, candidates.attempts, candidates.given)
+    identity = (candidates.seed, candidates.scenes, candidates.attempts, candidates.coordinates)
     return concretize(CandidateBatch(scenario, *identity, DrawRecord()), index)
 
 

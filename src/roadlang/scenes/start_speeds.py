@@ -17,7 +17,7 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
 from ..ir.scene_actor import SceneActor
-from ..ir.surroundings import USUAL_SPEED
+from ..ir.surroundings import DEFAULT_SPEED
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, InitialSpeed
@@ -131,7 +131,7 @@ def _limit(road: str, lane: int, start: float, candidates: CandidateBatch) -> fl
         limit = lanes.pattern.lane(lane).speed_limit
     if limit is None:
         limit = _zone_limit(road, start, candidates)
-    return USUAL_SPEED if limit is None else float(np.ravel(limit)[0])
+    return DEFAULT_SPEED if limit is None else float(np.ravel(limit)[0])
 
 
 def _zone_limit(road: str, start: float, candidates: CandidateBatch) -> float | None:

@@ -62,7 +62,9 @@ def default_attempts(acceptance: Acceptance) -> int:
 
 def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
     links = (
-        link for link in scenario.ancestry(scenario.thing(name)) if isinstance(link, ScenarioImage)
+        link
+        for link in scenario.ancestry(scenario.declaration(name))
+        if isinstance(link, ScenarioImage)
     )
     return any(scenario.is_varying(link.name) for link in links)
 

@@ -212,7 +212,7 @@ def first_accepted(
         judged = acceptance.judge(candidates)
         stats.count(judged, np.ones(1, dtype=bool))
         if judged.accepted[0]:
-            return Accepted(scene, scene, attempt, candidates.given)
+            return Accepted(scene, scene, attempt, candidates.coordinates)
     return None
 
 

@@ -56,7 +56,7 @@ class WorkerPool(Generic[State]):
     def __init__(self, state: State, workers: Workers = ALONE) -> None:
         self._state = state
         self._processes = max(1, workers.jobs)
-        self._given = workers.executor
+        self._cluster = workers.executor
         self._executor: ProcessPoolExecutor | None = None
         self._other_children = frozenset(multiprocessing.active_children())
 
@@ -80,9 +80,9 @@ class WorkerPool(Generic[State]):
         whose process died is done again by another. Raises `BrokenExecutor` where that happens
         again and again.
         """
-        if self._given is not None:
+        if self._cluster is not None:
             shared = _Shared(self._state)
-            sent = [self._given.submit(_run_shared, shared, work, job) for job in jobs]
+            sent = [self._cluster.submit(_run_shared, shared, work, job) for job in jobs]
             yield from (future.result() for future in sent)
         elif self._processes == 1 or len(jobs) < fewest:
             yield from (work(self._state, job) for job in jobs)

@@ -15,7 +15,7 @@ from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Flag, PassCall
-from ..world.placement_faults import USUAL_APART
+from ..world.placement_faults import DEFAULT_APART
 from .constant_kinds import constant_kind
 
 _ROUNDING = 1e-6
@@ -43,7 +43,7 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
         for one, other in pairwise(ordered):
             said = [apart for apart in (one.apart, other.apart) if apart is not None]
             room = other.at - one.at - one.half - other.half
-            if room < max(said, default=USUAL_APART) - _ROUNDING:
+            if room < max(said, default=DEFAULT_APART) - _ROUNDING:
                 yield _fault(one, other, group, room)
 
 

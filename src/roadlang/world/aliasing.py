@@ -35,25 +35,25 @@ FINER = 7
 def aliasing_remarks(candidate: CandidateBatch) -> tuple[str, ...]:
     """Remarks on the passes of one candidate whose displacement the stations do not show."""
     scenario = candidate.scenario
-    things: tuple[Root, ...] = (*scenario.networks.values(), *scenario.roads.values())
+    sources: tuple[Root, ...] = (*scenario.networks.values(), *scenario.roads.values())
     return tuple(
-        f"`perturb with {call.kind}` changes faster than the stations of `{thing.name}` show, or "
+        f"`perturb with {call.kind}` changes faster than the stations of `{source.name}` show, or "
         "is not a function of arc length: set `station_spacing`, or let the kind state its "
         "`shortest_feature`"
-        for thing in things
-        for call in thing.passes
+        for source in sources
+        for call in source.passes
         if call.verb == "perturb"
         and not states_feature(call, scenario)
-        and any(_is_aliased(call, candidate, *root) for root in _roots(thing, candidate))
+        and any(_is_aliased(call, candidate, *root) for root in _roots(source, candidate))
     )
 
 
-def _roots(thing: Root, candidate: CandidateBatch) -> Iterator[tuple[int, CurveFrame]]:
+def _roots(source: Root, candidate: CandidateBatch) -> Iterator[tuple[int, CurveFrame]]:
     """The numbers and frames of the roads that a pass perturbs."""
-    if not isinstance(thing, ScenarioNetwork):
-        yield 0, road_root(thing.name, candidate).frame
+    if not isinstance(source, ScenarioNetwork):
+        yield 0, road_root(source.name, candidate).frame
         return
-    root = network_root(thing, candidate)
+    root = network_root(source, candidate)
     for edge in root.edges:
         yield edge.id, root.frame(edge.id)
 

@@ -28,9 +28,9 @@ def bends_of_route(
     roads, and of connections at both ends of each piece. It is infinite where a lane ends
     at a junction, for an agent whose `front` is so many meters ahead: who may have to stop there
     has to be able to."""
-    thing = candidates.scenario.networks[network]
-    lanes = lanes_of_network(thing, candidates)
-    plan = network_root(thing, candidates).junctions.plans[network]
+    source = candidates.scenario.networks[network]
+    lanes = lanes_of_network(source, candidates)
+    plan = network_root(source, candidates).junctions.plans[network]
     connections = {
         (junction.id, connection.id): connection
         for junction in plan.junctions

@@ -28,10 +28,10 @@ _UNUSUAL_SIZE = 1.0
 
 def counts(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[np.int64]:
     """(V,) how many copies there are. Raises RL612."""
-    given = actor.options.get("count")
-    if given is None:
+    count = actor.options.get("count")
+    if count is None:
         return np.ones(candidates.count, dtype=np.int64)
-    value = np.asarray(evaluate(given, candidates), dtype=np.float64).reshape(-1)
+    value = np.asarray(evaluate(count, candidates), dtype=np.float64).reshape(-1)
     if not ((value >= 0) & (value <= MOST_COPIES)).all():
         found = f"{float(value[(value < 0) | (value > MOST_COPIES)][0]):g}"
         raise DiagnosticError(
@@ -125,10 +125,10 @@ def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInst
         if option.name in written:
             value = evaluate(written[option.name], copies, element)
             check_bounds(option, value, call)
-            made = (
+            converted_rows = (
                 converted(option, row, copies, element, True) for row in _rows(value, copies.count)
             )
-            columns[option.name] = list(map(frozen, made))
+            columns[option.name] = list(map(frozen, converted_rows))
     if copies.candidates.record is not None and copies.candidates.count == 1:
         copies.record_in(copies.candidates.record)
     with plugin_guard(entry, call.span):

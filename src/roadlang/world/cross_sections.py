@@ -28,7 +28,7 @@ class LaneBatch:
     pattern: CrossSection
     widths: dict[int, Floats]
     speed_limits: dict[int, Any]
-    thing: ScenarioRoad | ScenarioNetwork | None = None
+    source: ScenarioRoad | ScenarioNetwork | None = None
     """The statement that is at fault where the lanes do not fit the road."""
 
     def border_offsets(self, width: Floats, s: Floats) -> Floats:
@@ -52,7 +52,7 @@ class LaneBatch:
         try:
             return scaled_widths(widths, self._drivable, np.broadcast_to(width, widths.shape[1:]))
         except GeometryError:
-            name, span = (self.thing.name, self.thing.span) if self.thing else ("", None)
+            name, span = (self.source.name, self.source.span) if self.source else ("", None)
             raise DiagnosticError(diagnose(Code.NO_WIDTH_FOR_LANES, span, name=name)) from None
 
     def extent(self) -> Floats:

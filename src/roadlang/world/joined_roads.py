@@ -51,10 +51,10 @@ def joined_root(
             raise DiagnosticError(
                 diagnose(Code.CLOSED_ROAD_JOINED, road.span, name=part.road.name, road=road.name)
             )
-    made = [RoadToJoin(_curve(part), _section(part, candidates)) for part in parts]
-    curve = joined_curve([part.curve for part in made])
-    section = joined_section(made, _taper(road, candidates))
-    starts = seams([part.curve for part in made])
+    roads = [RoadToJoin(_curve(part), _section(part, candidates)) for part in parts]
+    curve = joined_curve([part.curve for part in roads])
+    section = joined_section(roads, _taper(road, candidates))
+    starts = seams([part.curve for part in roads])
     limits = [_limit(part, candidates) for part in parts]
     return RoadRoot(
         road.name,

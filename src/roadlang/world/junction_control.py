@@ -20,7 +20,9 @@ from .networks import network_root
 _RULES = get_args(ControlRule)
 
 
-def rights_of_way(network: ScenarioNetwork, candidates: CandidateBatch) -> dict[int, RightOfWay]:
+def right_of_way_rules(
+    network: ScenarioNetwork, candidates: CandidateBatch
+) -> dict[int, RightOfWay]:
     """By the ids of junctions, of a single candidate; the last pass that names a junction counts.
 
     What is drawn is drawn anew for each junction. Raises RL429 for a junction that is not there,

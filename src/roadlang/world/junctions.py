@@ -70,16 +70,16 @@ def network_plans(
     """
     scenario = candidates.scenario
     options = PlanOptions(left_hand(candidates))
-    made: dict[LanePlan, JunctionPlan] = {}
+    by_lanes: dict[LanePlan, JunctionPlan] = {}
     plans: dict[str, JunctionPlan] = {}
     for network in scenario.networks.values():
         if bottom not in scenario.chain(network):
             continue
         lanes = replace(lane_plan(network, scenario), speed_limit=None)
-        if lanes not in made:
+        if lanes not in by_lanes:
             sections = {edge.id: edge_section(edge, lanes, candidates) for edge in geometry.edges}
-            made[lanes] = plan_junctions(geometry, sections, options)
-        plans[network.name] = made[lanes]
+            by_lanes[lanes] = plan_junctions(geometry, sections, options)
+        plans[network.name] = by_lanes[lanes]
     return NetworkPlans(plans, _greatest(geometry, plans.values()))
 
 

@@ -52,7 +52,7 @@ def built_lanes(
         lanes = (lane for lane in found.pattern.lanes if lane.speed_limit is None)
         limits = {lane.id: limit for lane in lanes if lane.drivable}
         found = replace(found, speed_limits={**limits, **found.speed_limits})
-    return replace(found, thing=plan.thing)
+    return replace(found, source=plan.source)
 
 
 def _counted(plan: LanePlan, candidates: CandidateBatch, count: int) -> LaneBatch:
@@ -115,7 +115,7 @@ def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
             id, outer = sign * (place + 1), kinds[place + 1] if place + 1 < len(kinds) else None
             written = call.common
             lanes[id] = _lane(id, kind, direction, _marking(kind, outer, written, candidates))
-            width = _number("width", call, candidates, kind.usual_width)
+            width = _number("width", call, candidates, kind.default_width)
             widths[id] = np.atleast_2d(np.asarray(width, float))
             if kind.drivable and "width" not in written:
                 sharing.append(id)
@@ -152,8 +152,8 @@ def _marking(
     if "marking" in written:
         found: Marking = _fixed(written["marking"], candidates)
         return found
-    if kind.usual_marking != "auto":
-        return kind.usual_marking
+    if kind.default_marking != "auto":
+        return kind.default_marking
     if kind.raised != (outer is not None and outer.raised):
         return "none" if outer is None else "curb"
     if kind.raised:

@@ -19,7 +19,7 @@ LaneChoice: TypeAlias = tuple[str | int, str]
 
 
 def lane_choices(
-    actor: ScenarioActor, copies: CopyBatch, said: WrittenPlace
+    actor: ScenarioActor, copies: CopyBatch, place: WrittenPlace
 ) -> list[LaneChoice | None]:
     """(R) what each copy may be in; None of what is in no lane."""
     value = option_value(actor, "lane", copies)
@@ -31,8 +31,8 @@ def lane_choices(
     else:
         items = [value]
     items = items * copies.count if len(items) == 1 else items
-    facing = said.facing.tolist()
-    return [_choice(item, way) for item, way in zip(items, facing, strict=True)]
+    facing = place.facing.tolist()
+    return [_choice(item, direction) for item, direction in zip(items, facing, strict=True)]
 
 
 def _choice(item: Any, facing: str) -> LaneChoice | None:
@@ -54,8 +54,8 @@ def allowed_lanes(
     actor: ScenarioActor, lanes: LaneGraph, choice: LaneChoice, copies: CopyBatch
 ) -> frozenset[int]:
     """The lanes of a network that a choice allows. Raises RL613 if it is none."""
-    usual = copies.scenario.registry.default("lane").name
-    found = frozenset(number for number in _of_choice(lanes, choice[0], usual))
+    default_kind = copies.scenario.registry.default("lane").name
+    found = frozenset(number for number in _of_choice(lanes, choice[0], default_kind))
     facing = {"forward": False, "back": True}.get(choice[1])
     if facing is not None:
         found = frozenset(lane for lane in found if lanes.lanes[lane].backward == facing)
@@ -70,9 +70,11 @@ def allowed_lanes(
     return found
 
 
-def _of_choice(lanes: LaneGraph, choice: Hashable, usual_kind: str) -> list[int]:
+def _of_choice(lanes: LaneGraph, choice: Hashable, default_kind: str) -> list[int]:
     if choice == "any":
-        return [n for group in _carriageways(lanes) for n in _usual(lanes, group, usual_kind)]
+        return [
+            n for group in _carriageways(lanes) for n in _default_lanes(lanes, group, default_kind)
+        ]
     if choice == "outer":
         return [
             max(group, key=lambda n: abs(lanes.lanes[n].lane)) for group in _carriageways(lanes)
@@ -89,8 +91,8 @@ def _carriageways(lanes: LaneGraph) -> list[tuple[int, ...]]:
     return sorted(set(lanes.carriageways))
 
 
-def _usual(lanes: LaneGraph, group: tuple[int, ...], usual_kind: str) -> list[int]:
-    return [n for n in group if _kind(lanes, n) == usual_kind] or list(group)
+def _default_lanes(lanes: LaneGraph, group: tuple[int, ...], default_kind: str) -> list[int]:
+    return [n for n in group if _kind(lanes, n) == default_kind] or list(group)
 
 
 def _kind(lanes: LaneGraph, number: int) -> str:

@@ -68,24 +68,24 @@ def lanes_by_word(
     it: `first`, the one next to the middle, `outer`, the outermost for vehicles, or a kind of lane,
     on the side that traffic keeps. Raises RL613 where the road has none."""
     found = np.zeros(copies.count, np.int64)
-    usual = copies.scenario.registry.default("lane").name
+    default_kind = copies.scenario.registry.default("lane").name
     for rows, lanes in named_lanes(name, copies.candidates):
-        chosen = np.isin(copies.rows, rows)
-        for way in (False, True):
-            here = chosen & (against == way)
-            if here.any():
-                found[here] = _named_lane(actor, lanes.pattern, word, way, usual)
+        in_lanes = np.isin(copies.rows, rows)
+        for backward in (False, True):
+            chosen = in_lanes & (against == backward)
+            if chosen.any():
+                found[chosen] = _named_lane(actor, lanes.pattern, word, backward, default_kind)
     return found
 
 
 def _named_lane(
-    actor: ScenarioActor, section: CrossSection, word: str, against: bool, usual_kind: str
+    actor: ScenarioActor, section: CrossSection, word: str, against: bool, default_kind: str
 ) -> int:
     directed = section.driving_ids("backward" if against else "forward")
     driving = directed or section.driving_ids()
     if word == "first":
-        of_usual_kind = [id for id in driving if section.lane(id).kind == usual_kind]
-        return next(iter((*of_usual_kind, *driving, *section.ids)))
+        of_default_kind = [id for id in driving if section.lane(id).kind == default_kind]
+        return next(iter((*of_default_kind, *driving, *section.ids)))
     if word == "outer":
         return (driving or section.ids)[-1]
     of_kind = [lane.id for lane in section.lanes if lane.kind == word]

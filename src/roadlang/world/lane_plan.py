@@ -27,7 +27,7 @@ class LanePlan:
     sidewalks: Value | None = None
     center_marking: Value | None = None
     speed_limit: Value | None = None
-    thing: ScenarioRoad | ScenarioNetwork | None = field(default=None, compare=False)
+    source: ScenarioRoad | ScenarioNetwork | None = field(default=None, compare=False)
     """Whose lanes these are."""
 
     @property
@@ -36,10 +36,10 @@ class LanePlan:
         return self.left is not None or self.right is not None
 
 
-def lane_plan(thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) -> LanePlan:
+def lane_plan(source: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) -> LanePlan:
     """What holds for a road or network, its own statement before those that it is made from."""
     chain = [
-        link for link in scenario.chain(thing) if isinstance(link, ScenarioRoad | ScenarioNetwork)
+        link for link in scenario.chain(source) if isinstance(link, ScenarioRoad | ScenarioNetwork)
     ]
     owner = next((link for link in chain if _names_lanes(link)), None)
     nearest = {name: _nearest(chain, name) for name in LANE_OPTIONS}
@@ -50,7 +50,7 @@ def lane_plan(thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) 
         nearest.update({name: _nearest(above, name) for name in shape}, lanes=None, sidewalks=None)
     elif owner is not None:
         nearest.update(left=None, right=None)
-    return LanePlan(owner, **nearest, thing=thing)
+    return LanePlan(owner, **nearest, source=source)
 
 
 def _names_lanes(link: ScenarioRoad | ScenarioNetwork) -> bool:

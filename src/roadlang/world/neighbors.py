@@ -13,7 +13,7 @@ from ..geometry import Footprints, close_pairs, distance_between, separation
 from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import ScenarioImage, ScenarioNetwork
 from .networks import network_root
-from .placement_faults import USUAL_APART
+from .placement_faults import DEFAULT_APART
 
 LEGEND = -1
 COPY = -2
@@ -82,9 +82,9 @@ def legend_neighbors(candidates: CandidateBatch, varying: bool) -> PlacedRectang
             ):
                 objects = network_root(network, candidates).objects
                 parts = [(o.x, o.y, o.heading, o.length, o.width) for o in objects]
-                one = np.array(parts, dtype=float).reshape(-1, 5)
-                several = np.tile(one, (candidates.count, 1))
-                rows = np.repeat(np.arange(candidates.count), len(one))
+                rectangles = np.array(parts, dtype=float).reshape(-1, 5)
+                several = np.tile(rectangles, (candidates.count, 1))
+                rows = np.repeat(np.arange(candidates.count), len(rectangles))
                 apart = np.full(len(several), np.nan)
                 found.add_rows(LEGEND, Footprints(*several.T), rows, apart)
         return found
@@ -109,7 +109,7 @@ def missing_room(
     """(n,) meters that things lack to what is placed, 0 where they fit, and the number of what
     they are too near to, -1 for nothing."""
     others, other_rows, other_apart, numbers = placed.joined()
-    margin = max(_greatest(apart), _greatest(other_apart), USUAL_APART)
+    margin = max(_greatest(apart), _greatest(other_apart), DEFAULT_APART)
     i, j = close_pairs(boxes, others, margin, rows, other_rows)
     lacking = _lacking(boxes.take(i), others.take(j), apart[i], other_apart[j])
     return _most_missing(len(rows), i, lacking, numbers[j])
@@ -117,7 +117,7 @@ def missing_room(
 
 def room_among(boxes: Footprints, rows: Integers, apart: Floats) -> tuple[Floats, Integers]:
     """The same to those before them among each other."""
-    i, j = close_pairs(boxes, boxes, max(_greatest(apart), USUAL_APART), rows, rows)
+    i, j = close_pairs(boxes, boxes, max(_greatest(apart), DEFAULT_APART), rows, rows)
     earlier = j < i
     i, j = i[earlier], j[earlier]
     lacking = _lacking(boxes.take(i), boxes.take(j), apart[i], apart[j])
@@ -126,8 +126,8 @@ def room_among(boxes: Footprints, rows: Integers, apart: Floats) -> tuple[Floats
 
 def _lacking(a: Footprints, b: Footprints, apart_a: Floats, apart_b: Floats) -> Floats:
     """(n,) meters that pairs are nearer than they are to be, 0 or less for those that are not."""
-    said = np.fmax(apart_a, apart_b)
-    apart = np.where(np.isnan(said), USUAL_APART, said)
+    required = np.fmax(apart_a, apart_b)
+    apart = np.where(np.isnan(required), DEFAULT_APART, required)
     apart = np.where((apart_a == -np.inf) | (apart_b == -np.inf), -np.inf, apart)
     lacking = apart - separation(a, b)
     near = np.flatnonzero(lacking > 0.0)
@@ -149,8 +149,8 @@ def _most_missing(
 
 
 def _greatest(apart: Floats) -> float:
-    said = apart[np.isfinite(apart)]
-    return float(said.max(initial=0.0))
+    required = apart[np.isfinite(apart)]
+    return float(required.max(initial=0.0))
 
 
 def _joined(parts: list[Any], kind: Any = np.float64) -> NDArray[Any]:

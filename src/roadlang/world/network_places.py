@@ -35,7 +35,7 @@ _ROOM = 12.0
 def begins_in_network(
     actor: ScenarioActor,
     copies: CopyBatch,
-    said: WrittenPlace,
+    written: WrittenPlace,
     lengths: Floats,
     others: Others,
 ) -> tuple[Integers, LaneStart, Floats]:
@@ -43,7 +43,7 @@ def begins_in_network(
     or no way leads on. `lengths` are those of the copies. Raises RL613."""
     network = copies.scenario.networks[str(actor.on)]
     lanes = lanes_of_network(network, copies.candidates)
-    choices = lane_choices(actor, copies, said)
+    choices = lane_choices(actor, copies, written)
     found = Spots.of(copies.count, lanes.lanes[0].edge if lanes.lanes else 0)
     if names_another(actor, copies.scenario):
         walks = LaneWalks(actor, copies, lanes, lengths)
@@ -55,7 +55,7 @@ def begins_in_network(
         finder = _Finder(actor, copies, first, lanes, lengths)
         for choice in dict.fromkeys(choices):
             index = np.flatnonzero([other == choice for other in choices])
-            finder.place(choice, index, said, found)
+            finder.place(choice, index, written, found)
     begin = LaneStart(found.start, found.lane, found.offset, found.backward, found.is_directed)
     return found.road, begin, found.lacking
 
@@ -81,11 +81,11 @@ class _Finder:
     lengths: Floats
 
     def place(
-        self, choice: LaneChoice | None, index: Integers, said: WrittenPlace, into: Spots
+        self, choice: LaneChoice | None, index: Integers, written: WrittenPlace, into: Spots
     ) -> None:
         """Fill in where the copies at `index` are, whose lane is chosen so."""
         if choice is None or not is_for_vehicles(choice, self.lanes):
-            self._on_roads(choice, index, said, into)
+            self._on_roads(choice, index, written, into)
             return
         allowed = allowed_lanes(self.actor, self.lanes, choice, self.copies)
         options: list[tuple[RoutePlace, ...]]
@@ -170,7 +170,7 @@ class _Finder:
         return [found[number] for number in which.ravel().tolist()]
 
     def _on_roads(
-        self, choice: LaneChoice | None, index: Integers, said: WrittenPlace, into: Spots
+        self, choice: LaneChoice | None, index: Integers, written: WrittenPlace, into: Spots
     ) -> None:
         """On roads rather than in lanes for vehicles: beside, astride, or in a lane of a kind."""
         graph = self.lanes
@@ -197,7 +197,7 @@ class _Finder:
             chosen = into.road[index] == road
             into.start[index[chosen]] = self._from_root(road, index[chosen], station[chosen])
             if choice is not None:
-                part, against = self.copies.chosen(index[chosen]), said.facing[index[chosen]]
+                part, against = self.copies.chosen(index[chosen]), written.facing[index[chosen]]
                 name, kind = f"{self.actor.on}/{road}", str(choice[0])
                 ids = lanes_by_word(name, self.actor, part, kind, against == "back")
                 into.lane[index[chosen]] = ids

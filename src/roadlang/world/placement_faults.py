@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..ir.scenario import ScenarioActor, ScenarioImage
 
-USUAL_APART = 0.5
+DEFAULT_APART = 0.5
 """Meters between two things of which neither says more or less"""
 
 

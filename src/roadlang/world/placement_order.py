@@ -24,7 +24,7 @@ def placement_order(scenario: IndexedScenario) -> tuple[ScenarioActor, ...]:
     return scenario.once("placement order", lambda: _ordered(scenario))
 
 
-def own_draws(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[RandomValue, ...]:
+def draws_of(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[RandomValue, ...]:
     """The draws of its own statement that decide where an agent or object stands."""
 
     def find() -> tuple[RandomValue, ...]:
@@ -41,8 +41,8 @@ def own_draws(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[RandomVa
 
 def can_be_placed_again(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
     """Whether draws decide where it stands, and no sampler has chosen them."""
-    draws = own_draws(actor, candidates.scenario)
-    if not draws or not candidates.given:
+    draws = draws_of(actor, candidates.scenario)
+    if not draws or not candidates.coordinates:
         return bool(draws)
     copies = range(1, most_copies(actor, candidates) + 1) if is_group(actor) else (0,)
     names = (
@@ -50,24 +50,24 @@ def can_be_placed_again(actor: ScenarioActor, candidates: CandidateBatch) -> boo
         for draw in draws
         for copy in copies
     )
-    return not any(name in candidates.given for name in names)
+    return not any(name in candidates.coordinates for name in names)
 
 
-def deciding_actors(scenario: IndexedScenario, *values: Value, things: set[str]) -> set[str]:
+def deciding_actors(scenario: IndexedScenario, *values: Value, names: set[str]) -> set[str]:
     """The agents and objects that values name, by themselves or through the roads that they name
     and those of `things`."""
     actors: set[str] = set()
     seen: set[str] = set()
     read: list[Value] = list(values)
-    while read or things:
+    while read or names:
         named = {entity.name for entity in scenario.dependencies.entities(*read)}
         actors |= named & scenario.actors.keys()
         read = []
-        for name in (things | named) - scenario.actors.keys() - seen:
-            for link in scenario.ancestry(scenario.thing(name)):
+        for name in (names | named) - scenario.actors.keys() - seen:
+            for link in scenario.ancestry(scenario.declaration(name)):
                 seen.add(link.name)
                 read += [*(value for value in link.options.values()), *link.passes]
-        things = set()
+        names = set()
     return actors
 
 
@@ -79,7 +79,7 @@ def _ordered(scenario: IndexedScenario) -> tuple[ScenarioActor, ...]:
     for actor in actors:
         on = {actor.on} if actor.on is not None else set()
         values = [actor.at, actor.kind, *(value for value in actor.options.values())]
-        before = deciding_actors(scenario, *values, things=on) - {actor.name}
+        before = deciding_actors(scenario, *values, names=on) - {actor.name}
         waiting[actor.name] = len(before)
         for name in before:
             after[name].append(actor.name)
@@ -99,4 +99,4 @@ def _ordered(scenario: IndexedScenario) -> tuple[ScenarioActor, ...]:
 def _rank(
     actor: ScenarioActor, number: dict[str, int], scenario: IndexedScenario
 ) -> tuple[bool, int]:
-    return bool(own_draws(actor, scenario)), number[actor.name]
+    return bool(draws_of(actor, scenario)), number[actor.name]

@@ -35,11 +35,11 @@ def poses_of(
     RL613."""
     if actor.on is None:
         return _in_the_world(actor, copies)
-    said, sizes = WrittenPlace.of(actor, copies), (lengths, widths)
+    written, sizes = WrittenPlace.of(actor, copies), (lengths, widths)
     if actor.on in copies.scenario.networks:
-        return _in_network(actor, copies, said, sizes, others)
-    begin = _begin(actor, copies, said, others)
-    return poses_on_road(actor.on, actor, copies.candidates, copies.rows, begin, said, sizes)
+        return _in_network(actor, copies, written, sizes, others)
+    begin = _begin(actor, copies, written, others)
+    return poses_on_road(actor.on, actor, copies.candidates, copies.rows, begin, written, sizes)
 
 
 def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> RoadPoses:
@@ -55,12 +55,12 @@ def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> RoadPoses:
 def _in_network(
     actor: ScenarioActor,
     copies: CopyBatch,
-    said: WrittenPlace,
+    written: WrittenPlace,
     sizes: tuple[Floats, Floats],
     others: Others,
 ) -> RoadPoses:
     """Road by road."""
-    road, begin, lacking = begins_in_network(actor, copies, said, sizes[0], others)
+    road, begin, lacking = begins_in_network(actor, copies, written, sizes[0], others)
     found = [np.zeros(copies.count) for _ in range(5)]
     lane, backward = np.zeros(copies.count, np.int64), np.zeros(copies.count, dtype=bool)
     columns = [*found, lane, backward]
@@ -72,7 +72,7 @@ def _in_network(
             copies.candidates,
             copies.rows[index],
             begin.take(index),
-            said.take(index),
+            written.take(index),
             (sizes[0][index], sizes[1][index]),
         )
         names = ("x", "y", "heading", "start", "offset", "lane", "backward")
@@ -83,20 +83,20 @@ def _in_network(
 
 
 def _begin(
-    actor: ScenarioActor, copies: CopyBatch, said: WrittenPlace, others: Others
+    actor: ScenarioActor, copies: CopyBatch, written: WrittenPlace, others: Others
 ) -> LaneStart:
     """Where along its road, and in which lane."""
     start = starts_of(actor, copies, others)
     if not isinstance(actor.at, PassCall):
-        return LaneStart.of(start, _lanes(actor, copies, said, None))
+        return LaneStart.of(start, _lanes(actor, copies, written, None))
     by = standing_of(actor, copies, others)
-    lane = _lanes(actor, copies, said, by)
+    lane = _lanes(actor, copies, written, by)
     backward = np.asarray(by.backward, bool).reshape(-1)
     return LaneStart(start, lane, np.asarray(by.offset, float).reshape(-1), backward, lane == 0)
 
 
 def _lanes(
-    actor: ScenarioActor, copies: CopyBatch, said: WrittenPlace, by: Standing | None
+    actor: ScenarioActor, copies: CopyBatch, written: WrittenPlace, by: Standing | None
 ) -> Integers:
     """(R,) lane ids; 0 of what is in no lane. An agent on a road is in a lane unless it is said to
     be in none or beside the road."""
@@ -113,7 +113,7 @@ def _lanes(
     found = np.zeros(copies.count, np.int64)
     for word in sorted(set(words) - {"none"}):
         chosen = np.broadcast_to(np.array([item == word for item in words]), (copies.count,))
-        found[chosen] = lanes_by_word(str(actor.on), actor, copies, word, said.facing == "back")[
+        found[chosen] = lanes_by_word(str(actor.on), actor, copies, word, written.facing == "back")[
             chosen
         ]
     return found

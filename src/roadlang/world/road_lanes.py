@@ -36,8 +36,8 @@ def lane_parts(name: str, candidates: CandidateBatch) -> tuple[tuple[Rows, LaneB
         scenario = candidates.scenario
         plan, fixed = scenario.once(("lane plan", name), lambda: _plan(name, scenario))
         every = np.arange(candidates.count)
-        parts = ((every, plan),) if fixed else _alike(plan, candidates)
-        return tuple((rows, _lanes(alike, name, candidates, rows)) for rows, alike in parts)
+        parts = ((every, plan),) if fixed else _by_plan(plan, candidates)
+        return tuple((rows, _lanes(plan, name, candidates, rows)) for rows, plan in parts)
 
     return candidates.once(("lanes", name), make, inherited=False)
 
@@ -48,7 +48,7 @@ def _plan(name: str, scenario: IndexedScenario) -> tuple[LanePlan, bool]:
     return plan, is_fixed(plan, scenario)
 
 
-def _alike(plan: LanePlan, candidates: CandidateBatch) -> Iterator[tuple[Rows, LanePlan]]:
+def _by_plan(plan: LanePlan, candidates: CandidateBatch) -> Iterator[tuple[Rows, LanePlan]]:
     """Parts of the candidates, of lanes that are drawn."""
     every = np.arange(candidates.count)
     if plan.lanes is not None and is_fixed(replace(plan, lanes=None), candidates.scenario):

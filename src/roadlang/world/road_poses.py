@@ -114,18 +114,18 @@ def poses_on_road(
     candidates: CandidateBatch,
     rows: NDArray[np.intp],
     begin: LaneStart,
-    said: WrittenPlace,
+    written: WrittenPlace,
     sizes: tuple[Floats, Floats],
 ) -> RoadPoses:
     """Where copies (R,) stand on a road, those at `rows` (R,) of the candidates; `sizes` are their
     lengths and widths, in meters. Raises RL613."""
     place = places_along(name, candidates, rows, begin.start)
     lanes = lane_places(name, actor, candidates, rows, place, begin.lane)
-    across = _across(said.heading, *sizes)
-    offset = _offsets(lanes, begin, said, across)
+    across = _across(written.heading, *sizes)
+    offset = _offsets(lanes, begin, written, across)
     backward = np.where(begin.is_directed, begin.backward, lanes.backward)
-    backward = np.where(said.facing == "", backward, said.facing == "back")
-    heading = place.heading + np.where(backward, math.pi, 0.0) + said.heading
+    backward = np.where(written.facing == "", backward, written.facing == "back")
+    heading = place.heading + np.where(backward, math.pi, 0.0) + written.heading
     directions = place.heading.tolist()
     sine = np.array([math.sin(direction) for direction in directions])
     cosine = np.array([math.cos(direction) for direction in directions])
@@ -149,14 +149,14 @@ def _across(turned: Floats, lengths: Floats, widths: Floats) -> Floats:
     return np.asarray(lengths * sine + widths * cosine)
 
 
-def _offsets(lanes: LaneOffsets, begin: LaneStart, said: WrittenPlace, across: Floats) -> Floats:
+def _offsets(lanes: LaneOffsets, begin: LaneStart, written: WrittenPlace, across: Floats) -> Floats:
     """(R,) meters left of the center line: from the line, a lane's middle, or outward from an edge.
 
     Beside the road it is the near side of the thing that stands `offset` from the edge.
     """
-    in_lane = lanes.middle + said.offset
-    outward = said.offset + across / 2
-    found = np.where(begin.lane == 0, said.offset, in_lane)
-    found = np.where(said.side == "left", lanes.left + outward, found)
-    found = np.where(said.side == "right", lanes.right - outward, found)
+    in_lane = lanes.middle + written.offset
+    outward = written.offset + across / 2
+    found = np.where(begin.lane == 0, written.offset, in_lane)
+    found = np.where(written.side == "left", lanes.left + outward, found)
+    found = np.where(written.side == "right", lanes.right - outward, found)
     return found + np.where(begin.lane == 0, begin.offset, 0.0)

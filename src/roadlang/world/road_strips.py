@@ -39,12 +39,12 @@ class RoadStrips:
 def built_roads(scenario: IndexedScenario) -> tuple[ScenarioRoad | ScenarioNetwork, ...]:
     """What is driven on, drawn in full and built: the last of each chain of roads, and networks
     that nothing perturbed was made from."""
-    roads = [road for road in scenario.roads.values() if not has_heirs(road, scenario)]
-    networks = [n for n in scenario.networks.values() if not has_perturbed_heirs(n, scenario)]
+    roads = [road for road in scenario.roads.values() if not has_descendants(road, scenario)]
+    networks = [n for n in scenario.networks.values() if not has_perturbed_descendants(n, scenario)]
     return (*roads, *networks)
 
 
-def has_heirs(road: ScenarioRoad, scenario: IndexedScenario) -> bool:
+def has_descendants(road: ScenarioRoad, scenario: IndexedScenario) -> bool:
     """Whether another road is made from a road, and stands in its place."""
     return any(
         scenario.source_of(other) is road or road in scenario.joined_roads(other)
@@ -52,18 +52,20 @@ def has_heirs(road: ScenarioRoad, scenario: IndexedScenario) -> bool:
     )
 
 
-def has_perturbed_heirs(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
+def has_perturbed_descendants(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
     """Whether something perturbed is made from a network, which then stands in its place."""
-    things: tuple[ScenarioRoad | ScenarioNetwork, ...] = (
+    sources: tuple[ScenarioRoad | ScenarioNetwork, ...] = (
         *scenario.roads.values(),
         *scenario.networks.values(),
     )
-    heirs = [
-        thing for thing in things if thing is not network and network in scenario.ancestry(thing)
+    descendants = [
+        source
+        for source in sources
+        if source is not network and network in scenario.ancestry(source)
     ]
     return any(
         scenario.is_joined(heir) or any(call.verb == "perturb" for call in heir.passes)
-        for heir in heirs
+        for heir in descendants
     )
 
 
@@ -95,11 +97,11 @@ def depth_in_lanes(
         group = np.zeros(len(rows), np.int64) if shared else rows
         i, j = close_pairs(boxes, strips.boxes, 0.0, group, strips.group)
         numbers = {name: number for number, name in enumerate(strips.names)}
-        own = np.array([numbers.get(name or "", -1) for name in roads], np.int64)
+        own_road = np.array([numbers.get(name or "", -1) for name in roads], np.int64)
         away = np.abs(strips.station[j] - start[i])
         away = np.minimum(away, np.abs(np.array(strips.periods)[strips.road[j]] - away))
-        reach = 0.5 * (boxes.length[i] + strips.boxes.length[j]) + BESIDE
-        other = (strips.road[j] != own[i]) | (away > reach)
+        half_length = 0.5 * (boxes.length[i] + strips.boxes.length[j]) + BESIDE
+        other = (strips.road[j] != own_road[i]) | (away > half_length)
         i, j = i[other], j[other]
         depth = -separation(boxes.take(i), strips.boxes.take(j))
         np.maximum.at(deepest, i, np.maximum(depth, 0.0))
@@ -109,19 +111,19 @@ def depth_in_lanes(
 def _strips(candidates: CandidateBatch, varying: bool) -> tuple[RoadStrips, ...]:
     scenario = candidates.scenario
     batches: list[RoadBatch] = []
-    for thing in built_roads(scenario):
-        if deciding_actors(scenario, things={thing.name}):
+    for road in built_roads(scenario):
+        if deciding_actors(scenario, names={road.name}):
             continue  # it is made after things are placed
-        if scenario.is_varying(thing.name) and not varying:
+        if scenario.is_varying(road.name) and not varying:
             continue
-        if isinstance(thing, ScenarioRoad):
-            batches.append(road_batch(thing.name, candidates))
+        if isinstance(road, ScenarioRoad):
+            batches.append(road_batch(road.name, candidates))
         else:
-            edges = network_root(thing, candidates).edges
-            batches += [edge_batch(thing, edge.id, candidates) for edge in edges]
-    alike = [batch for batch in batches if batch.variants == 1 and len(batch.width) == 1]
+            edges = network_root(road, candidates).edges
+            batches += [edge_batch(road, edge.id, candidates) for edge in edges]
+    fixed = [batch for batch in batches if batch.variants == 1 and len(batch.width) == 1]
     different = [batch for batch in batches if batch.variants > 1 or len(batch.width) > 1]
-    return tuple(_strip(group) for group in (alike, different) if group)
+    return tuple(_strip(group) for group in (fixed, different) if group)
 
 
 def _strip(batches: list[RoadBatch]) -> RoadStrips:

@@ -234,9 +234,9 @@ def _path_root(
 
 
 def _frame(
-    curve: Curve, thing: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario
+    curve: Curve, source: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario
 ) -> CurveFrame:
-    return CurveFrame.of(curve, station_spacing(thing, scenario).stations(curve))
+    return CurveFrame.of(curve, station_spacing(source, scenario).stations(curve))
 
 
 def _drawn(road: ScenarioRoad, candidates: CandidateBatch) -> Curve:

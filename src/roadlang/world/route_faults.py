@@ -35,7 +35,7 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     found = shortest_route(lanes, [begins, *stages[1:]]) if begins else 1
     if isinstance(found, PlannedRoute):
         return None
-    return _no_way(actor, parts[found], stages, found, lanes)
+    return _unreachable(actor, parts[found], stages, found, lanes)
 
 
 def _place_of(actor: ScenarioActor, part: int) -> str:
@@ -66,17 +66,17 @@ def _far(
     )
 
 
-def _no_way(
+def _unreachable(
     actor: ScenarioActor,
     goal: NearPoints | NamedPlaces,
     stages: list[tuple[RoutePlace, ...]],
     failed: int,
     lanes: LaneGraph,
 ) -> Diagnostic:
-    said = [f"`{name}`" for name in ("lane", "facing") if name in actor.options]
+    options = [f"`{name}`" for name in ("lane", "facing") if name in actor.options]
     leg = stages[failed - 1 : failed + 1]
-    if said and isinstance(shortest_route(lanes, stages), PlannedRoute):
-        help_ = f"without {' and '.join(said)} there is one"
+    if options and isinstance(shortest_route(lanes, stages), PlannedRoute):
+        help_ = f"without {' and '.join(options)} there is one"
     elif isinstance(shortest_route(lanes, leg[::-1]), PlannedRoute):
         help_ = "there is one in the other direction only"
     else:

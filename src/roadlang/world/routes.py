@@ -23,7 +23,7 @@ from .road_places import to_root
 from .route_points import route_points
 from .turning import sharpest_turn
 
-USUAL_LENGTH = 2_000.0
+DEFAULT_LENGTH = 2_000.0
 """Meters of a random route whose length is not said"""
 
 
@@ -74,7 +74,7 @@ def _plan(
     starts = _starts(actor, where, lanes, copies)
     points = route_points(actor, copies, lanes)
     numbers = _number(actor, "route", copies, 0.0) if points is None else None
-    lengths = _number(actor, "route_length", copies, USUAL_LENGTH)
+    lengths = _number(actor, "route_length", copies, DEFAULT_LENGTH)
     leads = leading_routes(actor, copies, others) if "route" not in actor.options else None
     if candidates.record is not None:
         copies.record_in(candidates.record)
@@ -106,7 +106,7 @@ def _after(lanes: LaneGraph, start: RoutePlace, lead: PlannedRoute | None) -> Pl
         found = shortest_route(lanes, [(start,), *passed, last])
         if isinstance(found, PlannedRoute):
             return found
-    return straight_route(lanes, start, USUAL_LENGTH)
+    return straight_route(lanes, start, DEFAULT_LENGTH)
 
 
 def _starts(

@@ -76,22 +76,22 @@ def _path(
     ends = np.cumsum([step.length for step in steps])
     first = min(int(np.searchsorted(ends, traveled, side="right")), len(steps) - 1)
     into = traveled - (ends[first] - steps[first].length)
-    way = [Step(step.edge, step.stop, step.start) for step in steps[: first + 1][::-1]]
-    way = way if backward else list(steps[first:])
+    steps_back = [Step(step.edge, step.stop, step.start) for step in steps[: first + 1][::-1]]
+    steps_back = steps_back if backward else list(steps[first:])
     against = steps[first].stop < steps[first].start
     station = _station(steps[first].start + (-into if against else into), steps[first], at, root)
-    own = TravelLane(steps[first].edge, -lane if against else lane, against != backward)
-    if own not in lanes.lanes:
+    start_lane = TravelLane(steps[first].edge, -lane if against else lane, against != backward)
+    if start_lane not in lanes.lanes:
         return None
-    number = lanes.lanes.index(own)
+    number = lanes.lanes.index(start_lane)
     low, high = sorted((lanes.begin[number], lanes.end[number]))
     if not low - _INSIDE <= station <= high + _INSIDE:
         return None
     places = [[RoutePlace(number, station)]]
-    for step in way:
-        here = _at_end(step, lanes)
-        if here:
-            places.append(here)
+    for step in steps_back:
+        at_end = _at_end(step, lanes)
+        if at_end:
+            places.append(at_end)
     return places
 
 

@@ -167,7 +167,7 @@ def _of_copies(call: PassCall, copies: CopyBatch) -> Floats:
     actors = copies.scenario.actors
     named = [e.name for e in copies.scenario.dependencies.entities(call)]
     if not any(name in actors and is_group(actors[name]) for name in named):
-        return copies.of_scene(lambda whole: measured(call, whole))
+        return copies.of_scene(lambda scene: measured(call, scene))
     found = np.empty((copies.count, 1))
     for copy in np.unique(copies.copies).tolist():
         rows = np.flatnonzero(copies.copies == copy)

@@ -27,18 +27,18 @@ from .shortest_features import shortest_feature, states_feature
 Root: TypeAlias = ScenarioRoad | ScenarioNetwork
 
 SPACING = 1.0
-FEWEST, USUAL_MOST = 51, 2001
+FEWEST, DEFAULT_MOST = 51, 2001
 """Stations of a road, where no statement and no perturbation asks for more."""
 MOST = 20_001
 STATIONS_PER_FEATURE = 8
 """A wave that is sampled so often has a curvature within 5 % of the true one."""
 
 
-def usual_stations(curve: Curve) -> NDArray[np.float64]:
+def default_stations(curve: Curve) -> NDArray[np.float64]:
     """(S,) even arc lengths of a road that nothing asks more of: a meter apart, closer on a short
     road, farther apart on a long one."""
     count = math.ceil(curve.length / SPACING) + 1
-    return curve.stations(count=min(max(count, FEWEST), USUAL_MOST))
+    return curve.stations(count=min(max(count, FEWEST), DEFAULT_MOST))
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class StationSpacing:
     def stations(self, curve: Curve) -> NDArray[np.float64]:
         """(S,) even arc lengths of a root road. Raises RL418 and RL419 where more than `MOST` would
         be needed."""
-        count = len(usual_stations(curve))
+        count = len(default_stations(curve))
         if self.written is not None:
             count = self._written_count(curve, *self.written)
         for call in self.passes:
@@ -102,24 +102,24 @@ class StationSpacing:
         return math.ceil(gaps - 1e-9) + 1
 
 
-def unknown_features(thing: Root, scenario: IndexedScenario) -> tuple[PassCall, ...]:
+def unknown_features(source: Root, scenario: IndexedScenario) -> tuple[PassCall, ...]:
     """The `perturb` passes of a road or network whose shortest feature only the draws tell."""
     return tuple(
         call
-        for call in thing.passes
+        for call in source.passes
         if call.verb == "perturb"
         and states_feature(call, scenario)
         and shortest_feature(call, scenario, 1.0, closed=False) is None
     )
 
 
-def station_spacing(thing: Root, scenario: IndexedScenario) -> StationSpacing:
+def station_spacing(source: Root, scenario: IndexedScenario) -> StationSpacing:
     """That of the root of a road or network."""
-    root = root_of(thing, scenario)
+    root = root_of(source, scenario)
 
     def find() -> StationSpacing:
-        things: list[Root] = [*scenario.networks.values(), *scenario.roads.values()]
-        derived = [other for other in things if root_of(other, scenario) is root]
+        sources: list[Root] = [*scenario.networks.values(), *scenario.roads.values()]
+        derived = [other for other in sources if root_of(other, scenario) is root]
         written = [
             (float(scalar(evaluate(value, fixed_candidate(scenario)))), other)
             for other in derived
@@ -132,9 +132,9 @@ def station_spacing(thing: Root, scenario: IndexedScenario) -> StationSpacing:
     return scenario.once(("station spacing", root.name), find)
 
 
-def root_of(thing: Root, scenario: IndexedScenario) -> Root:
+def root_of(source: Root, scenario: IndexedScenario) -> Root:
     """The road or network that a road or network derives from, through all statements."""
-    links = [link for link in scenario.chain(thing) if not isinstance(link, ScenarioImage)]
+    links = [link for link in scenario.chain(source) if not isinstance(link, ScenarioImage)]
     return links[-1]
 
 

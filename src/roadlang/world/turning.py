@@ -20,7 +20,7 @@ def sharpest_turn(kind: object) -> float:
     whose middle is on a circle of radius `r` are about `l^2 / (8 r) + w / 2` outside of it.
     """
     found = (getattr(kind, name, None) for name in ("length", "width", "wheelbase", "max_steering"))
-    numbers = [float(one) for one in found if isinstance(one, int | float)]
+    numbers = [float(number) for number in found if isinstance(number, int | float)]
     if len(numbers) != 4:
         return math.inf
     length, width, base, angle = numbers

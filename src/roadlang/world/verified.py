@@ -13,10 +13,10 @@ from ..ir.picture import Extraction, Picture
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 
-Made = TypeVar("Made", Picture, Extraction, Curve, RoadBatch)
+Result = TypeVar("Result", Picture, Extraction, Curve, RoadBatch)
 
 
-def verified(call: PassCall, thing: str, result: Made, candidates: CandidateBatch) -> Made:
+def verified(call: PassCall, noun: str, result: Result, candidates: CandidateBatch) -> Result:
     """What a pass made of `thing` (`town`, `town/3`), verified and seen by the observer.
 
     Raises RL474, with the name of the plugin, for coordinates that are not finite. That stations
@@ -26,7 +26,7 @@ def verified(call: PassCall, thing: str, result: Made, candidates: CandidateBatc
     if candidates.count == 1:
         for part, points in _points(result):
             if not np.isfinite(points).all():
-                fault = f"left {part}`{thing}` with coordinates that are not finite numbers"
+                fault = f"left {part}`{noun}` with coordinates that are not finite numbers"
                 raise wrong_result(candidates.scenario.kind(call)[0], call.span, fault)
     return candidates.scenario.observed(call, result)
 

@@ -12,7 +12,7 @@ from roadlang.geometry import Floats
 
 from .clean import contract, drop_loops, extend_to_border, join, prune
 from .continuing import extend_dead_ends
-from .drafting import Draft, draft, usual_width_of
+from .drafting import Draft, draft, typical_width_of
 from .evidence import Net, evidence, road_net
 from .found import FoundNetwork
 from .graph import Graph, trace
@@ -200,7 +200,7 @@ def roads_of_evidence(
         if _length(graph) >= _LITTLE * max(score.shape):
             break
         graph, mask = _traced(score, cutoffs.relaxed(share))
-    usual = usual_width_of(graph, mask)
+    usual = typical_width_of(graph, mask)
     extend_to_border(graph, (score.shape[0], score.shape[1]), 0.7 * usual + 3)
     manner = Draft(usual, fixed_width=request.width, level=_EDGE_LEVEL, sure=_SURE, blur=_EDGE_BLUR)
     return draft(graph, surface, score, manner, "aerial")
@@ -210,7 +210,7 @@ def _traced(score: Layer, cutoffs: Cutoffs) -> tuple[Graph, NDArray[np.bool_]]:
     """The tidy graph of the evidence, and the mask that it was traced from."""
     mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
     graph = trace(skeleton(mask))
-    usual = usual_width_of(graph, mask)
+    usual = typical_width_of(graph, mask)
     filled = without_holes(mask, usual**2)
     if filled is not mask:
         mask, graph = filled, trace(skeleton(filled))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Floats
 
 from .chains import chains
-from .edges import sides, usual_width, widths
+from .edges import sides, typical_width, widths
 from .fairing import even_points
 from .found import FoundNetwork, FoundRoad
 from .graph import Graph, Line
@@ -157,7 +157,7 @@ def _along(layer: Layer, at: Layer) -> Layer:
     return np.asarray(found[0], np.float32)
 
 
-def usual_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:
+def typical_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:
     """Twice the median distance from the lines to the edge of the mask, weighted by length."""
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     samples = [resample(line.points, 2.0).round().astype(int) for line in graph.lines]
@@ -170,4 +170,4 @@ def usual_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:
     return float(max(1.0, 2 * np.median(radii) - 1)) if len(radii) else 1.0
 
 
-__all__ = ["Draft", "draft", "usual_width", "usual_width_of"]
+__all__ = ["Draft", "draft", "typical_width", "typical_width_of"]

@@ -85,7 +85,7 @@ def sampled(
     return np.vstack(pieces)
 
 
-def usual_width(found: Sides) -> float:
+def typical_width(found: Sides) -> float:
     """The median of the measured widths, NaN without any."""
     widths = (found.left + found.right)[found.seen]
     return float(np.median(widths)) if len(widths) else float("nan")
@@ -93,7 +93,7 @@ def usual_width(found: Sides) -> float:
 
 def widths(found: Sides, fallback: float, wavelength: float, closed: bool) -> tuple[Floats, float]:
     """Smoothed widths (n,) and the standard deviation of what was seen about them."""
-    usual = usual_width(found)
+    usual = typical_width(found)
     if not np.isfinite(usual):
         return np.full(len(found.left), fallback), float("nan")
     raw = found.left + found.right

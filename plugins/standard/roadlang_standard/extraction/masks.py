@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .clean import contract, drop_crumbs, extend_to_border, join, prune
-from .drafting import Draft, draft, usual_width_of
+from .drafting import Draft, draft, typical_width_of
 from .found import FoundNetwork
 from .graph import trace
 from .oblique import join_oblique_crossings
@@ -41,13 +41,13 @@ def roads_of_surface(
         mask = without_specks(surface >= 0.5, specks)
         thin = skeleton(mask)
     graph = trace(thin)
-    usual = usual_width_of(graph, mask)
+    usual = typical_width_of(graph, mask)
     contract(graph, 1.2 * usual)
     prune(graph, least if least is not None else 1.1 * usual, mask.shape, margin=0.6 * usual + 2)
     join(graph)
     join_oblique_crossings(graph, usual)
     drop_crumbs(graph, min(2 * usual, 0.5 * max(mask.shape)))
-    usual = usual_width_of(graph, mask)
+    usual = typical_width_of(graph, mask)
     extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * usual + 2)
     manner = Draft(
         usual, waves if spline else 0.5, tolerance, _accuracy(surface), width, fair=spline

@@ -18,10 +18,10 @@ ArmKey: TypeAlias = tuple[int, End]
 
 FARTHEST_TRIM = 90.0
 """Meters: roads that still touch there overlap, and no junction hides that."""
-USUAL_TRIM = 60.0
+DEFAULT_TRIM = 60.0
 """Meters: the trim of arms that still touch there, and the farthest that a tight turn pushes."""
 SPACING = 0.5
-REACH = 120.0
+ARM_LENGTH = 120.0
 """Meters of an arm that are looked at."""
 
 
@@ -54,9 +54,9 @@ class ArmLine:
 
     @classmethod
     def of(cls, edge: Edge, end: End, section: CrossSection) -> ArmLine:
-        """The first `REACH` meters, or half of a loop."""
-        reach = min(edge.length / (2.0 if edge.start == edge.end else 1.0), REACH)
-        s = np.linspace(0.0, reach, max(3, int(np.ceil(reach / SPACING)) + 1))
+        """The first `ARM_LENGTH` meters, or half of a loop."""
+        length = min(edge.length / (2.0 if edge.start == edge.end else 1.0), ARM_LENGTH)
+        s = np.linspace(0.0, length, max(3, int(np.ceil(length / SPACING)) + 1))
         along = s if end == "start" else edge.length - s
         heading = edge.curve.heading(along)
         left, right = section.half_widths(along)

@@ -129,8 +129,8 @@ def _problems(
             problems.append(Problem("sweep" if sweeps else "refused", id, ends))
     served = {connection.source for connection in junction.connections}
     for arm, lanes in zip(found.arms, found.lanes, strict=True):
-        ways = {LaneEnd(*arm.key, lane.id) for lane in lanes.inbound}
-        if ways - served:
+        entries = {LaneEnd(*arm.key, lane.id) for lane in lanes.inbound}
+        if entries - served:
             problems.append(Problem("stuck", id, (arm.edge.id,)))
     problems += _overlaps(id, found, trims)
     problems += _outside(id, found, area, widths)

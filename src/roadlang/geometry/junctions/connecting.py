@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Booleans, Floats
-from .arms import USUAL_TRIM, ArmKey, ArmLine, Face
+from .arms import DEFAULT_TRIM, ArmKey, ArmLine, Face
 from .fitting import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, lane_pairs
 from .places import SHORTEST_ROAD, JunctionSite
@@ -78,7 +78,7 @@ def _push(place: JunctionSite, key: ArmKey, trims: MutableMapping[ArmKey, float]
     arm = next(arm for arm in place.arms.arms if arm.key == key)
     other: ArmKey = (key[0], "end" if key[1] == "start" else "start")
     room = arm.length - trims.get(other, 0.0) - SHORTEST_ROAD
-    limit = min(USUAL_TRIM, room, float(arm.s[-1]))
+    limit = min(DEFAULT_TRIM, room, float(arm.s[-1]))
     wanted = min(trims[key] * _FURTHER + _AND, limit)
     if wanted <= trims[key] + 1e-6:
         return False

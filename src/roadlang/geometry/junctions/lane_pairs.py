@@ -70,7 +70,7 @@ def lane_pairs(arms: Sequence[ArmLanes]) -> tuple[LanePair, ...]:
             if place != source and other.outbound
         )
         angles = [angle for angle, _ in targets]
-        shares = _shared(angles, len(arm.inbound), own_lanes=not arm.circles)
+        shares = _shared(angles, len(arm.inbound), exclusive=not arm.circles)
         for (angle, target), lanes in zip(targets, shares, strict=True):
             for lane, into in _into(angle, lanes, len(arms[target].outbound)):
                 found.append(LanePair(source, lane, target, into, angle, turn_of(angle)))
@@ -82,14 +82,14 @@ def _turned(arm: ArmLanes, other: ArmLanes) -> float:
     return round((other.heading - arm.heading) % (2.0 * math.pi) - math.pi, 12)
 
 
-def _shared(angles: Sequence[float], lanes: int, *, own_lanes: bool) -> list[range]:
-    """The lanes, counted from the curb, of each turn from right to left. `own_lanes`: where there
+def _shared(angles: Sequence[float], lanes: int, *, exclusive: bool) -> list[range]:
+    """The lanes, counted from the curb, of each turn from right to left. `exclusive`: where there
     are lanes enough, turns have lanes of their own."""
     if lanes == 1 or len(angles) < 2:
         return [range(lanes)] * len(angles)
     straightest = min(range(len(angles)), key=lambda place: (abs(angles[place]), place))
     rights, lefts = straightest, len(angles) - 1 - straightest
-    enough = own_lanes and lanes >= len(angles)
+    enough = exclusive and lanes >= len(angles)
     shares = []
     for place in range(len(angles)):
         if place == straightest:

@@ -25,8 +25,8 @@ def sections_with_rings(
 
 def one_way(section: CrossSection, forward: bool) -> CrossSection:
     """All lanes for motor vehicles run forward, or backward, unless they run one way already."""
-    ways = {lane.direction for lane in section.lanes if lane.drivable}
-    if ways in ({"forward"}, {"backward"}):
+    directions = {lane.direction for lane in section.lanes if lane.drivable}
+    if directions in ({"forward"}, {"backward"}):
         return section
     lanes = tuple(
         replace(lane, direction="forward" if forward else "backward") if lane.drivable else lane

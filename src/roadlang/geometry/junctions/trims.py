@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Floats, cross
-from .arms import FARTHEST_TRIM, SPACING, USUAL_TRIM, ArmKey, ArmLine, nearest_on
+from .arms import DEFAULT_TRIM, FARTHEST_TRIM, SPACING, ArmKey, ArmLine, nearest_on
 from .corners import Corner, corner_between
 
 LEAST = 1.0
@@ -99,7 +99,7 @@ def _all_trims(
             if _leave_apart(arm, other):
                 continue
             trims[arm.key] = max(trims[arm.key], _clear_of(arm, other))
-    return {key: trim if trim <= FARTHEST_TRIM else USUAL_TRIM for key, trim in trims.items()}
+    return {key: trim if trim <= FARTHEST_TRIM else DEFAULT_TRIM for key, trim in trims.items()}
 
 
 def _seen_from(arm: ArmLine, swallowed: Sequence[ArmLine]) -> tuple[ArmLine, ...]:
@@ -167,10 +167,10 @@ def _first_clear(arm: ArmLine, other: ArmLine, strict: Floats, gap: Floats) -> f
     Arms of different nodes, which may lean towards each other and cross where no node is, must be
     clear as far as trims go; if they are not, and for all others, for a few meters.
     """
-    reach = arm.s <= FARTHEST_TRIM
+    within_limit = arm.s <= FARTHEST_TRIM
     if arm.node != other.node:
-        bad = np.flatnonzero((gap < 0.0) & reach)
-        if len(bad) and bad[-1] + 1 < reach.sum():
+        bad = np.flatnonzero((gap < 0.0) & within_limit)
+        if len(bad) and bad[-1] + 1 < within_limit.sum():
             return _between(arm.s, gap, int(bad[-1]) + 1)
     trim = _clear_from(arm.s, strict)
     return trim if trim < arm.s[-1] else _clear_from(arm.s, gap)

@@ -133,10 +133,10 @@ class LaneGraph:
         found = {lane: 0}
         waiting = deque([lane])
         while waiting:
-            here = waiting.popleft()
-            for other in self.neighbors[here]:
+            current = waiting.popleft()
+            for other in self.neighbors[current]:
                 if other not in found:
-                    found[other] = found[here] + 1
+                    found[other] = found[current] + 1
                     waiting.append(other)
         return found
 

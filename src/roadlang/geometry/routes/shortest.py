@@ -52,8 +52,8 @@ class _Tree:
 
 
 @dataclass(frozen=True, slots=True)
-class _Way:
-    """The way from a place to another: into the lane left first, by the turn there, and on."""
+class _Path:
+    """The path from one place to another: into the lane left first, by the turn there, and on."""
 
     cost: float
     exit_lane: int = -1
@@ -91,34 +91,34 @@ def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[RoutePlace]]) -> 
 
 
 def _nearest(graph: LaneGraph, reached: Sequence[_Reached], place: RoutePlace) -> _Reached | None:
-    best: tuple[float, _Reached, _Way] | None = None
+    best: tuple[float, _Reached, _Path] | None = None
     for item in reached:
-        way = _way(graph, item.place, place)
-        if way is not None and (best is None or item.cost + way.cost < best[0]):
-            best = item.cost + way.cost, item, way
+        path = _cheapest(graph, item.place, place)
+        if path is not None and (best is None or item.cost + path.cost < best[0]):
+            best = item.cost + path.cost, item, path
     if best is None:
         return None
-    cost, item, way = best
-    legs = item.legs + _legs(graph, item.place, place, way)
+    cost, item, path = best
+    legs = item.legs + _legs(graph, item.place, place, path)
     return _Reached(place, cost + place.penalty, legs)
 
 
-def _way(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace) -> _Way | None:
-    """The cheapest way between two places."""
-    best: _Way | None = None
+def _cheapest(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace) -> _Path | None:
+    """The cheapest path between two places."""
+    best: _Path | None = None
     direct = _within_road(graph, origin.lane, origin.station, goal)
     if direct is not None:
-        best = _Way(direct)
+        best = _Path(direct)
     for exit_ in graph.exits(origin.lane, graph.room(origin.lane, origin.station)):
-        begun = graph.room(origin.lane, origin.station) + CHANGE_COST * exit_.changes
-        begun += exit_.turn.length
+        start_cost = graph.room(origin.lane, origin.station) + CHANGE_COST * exit_.changes
+        start_cost += exit_.turn.length
         tree = _tree(graph, exit_.turn.target)
         for lane in graph.carriageways[goal.lane]:
             arriving = _within_road(graph, lane, graph.begin[lane], goal)
             if lane in tree.cost and arriving is not None:
-                cost = begun + tree.cost[lane] + arriving
+                cost = start_cost + tree.cost[lane] + arriving
                 if best is None or cost < best.cost:
-                    best = _Way(cost, exit_.lane, exit_.turn, lane)
+                    best = _Path(cost, exit_.lane, exit_.turn, lane)
     return best
 
 
@@ -160,7 +160,7 @@ def _searched(graph: LaneGraph, source: int) -> _Tree:
     return _Tree(cost, before)
 
 
-def _legs(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace, route: _Way) -> tuple[Leg, ...]:
+def _legs(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace, route: _Path) -> tuple[Leg, ...]:
     if route.turn is None:
         return lane_legs(graph, origin.lane, goal.lane, origin.station, goal.station, None)
     tree = _tree(graph, route.turn.target)

@@ -51,8 +51,8 @@ def straight_route(graph: LaneGraph, place: RoutePlace, length: float) -> Planne
     for leg in straight_on(graph, place):
         room = abs(leg.stop - leg.start)
         if room >= left:
-            way = left if graph.forward(leg.lane) else -left
-            legs.append(Leg(leg.lane, leg.start, leg.start + way))
+            step = left if graph.forward(leg.lane) else -left
+            legs.append(Leg(leg.lane, leg.start, leg.start + step))
             break
         legs.append(leg)
         left = max(left - room - (leg.turn.length if leg.turn else 0.0), 0.0)

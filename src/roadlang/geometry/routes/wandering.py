@@ -35,8 +35,8 @@ def random_route(
         room = graph.room(lane, station)
         options = _options(graph, lane, room, sharpest)
         if room >= left or is_last or not options or turns == _MOST_TURNS:
-            way = min(room, left) * (1.0 if graph.forward(lane) else -1.0)
-            legs.append(Leg(lane, station, station + way))
+            step = min(room, left) * (1.0 if graph.forward(lane) else -1.0)
+            legs.append(Leg(lane, station, station + step))
             return PlannedRoute(tuple(legs), length)
         if turns and turns % _TURNS_PER_NUMBER == 0:
             digits = (number * _LARGE + turns * _SCRAMBLE) % 1.0

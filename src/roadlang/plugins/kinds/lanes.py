@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal, TypeAlias
+import warnings
+from typing import Any, ClassVar, Literal, TypeAlias
 
 from ...geometry.lanes import Marking
 from .base import Kind
 
 LaneDirection: TypeAlias = Literal["side", "both", "none"]
 LaneMarking: TypeAlias = Marking
+
+_RENAMED = {"usual_width": "default_width", "usual_marking": "default_marking"}
 
 
 class LaneKind(Kind):
@@ -20,7 +23,7 @@ class LaneKind(Kind):
     """
 
     verb: ClassVar[str] = "lane"
-    usual_width: ClassVar[float] = 3.0
+    default_width: ClassVar[float] = 3.0
     """meters, where a scene file says none"""
     drivable: ClassVar[bool] = False
     """whether motor vehicles drive on it: the driving area of a road is its drivable lanes"""
@@ -30,6 +33,14 @@ class LaneKind(Kind):
     """who may use it: "car", "bus", "bicycle", "pedestrian" """
     raised: ClassVar[bool] = False
     """whether it is above the roadway, behind a curb"""
-    usual_marking: ClassVar[LaneMarking | Literal["auto"]] = "auto"
+    default_marking: ClassVar[LaneMarking | Literal["auto"]] = "auto"
     """the line toward the outer neighbor where a scene file says none; `auto`: broken to a
     lane of the same kind and direction, a curb to a raised lane, else solid"""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        for old, new in _RENAMED.items():
+            if old in vars(cls):
+                text = f"`{old}` of lanes is now `{new}`, and goes with the next minor version"
+                warnings.warn(text, DeprecationWarning, stacklevel=2)
+                setattr(cls, new, vars(cls)[old])

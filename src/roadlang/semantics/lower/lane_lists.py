@@ -122,7 +122,7 @@ def _widths_fit(checker: Checker, name: str, lanes: list[PassCall], width: Typed
         if written is None and kind.drivable:
             shares = True
             continue
-        low, high = (kind.usual_width,) * 2 if written is None else checker.bounds_of(written)
+        low, high = (kind.default_width,) * 2 if written is None else checker.bounds_of(written)
         least, most = least + low, most + high
     low, high = checker.bounds_of(width.value)
     if shares and least < high:
