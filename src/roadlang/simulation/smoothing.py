@@ -22,7 +22,8 @@ def is_tight(curvature: Floats, offset: Floats) -> bool:
 
 def smoothed(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """(n,) s, x, y and heading of a line through points, each place averaged over
-    `HALF_WINDOW` meters to each side; less near the ends, which stay. `s`: arc length of the line before, up to there."""
+    `HALF_WINDOW` meters to each side; less near the ends, which stay. `s`: arc length of
+    the original line up to there."""
     s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
     fresh = np.append(True, np.diff(s) > 1e-6)
     s, x, y = s[fresh], x[fresh], y[fresh]
