@@ -96,17 +96,30 @@ func refresh() -> void:
 			member.reset()
 
 
+## Ends the run of a client that is gone. Nothing is sent: who listens now asked for none of it.
+func abandon() -> void:
+	if mode == Mode.IDLE:
+		return
+	mode = Mode.IDLE
+	_trace.clear()
+	_rest()
+
+
 func stop(reason: String, more: Dictionary = {}) -> void:
 	if mode == Mode.IDLE:
 		return
 	mode = Mode.IDLE
 	_flush()
-	for member in _members:
-		if is_instance_valid(member.agent):
-			member.agent.body.rest()
+	_rest()
 	var done := {"tick": tick, "reason": reason, "records": _recorded, "contacts": _contacts.count}
 	done.merge(more)
 	_server.send_json(Protocol.DONE, done)
+
+
+func _rest() -> void:
+	for member in _members:
+		if is_instance_valid(member.agent):
+			member.agent.body.rest()
 
 
 ## One physics step: look, tell, decide, act.

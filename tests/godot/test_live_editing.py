@@ -81,6 +81,20 @@ def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
     assert live_session.prove().things == len(live.layout.things)
 
 
+def test_the_drive_of_a_client_that_left_is_not_reported_to_the_next(fresh_engine: Engine) -> None:
+    main = road("main", pieces(straight(120)))
+    ego = car("ego", main, 5.0, call("pure_pursuit", speed=7.0, lookahead=5.0))
+    with fresh_engine.connect("first") as first:
+        left = LiveScene(first, scene(main, agents=[ego]))
+        until(lambda: left.listen(0.02) is not None and left.trace() is not None)
+    with fresh_engine.connect("second") as second:
+        second.begin({"name": "second", "extent": 200.0}, clear=True)
+        second.prove()
+        second.pump(0.2)
+        for message in (Message.TRACE, Message.CONTACTS, Message.DONE):
+            assert second.take(message) is None, message
+
+
 def test_a_move_in_the_window_is_told_by_name(live_session: Session) -> None:
     main = road("main", pieces(straight(80)))
     made = scene(main, objects=[thing("tree", 30.0, 20.0, name="oak")])

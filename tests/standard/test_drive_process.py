@@ -16,6 +16,7 @@ import pytest
 
 import roadlang
 from roadlang import testing
+from roadlang_standard.process.program import ControllerProcess, ProgramFailed
 
 GREETING = 'print(json.dumps({"protocol": "roadlang.drive/1"}), flush=True)'
 GOOD = """
@@ -124,6 +125,13 @@ def test_what_goes_wrong_is_an_error_with_the_reason(tmp_path: Path, reason: str
     assert "error[RL740]" in str(found.value)
     assert reason in str(found.value)
     assert "Traceback" not in str(found.value)
+
+
+def test_a_program_that_ended_before_it_was_written_to_is_named_with_its_code() -> None:
+    ended = ControllerProcess([sys.executable, "-c", "raise SystemExit(3)"])
+    ended._process.wait()
+    with pytest.raises(ProgramFailed, match="it ended with code 3"):
+        ended.send("{}")
 
 
 def test_the_error_has_the_end_of_standard_error(tmp_path: Path) -> None:

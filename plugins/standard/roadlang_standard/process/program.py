@@ -63,7 +63,9 @@ class ControllerProcess:
             self._process.stdin.write(line.encode() + b"\n")
             self._process.stdin.flush()
         except (OSError, ValueError) as error:
-            raise self.failed("it ended, or closed its standard input") from error
+            code = self._exit_code()
+            ended = "it closed its standard input" if code is None else f"it ended with code {code}"
+            raise self.failed(ended) from error
 
     def receive(self, seconds: float) -> str:
         """The next line of its standard output. Raises ProgramFailed where there is none."""
@@ -72,9 +74,7 @@ class ControllerProcess:
         except queue.Empty:
             raise self.failed(f"it did not answer within {seconds:g} s") from None
         if not line:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(PATIENCE)
-            code = self._process.returncode
+            code = self._exit_code()
             ended = (
                 "it closed its standard output" if code is None else f"it ended with code {code}"
             )
@@ -82,6 +82,12 @@ class ControllerProcess:
         if not line.endswith(b"\n"):
             raise self.failed(f"its answer is longer than {LONGEST_LINE} bytes, or cut off")
         return line.decode("utf-8", "replace").rstrip("\r\n")
+
+    def _exit_code(self) -> int | None:
+        """Of a program that has ended, or ends within a moment; None of one that goes on."""
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(PATIENCE)
+        return self._process.returncode
 
     def failed(self, reason: str) -> ProgramFailed:
         """The reason, with the last lines that it wrote to standard error."""
