@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -67,20 +68,23 @@ def test_a_killed_process_loses_nothing(alone: Falsification) -> None:
 
 def test_a_process_killed_at_work_loses_nothing(alone: Falsification) -> None:
     before = {process.pid for process in multiprocessing.active_children()}
+    killed, ended = list[int](), threading.Event()
 
-    def kill_one() -> int:
-        while True:  # until there are two workers, then in the middle of what they do
+    def kill_one() -> None:
+        while not (killed or ended.wait(0.02)):  # until there are two workers
             ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
-            if len(ours) == 2 and ours[1] is not None:
-                time.sleep(1.0)
+            if len(ours) == 2 and ours[1] is not None and not ended.wait(1.0):
+                killed.append(ours[1])
                 os.kill(ours[1], signal.SIGKILL)
-                return ours[1]
-            time.sleep(0.02)
 
     with ThreadPoolExecutor(1) as threads:
         killing = threads.submit(kill_one)
-        found = roadlang.loads(TEXT).falsify(**FEW, jobs=2)
-        assert killing.done()
+        try:
+            found = roadlang.loads(TEXT).falsify(**FEW, jobs=2)
+        finally:
+            ended.set()
+        killing.result()
+    assert killed
     assert found.outcomes == alone.outcomes
 
 

@@ -19,6 +19,7 @@ from tests.golden.scene_views import (
     scene_lines,
 )
 from tests.golden.search_views import command_lines, environment_lines, search_lines, vector_lines
+from tests.golden.traffic_views import option_lines, traffic_lines
 from tests.golden.tweaked_views import tweaked_lines
 
 
@@ -135,6 +136,10 @@ def _cases() -> Iterable[Case]:
     for name in DRIVEN:
         yield Case("drives", f"{name}.scene", partial(_scenes, name, 1))
         yield Case("drives", f"{name}.drive", partial(_drive, name))
+    for first in range(0, 20, 5):
+        seeds = range(first, first + 5)
+        yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 16.0))
+    yield Case("drives", "options.drive", partial(option_lines, 9.0))
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
     for name in BUILT:
