@@ -9,7 +9,13 @@ from functools import partial
 from tests.golden.comparing import FIGURE, NUMBERS
 from tests.golden.engine_views import layout_lines
 from tests.golden.fold_views import fold_lines
-from tests.golden.formula_views import formula_lines, online_lines, plot_lines
+from tests.golden.formula_views import (
+    formula_lines,
+    mining_lines,
+    online_lines,
+    plot_lines,
+    range_lines,
+)
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.language_views import command_output, fault_lines, scenario_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
@@ -162,6 +168,8 @@ def _cases() -> Iterable[Case]:
     yield Case("geometry", "networks", partial(network_lines, 1, 6))
     yield Case("geometry", "folds", partial(fold_lines, 1, 9))
     yield Case("formulas", "formulas", partial(formula_lines, 1, 70))
+    yield Case("formulas", "ranges", partial(range_lines, 1000, 160))
+    yield Case("formulas", "mining", mining_lines)
     yield Case("formulas", "online", partial(online_lines, 1, 40))
     yield Case("formulas", "plot", plot_lines, FIGURE)
     for name in SOURCES:

@@ -63,6 +63,59 @@ def online_lines(first: int, count: int) -> Iterator[str]:
         yield f"  {_value(said)} {' '.join(runs(verdicts))}"
 
 
+def range_lines(first: int, count: int) -> Iterator[str]:
+    """Deeper formulas: what later samples may make of them, and slopes of their smooth values."""
+    rng = np.random.default_rng(first)
+    for seed in range(first, first + count):
+        formula = FormulaDraw(seed, past=seed % 5 > 0).formula(2 + seed % 2)
+        size = int(rng.integers(3, 20))
+        positions = np.cumsum(rng.choice([0.5, 0.5, 1.0], size)) - 0.5
+        signals = {name: np.round(rng.normal(0.0, 2.0, size), 1) for name in NAMES}
+        yield f"{seed}: {formula}"
+        try:
+            yield f"  range {[_value(end) for end in formula.range(positions, signals)]}"
+            value, slopes = stl.smooth_rho(formula, positions, signals, sharpness=3.0)
+            yield f"  smooth {_value(value)} {[_value(slopes[name]) for name in sorted(slopes)]}"
+        except DiagnosticError as fault:
+            yield f"  {fault}".replace("\n", " / ")
+
+
+_MINED = (
+    ("always (x < high)", {"high": (-9.0, 9.0)}),
+    ("always (x > low)", {"low": (-9.0, 9.0)}),
+    ("always (x > low and x < high)", {"low": (-9.0, 0.0), "high": (0.0, 9.0)}),
+    ("eventually[0, tau] (y > level)", {"tau": (0.0, 25.0), "level": (-3.0, 3.0)}),
+    ("always (x > 2 implies eventually[0, tau] (y < 0))", {"tau": (0.0, 25.0)}),
+    ("always[tau, 20] (z < 1.5)", {"tau": (0.0, 19.0)}),
+    ("always (abs(x - level) > 0.5)", {"level": (-4.0, 4.0)}),
+    ("always (x < high)", {"high": (-9.0, 0.0)}),
+)
+
+
+def mining_lines() -> Iterator[str]:
+    """Formulas with parameters, and the tightest of these."""
+    positions = np.arange(0.0, 30.0, 0.5)
+    recordings = [
+        (
+            positions,
+            {"x": 3.0 * np.sin(positions / a), "y": np.cos(positions / b), "z": positions / 20},
+        )
+        for a, b in ((4.0, 3.0), (5.5, 2.0))
+    ]
+    ways = ({}, {"margin": 0.25}, {"digits": 3}, {"unknown_holds": True})
+    for text, bounds in _MINED:
+        parameters = [stl.Parameter(name, *ends) for name, ends in bounds.items()]
+        for options in ways:
+            yield f"{text} {options}"
+            try:
+                yield f"  {stl.mine(text, parameters, recordings, **options)}"
+                if len(parameters) > 1:
+                    for point in stl.mine_front(text, parameters, recordings, points=5, **options):
+                        yield f"  front {point}"
+            except DiagnosticError as fault:
+                yield f"  {fault}".replace("\n", " / ")
+
+
 def plot_lines() -> Iterator[str]:
     """The plot of a formula on a trace."""
     formula = stl.parse("always (abs(x) < 3 or eventually[0, 4] (y > 1)) and once (z < 2)")
