@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import Request, roads_of_photo
+from roadlang_standard.extraction.aerial import Request, Seen, roads_of_evidence, roads_of_photo
 from roadlang_standard.extraction.evidence import evidence, road_net
 from roadlang_standard.extraction.exposure import even_exposure
 from training.rendering.aerial import render_aerial
@@ -65,6 +65,17 @@ def test_two_clicks_draw_a_road_where_none_is_seen() -> None:
     ends = sorted([tuple(road.points[0]), tuple(road.points[-1])])
     assert np.hypot(*(np.array(ends) - clicks).T).max() < 12
     assert (road.widths == 8).all()
+
+
+def test_one_point_is_enough_where_all_roads_are_faint() -> None:
+    faint = np.zeros((120, 160), np.float32)
+    faint[55:63] = 0.6
+    seen = Seen(faint, faint)
+    found = roads_of_evidence(seen, Request(through=((20.0, 40.0),), only_through=True))
+    (road,) = found.roads
+    assert road.points[:, 1] == pytest.approx(59.0, abs=20.0)
+    dark = Seen(np.zeros_like(faint), np.zeros_like(faint))
+    assert roads_of_evidence(dark, Request(through=((20.0, 40.0),), only_through=True)).roads == ()
 
 
 def test_what_is_boxed_out_stays_out() -> None:

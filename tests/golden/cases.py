@@ -8,6 +8,7 @@ from functools import partial
 
 from tests.golden.comparing import FIGURE, NUMBERS
 from tests.golden.engine_views import layout_lines
+from tests.golden.extraction_views import evidence_lines, picture_lines
 from tests.golden.fold_views import fold_lines
 from tests.golden.formula_views import (
     formula_lines,
@@ -51,6 +52,7 @@ STILL = {
     "halton": 3,
     "places": 2,
     "right_places": 2,
+    "drawn": 4,
 }
 TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", "cross_yield")
 DRIVEN = (
@@ -61,6 +63,8 @@ DRIVEN = (
     "conditions",
     "lap",
     "roundabout",
+    "joined",
+    "tour",
     *TOWNS,
 )
 FIGURES = (
@@ -73,8 +77,14 @@ FIGURES = (
     "roundabout",
     "conditions",
     "lap",
+    "joined",
+    "drawn",
+    "tour",
 )
-BUILT = ("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout")
+BUILT = (
+    *("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout"),
+    *("joined", "tour"),
+)
 SOURCES = (
     "pieces",
     "bent",
@@ -87,6 +97,8 @@ SOURCES = (
     "cross_signals",
     "guided",
     "replay",
+    "drawn",
+    "tour",
 )
 TWEAKED = {
     "pieces": 20,
@@ -98,6 +110,8 @@ TWEAKED = {
     "picture": 8,
     "table": 8,
     "search": 10,
+    "drawn": 24,
+    "joined": 10,
 }
 COMMANDS = (
     ("plugins", "show", "car"),
@@ -157,8 +171,18 @@ def _cases() -> Iterable[Case]:
     yield Case("scenes", "table.console", partial(console_lines, "table", "-n", "4"))
     for name, changes in TWEAKED.items():
         yield Case("tweaks", f"{name}.tweaks", partial(tweaked_lines, name, changes))
-    for name in ("controllers", "lane_changes", "conditions", "lap", "cross_stop", "replay"):
+    for name in (
+        "controllers",
+        "lane_changes",
+        "conditions",
+        "lap",
+        "cross_stop",
+        "replay",
+        "joined",
+    ):
         yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 7, drive=True))
+    yield Case("extraction", "evidence", partial(evidence_lines, 1, 6), FIGURE)
+    yield Case("extraction", "pictures", partial(picture_lines, 1, 5), FIGURE)
     for first in (1, 2, 3):
         yield Case("geometry", f"junctions.{first}", partial(junction_lines, 100 * first, 14))
     yield Case("geometry", "curves", partial(curve_lines, 1, 16))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -102,7 +103,12 @@ def mining_lines() -> Iterator[str]:
         )
         for a, b in ((4.0, 3.0), (5.5, 2.0))
     ]
-    ways = ({}, {"margin": 0.25}, {"digits": 3}, {"unknown_holds": True})
+    ways: tuple[dict[str, Any], ...] = (
+        {},
+        {"margin": 0.25},
+        {"digits": 3},
+        {"unknown_holds": True},
+    )
     for text, bounds in _MINED:
         parameters = [stl.Parameter(name, *ends) for name, ends in bounds.items()]
         for options in ways:

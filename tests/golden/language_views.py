@@ -57,7 +57,9 @@ def scenario_lines(name: str) -> Iterator[str]:
     text = "\n".join(printed("check", "--scenario", str(SCENES / f"{name}.rl")))
     code, _, document = text.partition("\n")
     yield code
-    yield from of_json(json.loads(document))
+    found, end = json.JSONDecoder().raw_decode(document)
+    yield from of_json(found)
+    yield from document[end:].strip().splitlines()
 
 
 def command_output(commands: Iterable[tuple[str, ...]]) -> Iterator[str]:

@@ -183,8 +183,8 @@ def roads_of_evidence(
     surface = seen.surface.copy()
     score = cv2.GaussianBlur(seen.blend, (0, 0), 1.0)
     leave_out([surface, score], request.leave_out)
-    if request.through:
-        ways = ways_through(score, _at_least_two(request.through, score > cutoffs.strong))
+    ways = _ways_through(request.through, score, cutoffs.strong)
+    if ways:
         if request.only_through:
             _forget_others([surface, score], score, ways, cutoffs.weak)
         for path in ways:
@@ -233,13 +233,17 @@ def _length(graph: Graph) -> float:
     return sum(line.length for line in graph.lines)
 
 
-def _at_least_two(points: tuple[tuple[float, float], ...], road: NDArray[np.bool_]) -> Floats:
-    """The points; of one alone, also the nearest that is surely road."""
-    polyline = np.array(points, float)
-    if len(polyline) > 1 or not road.any():
-        return polyline
-    seen = np.argwhere(road)[:, ::-1]
-    return np.vstack([polyline, seen[np.argmin(np.hypot(*(seen - polyline[0]).T))]])
+def _ways_through(
+    points: tuple[tuple[float, float], ...], score: Layer, strong: float
+) -> list[Floats]:
+    """The ways from each of the points to the next; of one point alone, to the nearest pixel that
+    is surely road, or as surely as any."""
+    polyline = np.array(points, float).reshape(-1, 2)
+    road = score > min(strong, 0.9 * float(score.max()))
+    if len(polyline) == 1 and road.any():
+        seen = np.argwhere(road)[:, ::-1]
+        polyline = np.vstack([polyline, seen[np.argmin(np.hypot(*(seen - polyline[0]).T))]])
+    return ways_through(score, polyline)
 
 
 def _forget_others(layers: list[Layer], score: Layer, ways: list[Floats], weak: float) -> None:
