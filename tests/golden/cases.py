@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 
+from tests.golden.command_views import SEQUENCES, sequence_lines
 from tests.golden.comparing import FIGURE, NUMBERS
 from tests.golden.engine_views import layout_lines
 from tests.golden.extraction_views import evidence_lines, picture_lines
@@ -200,6 +201,8 @@ def _cases() -> Iterable[Case]:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "commands", partial(command_output, COMMANDS))
+    for name in SEQUENCES:
+        yield Case("searches", f"{name}.commands", partial(sequence_lines, name), FIGURE)
     few = {"evaluations": 60, "batch": 20}
     for kind in ("cma", "random", "grid", "halton"):
         lines = partial(search_lines, "search", searcher=kind, **few)

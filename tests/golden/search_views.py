@@ -64,11 +64,11 @@ def folder_lines(folder: Path) -> Iterator[str]:
     for file in sorted(folder.rglob("*")):
         yield f"file {file.relative_to(folder)}"
         if file.suffix == ".csv" and file not in traces[1:]:
-            yield from _table(file.read_text(encoding="utf-8"))
+            yield from table_lines(file.read_text(encoding="utf-8"))
     yield from page_lines(report(folder, registry_of({})))
 
 
-def _table(text: str) -> Iterator[str]:
+def table_lines(text: str) -> Iterator[str]:
     """A line for each column of a table."""
     head, *rows = csv.reader(text.splitlines())
     for index, name in enumerate(head):
