@@ -36,6 +36,14 @@ def test_a_line_that_was_not_finished_is_cut_off(path: Path, cut: int) -> None:
     assert JournalFile(path, "key", resume=True).lines == [b'{"a": 1}', b'{"c": 3}']
 
 
+def test_a_journal_without_a_line_is_gone_on_with(path: Path) -> None:
+    JournalFile(path, "key", resume=False)
+    later = JournalFile(path, "key", resume=True)
+    assert later.lines == []
+    later.append([b"1"])
+    assert JournalFile(path, "key", resume=True).lines == [b"1"]
+
+
 def test_a_header_without_its_line_break_gets_one(path: Path) -> None:
     JournalFile(path, "key", resume=False)
     path.write_bytes(path.read_bytes().rstrip(b"\n"))

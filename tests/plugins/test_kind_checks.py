@@ -74,6 +74,10 @@ FAULTS = {
         "Bad does not implement `displacement` or `displacements`; `displacments`: "
         "did you mean `displacements`?", 9,
     ),
+    "a method that has another use": (
+        kind("Perturber", "def smoothed(self, values): return values"),
+        "Bad does not implement `displacement` or `displacements` (", 6,
+    ),
     "a backend without a method": (
         kind("Backend"), "Bad does not implement `files` or `collection` or `send`", 6,
     ),

@@ -1,0 +1,60 @@
+"""What a kind is that says nothing about itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from roadlang import testing
+from roadlang.api import LaneKind, Length, Number, Reader, Whole, option
+from roadlang.geometry import Curve
+
+STREET = "road main { draw with segments { pieces: [straight(90m)] }, LANES }\n"
+
+
+@dataclass(frozen=True)
+class Strip(LaneKind):
+    """A lane that says nothing."""
+
+    name: ClassVar[str] = "strip"
+
+
+def test_a_lane_is_a_strip_of_3_m_that_nobody_drives_on() -> None:
+    text = STREET.replace("LANES", "right: [drive(3m), strip, strip], left: [drive(3m)]")
+    (scene,) = testing.sample(text, kinds=[Strip])
+    lanes = {lane.id: lane for lane in scene.record.roads[0].lane_list}
+    strip = lanes[-2]
+    assert (strip.kind, strip.direction, strip.users) == ("strip", "forward", ())
+    assert set(strip.width) == {3.0}
+    assert not strip.raised
+    assert set(scene.record.roads[0].width) == {6.0}
+    assert (lanes[-1].marking, strip.marking) == ("solid", "broken")
+
+
+@dataclass(frozen=True)
+class Shapes(Reader):
+    """A road as long as it is told, and what its options were."""
+
+    name: ClassVar[str] = "shapes"
+    reads: ClassVar[tuple[str, ...]] = ("road",)
+    seen: ClassVar[list[dict[str, Any]]] = []
+    length: Length = option(30.0, minimum=1)
+    share: Number = option(0.5)
+    count: Whole = option(3)
+
+    def read(self, path: Path) -> Any:
+        self.seen.append({field.name: getattr(self, field.name) for field in fields(self)})
+        points = np.array([[0.0, 0.0], [self.length, 0.0], [2.0 * self.length, 9.0]])
+        return Curve.through(points)
+
+
+def test_a_reader_gets_plain_numbers(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_text("a road")
+    text = 'road main from "a.txt" { read with shapes { length: 40m, count: 5 }, width: 7m }\n'
+    testing.sample(text, kinds=[Shapes], folder=tmp_path)
+    seen = Shapes.seen[-1]
+    assert seen == {"length": 40.0, "share": 0.5, "count": 5}
+    assert [type(value) for value in seen.values()] == [float, float, int]
