@@ -21,6 +21,7 @@ from tests.golden.formula_views import (
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.interface_views import interface_lines
 from tests.golden.language_views import command_output, fault_lines, scenario_lines
+from tests.golden.mistake_views import mistake_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
 from tests.golden.scene_views import (
     console_lines,
@@ -201,6 +202,7 @@ def _cases() -> Iterable[Case]:
     for name in SOURCES:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
+    yield Case("language", "mistakes", mistake_lines)
     yield Case("language", "interface", interface_lines)
     yield Case("language", "commands", partial(command_output, COMMANDS))
     for name in SEQUENCES:

@@ -18,7 +18,8 @@ _TOKEN = re.compile(r'"[^"\n]*"|\w+|\.\.|[^\w\s]|\n')
 _OTHERS = ("(", ")", "{", "}", ",", ":", "5m", "3", "main", "always", "<", "with", "1m..2m", '"a"')
 
 
-def _said(found: Diagnostic) -> str:
+def said(found: Diagnostic) -> str:
+    """A diagnostic in a line: place, code, message, help, fixes, labels."""
     place = "-"
     if found.span is not None:
         place = f"{found.span.line}:{found.span.column}+{found.span.end - found.span.start}"
@@ -49,7 +50,7 @@ def fault_lines(name: str, count: int) -> Iterator[str]:
         except RecursionError:
             continue
         for found in diagnostics[:4]:
-            yield "  " + _said(found).replace(str(SCENES), "SCENES").replace("\n", " / ")
+            yield "  " + said(found).replace(str(SCENES), "SCENES").replace("\n", " / ")
 
 
 def scenario_lines(name: str) -> Iterator[str]:

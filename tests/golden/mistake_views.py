@@ -1,0 +1,26 @@
+"""What is said of scene files with one mistake each, in lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roadlang.plugins.discovery import registry_of
+from roadlang.semantics import check_text
+from tests.golden.comparing import SCENES
+from tests.golden.language_views import said
+
+_FOLDER = SCENES / "mistakes"
+_BEFORE = """road main { draw with segments { pieces: [straight(80m), arc(60m, 40deg)] } lanes: 2 }
+agent ego is car on main at 20m { drive with car_follow { speed: 9m/s } }
+"""
+
+
+def mistake_lines() -> Iterator[str]:
+    """Each part of `mistakes.txt`, and all errors and warnings of it."""
+    registry = registry_of({})
+    text = (_FOLDER / "mistakes.txt").read_text(encoding="utf-8")
+    for part in text.strip().split("\n\n"):
+        yield from (f"> {line}" for line in part.splitlines())
+        _, diagnostics = check_text(f"{_BEFORE}{part}\n", _FOLDER / "scene.rl", {}, registry)
+        for found in diagnostics:
+            yield "  " + said(found).replace(str(SCENES), "SCENES").replace("\n", " / ")
