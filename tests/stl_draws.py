@@ -18,9 +18,12 @@ from roadlang.stl.formula.formulas import (
     Connective,
     LogicalJunction,
     Pointwise,
+    SampleStep,
     TemporalOperator,
+    TruthChange,
 )
 from roadlang.stl.formula.terms import ArithmeticOperator
+from roadlang.syntax.operators import BY_WORD
 
 Shape = TypeVar("Shape", bound=Compound)
 
@@ -30,7 +33,8 @@ NAMES = ("x", "y", "z")
 class FormulaDraw:
     """Draws formulas: with `past` operators or not, with `corners` (truth values, equality, bounds
     between samples) or not; `bounded` leaves out infinite intervals and products of signals;
-    `divisions` have quotients, whose divisor may be 0.
+    `divisions` have quotients, whose divisor may be 0;
+    `contextual`: with the operators that are words only where they fit.
     """
 
     def __init__(
@@ -41,9 +45,10 @@ class FormulaDraw:
         corners: bool = True,
         bounded: bool = False,
         divisions: bool = False,
+        contextual: bool = True,
     ) -> None:
         self.random = random.Random(seed)
-        self.divisions = divisions
+        self.divisions, self.contextual = divisions, contextual
         self.past, self.corners, self.bounded = past, corners, bounded
         self.step = 0.5
 
@@ -93,7 +98,7 @@ class FormulaDraw:
 
     def _logic(self, depth: int) -> stl.Formula:
         draw = self.random
-        kind = draw.choice(_of_shape(Pointwise))
+        kind = draw.choice(self._of_shape(Pointwise))
         if issubclass(kind, LogicalJunction):
             parts = [self.formula(draw.randint(0, depth)) for _ in range(draw.randint(2, 3))]
             return kind.of(parts)
@@ -103,16 +108,21 @@ class FormulaDraw:
 
     def _temporal(self, depth: int) -> stl.Formula:
         draw = self.random
-        kinds = _of_shape(TemporalOperator)
+        kinds = self._of_shape(TemporalOperator)
         kind = draw.choice([kind for kind in kinds if self.past or not kind.past])
         if issubclass(kind, BinaryTemporal):
             sides = [self.formula(draw.randint(0, depth)), self.formula(depth)]
             return kind.of(sides, self.interval())
+        if issubclass(kind, SampleStep | TruthChange):
+            return kind.of([self.formula(depth)])
         return kind.of([self.formula(depth)], self.interval())
 
-
-def _of_shape(shape: type[Shape]) -> list[type[Shape]]:
-    return [kind for kind in COMPOUNDS.values() if issubclass(kind, shape)]
+    def _of_shape(self, shape: type[Shape]) -> list[type[Shape]]:
+        return [
+            kind
+            for word, kind in COMPOUNDS.items()
+            if issubclass(kind, shape) and (self.contextual or not BY_WORD[word].contextual)
+        ]
 
 
 def draw_trace(

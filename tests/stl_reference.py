@@ -84,7 +84,42 @@ class Reference:
                     ),
                     default=-math.inf,
                 )
+            case stl.Release(interval, p, q):
+                return min(
+                    (
+                        max(at(q, i), *(at(p, j) for j in range(k, i)), -math.inf)
+                        for i in self._ahead(k, interval)
+                    ),
+                    default=math.inf,
+                )
+            case stl.PastRelease(interval, p, q):
+                return min(
+                    (
+                        max(at(q, i), *(at(p, j) for j in range(i + 1, k + 1)), -math.inf)
+                        for i in self._behind(k, interval)
+                    ),
+                    default=math.inf,
+                )
+            case stl.WeakUntil(interval, p, q):
+                hi = interval.hi if interval else math.inf
+                to_end = min(at(p, i) for i in self._ahead(k, stl.Interval(0, hi)))
+                return max(at(stl.Until(interval, p, q), k), to_end)
+            case stl.WeakSince(interval, p, q):
+                hi = interval.hi if interval else math.inf
+                to_end = min(at(p, i) for i in self._behind(k, stl.Interval(0, hi)))
+                return max(at(stl.Since(interval, p, q), k), to_end)
+            case stl.Next(_, p):
+                return at(p, k + 1) if self._is_sample(k + 1) else -math.inf
+            case stl.Prev(_, p):
+                return at(p, k - 1) if self._is_sample(k - 1) else -math.inf
+            case stl.Rise(_, p):
+                return min(at(p, k), -at(p, k - 1) if self._is_sample(k - 1) else math.inf)
+            case stl.Fall(_, p):
+                return min(-at(p, k), at(p, k - 1) if self._is_sample(k - 1) else math.inf)
         raise TypeError(formula)
+
+    def _is_sample(self, k: int) -> bool:
+        return self.wrap is not None or 0 <= k < len(self.positions)
 
     def _position(self, k: int) -> float:
         laps, sample = divmod(k, len(self.positions))

@@ -197,6 +197,8 @@ def _cases() -> Iterable[Case]:
     yield Case("formulas", "formulas", partial(formula_lines, 1, 70))
     yield Case("formulas", "ranges", partial(range_lines, 1000, 160))
     yield Case("formulas", "mining", mining_lines)
+    late = partial(formula_lines, 501, 60, contextual=True)
+    yield Case("formulas", "contextual_formulas", late)
     yield Case("formulas", "online", partial(online_lines, 1, 40))
     yield Case("formulas", "plot", plot_lines, FIGURE)
     for name in SOURCES:

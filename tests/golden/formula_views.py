@@ -18,11 +18,11 @@ def _value(value: object) -> str:
     return array(np.atleast_1d(np.asarray(value, dtype=float)).ravel().tolist())
 
 
-def formula_lines(first: int, count: int) -> Iterator[str]:
+def formula_lines(first: int, count: int, *, contextual: bool = False) -> Iterator[str]:
     """`count` formulas from the seed `first` on."""
     rng = np.random.default_rng(first)
     for seed in range(first, first + count):
-        draw = FormulaDraw(seed, past=seed % 3 > 0, divisions=seed % 4 == 0)
+        draw = FormulaDraw(seed, past=seed % 3 > 0, divisions=seed % 4 == 0, contextual=contextual)
         formula = draw.formula(1 + seed % 3)
         size = int(rng.integers(2, 40))
         positions = np.cumsum(rng.choice([0.5, 0.5, 1.0], size)) - 0.5
@@ -52,7 +52,7 @@ def online_lines(first: int, count: int) -> Iterator[str]:
     """Formulas that are monitored sample by sample, and over bounds of what is not seen yet."""
     rng = np.random.default_rng(first)
     for seed in range(first, first + count):
-        formula = FormulaDraw(seed, bounded=True).formula(1 + seed % 2)
+        formula = FormulaDraw(seed, bounded=True, contextual=False).formula(1 + seed % 2)
         yield f"{seed}: {formula}"
         monitor = stl.OnlineMonitor(formula)
         said: list[float] = []
@@ -68,7 +68,7 @@ def range_lines(first: int, count: int) -> Iterator[str]:
     """Deeper formulas: what later samples may make of them, and slopes of their smooth values."""
     rng = np.random.default_rng(first)
     for seed in range(first, first + count):
-        formula = FormulaDraw(seed, past=seed % 5 > 0).formula(2 + seed % 2)
+        formula = FormulaDraw(seed, past=seed % 5 > 0, contextual=False).formula(2 + seed % 2)
         size = int(rng.integers(3, 20))
         positions = np.cumsum(rng.choice([0.5, 0.5, 1.0], size)) - 0.5
         signals = {name: np.round(rng.normal(0.0, 2.0, size), 1) for name in NAMES}

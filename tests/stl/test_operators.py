@@ -11,8 +11,8 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.formula.formulas import COMPOUNDS, TemporalOperator
-from roadlang.syntax.operators import BY_WORD, OPERATORS, Operator
+from roadlang.stl.formula.formulas import COMPOUNDS, TemporalOperator, TruthChange
+from roadlang.syntax.operators import BY_WORD, OPERATORS, PREFIXES, Operator
 from roadlang.syntax.parsing import tables
 
 P, Q = stl.parse("x > 1"), stl.parse("y < 2")
@@ -20,7 +20,7 @@ P, Q = stl.parse("x > 1"), stl.parse("y < 2")
 
 def example(operator: Operator) -> stl.Formula:
     """The operator over `x > 1` and, if it takes two, `y < 2`."""
-    parts = [P] if operator.form in ("not", "temporal") else [P, Q]
+    parts = [P] if operator.form in PREFIXES else [P, Q]
     interval = stl.Interval(1, 2) if operator.form in ("temporal", "binding") else None
     return COMPOUNDS[operator.word].of(parts, interval)
 
@@ -28,7 +28,7 @@ def example(operator: Operator) -> stl.Formula:
 def written(operator: Operator, spelling: str, interval: str = "[1, 2]") -> str:
     """The text of the example with another spelling of the operator."""
     word = spelling + (interval if operator.form in ("temporal", "binding") else "")
-    if operator.form in ("not", "temporal"):
+    if operator.form in PREFIXES:
         return f"{word} (x > 1)"
     return f"(x > 1) {word} (y < 2)"
 
@@ -98,7 +98,7 @@ def test_every_operator_survives_text_and_json(operator: Any) -> None:
 @pytest.mark.parametrize("operator", OPERATORS, ids=lambda operator: operator.word)
 def test_a_mirror_looks_the_other_way(operator: Any) -> None:
     kind = COMPOUNDS[operator.word]
-    if not issubclass(kind, TemporalOperator):
+    if not issubclass(kind, TemporalOperator) or issubclass(kind, TruthChange):
         assert not operator.mirror
         return
     mirror = COMPOUNDS[operator.mirror]

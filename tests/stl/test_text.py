@@ -49,7 +49,6 @@ def test_printed_formulas_read_back(seed: int) -> None:
         ("x", "RL320", 1, "(x > 0)"),
         ("(a < b) + 1 > 0", "RL321", 2, None),
         ("abbs(x) < 1", "RL322", 1, "abs"),
-        ("next (x < 1)", "RL322", 1, None),
         ('"x" < 1', "RL323", 1, "x"),
         ("x < 1..2", "RL323", 5, None),
         ("x < 5mtr", "RL324", 5, "5"),

@@ -69,6 +69,10 @@ class ControllerCondition:
                 start = np.full(self._count, formula.least)
                 join = np.logical_and if formula.least else np.logical_or
                 return np.asarray(join.reduce([start, *parts]))
+            case stl.SampleStep():
+                before = self._past.get(place) or ((0.0, np.zeros(self._count, dtype=bool)),)
+                self._past[place] = deque([(time, parts[0], parts[0])])
+                return before[0][1]
             case stl.UnaryTemporal(interval) | stl.BinaryTemporal(interval):
                 return self._window(formula, parts, interval, place, time)
         raise unsupported(str(formula))

@@ -30,19 +30,28 @@ if TYPE_CHECKING:
         Comparison,
         Connective,
         Eventually,
+        Fall,
         Formula,
         Historically,
         Iff,
         Implies,
         LogicalJunction,
+        Next,
         Not,
         Once,
         Or,
+        PastRelease,
+        Prev,
+        Release,
+        Rise,
+        SampleStep,
         Since,
         TemporalOperator,
         Truth,
         UnaryTemporal,
         Until,
+        WeakSince,
+        WeakUntil,
         Xor,
     )
     from .formula.interval import UNBOUNDED, Interval
@@ -51,8 +60,9 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "formula.formulas": (
-        "Always And BinaryTemporal Comparison Connective Eventually Formula Historically Iff "
-        "Implies LogicalJunction Not Once Or Since TemporalOperator Truth UnaryTemporal Until Xor"
+        "Always And BinaryTemporal Comparison Connective Eventually Fall Formula Historically "
+        "Iff Implies LogicalJunction Next Not Once Or Prev Release Rise SampleStep Since "
+        "TemporalOperator PastRelease Truth UnaryTemporal Until WeakSince WeakUntil Xor"
     ),
     "explain.causes": "ViolationInterval",
     "explain.explanation": "Explanation Link",
@@ -85,6 +95,7 @@ __all__ = [
     "DecidedSample",
     "Eventually",
     "Explanation",
+    "Fall",
     "Formula",
     "Historically",
     "Iff",
@@ -94,12 +105,18 @@ __all__ = [
     "LogicalJunction",
     "Mined",
     "Negate",
+    "Next",
     "Not",
     "Once",
     "OnlineMonitor",
     "Or",
     "Parameter",
+    "PastRelease",
+    "Prev",
     "Range",
+    "Release",
+    "Rise",
+    "SampleStep",
     "Since",
     "StreamMonitor",
     "TemporalOperator",
@@ -110,6 +127,8 @@ __all__ = [
     "Variable",
     "Verdict",
     "ViolationInterval",
+    "WeakSince",
+    "WeakUntil",
     "Xor",
     "from_json",
     "mine",

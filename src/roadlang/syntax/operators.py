@@ -9,8 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-Form: TypeAlias = Literal["not", "temporal", "binding", "logic"]
-"""`not p`; `always[a, b] p`; `p until[a, b] q`; `p and q`."""
+Form: TypeAlias = Literal["not", "temporal", "step", "binding", "logic"]
+"""`not p`; `always[a, b] p`; `next p`; `p until[a, b] q`; `p and q`."""
+
+PREFIXES: tuple[Form, ...] = ("not", "temporal", "step")
+"""The forms with one operand, which follows the word."""
 
 IFF, IMPLIES, OR, AND, UNTIL, PREFIX, COMPARISON = range(1, 8)
 """How tightly operators bind, from loose to tight."""
@@ -41,6 +44,8 @@ class Operator:
     rtamt: str = ""
     """The word of RTAMT; without one the operator is written by others."""
     mirror: str = ""
+    contextual: bool = False
+    """A word only where nothing else fits: options and names may be called the same."""
 
 
 OPERATORS: tuple[Operator, ...] = (
@@ -95,6 +100,33 @@ OPERATORS: tuple[Operator, ...] = (
         "since", "binding", UNTIL, PREFIX, "since",
         letter="S", breach=("since",), rtamt="since", mirror="until",
     ),
+    Operator(
+        "release", "binding", UNTIL, PREFIX, "release",
+        letter="R", mirror="trigger", contextual=True,
+    ),
+    Operator(
+        "trigger", "binding", UNTIL, PREFIX, "trigger",
+        letter="T", mirror="release", contextual=True,
+    ),
+    Operator(
+        "weak_until", "binding", UNTIL, PREFIX, "weak_until",
+        letter="W", mirror="weak_since", contextual=True,
+    ),
+    Operator(
+        "weak_since", "binding", UNTIL, PREFIX, "weak_since",
+        letter="B", mirror="weak_until", contextual=True,
+    ),
+    Operator(
+        "next", "step", PREFIX, PREFIX, "next",
+        letter="X", symbols=("○", "◯"), latex=("bigcirc", "circ"), rtamt="s_next",
+        mirror="prev", contextual=True,
+    ),
+    Operator(
+        "prev", "step", PREFIX, PREFIX, "prev",
+        letter="Y", latex=("ominus",), rtamt="s_prev", mirror="next", contextual=True,
+    ),
+    Operator("rise", "step", PREFIX, PREFIX, "rise", rtamt="rise", contextual=True),
+    Operator("fall", "step", PREFIX, PREFIX, "fall", rtamt="fall", contextual=True),
 )  # fmt: skip
 
 BY_WORD: dict[str, Operator] = {operator.word: operator for operator in OPERATORS}

@@ -10,16 +10,22 @@ from .tree import statements
 
 STATEMENTS = tuple(word for node in statements.STATEMENTS for word in node.words)
 CONNECTIVES = ("from", "is", "on", "at")
-RESERVED = ("true", "false", "with", *BY_WORD)
+RESERVED = (
+    "true", "false", "with",
+    *(word for word, operator in BY_WORD.items() if not operator.contextual),
+)  # fmt: skip
+
+NOT_NAMES = frozenset((*RESERVED, *STATEMENTS, *CONNECTIVES, "as", "inf"))
+"""Words that name no signal unless they are in back quotes."""
 
 DEEPEST = 150
 """Levels of a statement. Later passes go through trees by recursion, within Python's limit."""
 
 STATEMENT_KINDS = frozenset(word.upper() for word in STATEMENTS)
 RESERVED_KINDS = frozenset(word.upper() for word in RESERVED)
-TEMPORAL_KINDS = token_kinds("temporal")
+TEMPORAL_KINDS = token_kinds("temporal", "step")
 BINDING_KINDS = token_kinds("binding")
-LOGIC_KINDS = token_kinds("not", "logic", "temporal", "binding")
+LOGIC_KINDS = token_kinds("not", "logic", "temporal", "step", "binding")
 OPERATOR_KINDS = {"PLUS", "MINUS", "TIMES", "DIVIDE", "POWER", "COMPARISON", "RANGE"}
 OPENERS = {"LPAR": "RPAR", "LSQB": "RSQB", "LBRACE": "RBRACE"}
 CLOSERS = {closer: opener for opener, closer in OPENERS.items()}

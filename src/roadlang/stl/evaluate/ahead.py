@@ -32,6 +32,7 @@ def extended_axis(formula: f.Formula, positions: FloatArray) -> SamplePositions:
         axis,
         positions=np.concatenate([axis.positions, lows]),
         ends=np.concatenate([axis.positions, highs]),
+        seen=axis.size,
     )
 
 

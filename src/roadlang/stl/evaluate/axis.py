@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.interval import UNBOUNDED, Interval
+from ..formula.interval import UNBOUNDED, Interval, NeighborWindow, Reach
 from .trace import FloatArray
 
 IntArray = NDArray[np.intp]
@@ -86,13 +86,15 @@ class SamplePositions:
     road if it is closed.
 
     `ends` (S,) differs from `positions` for stand-ins only (`ahead.py`): such a sample is anywhere
-    between the two. `tolerance`: how far from a window a sample may lie and still belong to it.
+    between the two, and they follow the first `seen` samples. `tolerance`: how far from a window a
+    sample may lie and still belong to it.
     """
 
     positions: FloatArray
     tolerance: float
     wrap: float | None = None
     ends: FloatArray | None = None
+    seen: int | None = None
 
     @classmethod
     def of(cls, positions: FloatArray, wrap: float | None = None) -> SamplePositions:
@@ -113,7 +115,7 @@ class SamplePositions:
 
     def windows(
         self,
-        interval: Interval | None,
+        reach: Reach,
         targets: tuple[int, int],
         *,
         past: bool,
@@ -123,24 +125,26 @@ class SamplePositions:
 
         `path` extends the operand's span to the samples that are evaluated, as until needs.
         """
-        counted = self._counted(interval, targets, past=past, path=path)
+        counted = self._counted(reach, targets, past=past, path=path)
         return None if (counted.ends < counted.starts).all() else self._relative(counted, path)
 
-    def between_samples(
-        self, interval: Interval | None, targets: tuple[int, int], *, past: bool
-    ) -> BoolArray:
+    def between_samples(self, reach: Reach, targets: tuple[int, int], *, past: bool) -> BoolArray:
         """Which of the samples `targets` have a window that falls between two samples.
 
         A window beyond the end of the trace, or before its start, is not one of them.
         """
-        counted = self._counted(interval, targets, past=past, path=False)
+        counted = self._counted(reach, targets, past=past, path=False)
+        if isinstance(reach, NeighborWindow):
+            return np.zeros(counted.starts.size, dtype=bool)
         empty = (counted.ends < counted.starts) & (counted.starts < self.size * counted.laps)
         return empty[::-1] if past else empty
 
     def _counted(
-        self, interval: Interval | None, targets: tuple[int, int], *, past: bool, path: bool
+        self, reach: Reach, targets: tuple[int, int], *, past: bool, path: bool
     ) -> _CountedWindows:
-        interval = interval or UNBOUNDED
+        if isinstance(reach, NeighborWindow):
+            return self._neighbors(targets, past=past)
+        interval = reach or UNBOUNDED
         laps = 1
         if self.wrap is not None:
             interval = _unrolled(interval, self.wrap, self.tolerance, keep_lead=path)
@@ -152,6 +156,24 @@ class SamplePositions:
         if laps > 1 and self.wrap is not None:
             lows = highs = (lows + self.wrap * np.arange(laps)[:, None]).ravel()
         starts, ends = _bounds(lows, highs, interval, targets, self.tolerance)
+        return _CountedWindows(starts, ends, targets, laps, past)
+
+    def _neighbors(self, targets: tuple[int, int], *, past: bool) -> _CountedWindows:
+        """Behind the samples seen the neighbor is any of the stand-ins on that side: a stand-in
+        stands for many samples, so that its neighbor may be like it."""
+        seen = self.size if self.seen is None else self.seen
+        samples = np.arange(targets[0], targets[1] + 1)
+        if not past:
+            unseen = (samples >= seen - 1) & (seen < self.size)
+            starts = np.where(unseen, np.maximum(samples, seen), samples + 1)
+            ends = np.where(unseen, self.size - 1, samples + 1)
+        else:
+            unseen = samples >= seen
+            starts = np.where(unseen, self.size - 1 - samples, self.size - samples)[::-1]
+            ends = np.where(unseen, self.size - seen, self.size - samples)[::-1]
+            targets = (self.size - 1 - targets[1], self.size - 1 - targets[0])
+        laps = 1 if self.wrap is None else 2
+        ends = np.minimum(ends, self.size * laps - 1)
         return _CountedWindows(starts, ends, targets, laps, past)
 
     def _relative(self, counted: _CountedWindows, path: bool) -> Windows:

@@ -121,9 +121,11 @@ class FormulaGraph:
                 if not parts:
                     return self.formula(f.Truth(formula.least))
                 return self.add(PointwiseOperation(least if formula.least else greatest), *parts)
-            case f.UnaryTemporal(interval):
+            case f.UnaryTemporal():
                 extreme = LEAST if formula.least else GREATEST
-                return self.add(Sliding(extreme, interval, formula.past), *parts)
+                return self.add(Sliding(extreme, formula.reach, formula.past), *parts)
+            case f.SampleStep():
+                return self.add(Sliding(GREATEST, formula.reach, formula.past), *parts)
             case f.BinaryTemporal(interval):
                 return self.add(Reaching(interval, formula.past), *parts)
         raise TypeError(f"not in normal form: {formula!r}")

@@ -10,7 +10,7 @@ import numpy as np
 from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
-from ..formula.horizon import horizon
+from ..formula.horizon import horizon, looks_at_neighbors
 from .position_text import position_text
 from .ranges import range_at_start
 from .trace import SampledSignals
@@ -98,4 +98,6 @@ class OnlineMonitor:
 def _is_foldable(formula: f.Formula) -> bool:
     if not isinstance(formula, f.UnaryTemporal) or formula.interval is not None:
         return False
-    return not formula.looks_back and math.isfinite(horizon(formula.operand))
+    if formula.looks_back or looks_at_neighbors(formula):
+        return False
+    return math.isfinite(horizon(formula.operand))

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...diagnostics import Code
 from ..errors import stl_error
-from ..formula.interval import Interval
+from ..formula.interval import Interval, Reach
 from .kernels import Extreme
 from .trace import FloatArray
 
@@ -44,7 +44,7 @@ class Sliding:
     """The extreme of the input in a window."""
 
     extreme: Extreme
-    interval: Interval | None
+    reach: Reach
     past: bool
 
 

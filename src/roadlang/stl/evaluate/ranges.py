@@ -20,7 +20,7 @@ from .ahead import extended_axis
 from .axis import SamplePositions
 from .evaluation import finite_first, run_at_start
 from .graph import FormulaGraph, can_be_infinite
-from .kernels import GREATEST, LEAST
+from .kernels import GREATEST, LEAST, Extreme
 from .operations import (
     BOOLEAN,
     ROBUST,
@@ -126,6 +126,8 @@ class BoundGraph(FormulaGraph):
                 return self._reach(formula, side, later)
             case f.UnaryTemporal():
                 return self._slide(formula, side, later)
+            case f.SampleStep():
+                return self._step(formula, side, later)
         raise TypeError(f"not in normal form: {formula!r}")
 
     def _slide(self, formula: f.UnaryTemporal, side: Side, later: bool) -> int:
@@ -143,6 +145,15 @@ class BoundGraph(FormulaGraph):
             join = least if extreme is LEAST else greatest
             return self.add(AtUnseen(self.seen, join), result, operand)
         return result
+
+    def _step(self, formula: f.SampleStep, side: Side, later: bool) -> int:
+        """The next sample may not come; of a later sample the previous one may be any of many."""
+        past, reach, lower = formula.past, formula.reach, side == "lower"
+        operand = self.bound(formula.operand, side, later or not (past or lower))
+        if not past and lower:
+            operand = self._extended(operand, -np.inf)
+        extreme = Extreme(np.minimum, -np.inf) if past and lower else GREATEST
+        return self.add(Sliding(extreme, reach, past), operand)
 
     def _reach(self, formula: f.BinaryTemporal, side: Side, later: bool) -> int:
         """Later witnesses count for the upper end only, later failures for the lower end only."""

@@ -51,6 +51,8 @@ def static_truth(formula: f.Formula, variables: Mapping[str, Bounds]) -> StaticT
             case f.LogicalJunction(operands):
                 join = _both if part.least else _either
                 return reduce(join, map(of, operands), StaticTruth(part.least, part.least))
+            case f.SampleStep(_, operand):
+                return StaticTruth(False, of(operand).possible)
             case f.UnaryTemporal(_, operand):
                 return _in_window(of(operand), part)
             case f.BinaryTemporal(_, left, right):

@@ -12,12 +12,13 @@ from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon
-from ..formula.interval import UNBOUNDED
+from ..formula.interval import UNBOUNDED, NeighborWindow
 from . import operations as op
 from .graph import FormulaGraph
 from .kernels import GREATEST
 from .operations import NumberOperation, PointwiseOperation, Reaching, Read, Sliding
 from .position_text import position_text
+from .stream_neighbors import StreamNext, StreamPrevious
 from .stream_nodes import (
     Clock,
     Stream,
@@ -114,7 +115,10 @@ def _node(operation: op.Operation, inputs: int, clock: Clock) -> StreamNode | No
             return None
         case PointwiseOperation(function):
             return StreamPointwise(_SCALARS[function], inputs)
+        case Sliding(_, NeighborWindow(), past):
+            return StreamPrevious() if past else StreamNext()
         case Sliding(extreme, interval, past):
+            assert not isinstance(interval, NeighborWindow)
             window = StreamPastWindow if past else StreamFutureWindow
             return window(clock, interval or UNBOUNDED, 1 if extreme is GREATEST else -1)
         case Reaching(interval, past):

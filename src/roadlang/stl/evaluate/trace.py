@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...diagnostics import Code, did_you_mean
 from ..errors import stl_error
+from ..formula.terms import name_text
 from .position_text import position_text
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -143,9 +144,14 @@ def checked_positions(positions: Positions) -> FloatArray:
     return stations
 
 
+def _shown(name: str) -> str:
+    text = name_text(name)
+    return text if text.startswith("`") else f"`{text}`"
+
+
 def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArray[np.generic]:
     if name not in signals:
-        known = ", ".join(f"`{other}`" for other in sorted(signals)) or "none"
+        known = ", ".join(map(_shown, sorted(signals))) or "none"
         hints = (*did_you_mean(name, signals), f"the signals given are: {known}")
         raise stl_error(Code.MISSING_SIGNAL, name=name, help=hints)
     array = _unmasked(signals[name])

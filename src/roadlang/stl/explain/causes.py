@@ -12,7 +12,6 @@ from ..evaluate.evaluation import everywhere
 from ..evaluate.operations import BOOLEAN
 from ..evaluate.trace import FloatArray, SampledSignals
 from ..formula import formulas as f
-from ..formula.interval import Interval
 from ..formula.normal_form import normal_form
 
 Mask = NDArray[np.bool_]
@@ -68,28 +67,23 @@ class _Blame:
                 self.guarded[blamed] = self.guarded.get(blamed, False) | samples
             case f.Not(operand):
                 self.spread(operand, samples, not holding)
-            case f.BinaryTemporal(interval, left, right):
-                self.spread(left, self._reached(formula, interval, samples, path=True), holding)
-                self.spread(right, self._reached(formula, interval, samples, path=False), holding)
-            case f.UnaryTemporal():
-                reached = self._reached(formula, formula.interval, samples, path=False)
+            case f.BinaryTemporal(_, left, right):
+                self.spread(left, self._reached(formula, samples, path=True), holding)
+                self.spread(right, self._reached(formula, samples, path=False), holding)
+            case f.UnaryTemporal() | f.SampleStep():
+                reached = self._reached(formula, samples, path=False)
                 self.spread(formula.operand, reached, holding)
             case _:
                 for part in formula.parts:
                     self.spread(part, samples, holding)
 
-    def _reached(
-        self,
-        formula: f.TemporalOperator,
-        interval: Interval | None,
-        samples_of: Mask,
-        *,
-        path: bool,
-    ) -> Mask:
+    def _reached(self, formula: f.TemporalOperator, samples_of: Mask, *, path: bool) -> Mask:
         """The samples in the windows of `samples_of`; `path`: and those on the way to them."""
         past = formula.past
         reached = np.zeros(self.trace.samples, dtype=bool)
-        windows = self.axis.windows(interval, (0, self.trace.samples - 1), past=past, path=path)
+        windows = self.axis.windows(
+            formula.reach, (0, self.trace.samples - 1), past=past, path=path
+        )
         if windows is not None:
             low, high = windows.span
             chosen = samples_of[::-1] if past else samples_of

@@ -174,7 +174,7 @@ class _Finder:
                 return formula.expanded(), sample
             case f.BinaryTemporal():
                 return self._decider(formula, sample)
-            case f.UnaryTemporal():
+            case f.UnaryTemporal() | f.SampleStep():
                 return self._extreme(formula, sample)
         raise TypeError(f"not a formula of others: {formula!r}")
 
@@ -187,19 +187,22 @@ class _Finder:
                 return part, sample
         return None
 
-    def _extreme(self, formula: f.UnaryTemporal, sample: int) -> tuple[f.Formula, int] | None:
-        windows = self.axis.windows(formula.interval, (sample, sample), past=formula.past)
+    def _extreme(
+        self, formula: f.UnaryTemporal | f.SampleStep, sample: int
+    ) -> tuple[f.Formula, int] | None:
+        windows = self.axis.windows(formula.reach, (sample, sample), past=formula.past)
         if windows is None:
             return None
         held = windows.samples(0)
         values = self.values(formula.operand)[held]
-        extreme = np.argmin(values) if formula.least else np.argmax(values)
+        least = isinstance(formula, f.UnaryTemporal) and formula.least
+        extreme = np.argmin(values) if least else np.argmax(values)
         return formula.operand, int(held[extreme])
 
     def _decider(self, formula: f.BinaryTemporal, sample: int) -> tuple[f.Formula, int] | None:
         """The best witness, and whether it or a sample on the way to it decides."""
         span = (sample, sample)
-        windows = self.axis.windows(formula.interval, span, past=formula.past, path=True)
+        windows = self.axis.windows(formula.reach, span, past=formula.past, path=True)
         if windows is None:
             return None
         held = windows.samples(0)

@@ -92,8 +92,9 @@ class FormulaReader:
                 return self.term(inner)
             case ast.NumberLiteral():
                 return t.Constant(self._number(node))
-            case ast.Name(text):
-                return t.Constant(math.inf) if text == "inf" else t.Variable(text)
+            case ast.Name(text, quoted):
+                is_infinity = text == "inf" and not quoted
+                return t.Constant(math.inf) if is_infinity else t.Variable(text)
             case ast.Member():
                 return t.Variable(_dotted(node))
             case ast.NegateExpression(operand):
@@ -143,10 +144,6 @@ class FormulaReader:
 
     def _unknown_function(self, node: ast.Name | ast.Member) -> None:
         name, known = _dotted(node), get_args(t.FunctionName)
-        if name in ("next", "nxt", "X", "Y", "prev"):
-            hint = "samples have no `next`: write `eventually[d, d] (...)` with a distance d"
-            self._fault(Code.UNKNOWN_FORMULA_FUNCTION, node.span, help=hint, name=name)
-            return
         found = nearest(name, known)
         hints = (*did_you_mean(name, known), f"the functions are {', '.join(known)}")
         fixes = (Fix(node.span, found),) if found else ()

@@ -11,7 +11,7 @@ import math
 from typing import Any, cast, get_args
 
 from ...diagnostics import Code
-from ...syntax.operators import OPERATORS
+from ...syntax.operators import OPERATORS, PREFIXES
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
@@ -20,7 +20,7 @@ from ..formula.interval import Interval
 Json = Any
 
 _WORDS = {operator.json: operator.word for operator in OPERATORS}
-_UNARY = {operator.json for operator in OPERATORS if operator.form in ("not", "temporal")}
+_UNARY = {operator.json for operator in OPERATORS if operator.form in PREFIXES}
 """Their operand stands by itself, not in a list."""
 _OPERATORS = {*_WORDS, *get_args(f.ComparisonOperator)}
 

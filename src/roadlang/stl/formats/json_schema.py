@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, get_args
 
-from ...syntax.operators import OPERATORS, Operator
+from ...syntax.operators import OPERATORS, PREFIXES, Operator
 from ..formula import formulas as f
 from ..formula import terms as t
 
@@ -34,7 +34,7 @@ def formula_definitions() -> dict[str, Any]:
 
 
 def _operator(operator: Operator) -> dict[str, Any]:
-    if operator.form in ("not", "temporal"):
+    if operator.form in PREFIXES:
         operands: dict[str, Any] = FORMULA
     elif operator.form == "binding" or issubclass(f.COMPOUNDS[operator.word], f.Connective):
         operands = _list(FORMULA, 2, 2)

@@ -14,7 +14,7 @@ from ..formula.terms import number_text
 
 _RESERVED = frozenset(
     {"G", "F", "U", "X", "H", "O", "S", "Y", "W", "s", "ms", "us", "ns", "ps", "abs", "sqrt"}
-    | {"exp", "pow", "rise", "fall"}
+    | {"exp", "pow", "rise", "fall", "next", "prev", "s_next", "s_prev", "unless"}
 )
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 
@@ -37,6 +37,8 @@ def to_rtamt(formula: f.Formula) -> str:
             return _nested(formula.notation.rtamt, [to_rtamt(part) for part in formula.parts])
         case f.UnaryTemporal():
             return _unary(formula)
+        case f.SampleStep(_, operand) | f.TruthChange(_, operand):
+            return f"({formula.notation.rtamt} {to_rtamt(operand)})"
         case f.BinaryTemporal(interval, left, right):
             word = formula.notation.rtamt
             if interval is not None and interval.lo > 0 and math.isinf(interval.hi):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .interval import Interval
+from .interval import UNBOUNDED, Interval
 from .shapes import (
     BinaryTemporal,
     Comparison,
@@ -19,16 +19,50 @@ from .shapes import (
     LogicalJunction,
     Not,
     Pointwise,
+    SampleStep,
     TemporalOperator,
     Truth,
+    TruthChange,
     UnaryTemporal,
 )
 
 __all__ = [
-    "COMPOUNDS", "Always", "And", "BinaryTemporal", "Comparison", "ComparisonOperator", "Compound",
-    "Connective", "Derived", "Eventually", "Formula", "Historically", "Iff", "Implies",
-    "LogicalJunction", "Not", "Once", "Or", "Pointwise", "Since", "TemporalOperator", "Truth",
-    "UnaryTemporal", "Until", "Xor", "compound",
+    "COMPOUNDS",
+    "Always",
+    "And",
+    "BinaryTemporal",
+    "Comparison",
+    "ComparisonOperator",
+    "Compound",
+    "Connective",
+    "Derived",
+    "Eventually",
+    "Fall",
+    "Formula",
+    "Historically",
+    "Iff",
+    "Implies",
+    "LogicalJunction",
+    "Next",
+    "Not",
+    "Once",
+    "Or",
+    "PastRelease",
+    "Pointwise",
+    "Prev",
+    "Release",
+    "Rise",
+    "SampleStep",
+    "Since",
+    "TemporalOperator",
+    "Truth",
+    "TruthChange",
+    "UnaryTemporal",
+    "Until",
+    "WeakSince",
+    "WeakUntil",
+    "Xor",
+    "compound",
 ]  # fmt: skip
 
 
@@ -138,10 +172,100 @@ class Since(BinaryTemporal):
     past = True
 
 
+class Release(BinaryTemporal, Derived):
+    """`not (not left until not right)`: `right` at every sample of the window, up to and with the
+    first one that `left` holds at, or held at before."""
+
+    __slots__ = ()
+    word = "release"
+    past = False
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not` and `until`."""
+        return Not(Until(self.interval, Not(self.left), Not(self.right)))
+
+
+class PastRelease(BinaryTemporal, Derived):
+    """`not (not left since not right)`: release, looking back."""
+
+    __slots__ = ()
+    word = "trigger"
+    past = True
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not` and `since`."""
+        return Not(Since(self.interval, Not(self.left), Not(self.right)))
+
+
+class WeakUntil(BinaryTemporal, Derived):
+    """`left until right`, or `left` to the end of the interval."""
+
+    __slots__ = ()
+    word = "weak_until"
+    past = False
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `or`, `until` and `always`."""
+        to_end = Interval(0.0, (self.interval or UNBOUNDED).hi)
+        return Or((Until(self.interval, self.left, self.right), Always(to_end, self.left)))
+
+
+class WeakSince(BinaryTemporal, Derived):
+    """`left since right`, or `left` back to the far end of the interval."""
+
+    __slots__ = ()
+    word = "weak_since"
+    past = True
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `or`, `since` and `historically`."""
+        to_end = Interval(0.0, (self.interval or UNBOUNDED).hi)
+        return Or((Since(self.interval, self.left, self.right), Historically(to_end, self.left)))
+
+
+class Next(SampleStep):
+    """The operand at the next sample; false at the last one."""
+
+    __slots__ = ()
+    word = "next"
+    past = False
+
+
+class Prev(SampleStep):
+    """The operand at the previous sample; false at the first one."""
+
+    __slots__ = ()
+    word = "prev"
+    past = True
+
+
+class Rise(TruthChange):
+    """The operand holds and did not at the sample before, if there is one."""
+
+    __slots__ = ()
+    word = "rise"
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not`, `and` and `prev`."""
+        return And((self.operand, Not(Prev(None, self.operand))))
+
+
+class Fall(TruthChange):
+    """The operand fails and did not at the sample before, if there is one."""
+
+    __slots__ = ()
+    word = "fall"
+
+    def expanded(self, *, greatest: bool = False) -> Formula:
+        """By `not`, `and` and `prev`."""
+        return And((Not(self.operand), Not(Prev(None, Not(self.operand)))))
+
+
 COMPOUNDS: dict[str, type[Compound]] = {
     kind.word: kind
     for kind in (
         Not, And, Or, Implies, Iff, Xor, Always, Eventually, Historically, Once, Until, Since,
+        Release, PastRelease, WeakUntil, WeakSince, Next, Prev, Rise, Fall,
     )
 }  # fmt: skip
 """The operators by their words."""

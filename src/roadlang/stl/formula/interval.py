@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from ...diagnostics import Code
 from ..errors import stl_error
@@ -41,3 +42,12 @@ def interval_help(
 
 
 UNBOUNDED = Interval(0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class NeighborWindow:
+    """The window that holds the next sample alone, or the previous one."""
+
+
+Reach: TypeAlias = Interval | NeighborWindow | None
+"""Which samples a temporal operator looks at; None: all later (or earlier) ones and its own."""

@@ -2,7 +2,7 @@
 
 The rewriting changes neither robustness (to the last bit: x - y and -(y - x) round equally), nor
 Boolean satisfaction. What remains: Truth, Comparison, And, Or, the temporal operators, and Not in
-front of until and since, which have no dual here.
+front of until, since, next and prev, which have no dual here.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = F
         case f.LogicalJunction(operands):
             kind = _DUAL[type(formula)] if negated else type(formula)
             return _joined(kind, (of(operand) for operand in operands))
-        case f.BinaryTemporal(interval, left, right):
-            sides = [normal_form(side, greatest=greatest != negated) for side in (left, right)]
-            plain = type(formula)(interval, *sides)
+        case f.BinaryTemporal() | f.SampleStep():
+            parts = [normal_form(part, greatest=greatest != negated) for part in formula.parts]
+            plain = formula.of(parts, formula.window)
             return f.Not(plain) if negated else plain
         case f.UnaryTemporal(interval, operand):
             kind = _DUAL[type(formula)] if negated else type(formula)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...syntax.operators import COMPARISON
+from ...syntax.operators import COMPARISON, PREFIXES
 from . import formulas as f
 from .interval import Interval
 from .terms import number_text
@@ -41,9 +41,9 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
             operator = formula.notation
             sides = [_side(operand, operator.operand_level) for operand in operands]
             return f" {operator.word} ".join(sides), operator.level
-        case f.Not() | f.UnaryTemporal():
+        case f.Compound() if formula.notation.form in PREFIXES:
             word = f"{formula.word}{interval_text(formula.window)}"
-            return f"{word} {_governed(formula.operand)}", formula.notation.level
+            return f"{word} {_governed(formula.parts[0])}", formula.notation.level
         case f.BinaryTemporal(interval, left, right):
             operator = formula.notation
             word = f"{operator.word}{interval_text(interval)}"
@@ -58,7 +58,7 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
 
 
 def _is_prefixed(formula: f.Formula) -> bool:
-    return isinstance(formula, f.Not | f.UnaryTemporal)
+    return isinstance(formula, f.Compound) and formula.notation.form in PREFIXES
 
 
 def _governed(operand: f.Formula) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias
 
 from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
-from .interval import UNBOUNDED, Interval
+from .interval import UNBOUNDED, Interval, NeighborWindow, Reach
 from .terms import Term
 
 if TYPE_CHECKING:
@@ -123,6 +123,11 @@ class TemporalOperator(Compound):
     @property
     def window(self) -> Interval | None:
         """The interval, None for all later (or earlier) samples."""
+        return self.interval
+
+    @property
+    def reach(self) -> Reach:
+        """Which samples the operator looks at."""
         return self.interval
 
 
@@ -244,3 +249,49 @@ class BinaryTemporal(TemporalOperator):
     def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
         """The formula of these parts."""
         return cls(interval, *parts)
+
+
+@dataclass(frozen=True, slots=True)
+class SampleStep(TemporalOperator):
+    """The operand at the neighboring sample; false where there is none. It has no interval."""
+
+    operand: Formula
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return (self.operand,)
+
+    @property
+    def reach(self) -> Reach:
+        """Which samples the operator looks at."""
+        return NeighborWindow()
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts; TypeError with an interval."""
+        return cls(_none(interval), *parts)
+
+
+@dataclass(frozen=True, slots=True)
+class TruthChange(TemporalOperator, Derived):
+    """Whether the operand has just changed, from one sample to the next. It has no interval."""
+
+    operand: Formula
+    past: ClassVar[bool] = True
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """The operands, left to right."""
+        return (self.operand,)
+
+    @classmethod
+    def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
+        """The formula of these parts; TypeError with an interval."""
+        return cls(_none(interval), *parts)
+
+
+def _none(interval: Interval | None) -> Interval | None:
+    if interval is not None:
+        raise TypeError("this operator has no interval")
+    return interval

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
+
+from ...syntax.words import NOT_NAMES
 
 ArithmeticOperator: TypeAlias = Literal["+", "-", "*", "/", "^"]
 FunctionName: TypeAlias = Literal["abs", "min", "max"]
 
 _LEVEL = {"^": 4, "*": 2, "/": 2, "+": 1, "-": 1}
 _ATOM = 9
+_CALL = re.compile(r"[A-Za-z_][\w.]*\(.*\)\Z")
+_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 
 
 class Term:
@@ -91,6 +96,16 @@ class Apply(Term):
         return self.arguments
 
 
+def name_text(name: str) -> str:
+    """A name as formulas have it: in back quotes where it is no word that could be a signal.
+
+    Signals of scenes are named as they are written there: `curvature(main)`.
+    """
+    first, *members = name.split(".")
+    is_plain = _WORD.match(first) and first not in NOT_NAMES and all(map(_WORD.match, members))
+    return name if is_plain or _CALL.match(name) else f"`{name}`"
+
+
 def number_text(value: float) -> str:
     """The shortest text that reads back as `value`: `10`, `0.1`, `1e-07`, `inf`."""
     value = float(value)
@@ -103,7 +118,7 @@ def _text(term: Term, outer: int) -> str:
         case Constant(value):
             text, level = number_text(value), 3 if value < 0 else _ATOM
         case Variable(name):
-            text, level = name, _ATOM
+            text, level = name_text(name), _ATOM
         case Negate(operand):
             text, level = f"-{_text(operand, 4)}", 3
         case Apply(function, arguments):

@@ -17,7 +17,7 @@ from .tokens import Token
 
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?")
 _WORD = {operator.word.upper(): operator.word for operator in OPERATORS} | letters(
-    "temporal", "binding"
+    "temporal", "step", "binding"
 )
 """The operator that a kind of token stands for."""
 
@@ -130,6 +130,9 @@ class Builder:
     def name(self, start: int, end: int, token: Token) -> ast.Name:
         return ast.Name(token[1], span=Span(self.source, start, end))
 
+    def quoted(self, start: int, end: int, token: Token) -> ast.Name:
+        return ast.Name(token[1][1:-1], quoted=True, span=Span(self.source, start, end))
+
     def member(self, start: int, end: int, of: ast.Expression, name: Token) -> ast.Member:
         return ast.Member(of, self._word(name), span=Span(self.source, start, end))
 
@@ -189,6 +192,9 @@ class Builder:
         span = Span(self.source, start, end)
         canonical = _WORD[word[0]]
         return ast.Temporal(canonical, interval, operand, word_span=self._span(word), span=span)
+
+    def step(self, start: int, end: int, word: Token, operand: ast.Expression) -> ast.Temporal:
+        return self.temporal(start, end, word, None, operand)
 
     def interval(
         self, start: int, end: int, low: ast.Expression, high: ast.Expression

@@ -9,7 +9,7 @@ from typing import Any
 from .grammar import END, LIST, STARTS, digest
 
 _REDUCE = 1
-_LETTER = re.compile(r"[A-Z](?=\(\?=)")
+_CONTEXTUAL = re.compile(r"[A-Za-z_]+(?=\(\?=)")
 
 
 def generate(grammar: str) -> dict[str, Any]:
@@ -53,11 +53,13 @@ def _lexicon(terminals: Iterable[Any]) -> dict[str, Any]:
         for word in sorted(words)
         if name != "NAME" and re.fullmatch(pattern, word)
     }
-    letters = {p[0]: p for p in patterns.values() if _LETTER.match(p)}
+    letters = {m[0]: p for p in patterns.values() if (m := _CONTEXTUAL.match(p))}
     shapes = {
         name: pattern
         for name, pattern in patterns.items()
-        if name not in letters and not re.fullmatch(r"[a-z]+", pattern) and name != "SPACE"
+        if pattern not in letters.values()
+        and not re.fullmatch(r"[a-z]+", pattern)
+        and name != "SPACE"
     }
     first = {"NAME": shapes.pop("NAME"), "NUMBER": shapes.pop("NUMBER")}
     return {

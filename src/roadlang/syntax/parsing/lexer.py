@@ -50,7 +50,7 @@ def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
         if kind == "NAME":
             kind = keywords.get(word, kind)
             if word in letters and letters[word].match(text, start):
-                kind = word
+                kind = word.upper()
         elif kind in SUSPECTS and SUSPECTS[kind](lexed, text, start, end):
             return start
         elif kind == "COMMENT":

@@ -51,7 +51,7 @@ class Tables:
     """One token, with the white space before it; the name of the group is its kind."""
     keywords: dict[str, str]
     letters: dict[str, re.Pattern[str]]
-    """`G`, `F`, ...: words of the literature, and what must follow for them to be such."""
+    """`G`, `F`, `next`, ...: words that are such only before what their pattern looks for."""
     soft: frozenset[str]
     """Kinds of words that are names where the grammar has no other use for them."""
     rules: tuple[Rule, ...]
@@ -87,7 +87,7 @@ def _load(stored: dict[str, Any]) -> Tables:
         scanner=re.compile(rf"{stored['space']}(?:{groups}|(?P<BAD>[\s\S])|\Z)"),
         keywords=stored["keywords"],
         letters={letter: re.compile(pattern) for letter, pattern in stored["letters"].items()},
-        soft=frozenset(stored["soft"]).union(stored["letters"]),
+        soft=frozenset(stored["soft"]).union(word.upper() for word in stored["letters"]),
         rules=tuple(
             Rule(origin, size, build, tuple(take), take == list(range(size)))
             for origin, size, build, take in stored["rules"]

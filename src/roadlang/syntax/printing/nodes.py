@@ -39,6 +39,8 @@ def expression(node: ast.SyntaxNode) -> Doc:
             return _text(node.value)
         case ast.Boolean():
             return "true" if node.value else "false"
+        case ast.Name(text, quoted=True):
+            return f"`{text}`"
         case ast.Name() | ast.Word() | ast.KindName():
             return node.text
         case ast.Member():

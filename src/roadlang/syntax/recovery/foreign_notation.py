@@ -51,7 +51,7 @@ _LATEX = {
     "top": "true",
     "bot": "false",
 }
-_LETTERS = letters("temporal", "binding")
+_LETTERS = letters("temporal", "step", "binding")
 _FONT = re.compile(
     r"\\(?:math(?:bf|cal|rm|sf|it|tt)|text(?:bf|it|sf|tt|rm)?|operatorname|bm)\s*\{(\w+)\}"
 )

@@ -76,9 +76,11 @@ class Boolean(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Name(SyntaxNode):
-    """A reference; the checker knows to what. `acme.mpc` is a `Member`."""
+    """A reference; the checker knows to what. `acme.mpc` is a `Member`. One that is `quoted` names
+    the column of a trace."""
 
     text: str
+    quoted: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +157,7 @@ class IntervalExpression(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Temporal(SyntaxNode):
-    """`always`, `eventually`, `once`, `historically`; `word` is canonical, as habits are read."""
+    """`always`, `next` and their kin; `word` is canonical, as habits are read."""
 
     word: str
     interval: IntervalExpression | None
@@ -165,7 +167,7 @@ class Temporal(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Binding(SyntaxNode):
-    """`left until[a, b] right`, `left since[a, b] right`; `word` is canonical."""
+    """`left until[a, b] right` and its kin; `word` is canonical."""
 
     word: str
     interval: IntervalExpression | None
