@@ -105,7 +105,7 @@ def _options() -> Iterator[str]:
             plain = OptionSchema(name, type_of(value), None, Constraints())
             yield f"| `{name}` | {_cell(type_text(plain))} |"
     yield "| `ListOf[Length]` | list of lengths, and of any other annotation |"
-    yield "| `float`, `int`, `bool`, `str` | as `Number`, `Whole`, `Flag`, `String` |"
+    yield "| `float`, `int`, `bool`, `str` | as `Number`, `Integer`, `Flag`, `String` |"
     yield '| `Literal["left", "right"]` | one of these words |'
     yield "| `Length \\| None` | a length that may be left out |"
     yield ""

@@ -19,7 +19,7 @@ from roadlang_godot import driving, engine
 from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import polyline
-from roadlang_godot.road_mesh import road_things
+from roadlang_godot.road_mesh import road_parts
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_in
 from tests.godot.godot_proxy import Proxy, Weather
@@ -31,7 +31,7 @@ def long_road() -> None:
     """100 km of road, sent, built and proven."""
     x = np.arange(0, 100_001, 20.0)
     line = polyline("long", np.stack([x, 60 * np.sin(x / 150)], axis=-1), 7.0)
-    things = road_things(line, 1, SceneOrigin(50_000.0, 0.0))
+    things = road_parts(line, 1, SceneOrigin(50_000.0, 0.0))
     for transport in ("udp", "websocket"):
         with engine.start(transport=transport) as running, running.connect() as session:
             session.begin({"name": "long", "extent": 50_000.0}, clear=True)
@@ -48,7 +48,7 @@ def long_road() -> None:
 def storms() -> None:
     """Scenes through 30 % loss both ways, doubles, reordering and corruption."""
     line = polyline("main", pieces(straight(2000), bend(200, 150), straight(2000)), 7.0)
-    things = road_things(line, 1, SceneOrigin())
+    things = road_parts(line, 1, SceneOrigin())
     weather = Weather(loss=0.3, double=0.15, reorder=0.2, corrupt=0.05)
     whole, runs = 0, 20
     with engine.start() as running:
@@ -60,7 +60,7 @@ def storms() -> None:
                 session.begin({"name": "storm", "extent": 5000.0}, clear=True)
                 session.update(things)
                 proof = session.prove()
-                whole += proof.things == proof.builds == len(things)
+                whole += proof.parts == proof.builds == len(things)
     print(f"storms: {whole} of {runs} scenes digest-equal, nothing built twice")
 
 
@@ -149,7 +149,7 @@ def grip() -> None:
 def _build(session: Session, made: Scene) -> None:
     layout = layout_of(made)
     session.begin(layout.settings(), clear=True)
-    session.update(layout.things)
+    session.update(layout.parts)
     session.prove()
 
 

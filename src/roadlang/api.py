@@ -42,6 +42,7 @@ from .plugins.annotations import (
     File,
     Flag,
     ImageName,
+    Integer,
     Jerk,
     Length,
     LengthInterval,
@@ -57,7 +58,6 @@ from .plugins.annotations import (
     Scale,
     Speed,
     String,
-    Whole,
     Word,
     call_of,
     kind_of,
@@ -204,7 +204,7 @@ __all__ = [
     "Control", "ControlBatch", "Controller", "Curvature", "Decision", "Diagnostic",
     "DiagnosticError", "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal",
     "Duration", "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
-    "ImageName", "InitialSpeed", "Jerk", "JunctionControl", "Kind", "Label", "LaneKind",
+    "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind", "Label", "LaneKind",
     "LanePlace", "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Mirror",
     "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation", "ObservationBatch",
     "ObservationVector", "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels",
@@ -215,18 +215,20 @@ __all__ = [
     "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
     "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead", "SignalPhase",
     "Simulator", "Source", "Span", "Speed", "Standing", "String", "Trace", "Verdict",
-    "ViolatedSegment", "Whole", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
+    "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
     "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
     "quantity", "read_image", "read_input", "record_of", "route_points", "scene_from_json",
     "signal_heads", "simulate_scenes", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 
-_RENAMED = {"Stretch": "ViolatedSegment"}
+_RENAMED = {"Stretch": "ViolatedSegment", "Whole": "Integer"}
 
 
 def __getattr__(name: str) -> Any:
     current = current_name(__name__, name, _RENAMED)
+    if current in globals():
+        return globals()[current]
     if current not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     found = getattr(import_module(_HOME[current], __package__), current)

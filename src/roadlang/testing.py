@@ -192,7 +192,7 @@ def observation(**members: Any) -> Observation:
     from .ir.control import Observation
 
     position = {"x": members.get("station", 0.0), "y": members.get("cross_track_error", 0.0)}
-    usual: dict[str, Any] = {
+    defaults: dict[str, Any] = {
         "time": 0.0,
         "step": 0.02,
         "agent": "ego",
@@ -206,7 +206,7 @@ def observation(**members: Any) -> Observation:
         "wheelbase": 2.7,
         "line_ahead": lambda distance: (position["x"] + distance, 0.0, 0.0, 0.0),
     }
-    return Observation(**{**usual, **members})
+    return Observation(**{**defaults, **members})
 
 
 with contextlib.suppress(ImportError):
@@ -216,7 +216,7 @@ with contextlib.suppress(ImportError):
     def roadlang_sample(tmp_path: Path) -> Callable[..., SceneSet]:
         """`sample`, where files that a text names are in the test's `tmp_path`."""
 
-        def sample_here(text: str, n: int | None = 1, **more: Any) -> SceneSet:
+        def sample(text: str, n: int | None = 1, **more: Any) -> SceneSet:
             return sample(text, n, **{"folder": tmp_path, **more})
 
-        return sample_here
+        return sample

@@ -14,6 +14,7 @@ from roadlang.api import LaneKind
     ("module", "old", "new"),
     [
         ("roadlang.api", "Stretch", "ViolatedSegment"),
+        ("roadlang.api", "Whole", "Integer"),
         ("roadlang.stl", "Monitor", "OnlineMonitor"),
         ("roadlang.stl", "Junction", "LogicalJunction"),
         ("roadlang.stl", "Stretch", "ViolationInterval"),
@@ -34,7 +35,7 @@ def test_names_that_never_were_are_unknown() -> None:
 
 
 def test_a_lane_kind_may_still_state_its_width_and_marking_by_their_old_names() -> None:
-    with pytest.warns(DeprecationWarning, match="`usual_width` of lanes is now `default_width`"):
+    with pytest.warns(DeprecationWarning, match="`usual_width` is now `default_width`"):
 
         class TramLane(LaneKind):
             usual_width = 2.8

@@ -12,7 +12,7 @@ from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.fairing import SeenOffsets, even_points, faired
 from roadlang_standard.extraction.graph import trace
-from roadlang_standard.extraction.meeting import Passing, meeting_point
+from roadlang_standard.extraction.junction_points import Passing, meeting_point
 from tests.extraction.graph_drawings import dense
 
 PENS = [Pen(1, False), Pen(3, True), Pen(20, False)]

@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.chains import chains, direction
-from roadlang_standard.extraction.clean import (
+from roadlang_standard.extraction.dead_end_extension import extend_dead_ends
+from roadlang_standard.extraction.evidence_pruning import (
+    discounted_length,
+    drop_unworthy,
+    mean_evidence,
+    prune_by_discounted_length,
+)
+from roadlang_standard.extraction.graph import Graph, Line, trace
+from roadlang_standard.extraction.graph_cleanup import (
     at_border,
     components,
     contract,
@@ -16,16 +24,8 @@ from roadlang_standard.extraction.clean import (
     join,
     prune,
 )
-from roadlang_standard.extraction.continuing import extend_dead_ends
-from roadlang_standard.extraction.graph import Graph, Line, trace
 from roadlang_standard.extraction.grid import roads_of_cells
 from roadlang_standard.extraction.linking import attach, dead_ends, link
-from roadlang_standard.extraction.worth import (
-    discounted_length,
-    drop_unworthy,
-    mean_evidence,
-    prune_by_discounted_length,
-)
 from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, surface
 
 

@@ -13,7 +13,7 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extraction.aerial import Cutoffs, Request
 from roadlang_standard.extraction.contour import ContourSteps
-from roadlang_standard.extraction.found import FoundNetwork
+from roadlang_standard.extraction.found_network import FoundNetwork
 
 NOISE = np.random.default_rng(1).integers(0, 255, (90, 120, 3), dtype=np.uint8)
 PHOTO = Picture(NOISE, 0.5)

@@ -13,7 +13,7 @@ from roadlang_standard.extraction.edges import (
     typical_width,
     widths,
 )
-from roadlang_standard.extraction.hints import leave_out, paint, ways_through
+from roadlang_standard.extraction.hints import leave_out, paint, paths_through
 from roadlang_standard.extraction.hysteresis import hysteresis
 from roadlang_standard.extraction.masks import roads_of_surface
 from roadlang_standard.extraction.smoothing import (
@@ -158,12 +158,12 @@ def test_a_way_follows_the_evidence_and_goes_straight_without() -> None:
                           (slice(26, 95), slice(146, 155))):  # fmt: skip
         score[rows, columns] = 0.95
     ends = np.array([[50.0, 90.0], [150.0, 90.0]])
-    (way,) = ways_through(score, ends)
+    (way,) = paths_through(score, ends)
     assert way[[0, -1]].tolist() == ends.tolist()
     assert way[:, 1].min() == pytest.approx(30, abs=4)
-    (straight,) = ways_through(np.full((120, 200), 0.5, np.float32), ends)
+    (straight,) = paths_through(np.full((120, 200), 0.5, np.float32), ends)
     assert np.abs(straight[:, 1] - 90).max() < 0.5
-    assert len(ways_through(score, np.vstack([ends, [[20.0, 20.0]]]))) == 2
+    assert len(paths_through(score, np.vstack([ends, [[20.0, 20.0]]]))) == 2
 
 
 def test_a_way_is_painted_as_wide_as_a_road() -> None:

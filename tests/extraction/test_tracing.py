@@ -7,8 +7,8 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.clean import contract, join, prune
 from roadlang_standard.extraction.graph import Graph, Line, trace
+from roadlang_standard.extraction.graph_cleanup import contract, join, prune
 from roadlang_standard.extraction.skeleton import skeleton
 
 

@@ -282,7 +282,7 @@ def test_a_folder_of_an_earlier_version_is_written_over(file: Path, tmp_path: Pa
     folder = tmp_path / "out"
     roadlang.load(file).sample(3).emit(folder, ["json"])
     manifest = folder / "manifest.json"
-    manifest.write_text(manifest.read_text().replace("roadlang.manifest/1", "roadlang.manifest/0"))
+    manifest.write_text(manifest.read_text().replace("roadlang.manifest/2", "roadlang.manifest/0"))
     roadlang.load(file).sample(1).emit(folder, ["json"])
     assert sorted(path.name for path in folder.iterdir()) == ["manifest.json", "scene-0000.json"]
     manifest.write_text('{"schema": "npm/1", "files": []}')

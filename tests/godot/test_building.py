@@ -16,9 +16,9 @@ from roadlang_godot.lane_strips import lane_strips
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import polyline
 from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import road_things, strip_thing
+from roadlang_godot.road_mesh import road_parts, strip_part
+from roadlang_godot.scene_part import ScenePart
 from roadlang_godot.session import Session
-from roadlang_godot.thing import ScenePart
 from tests.godot.godot_engines import started
 from tests.godot.godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
@@ -34,7 +34,7 @@ def everything() -> tuple[ScenePart, ...]:
         agents=[car("ego", roads[0], 20.0, call("pure_pursuit", speed=8.0))],
         objects=[thing("tree", 20.0 + 3 * i, 30.0) for i in range(90)],
     )
-    return layout_of(made).things
+    return layout_of(made).parts
 
 
 def begin(session: Session, things: tuple[ScenePart, ...] | list[ScenePart]) -> None:
@@ -46,7 +46,7 @@ def test_the_engine_proves_every_kind_of_thing(session: Session) -> None:
     things = everything()
     begin(session, things)
     proof = session.prove()
-    assert proof.things == len(things)
+    assert proof.parts == len(things)
     assert {thing.kind for thing in things} >= {
         Message.SEGMENT, Message.PATCH, Message.OBJECTS, Message.PATH, Message.AGENT, Message.WORLD
     }  # fmt: skip
@@ -59,9 +59,9 @@ def test_all_sixteen_tiles_are_proven(session: Session) -> None:
     roads, network = town()
     png = base64.b64encode(cv2.imencode(".png", pixels.astype(np.uint8) * 255)[1]).decode()
     pixelled = replace(network, mask=png, mask_scale=8.0)
-    things = layout_of(scene(*roads, networks=[pixelled]), "tiles").things
+    things = layout_of(scene(*roads, networks=[pixelled]), "tiles").parts
     begin(session, things)
-    assert session.prove().things == len(things)
+    assert session.prove().parts == len(things)
     assert session.probe(*_cell(layout_of(scene(*roads)).frame, 12, 2, 4)) == pytest.approx(0.0)
 
 
@@ -81,22 +81,22 @@ def test_what_the_engine_does_not_hold_is_named(session: Session) -> None:
 
 def test_only_what_changed_is_sent_again(session: Session) -> None:
     line = polyline("main", pieces(straight(900)), 7.0)
-    things = road_things(line, 1, SceneOrigin())
+    things = road_parts(line, 1, SceneOrigin())
     begin(session, things)
     edges = np.frombuffer(things[4].content, "<f4").reshape(-1, 2, 3).copy()
     edges[3:6, :, 1] += 0.4
     s = np.linspace(400, 500, len(edges))
     (look,) = lane_strips(line.cross_section)
-    changed = strip_thing("main", edges, s, look, things[4].id)
+    changed = strip_part("main", edges, s, look, things[4].id)
     assert session.update([*things[:4], changed, *things[5:]]) == 1
     assert session.prove().builds == len(things) + 1
 
 
 def test_what_is_gone_from_the_scene_is_removed(session: Session) -> None:
-    things = road_things(polyline("main", pieces(straight(500)), 7.0), 1, SceneOrigin())
+    things = road_parts(polyline("main", pieces(straight(500)), 7.0), 1, SceneOrigin())
     begin(session, things)
     session.update(things[:2])
-    assert session.prove().things == 2
+    assert session.prove().parts == 2
 
 
 def test_a_malformed_thing_is_refused_in_words(session: Session) -> None:
@@ -109,7 +109,7 @@ def test_a_malformed_thing_is_refused_in_words(session: Session) -> None:
 def test_a_car_at_a_junction_finds_road_under_every_wheel(session: Session) -> None:
     roads, network = town()
     layout = layout_of(scene(*roads, networks=[network]))
-    begin(session, layout.things)
+    begin(session, layout.parts)
     for x in np.arange(-12.0, 12.0, 1.5):
         assert session.probe(x - layout.frame.x, -layout.frame.y) == pytest.approx(0.0, abs=1e-3)
 
@@ -118,7 +118,7 @@ def test_the_websocket_carries_the_same_messages() -> None:
     things = everything()
     with started(transport="websocket") as engine, engine.connect("test") as session:
         begin(session, things)
-        assert session.prove().things == len(things)
+        assert session.prove().parts == len(things)
 
 
 def test_an_engine_that_is_forgotten_ends_by_itself() -> None:
@@ -149,11 +149,11 @@ def test_a_second_client_is_refused_while_the_first_is_there(fast_engine: Engine
 def test_a_hundred_kilometers_are_proven_built(session: Session) -> None:
     x = np.arange(0, 100_001, 20.0)
     line = polyline("long", np.stack([x, 60 * np.sin(x / 150)], axis=-1), 7.0)
-    things = road_things(line, 1, SceneOrigin(50_000.0, 0.0))
+    things = road_parts(line, 1, SceneOrigin(50_000.0, 0.0))
     session.begin({"name": "long", "extent": 50_000.0}, clear=True)
     session.update(things)
     proof = session.prove()
-    assert proof.things == len(things) >= 1000
+    assert proof.parts == len(things) >= 1000
 
 
 def test_a_road_in_the_paper_drives_to_the_end(session: Session) -> None:

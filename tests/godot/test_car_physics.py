@@ -34,7 +34,7 @@ def driven(session: Session, made: Scene, seconds: float) -> driving.GodotDrive:
 def build(session: Session, made: Scene) -> None:
     layout = layout_of(made)
     session.begin(layout.settings(RATE), clear=True)
-    session.update(layout.things)
+    session.update(layout.parts)
     session.prove()
 
 

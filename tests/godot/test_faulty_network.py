@@ -8,7 +8,7 @@ import pytest
 from roadlang_godot.engine import Engine, connect
 from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.line import polyline
-from roadlang_godot.road_mesh import road_things
+from roadlang_godot.road_mesh import road_parts
 from tests.godot.godot_proxy import Proxy, Weather
 from tests.godot.godot_scenes import bend, pieces, straight
 
@@ -20,7 +20,7 @@ STORM = Weather(loss=0.3, double=0.15, reorder=0.2, corrupt=0.05)
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_a_stormy_network_delivers_the_scene_whole_and_once(fast_engine: Engine, seed: int) -> None:
     line = polyline("main", pieces(straight(2000), bend(200, 150), straight(2000)), 7.0)
-    things = road_things(line, 1, SceneOrigin())
+    things = road_parts(line, 1, SceneOrigin())
     with (
         Proxy(fast_engine.host, fast_engine.port, STORM, seed) as proxy,
         connect(fast_engine.host, proxy.port) as session,
@@ -28,7 +28,7 @@ def test_a_stormy_network_delivers_the_scene_whole_and_once(fast_engine: Engine,
         session.begin({"name": "storm", "extent": 5000.0}, clear=True)
         session.update(things)
         proof = session.prove()
-    assert proof.things == proof.builds == len(things)
+    assert proof.parts == proof.builds == len(things)
 
 
 def test_a_drive_over_a_stormy_network_has_every_record(fast_engine: Engine) -> None:

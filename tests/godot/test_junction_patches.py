@@ -15,7 +15,7 @@ from roadlang_godot.junctions import MARGIN, RoadArm, cuts, order, patch
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of, polyline
 from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import road_things
+from roadlang_godot.road_mesh import road_parts
 from tests.godot.godot_scenes import pieces, road, scene, straight, town
 from tests.godot.test_road_mesh import strip
 
@@ -46,7 +46,7 @@ def painted(polygons: list[np.ndarray]) -> np.ndarray:
 def strips_of(arms: list[RoadArm], back: list[float]) -> list[np.ndarray]:
     out = []
     for arm, cut in zip(arms, back, strict=True):
-        near = [strip(t) for t in road_things(arm.line, 1, SceneOrigin(), cut, 30.0)]
+        near = [strip(t) for t in road_parts(arm.line, 1, SceneOrigin(), cut, 30.0)]
         edges = np.concatenate(near)
         out.append(np.concatenate([edges[:, 0], edges[::-1, 1]])[:, [0, 2]])
     return out
@@ -71,7 +71,7 @@ def test_the_patch_has_the_very_corners_of_the_roads() -> None:
     head = np.frombuffer(made.body[:2], "<u2")[0]
     corners = {tuple(p) for p in np.frombuffer(made.body[4:], "<f4", int(head) * 3).reshape(-1, 3)}
     for arm, cut in zip(arms, back, strict=True):
-        first = strip(road_things(arm.line, 1, SceneOrigin(), cut, 30.0)[0])[0]
+        first = strip(road_parts(arm.line, 1, SceneOrigin(), cut, 30.0)[0])[0]
         assert {tuple(first[0]), tuple(first[1])} <= corners
 
 
@@ -92,7 +92,7 @@ def test_patch_and_roads_leave_no_hole_in_a_crossing() -> None:
 
 def test_a_town_gets_a_patch_for_each_node_where_roads_meet() -> None:
     roads, network = town()
-    things = layout_of(scene(*roads, networks=[network])).things
+    things = layout_of(scene(*roads, networks=[network])).parts
     labels = [thing.label for thing in things if thing.kind == Message.PATCH]
     assert labels == ["junction 1 of town", "junction 2 of town"]
 

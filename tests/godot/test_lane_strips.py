@@ -14,7 +14,7 @@ from roadlang_godot.agent_specs import line_offset
 from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.lane_strips import CURB_HEIGHT, BorderLine, LaneStrip, Surface, lane_strips
 from roadlang_godot.line import line_of
-from roadlang_godot.road_mesh import road_things
+from roadlang_godot.road_mesh import road_parts
 
 Sample = Callable[..., SamplingResult]
 DRAW = "draw with waypoints { points: [(0m, 0m), (90m, 0m)] }\n"
@@ -61,7 +61,7 @@ def test_the_curb_lies_on_the_raised_side(sample: Sample) -> None:
 def test_strips_lie_side_by_side_and_raised_ones_above(sample: Sample) -> None:
     text = "road main { left: [drive(3m), sidewalk(2m)], right: [drive(3m)], " + DRAW + "}"
     (scene,) = sample(text).scenes
-    walk, drive = road_things(line_of(scene.roads[0]), 1, SceneOrigin())
+    walk, drive = road_parts(line_of(scene.roads[0]), 1, SceneOrigin())
     left = np.frombuffer(walk.content, "<f4").reshape(-1, 2, 3)
     right = np.frombuffer(drive.content, "<f4").reshape(-1, 2, 3)
     np.testing.assert_allclose(left[:, 1, [0, 2]], right[:, 0, [0, 2]], atol=1e-4)

@@ -15,9 +15,9 @@ from roadlang_godot.lane_strips import lane_strips
 from roadlang_godot.line import polyline
 from roadlang_godot.live import LiveScene
 from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import strip_thing
+from roadlang_godot.road_mesh import strip_part
+from roadlang_godot.scene_part import ScenePart
 from roadlang_godot.session import Session
-from roadlang_godot.thing import ScenePart
 from tests.godot.godot_engines import until
 from tests.godot.godot_scenes import call, car, pieces, road, scene, straight, thing
 
@@ -38,7 +38,7 @@ def raised(height: float) -> ScenePart:
         [SceneOrigin().ground(left, height), SceneOrigin().ground(right, height)], axis=1
     )
     (look,) = lane_strips(polyline("main", pieces(straight(100)), 7.0).cross_section)
-    return strip_thing("main", strip, s, look, 1)
+    return strip_part("main", strip, s, look, 1)
 
 
 def probes(session: Session, height: object) -> bool:
@@ -78,7 +78,7 @@ def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
     ego = trace.agents["ego"]
     assert (np.diff(ego.x) / np.diff(trace.time)).max() < 12.0, "the car jumped"
     assert np.abs(ego.cross_track_error).max() < 1.0
-    assert live_session.prove().things == len(live.layout.things)
+    assert live_session.prove().parts == len(live.layout.parts)
 
 
 def test_the_drive_of_a_client_that_left_is_not_reported_to_the_next(fresh_engine: Engine) -> None:
@@ -99,7 +99,7 @@ def test_a_move_in_the_window_is_told_by_name(live_session: Session) -> None:
     main = road("main", pieces(straight(80)))
     made = scene(main, objects=[thing("tree", 30.0, 20.0, name="oak")])
     live = LiveScene(live_session, made)
-    number = next(t.id for t in live.layout.things if t.kind == Message.OBJECTS)
+    number = next(t.id for t in live.layout.parts if t.kind == Message.OBJECTS)
     edit = f'{{"what":"object","id":{number},"index":0,"from":[0,0],"to":[3,4],"done":true}}'
     live_session._inbox.append((Message.EDIT, edit.encode()))
     (move,) = live.listen(0.01)

@@ -23,7 +23,7 @@ from roadlang_godot.road_tiles import (
     WEST,
     coarsened,
     neighbor_masks,
-    tile_things,
+    tile_parts,
 )
 from tests.godot.godot_scenes import pieces, road, scene, straight, town
 
@@ -50,7 +50,7 @@ def test_neighbors_agree_about_each_other(pixels: np.ndarray) -> None:
 
 @given(maps)
 def test_every_road_pixel_becomes_one_tile(pixels: np.ndarray) -> None:
-    things = tile_things(pixels, 8.0, (0.0, 0.0), 1, SceneOrigin())
+    things = tile_parts(pixels, 8.0, (0.0, 0.0), 1, SceneOrigin())
     assert sum(len(thing.content) // 5 for thing in things) == pixels.sum()
     for thing in things:
         assert len(thing.message(0, 1)) + protocol.HEADER_BYTES <= protocol.BULK_DATAGRAM
@@ -69,7 +69,7 @@ def test_a_scene_with_a_mask_is_built_of_tiles() -> None:
     mask[4, :] = 255
     png = base64.b64encode(cv2.imencode(".png", mask)[1]).decode()
     pixelled = replace(network, mask=png, mask_scale=8.0)
-    kinds = {t.kind for t in layout_of(scene(*roads, networks=[pixelled]), "tiles").things}
+    kinds = {t.kind for t in layout_of(scene(*roads, networks=[pixelled]), "tiles").parts}
     assert Message.TILES in kinds
     assert Message.SEGMENT not in kinds
 

@@ -21,12 +21,12 @@ from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, stra
 
 def agent_spec(made: Scene, name: str) -> dict[str, Any]:
     layout = layout_of(made)
-    body = next(t.body for t in layout.things if t.key == (Message.AGENT, layout.agents[name]))
+    body = next(t.body for t in layout.parts if t.key == (Message.AGENT, layout.agents[name]))
     return dict(json.loads(body))
 
 
 def labels(made: Scene, kind: Message) -> list[str]:
-    return [one.label for one in layout_of(made).things if one.kind == kind]
+    return [one.label for one in layout_of(made).parts if one.kind == kind]
 
 
 def test_a_scene_without_roads_has_nothing_to_build() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from roadlang import Scene
 from roadlang_godot.layout import Layout, layout_of
 from roadlang_godot.protocol import Message
-from roadlang_godot.thing import ScenePart
+from roadlang_godot.scene_part import ScenePart
 from tests.golden.summaries import array, of_json
 
 _HEAD_BYTES = 8
@@ -23,7 +23,7 @@ def layout_lines(scene: Scene, road: str = "mesh") -> Iterator[str]:
     yield f"frame: {layout.frame}"
     yield f"agents: {dict(layout.agents)} paths: {dict(layout.paths)}"
     yield f"left to Python: {layout.undriven}"
-    for part in layout.things:
+    for part in layout.parts:
         yield from _part(part)
 
 

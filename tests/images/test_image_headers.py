@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang.images.image_file import as_colors
-from roadlang.images.image_header import ImageHeader, is_whole, read_header
+from roadlang.images.image_header import ImageHeader, is_complete, read_header
 
 SHADES = np.linspace(0, 255, 30 * 50 * 3).reshape(30, 50, 3).astype(np.uint8)
 
@@ -32,7 +32,7 @@ def test_the_size_is_width_by_height_in_every_format(
 ) -> None:
     content = encoded(ending, *options)
     assert read_header(content) == ImageHeader(format, 50, 30)
-    assert is_whole(format, content)
+    assert is_complete(format, content)
 
 
 def webp(chunk: bytes, body: bytes) -> bytes:
@@ -101,16 +101,16 @@ def test_a_bitmap_may_be_stored_from_the_top() -> None:
 )
 def test_a_raw_picture_is_whole_with_its_last_byte(head: bytes, count: int) -> None:
     assert read_header(head + b"\0" * count) == ImageHeader("PNM", 4, 3)
-    assert is_whole("PNM", head + b"\0" * count)
-    assert not is_whole("PNM", head + b"\0" * (count - 1))
+    assert is_complete("PNM", head + b"\0" * count)
+    assert not is_complete("PNM", head + b"\0" * (count - 1))
 
 
 def test_other_formats_are_whole_with_their_ends() -> None:
     for ending, format in ((".png", "PNG"), (".jpg", "JPEG"), (".bmp", "BMP"), (".webp", "WebP")):
         content = encoded(ending)
-        assert is_whole(format, content)
-        assert not is_whole(format, content[: len(content) // 2]), format
-    assert is_whole("TIFF", b"")
+        assert is_complete(format, content)
+        assert not is_complete(format, content[: len(content) // 2]), format
+    assert is_complete("TIFF", b"")
 
 
 @pytest.mark.parametrize(

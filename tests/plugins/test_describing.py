@@ -14,11 +14,11 @@ from roadlang.api import (
     Drawer,
     Duration,
     Flag,
+    Integer,
     Length,
     ListOf,
     Point,
     Speed,
-    Whole,
     Word,
     option,
 )
@@ -36,7 +36,7 @@ class Many(Drawer):
     needed: Length = option(above=0, maximum=100)
     speed: Speed = option(50 / 3.6, minimum=0, below=120)
     turn: Angle = option(math.pi / 2)
-    count: Whole = option(3, minimum=1)
+    count: Integer = option(3, minimum=1)
     pause: Duration = option(None)
     start: Point = option((0.0, 2.5))
     points: ListOf[Point] = option((), at_least=0)

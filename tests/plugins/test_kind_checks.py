@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from roadlang.api import Backend, Length, Perturber, Whole, Word, option
+from roadlang.api import Backend, Integer, Length, Perturber, Word, option
 from roadlang.cli.main import run
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.kind_checks import KindFault, check_kind
@@ -122,7 +122,7 @@ FAULTS = {
         "the option `size` of Bad has the default True; expected: length (m)", 9,
     ),
     "half of a whole number": (
-        options("count: Whole = option(1.5)"), "expected: integer", 9,
+        options("count: Integer = option(1.5)"), "expected: integer", 9,
     ),
     "not a number": (
         options('size: Length = option(float("nan"))'), "expected: length (m)", 9,
@@ -184,7 +184,7 @@ FAULTS = {
         kind("Controller", "when: Length = option(1.0)"), "every kind of `drive` has", 9,
     ),
     "an option that hides where an agent stands": (
-        kind("AgentKind", "lane: Whole = option(1)"), "every kind of `agent` has", 9,
+        kind("AgentKind", "lane: Integer = option(1)"), "every kind of `agent` has", 9,
     ),
     "an option with the name of a method": (
         options("displacement_bound: Length = option(1.0)"),
@@ -326,7 +326,7 @@ def test_what_a_plugin_may_do() -> None:
         name: ClassVar[str] = "fine"
         size: Length = option(0.0, minimum=0)
         far: Length = option(float("inf"))
-        count: Whole = option("auto", minimum=1, words=("auto",))
+        count: Integer = option("auto", minimum=1, words=("auto",))
         side: Word = option("left", words=("left", "right"))
         feet: Length = option(0.3048, minimum=0.3048)
 

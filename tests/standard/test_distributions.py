@@ -12,7 +12,7 @@ from scipy import stats
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang_standard.distribution_choice import Choice
-from roadlang_standard.distribution_integer import Integer
+from roadlang_standard.distribution_integer import UniformInteger
 from roadlang_standard.distribution_normal import Normal
 from roadlang_standard.distribution_uniform import Uniform
 
@@ -73,7 +73,7 @@ def test_choice_among_drawn_values_takes_each_of_its_variant() -> None:
 
 
 def test_an_integer_is_whole_and_both_ends_are_in() -> None:
-    values, counts = np.unique(Integer(0, 3).quantile(EVEN), return_counts=True)
+    values, counts = np.unique(UniformInteger(0, 3).quantile(EVEN), return_counts=True)
     assert values.tolist() == [0, 1, 2, 3]
     assert counts.tolist() == [5000] * 4
 
@@ -81,7 +81,7 @@ def test_an_integer_is_whole_and_both_ends_are_in() -> None:
 def test_a_grid_sees_each_value_once() -> None:
     made = Choice(("a", "b", "c"), (1.0, 0.0, 2.0))
     assert made.quantile(np.array(made.levels(5))[:, None])[:, 0].tolist() == ["a", "c"]
-    dice = Integer(1, 6)
+    dice = UniformInteger(1, 6)
     assert dice.quantile(np.array(dice.levels(2))[:, None])[:, 0].tolist() == [1, 2, 3, 4, 5, 6]
     span = Uniform(0.0, 4.0)
     assert span.quantile(np.array(span.levels(5))[:, None])[:, 0].tolist() == [0, 1, 2, 3, 4]

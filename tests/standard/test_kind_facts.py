@@ -64,7 +64,7 @@ def test_signals_of_one_agent_are_its_members_and_those_of_two_are_functions() -
         assert not found[name]
     assert those("number", "member") == {"start", "start_lane"}
     assert those("number", "of_groups") == {"distance", "gap"}
-    assert those("number", "is_whole") == {"start_lane"}
+    assert those("number", "is_integer") == {"start_lane"}
     assert those("signal", "on_connections") == {"curvature"}
 
 

@@ -47,7 +47,7 @@ class Channel:
         self._flying: dict[int, Flight] = {}
         self._received = 0
         self._beyond: set[int] = set()
-        self._ack_due = False
+        self._ack_at_next = False
 
     def offer(self, type: int, payload: bytes, label: str = "") -> None:
         """Take a message for sending; `label` names it where it never arrives."""
@@ -95,7 +95,7 @@ class Channel:
 
     def accept(self, seq: int) -> bool:
         """Whether this number is new; records it."""
-        self._ack_due = True
+        self._ack_at_next = True
         if seq <= self._received or seq in self._beyond or seq > self._received + _FARTHEST:
             return False
         self._beyond.add(seq)
@@ -106,9 +106,9 @@ class Channel:
 
     def take_ack(self) -> bytes:
         """The acknowledgement to send, empty if there is none."""
-        if not self._ack_due:
+        if not self._ack_at_next:
             return b""
-        self._ack_due = False
+        self._ack_at_next = False
         ahead = (seq - self._received - 1 for seq in self._beyond)
         return _ACK.pack(self._received, sum(1 << bit for bit in ahead if bit < MASK_BITS))
 

@@ -114,11 +114,11 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: SceneOrigin
     names = [str(options[key]) for key in ("agent", "first", "second") if key in options]
     moving = {actor.group for actor in scene.agents} | {actor.name for actor in scene.agents}
     # An object is named second, so that the engine always finds an agent first.
-    names.sort(key=lambda one: one not in moving)
-    out: list[Any] = [kind, *[one for one in names if one in moving]]
-    for one in names:
-        if one not in moving:
-            out += _outline(one, name, scene, frame)
+    names.sort(key=lambda entry: entry not in moving)
+    out: list[Any] = [kind, *[entry for entry in names if entry in moving]]
+    for entry in names:
+        if entry not in moving:
+            out += _outline(entry, name, scene, frame)
     return out
 
 

@@ -42,7 +42,7 @@ def decided_in_python(scene: Scene, controllers: Mapping[str, T]) -> dict[str, T
 
 def is_in_engine(call: Call) -> bool:
     """Whether the engine has a copy of a controller, and can evaluate its conditions."""
-    conditions = [one for one in (call.when, call.during) if one is not None]
+    conditions = [condition for condition in (call.when, call.during) if condition is not None]
     return plain_name(call.kind) in IN_ENGINE and all(map(is_known, conditions))
 
 
@@ -57,10 +57,10 @@ def undriven_agents(scene: Scene, python_driven: Collection[str]) -> tuple[str, 
 
 def default_speed(actor: SceneActor, scene: Scene) -> float:
     """What controllers drive that say no speed, m/s: the speed limit, where there is one."""
-    road = next((one for one in scene.roads if one.name == actor.road), None)
+    road = next((candidate for candidate in scene.roads if candidate.name == actor.road), None)
     if road is None:
         return LanePlace.default_speed
-    limits = [one.speed_limit for one in road.lane_list if one.id == actor.lane]
+    limits = [candidate.speed_limit for candidate in road.lane_list if candidate.id == actor.lane]
     limit = limits[0] if limits and limits[0] is not None else road.speed_limit
     return LanePlace.default_speed if limit is None else limit
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend, String, Whole, Word, option
+from roadlang.api import Backend, Integer, String, Word, option
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -24,7 +24,7 @@ class GodotBackend(Backend):
     )
     transport: Word = option("udp", words=("udp", "websocket"), help="transport protocol")
     host: String = option("127.0.0.1", help="host on which Godot listens")
-    port: Whole = option(4242, minimum=1, maximum=65535, help="port on which Godot listens")
+    port: Integer = option(4242, minimum=1, maximum=65535, help="port on which Godot listens")
 
     def send(self, scene: Scene) -> None:
         """Build, and compare what the engine holds with what was sent."""
@@ -34,5 +34,5 @@ class GodotBackend(Backend):
         layout = layout_of(scene, self.road)
         with connect(self.host, self.port, self.transport, scene.name) as session:
             session.begin(layout.settings(), clear=True)
-            session.update(layout.things)
+            session.update(layout.parts)
             session.prove()

@@ -92,16 +92,16 @@ class FollowedScene:
 
     def _touch(self, contact: Any) -> None:
         """A contact is one of both agents."""
-        one = self._numbers.index(int(contact["agent"]))
+        row = self._numbers.index(int(contact["agent"]))
         time, speed = int(contact["tick"]) / self._rate, float(contact["speed"])
         index = int(contact["index"])
         if index >= 0:
             name = self._layout.objects[int(contact["other"])][index]
-            self._mirror.touch(Contact(time, one, -1, name, speed))
+            self._mirror.touch(Contact(time, row, -1, name, speed))
             return
         other = self._numbers.index(int(contact["other"]))
-        self._mirror.touch(Contact(time, one, other, self._names[other], speed))
-        self._mirror.touch(Contact(time, other, one, self._names[one], speed))
+        self._mirror.touch(Contact(time, row, other, self._names[other], speed))
+        self._mirror.touch(Contact(time, other, row, self._names[row], speed))
 
     def _taken(self, row: int, decision: Decision) -> EngineControl:
         steering = float(decision.steering[row])

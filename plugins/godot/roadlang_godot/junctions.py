@@ -15,7 +15,7 @@ from roadlang.geometry import Floats, triangulated
 from .frame import SceneOrigin
 from .line import RoadSamples
 from .protocol import Message
-from .thing import ScenePart
+from .scene_part import ScenePart
 
 MARGIN = 1.5
 """How far beyond the point where two edges meet a road is cut, meters."""
@@ -86,7 +86,7 @@ def area_patch(
         points = points[:: -(-len(points) // _MOST_POINTS)]
     corners = frame.ground(points)
     # Clockwise seen from above, which is the front in the engine.
-    return triangles_thing(Message.PATCH, corners, triangulated(points)[:, ::-1], id, label)
+    return triangles_part(Message.PATCH, corners, triangulated(points)[:, ::-1], id, label)
 
 
 def patch(
@@ -107,10 +107,10 @@ def patch(
     spokes = np.arange(count)
     # Clockwise seen from above, which is the front in the engine.
     triangles = np.stack([np.zeros(count, int), (spokes + 1) % count + 1, spokes + 1], axis=-1)
-    return triangles_thing(Message.PATCH, corners, triangles, id, label)
+    return triangles_part(Message.PATCH, corners, triangles, id, label)
 
 
-def triangles_thing(
+def triangles_part(
     kind: Message, corners: Any, triangles: NDArray[np.int64], id: int, label: str
 ) -> ScenePart:
     """A flat shape: corners (n, 3) in the engine's coordinates, and which make a triangle."""
@@ -131,8 +131,8 @@ def _rounded(
         return []
     gap = end - start
     along = (gap[0] * v[1] - gap[1] * v[0]) / cross
-    reach = float(np.hypot(*gap))
-    if not -4 * reach < along < 0:
+    width = float(np.hypot(*gap))
+    if not -4 * width < along < 0:
         return []
     bend = start + u * along
     t = np.linspace(0, 1, _CORNER_STEPS + 1)[1:-1, None]

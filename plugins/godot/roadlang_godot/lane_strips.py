@@ -99,14 +99,14 @@ def lane_strips(section: geometry.CrossSection) -> Iterator[LaneStrip]:
 
 def surface_of(lane: geometry.Lane) -> Surface:
     """Of a kind that a plugin brings: as a sidewalk if it is raised, else as a roadway."""
-    usual = Surface.SIDEWALK if lane.raised else Surface.MARKED
-    return _SURFACES.get(lane.kind, usual if lane.drivable or lane.raised else Surface.PLAIN)
+    default = Surface.SIDEWALK if lane.raised else Surface.MARKED
+    return _SURFACES.get(lane.kind, default if lane.drivable or lane.raised else Surface.PLAIN)
 
 
 def _go_on(lane: geometry.Lane, other: geometry.Lane, marking: str) -> bool:
     """Whether two neighbors are drawn as one strip of equal lanes."""
-    alike = surface_of(lane) == surface_of(other) == Surface.MARKED
-    if not alike or marking != "broken":
+    both_marked = surface_of(lane) == surface_of(other) == Surface.MARKED
+    if not both_marked or marking != "broken":
         return False
     apart = np.abs(lane.width.widths - other.width.at(lane.width.stations))
     return bool((apart < _SAME_WIDTH).all())

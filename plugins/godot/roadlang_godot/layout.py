@@ -14,15 +14,15 @@ from .agent_specs import agent_spec, followed_lines
 from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, frame_around
-from .junction_things import paint_things, signal_things
+from .junction_parts import paint_parts, signal_parts
 from .junctions import RoadArm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
 from .names import plain_name
-from .placed import Placed, agent_thing, object_things, path_things, world_thing
-from .road_mesh import road_things
+from .placed import Placed, agent_part, object_parts, path_parts, world_part
+from .road_mesh import road_parts
+from .scene_part import ScenePart
 from .sky import world_settings
-from .thing import ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, SceneJunction, SceneNetwork
@@ -38,7 +38,7 @@ class Layout:
     """All that is sent of one scene. `agents` maps names to the engine's numbers."""
 
     name: str
-    things: tuple[ScenePart, ...]
+    parts: tuple[ScenePart, ...]
     frame: SceneOrigin
     extent: float
     agents: Mapping[str, int]
@@ -67,7 +67,7 @@ def layout_of(
 
     Raises `EngineError` RL509 where there is no road, RL514 where tiles have no pixels.
     """
-    lines = {one.name: line_of(one) for one in scene.roads}
+    lines = {road.name: line_of(road) for road in scene.roads}
     built = built_roads(scene, lines)
     if not built:
         raise fault(Code.NO_ROAD_TO_BUILD, scene=scene.name)
@@ -78,22 +78,22 @@ def layout_of(
     middle, extent = frame_around(np.vstack(everything))
     frame = frame or middle
     tiled = road == "tiles"
-    things = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
+    parts = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
     followed = followed_lines(scene, lines)
     paths = {name: i + 1 for i, name in enumerate(followed)}
     for name, number in paths.items():
-        things += path_things(followed[name], number, frame)
+        parts += path_parts(followed[name], number, frame)
     undriven = undriven_agents(scene, python_driven)
     silent = {*python_driven, *undriven}
     agents = {actor.name: i + 1 for i, actor in enumerate(scene.agents)}
     for actor in scene.agents:
         driven = replace(actor, drive=()) if actor.name in silent else actor
         spec = agent_spec(driven, scene, paths, followed, frame)
-        things.append(agent_thing(agents[actor.name], spec))
-    objects, names = object_things(map(_placed, scene.objects), frame)
-    things += objects
-    things.append(world_thing(world_settings(scene.world)))
-    return Layout(scene.name, tuple(things), frame, extent, agents, paths, names, undriven)
+        parts.append(agent_part(agents[actor.name], spec))
+    objects, names = object_parts(map(_placed, scene.objects), frame)
+    parts += objects
+    parts.append(world_part(world_settings(scene.world)))
+    return Layout(scene.name, tuple(parts), frame, extent, agents, paths, names, undriven)
 
 
 def built_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:
@@ -103,10 +103,10 @@ def built_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:
     on them, not a second road.
     """
     driven = {actor.road for actor in scene.agents} & lines.keys()
-    wanted = [one.name for one in scene.roads if one.derived or one.name in driven]
-    wanted = wanted or [one.name for one in scene.roads]
-    networks = [one for one in scene.networks if any(name in wanted for name in one.roads)]
-    edges_of = {one.name: one.network for one in scene.roads}
+    wanted = [road.name for road in scene.roads if road.derived or road.name in driven]
+    wanted = wanted or [road.name for road in scene.roads]
+    networks = [n for n in scene.networks if any(name in wanted for name in n.roads)]
+    edges_of = {road.name: road.network for road in scene.roads}
     out = []
     for name in wanted:
         if edges_of[name] is not None:
@@ -133,18 +133,21 @@ def _meshes(
     scene: Scene, lines: Mapping[str, RoadSamples], built: Iterable[str], frame: SceneOrigin
 ) -> list[ScenePart]:
     built = list(built)
-    reach = {road.name: road.trim for road in scene.roads}
+    trims_by_road = {road.name: road.trim for road in scene.roads}
     trims = {
-        name: [float(lines[name].s[0]) + reach[name][0], float(lines[name].s[-1]) - reach[name][1]]
+        name: [
+            float(lines[name].s[0]) + trims_by_road[name][0],
+            float(lines[name].s[-1]) - trims_by_road[name][1],
+        ]
         for name in built
     }
-    things: list[ScenePart] = []
+    parts: list[ScenePart] = []
     places: list[SceneJunction] = []
     for network in scene.networks:
         if network.junctions:
-            here = _junctions_between(network, trims)
-            things += _areas(network, here, len(things) + 1, frame)
-            places += here
+            junctions = _junctions_between(network, trims)
+            parts += _areas(network, junctions, len(parts) + 1, frame)
+            places += junctions
             continue
         for node in network.nodes:  # of a scene of an earlier version
             arms = order(_arms(np.array([node.x, node.y]), node.roads, trims, lines))
@@ -154,15 +157,15 @@ def _meshes(
             for arm, cut in zip(arms, back, strict=True):
                 trims[arm.line.name][0 if arm.sign > 0 else 1] = arm.station(cut)
             label = f"junction {node.id} of {network.name}"
-            things.append(patch(arms, back, len(things) + 1, frame, label))
+            parts.append(patch(arms, back, len(parts) + 1, frame, label))
     first = 1
     for name in built:
         start, end = trims[name]
         if end - start > 0.05:
-            pieces = road_things(lines[name], first, frame, start, end)
-            things += pieces
+            pieces = road_parts(lines[name], first, frame, start, end)
+            parts += pieces
             first += len(pieces)
-    return [*things, *paint_things(scene, places, frame), *signal_things(places, frame)]
+    return [*parts, *paint_parts(scene, places, frame), *signal_parts(places, frame)]
 
 
 def _junctions_between(network: SceneNetwork, built: Mapping[str, Any]) -> list[SceneJunction]:

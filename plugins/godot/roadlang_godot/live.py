@@ -45,7 +45,7 @@ class LiveScene:
         self.layout: Layout = layout_of(scene, road)
         self._forget()
         session.begin(self.layout.settings(RATE), clear=True)
-        session.update(self.layout.things)
+        session.update(self.layout.parts)
         session.prove()
         session.send_json(Message.RUN, {"mode": "free", "every": EVERY})
         session.flush()
@@ -53,7 +53,7 @@ class LiveScene:
     def change(self, scene: Scene) -> int:
         """Send what differs; everything else drives on. Returns how many messages it took."""
         layout = layout_of(scene, self._road, self.layout.frame)
-        count = self._session.update(layout.things)
+        count = self._session.update(layout.parts)
         self.scene, self.layout = scene, layout
         self._forget()
         return count
@@ -120,7 +120,7 @@ class LiveScene:
         if what == "road":
             names = {id: name for name, id in self.layout.paths.items()}
             return names.get(number >> 16)
-        for thing in self.layout.things:
-            if thing.kind == Message.OBJECTS and thing.id == number:
-                return thing.label
+        for part in self.layout.parts:
+            if part.kind == Message.OBJECTS and part.id == number:
+                return part.label
         return None

@@ -11,8 +11,8 @@ from roadlang.api import Code
 
 from .faults import fault
 from .frame import SceneOrigin
-from .road_tiles import coarsened, tile_things
-from .thing import ScenePart
+from .road_tiles import coarsened, tile_parts
+from .scene_part import ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -25,7 +25,7 @@ def network_tiles(scene: Scene, frame: SceneOrigin) -> list[ScenePart]:
     """The tiles of every network that has pixels. Raises `EngineError` RL514 where none has."""
     import cv2
 
-    things: list[ScenePart] = []
+    parts: list[ScenePart] = []
     for network in scene.networks:
         if network.mask is None or network.mask_scale is None:
             continue
@@ -34,7 +34,7 @@ def network_tiles(scene: Scene, frame: SceneOrigin) -> list[ScenePart]:
         factor = max(1, round(SMALLEST_CELL / network.mask_scale))
         cells = coarsened(pixels > 0, factor)
         size = network.mask_scale * factor
-        things += tile_things(cells, size, network.mask_origin, len(things) + 1, frame)
-    if not things:
+        parts += tile_parts(cells, size, network.mask_origin, len(parts) + 1, frame)
+    if not parts:
         raise fault(Code.TILES_WITHOUT_PIXELS, scene=scene.name)
-    return things
+    return parts

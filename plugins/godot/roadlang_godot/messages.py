@@ -12,7 +12,7 @@ from typing import Any
 class Proof:
     """What the engine's scene tree holds after a commit; `builds` counts every build ever made."""
 
-    things: int
+    parts: int
     builds: int
     digest: bytes
 

@@ -116,7 +116,7 @@ def build(
     """Build a scene in an engine and prove it built. `decided`: agents that Python drives."""
     layout = layout_of(scene, road, python_driven=decided)
     session.begin(layout.settings(RATE), clear=True)
-    session.update(layout.things)
+    session.update(layout.parts)
     session.prove()
     return layout
 

@@ -16,7 +16,7 @@ from .faults import fault
 from .frame import SceneOrigin
 from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, MAX_DATAGRAM, Message
-from .thing import ScenePart
+from .scene_part import ScenePart
 
 PATH_SPACING = 1.0
 _RECORD_BYTES = 28
@@ -41,7 +41,7 @@ class Placed:
     """whether it is a thing by itself, to be moved"""
 
 
-def object_things(
+def object_parts(
     objects: Iterable[Placed], frame: SceneOrigin, first_id: int = 1
 ) -> tuple[list[ScenePart], dict[int, tuple[str, ...]]]:
     """Objects of one sort together, as many as fit, and their names by the ids of the things."""
@@ -49,18 +49,18 @@ def object_things(
     for placed in objects:
         key = (placed.sort, placed.color, placed.solid, placed.name if placed.alone else "")
         groups.setdefault(key, []).append(placed)
-    things: list[Any] = []
+    parts: list[Any] = []
     names = {}
     for (sort, color, solid, _), members in groups.items():
         most = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8 - len(sort) - len(color)) // _RECORD_BYTES
         for at in range(0, len(members), most):
             batch = members[at : at + most]
-            names[first_id + len(things)] = tuple(placed.name for placed in batch)
-            things.append(_objects(first_id + len(things), sort, color, solid, batch, frame))
-    return things, names
+            names[first_id + len(parts)] = tuple(placed.name for placed in batch)
+            parts.append(_objects(first_id + len(parts), sort, color, solid, batch, frame))
+    return parts, names
 
 
-def path_things(line: RoadSamples, path: int, frame: SceneOrigin) -> list[ScenePart]:
+def path_parts(line: RoadSamples, path: int, frame: SceneOrigin) -> list[ScenePart]:
     """The center line that agents follow, a meter a point, in pieces."""
     count = max(2, round(line.length / PATH_SPACING) + 1)
     s = np.linspace(line.s[0], line.s[-1], count)
@@ -71,23 +71,23 @@ def path_things(line: RoadSamples, path: int, frame: SceneOrigin) -> list[SceneP
     rows[:, 1] = rows[:, 2]
     rows[:, 2] = width / 2
     pieces = -(-len(rows) // _POINTS_A_PIECE)
-    things: list[Any] = []
+    parts: list[Any] = []
     for piece in range(pieces):
         part = rows[piece * _POINTS_A_PIECE : (piece + 1) * _POINTS_A_PIECE].tobytes()
         head = struct.pack("<BHH", int(line.closed), pieces, len(part) // 12)
         label = f"path of {line.name}, piece {piece + 1}"
-        things.append(ScenePart(Message.PATH, path << 16 | piece, head + part, part, label))
-    return things
+        parts.append(ScenePart(Message.PATH, path << 16 | piece, head + part, part, label))
+    return parts
 
 
-def agent_thing(id: int, spec: Mapping[str, Any]) -> ScenePart:
+def agent_part(id: int, spec: Mapping[str, Any]) -> ScenePart:
     """An agent; `docs/godot.md` lists what its specification may hold."""
-    return _json_thing(Message.AGENT, id, spec, f"agent {spec.get('name', id)}")
+    return _json_part(Message.AGENT, id, spec, f"agent {spec.get('name', id)}")
 
 
-def world_thing(settings: Mapping[str, Any]) -> ScenePart:
+def world_part(settings: Mapping[str, Any]) -> ScenePart:
     """Sun, weather and friction."""
-    return _json_thing(Message.WORLD, 1, settings, "the world's settings")
+    return _json_part(Message.WORLD, 1, settings, "the world's settings")
 
 
 def _objects(
@@ -106,7 +106,7 @@ def _objects(
     return ScenePart(Message.OBJECTS, id, head + records.tobytes(), places.tobytes(), label)
 
 
-def _json_thing(kind: Message, id: int, value: Mapping[str, Any], label: str) -> ScenePart:
+def _json_part(kind: Message, id: int, value: Mapping[str, Any], label: str) -> ScenePart:
     body = json.dumps(value, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
     limit = MAX_DATAGRAM - HEADER_BYTES - 12
     if len(body) > limit:

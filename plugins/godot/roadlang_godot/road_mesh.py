@@ -14,7 +14,7 @@ from .frame import SceneOrigin
 from .lane_strips import CURB_HEIGHT, LaneStrip, lane_strips
 from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .thing import ScenePart
+from .scene_part import ScenePart
 
 PIECE = 100.0
 """Longest piece, meters: the unit of live edits."""
@@ -56,17 +56,17 @@ def segments(
 ) -> list[ScenePart]:
     """The piece of a road with these stations: a thing for each strip of lanes."""
     edges = line.beside(s, line.cross_section.border_offsets(s))
-    things = []
+    parts = []
     for id, look in enumerate(strips, start=first_id):
         strip = np.empty((len(s), 2, 3), dtype="<f4")
         strip[:, 0] = frame.ground(edges[look.first])
         strip[:, 1] = frame.ground(edges[look.last])
         strip[..., 1] += CURB_HEIGHT if look.raised else 0.0
-        things.append(strip_thing(line.name, strip, s, look, id))
-    return things
+        parts.append(strip_part(line.name, strip, s, look, id))
+    return parts
 
 
-def strip_thing(
+def strip_part(
     name: str, strip: NDArray[np.float32], s: Floats, look: LaneStrip, id: int
 ) -> ScenePart:
     """A segment of (n, 2, 3) left and right edge points in engine coordinates."""
@@ -78,7 +78,7 @@ def strip_thing(
     return ScenePart(Message.SEGMENT, id, head + vertices, vertices, label)
 
 
-def road_things(
+def road_parts(
     line: RoadSamples,
     first_id: int,
     frame: SceneOrigin,
@@ -88,8 +88,8 @@ def road_things(
     """All pieces of a road, or of the part of it between two stations."""
     begin = float(line.s[0]) if start is None else start
     finish = float(line.s[-1]) if end is None else end
-    things: list[ScenePart] = []
+    parts: list[ScenePart] = []
     strips = tuple(lane_strips(line.cross_section))
     for s in stations(line, begin, finish):
-        things += segments(line, s, strips, first_id + len(things), frame)
-    return things
+        parts += segments(line, s, strips, first_id + len(parts), frame)
+    return parts

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from .frame import SceneOrigin
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .thing import ScenePart
+from .scene_part import ScenePart
 
 NORTH, EAST, SOUTH, WEST = 1, 2, 4, 8
 
@@ -42,7 +42,7 @@ def coarsened(road: NDArray[np.bool_], factor: int) -> NDArray[np.bool_]:
     return np.asarray(blocks.mean(axis=(1, 3)) >= 0.5)
 
 
-def tile_things(
+def tile_parts(
     road: NDArray[np.bool_],
     cell: float,
     origin: tuple[float, float],
@@ -55,7 +55,7 @@ def tile_things(
     shift = np.array([origin[0] - frame.x, frame.y - origin[1] - road.shape[0] * cell], "<f4")
     records = np.zeros(len(rows), dtype=[("x", "<i2"), ("z", "<i2"), ("mask", "u1")])
     records["x"], records["z"], records["mask"] = columns, rows, masks[rows, columns]
-    things = []
+    parts = []
     # Square blocks of cells keep the rectangles of a merged collision body large.
     side = int(np.sqrt(_MOST))
     keys = rows // side * (columns.max(initial=0) // side + 1) + columns // side
@@ -64,7 +64,7 @@ def tile_things(
         head = _HEAD.pack(cell, float(shift[0]), float(shift[1]), len(block))
         content = b"".join(sorted(record.tobytes() for record in block))
         label = f"tiles around column {block['x'][0]}, row {block['z'][0]}"
-        things.append(
+        parts.append(
             ScenePart(Message.TILES, first_id + index, head + block.tobytes(), content, label)
         )
-    return things
+    return parts

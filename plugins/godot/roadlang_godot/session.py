@@ -12,13 +12,13 @@ from typing import Any
 
 from roadlang.api import Code
 
-from . import protocol, thing
+from . import protocol
 from .channel import Channel
 from .faults import fault
 from .link import DatagramLink
 from .messages import Proof, as_json, text_of
 from .protocol import Message
-from .thing import Key, ScenePart
+from .scene_part import RECORD_BYTES, Key, ScenePart, part_digest, record_key, removal
 
 PATIENCE = 5.0
 """Seconds without an answer after which an engine that someone else started counts as gone."""
@@ -98,10 +98,10 @@ class Session:
         self.send(Message.BEGIN, payload, "the scene's beginning")
         self.flush()
 
-    def update(self, things: Iterable[ScenePart], world: int = 0) -> int:
+    def update(self, parts: Iterable[ScenePart], world: int = 0) -> int:
         """Send what differs from what this world holds. Returns how many messages that took."""
         built = self._built.setdefault(world, {})
-        wanted = {part.key: part for part in things}
+        wanted = {part.key: part for part in parts}
         self._revision += 1
         count = 0
         for key, part in wanted.items():
@@ -111,7 +111,7 @@ class Session:
                 count += 1
         for key in [key for key in built if key not in wanted]:
             label = built.pop(key)[1].label
-            self.send(Message.REMOVE, thing.removal(world, key, self._revision), f"end of {label}")
+            self.send(Message.REMOVE, removal(world, key, self._revision), f"end of {label}")
             count += 1
         self.flush()
         return count
@@ -129,7 +129,7 @@ class Session:
                 break
         built = self._built.get(world, {})
         wanted = {key: part.record(revision) for key, (revision, part) in built.items()}
-        if digest != thing.digest(wanted.values()):
+        if digest != part_digest(wanted.values()):
             self._name_missing(world, wanted)
         return Proof(count, builds, digest)
 
@@ -138,9 +138,9 @@ class Session:
         request = self._next_request()
         self.send(Message.LIST, _COMMIT.pack(world, 0, request), "the list of things")
         payload = self._parts(Message.REPORT, request)
-        step = thing.RECORD_BYTES
+        step = RECORD_BYTES
         found = [payload[at : at + step] for at in range(0, len(payload), step)]
-        return {thing.record_key(record): record for record in found}
+        return {record_key(record): record for record in found}
 
     def probe(self, x: float, y: float, world: int = 0) -> float | None:
         """The height of the ground at a place of the engine's own coordinates; None: nothing."""

@@ -83,7 +83,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
         kind = next(actor.drive[-1].kind for actor in scene.agents if actor.name == name)
         raise fault(Code.UNSUPPORTED_CONTROLLER, kind=kind, engine="Godot's project")
     session.begin(layout.settings(settings.rate), clear=True)
-    session.update(layout.things)
+    session.update(layout.parts)
     session.prove()
     followed = FollowedScene(
         scene, layout, settings.every / settings.rate, settings.rate, decided
@@ -101,7 +101,7 @@ def drive_batch(session: Session, scenes: Sequence[Scene], settings: Settings) -
     layouts = [layout_of(scene, settings.road) for scene in scenes]
     for world, layout in enumerate(layouts):
         session.begin(layout.settings(settings.rate), world, clear=world == 0)
-        session.update(layout.things, world)
+        session.update(layout.parts, world)
         session.prove(world)
     drive = driving.run(session, settings.ticks, every=settings.every, stop_at_end=True)
     traces = []
@@ -129,10 +129,10 @@ def _record(
     rows = drive.trace[drive.trace["world"] == world].reshape(-1, agents)
     contacts = drive.contacts[drive.contacts["world"] == world]
     ends = np.searchsorted(contacts["tick"], rows["tick"][:, 0], side="right")
-    begun = 0
+    started = 0
     for of_tick, end in zip(rows, ends, strict=True):
-        followed.look_at_records(of_tick, contacts[begun:end])
-        begun = end
+        followed.look_at_records(of_tick, contacts[started:end])
+        started = end
         if followed.finished:
             break
 

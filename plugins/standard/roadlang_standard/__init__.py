@@ -73,7 +73,7 @@ _KINDS = {
     "distribution uniform": "distribution_uniform:Uniform",
     "distribution normal": "distribution_normal:Normal",
     "distribution choice": "distribution_choice:Choice",
-    "distribution integer": "distribution_integer:Integer",
+    "distribution integer": "distribution_integer:UniformInteger",
     "sample random": "sample_random:RandomSampler",
     "sample grid": "sample_grid:GridSampler",
     "sample halton": "sample_halton:HaltonSampler",

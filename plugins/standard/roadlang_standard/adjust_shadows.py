@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Adjuster, Number, Pixels, Whole, option
+from roadlang.api import Adjuster, Integer, Number, Pixels, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,7 +20,7 @@ class Shadows(Adjuster):
 
     name: ClassVar[str] = "shadows"
     is_random: ClassVar[bool] = True
-    count: Whole = option(minimum=0, maximum=1000, help="number of patches")
+    count: Integer = option(minimum=0, maximum=1000, help="number of patches")
     size: Pixels = option(above=0, help="mean radius of a patch")
     darkness: Number = option(0.5, minimum=0, maximum=1, help="0 is transparent, 1 is black")
     softness: Number = option(

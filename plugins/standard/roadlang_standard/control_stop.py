@@ -27,6 +27,6 @@ class Stop(JunctionControl):
 
     def right_of_way(self, junction: Junction) -> RightOfWay:
         """The given roads that end here, else those beside the road that goes on."""
-        here = {arm.edge for arm in junction.arms}
+        edges = {arm.edge for arm in junction.arms}
         chosen = minor_roads(junction, clearly=False) if self.roads is None else self.roads
-        return RightOfWay("stop", tuple(road for road in chosen if road in here))
+        return RightOfWay("stop", tuple(road for road in chosen if road in edges))

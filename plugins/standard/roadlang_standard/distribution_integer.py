@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Distribution, Whole, option
+from roadlang.api import Distribution, Integer, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -15,12 +15,12 @@ _MOST_CELLS = 1_000
 
 
 @dataclass(frozen=True)
-class Integer(Distribution):
+class UniformInteger(Distribution):
     """A uniformly distributed integer from `low` to `high`, both included."""
 
     name: ClassVar[str] = "integer"
-    low: Whole = option(help="smallest value")
-    high: Whole = option(help="largest value")
+    low: Integer = option(help="smallest value")
+    high: Integer = option(help="largest value")
 
     def quantile(self, uniform: Floats) -> Floats:
         import numpy as np

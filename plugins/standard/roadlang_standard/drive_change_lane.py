@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Controller, Duration, Flag, Length, Whole, option
+from roadlang.api import Controller, Duration, Flag, Integer, Length, option
 
 from .lane_traffic import SETTLING_TIME, has_room, lane_traffic
 from .steering import along_line
@@ -23,7 +23,7 @@ SLOWEST = 1.0
 """m/s: a change begins no slower."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 _PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME = range(5)
-STILL_FREE = 0.4
+ABORT_GAP_SHARE = 0.4
 """Share of the room to begin a change that must remain on the first half of it."""
 
 
@@ -34,7 +34,7 @@ class ChangeLane(Controller):
     first half."""
 
     name: ClassVar[str] = "change_lane"
-    to: Whole = option(
+    to: Integer = option(
         words=("left", "right"),
         minimum=-32,
         maximum=32,
@@ -109,7 +109,7 @@ class ChangeLane(Controller):
         moving = (state[:, _PHASE] == MOVING) & early
         if moving.any():
             rest = np.maximum(state[:, _TIME] - state[:, _CLOCK], 0.0)
-            back = moving & ~self._is_free(seen, near, target, rest, STILL_FREE)
+            back = moving & ~self._is_free(seen, near, target, rest, ABORT_GAP_SHARE)
             state[back, _PHASE] = WAITING
             line[back] = origin[back]
 

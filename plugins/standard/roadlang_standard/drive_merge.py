@@ -10,9 +10,9 @@ from roadlang.api import (
     Controller,
     Duration,
     InitialSpeed,
+    Integer,
     Length,
     Speed,
-    Whole,
     option,
 )
 
@@ -47,7 +47,7 @@ class Merge(Controller):
     there."""
 
     name: ClassVar[str] = "merge"
-    to: Whole = option(
+    to: Integer = option(
         "left",
         words=("left", "right"),
         minimum=-32,
@@ -119,7 +119,7 @@ class Merge(Controller):
         speed = seen.speed
         wanted = target_speed(seen, self.speed, self.deceleration)
         free = toward(speed, wanted, self.acceleration, self.deceleration)
-        own = self._behind(seen, *seen.vehicle_ahead())
+        in_lane = self._behind(seen, *seen.vehicle_ahead())
         there = lane.there & (lane.gap > -seen.length[:, None] - lane.length)
         behind = LaneTraffic(
             there, lane.ahead | (lane.gap < BESIDE - seen.length[:, None]), lane.gap, lane.pace,
@@ -131,7 +131,7 @@ class Merge(Controller):
         needed = speed * speed / (2.0 * np.maximum(left, 0.05))
         stopping = np.where(needed >= 0.9 * self.deceleration, -needed, np.inf)
         stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)
-        least = np.minimum(np.minimum(free, own), np.minimum(gentle, stopping))
+        least = np.minimum(np.minimum(free, in_lane), np.minimum(gentle, stopping))
         return np.maximum(least, -HARDEST)
 
     def _behind(self, seen: ObservationBatch, gap: Floats, pace: Floats) -> Floats:

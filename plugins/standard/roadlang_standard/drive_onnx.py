@@ -10,9 +10,9 @@ from roadlang.api import (
     Angle,
     Controller,
     File,
+    Integer,
     Length,
     ListOf,
-    Whole,
     option,
 )
 
@@ -31,7 +31,7 @@ class OnnxController(Controller):
     distances: ListOf[Length] = option(
         (5.0, 10.0, 20.0, 30.0, 50.0), help="distances ahead at which it sees the path"
     )
-    agents: Whole = option(4, minimum=0, maximum=100, help="how many other agents it sees")
+    agents: Integer = option(4, minimum=0, maximum=100, help="how many other agents it sees")
     steering: Angle = option(0.61, above=0, maximum=1.5, help="what the output 1 means")
     acceleration: Acceleration = option(4.0, above=0, maximum=20, help="what the output 1 means")
     deceleration: Acceleration = option(8.0, above=0, maximum=20, help="what the output -1 means")

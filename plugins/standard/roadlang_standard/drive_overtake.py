@@ -51,7 +51,7 @@ SPEED_GAIN = 2.0
 """1/s: acceleration for each m/s that the speed is off."""
 PULL_OUT = 8.0
 """Meters before something that stands still at which it waits, so that it can pull out."""
-STILL = 1.0
+STANDSTILL = 1.0
 """m/s: what is slower stands still."""
 EASE = 1.5
 """m/s^2: from this deceleration on it brakes for what stands still."""
@@ -132,12 +132,12 @@ class Overtake(Controller):
 
         near = seen.nearby(SIGHT)
         found, ahead, left, pace, length = target_among(near, self.target)
-        here = seen.road_offset - seen.cross_track_error
+        offset = seen.road_offset - seen.cross_track_error
         waiting = state[:, _PHASE] == WAITING
-        origin = np.where(waiting, here, state[:, _ORIGIN])
+        origin = np.where(waiting, offset, state[:, _ORIGIN])
         middle = np.where(waiting, seen.offset_of_lane("inner"), state[:, _LANE])
-        lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, here), near)
-        row = members(near, self.target) & (np.abs(near.pace) < STILL)
+        lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, offset), near)
+        row = members(near, self.target) & (np.abs(near.pace) < STANDSTILL)
         farthest = np.where(row, near.ahead, -np.inf).max(axis=1, initial=-np.inf)
         row_length = np.maximum(farthest - ahead, 0.0)
         return PassingView(
@@ -165,11 +165,11 @@ class Overtake(Controller):
         )
         time = passing_time(seen.speed, plan.pace, plan.fast, self.acceleration, to_gain)
         time = time + self.duration
-        own = passing_distance(seen.speed, plan.fast, self.acceleration, time)
+        own_distance = passing_distance(seen.speed, plan.fast, self.acceleration, time)
         lane = plan.lane
         theirs = np.maximum(-lane.pace, 0.0) * (time + MARGIN)[:, None]
         oncoming = lane.there & lane.ahead & (lane.pace < 0.5 * seen.speed[:, None])
-        blocked = oncoming & (lane.gap < share * (own[:, None] + theirs + STANDSTILL_GAP))
+        blocked = oncoming & (lane.gap < share * (own_distance[:, None] + theirs + STANDSTILL_GAP))
         return np.asarray(~blocked.any(axis=1))
 
     def _wait(self, seen: ObservationBatch, plan: PassingView, state: Any) -> None:
@@ -185,15 +185,15 @@ class Overtake(Controller):
             & (np.abs(plan.left) < np.maximum(plan.length, seen.width))
         )
         fits &= plan.fast - plan.pace >= LEAST_FASTER
-        fits &= (plan.pace > STILL) | (gap > 0.5 * PULL_OUT)
+        fits &= (plan.pace > STANDSTILL) | (gap > 0.5 * PULL_OUT)
         if not fits.any():
             return
         time = np.zeros(len(gap)) + self.duration
-        same_way = LaneTraffic(
+        same_direction = LaneTraffic(
             plan.lane.there & (plan.lane.pace >= 0.5 * seen.speed[:, None]),
             plan.lane.ahead, plan.lane.gap, plan.lane.pace, plan.lane.length,
         )  # fmt: skip
-        fits &= self._free(seen, plan, 1.0) & has_room(seen, same_way, time)
+        fits &= self._free(seen, plan, 1.0) & has_room(seen, same_direction, time)
         fits &= self._place_before(seen, plan)
         state[fits, _PHASE] = PASSING
 
@@ -251,7 +251,7 @@ class Overtake(Controller):
 
         gap = plan.gap(seen.length)
         nearest, _ = plan.home.nearest_ahead()
-        waits = plan.found & (plan.pace < STILL) & (gap > 0.0) & (np.abs(gap - nearest) < 1.0)
+        waits = plan.found & (plan.pace < STANDSTILL) & (gap > 0.0) & (np.abs(gap - nearest) < 1.0)
         needed = seen.speed * seen.speed / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
         needed = np.where(gap < PULL_OUT + 0.5, np.maximum(needed, 2.0 * EASE), needed)
         return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)

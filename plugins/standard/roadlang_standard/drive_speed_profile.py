@@ -44,24 +44,24 @@ class SpeedProfile(Controller):
 
         seen = observations
         state[:] = np.where(np.isnan(state), seen.traveled, state)
-        gone = seen.traveled - state
+        traveled = seen.traveled - state
         points = np.asarray(self.points, dtype=np.float64)
-        points = np.broadcast_to(points, (len(gone), *points.shape[-2:]))
+        points = np.broadcast_to(points, (len(traveled), *points.shape[-2:]))
         order = points[:, :, 0].argsort(axis=1, kind="stable")
         place = np.take_along_axis(points[:, :, 0], order, axis=1)
         speed = np.maximum(np.take_along_axis(points[:, :, 1], order, axis=1), 0.0)
         square = speed[:, 0] * speed[:, 0]
-        rate = np.zeros(len(gone))
+        rate = np.zeros(len(traveled))
         for left in range(points.shape[1] - 1):
             span = np.maximum(place[:, left + 1] - place[:, left], 1e-9)
             low, high = speed[:, left] * speed[:, left], speed[:, left + 1] * speed[:, left + 1]
             slope = (high - low) / span
-            inside = gone >= place[:, left]
-            done = gone >= place[:, left + 1]
-            square = np.where(inside, low + slope * (gone - place[:, left]), square)
+            inside = traveled >= place[:, left]
+            done = traveled >= place[:, left + 1]
+            square = np.where(inside, low + slope * (traveled - place[:, left]), square)
             square = np.where(done, high, square)
             rate = np.where(inside, np.where(done, 0.0, 0.5 * slope), rate)
         wanted = np.sqrt(np.maximum(square, 0.0))
         acceleration = rate + SPEED_GAIN * (wanted - seen.speed)
         limited = np.minimum(np.maximum(acceleration, -self.deceleration), self.acceleration)
-        return ControlBatch(np.full(len(gone), np.nan), limited)
+        return ControlBatch(np.full(len(traveled), np.nan), limited)

@@ -83,6 +83,6 @@ class StopAt(Controller):
         if self.distance is not None:
             left = self.distance - (seen.traveled - state[:, 0])
         if self.station is not None:
-            way = seen.lane_place().road_direction
-            left = np.minimum(left, (self.station - seen.station) * way)
+            direction = seen.lane_place().road_direction
+            left = np.minimum(left, (self.station - seen.station) * direction)
         return left

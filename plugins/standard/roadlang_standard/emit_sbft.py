@@ -62,5 +62,5 @@ def _road(scene: Scene, name: str) -> SceneRoad:
     driven = next((actor.road for actor in scene.agents if actor.road in roads), None)
     if driven is not None:
         return roads[driven]
-    made = [road for road in scene.roads if road.derived] or list(scene.roads)
-    return made[-1]
+    derived = [road for road in scene.roads if road.derived] or list(scene.roads)
+    return derived[-1]

@@ -58,7 +58,7 @@ class Aerial(Extractor):
         from .extraction.cache import remembered
         from .extraction.classical import roads_by_ribbons
         from .extraction.pixels import pixels_of
-        from .extraction.world import extraction
+        from .extraction.pixels_to_meters import extraction
 
         if self.method == "classical":
             return extraction(picture, roads_by_ribbons(pixels_of(picture, self.name)))

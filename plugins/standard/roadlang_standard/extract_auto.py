@@ -46,7 +46,7 @@ class Auto(Extractor):
         from .extract_pixels import Pixel
         from .extraction.drawing import roads_of_drawing
         from .extraction.picture_kind import MAP, picture_kind
-        from .extraction.world import extraction
+        from .extraction.pixels_to_meters import extraction
 
         if picture.characters is not None or picture.legend:
             kind = "typed grid" if picture.characters is not None else "drawing with a legend"

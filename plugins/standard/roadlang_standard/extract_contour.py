@@ -42,7 +42,7 @@ class Contour(Extractor):
     def extract(self, picture: Picture) -> Extraction:
         from .extraction.contour import ContourSteps, roads_by_contour
         from .extraction.pixels import pixels_of
-        from .extraction.world import extraction
+        from .extraction.pixels_to_meters import extraction
 
         chain = ContourSteps(
             blur=self.blur,

@@ -22,7 +22,7 @@ class Pixel(Extractor):
 
     def extract(self, picture: Picture) -> Extraction:
         from .extraction.pixels import read_legend
-        from .extraction.world import extraction
+        from .extraction.pixels_to_meters import extraction
 
-        found, things = read_legend(picture, self.thickness)
-        return extraction(picture, found, things)
+        found, objects = read_legend(picture, self.thickness)
+        return extraction(picture, found, objects)

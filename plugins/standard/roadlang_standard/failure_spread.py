@@ -128,10 +128,10 @@ class FailureSpread:
         base = base[random.integers(len(base), size=count)]
         near = np.argsort(squares_apart(base, failures), axis=1, kind="stable")[:, :_NEIGHBORS]
         rows = np.arange(count)
-        one, other = (
+        first, second = (
             failures[near[rows, random.integers(near.shape[1], size=count)]] for _ in range(2)
         )
-        moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (one - other)
+        moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (first - second)
         noise = _NOISE * random.random((count, 1)) * random.standard_normal(base.shape)
         return np.asarray(moved + noise)
 
@@ -140,8 +140,8 @@ def _loss(squares: Floats, unlike: tuple[float, float]) -> Floats:
     """What candidates lose that are as near as this to a failure, or to one that is chosen."""
     import numpy as np
 
-    apart, alike = unlike
-    return np.asarray(alike * np.maximum(apart - np.sqrt(squares), 0.0))
+    apart, similar = unlike
+    return np.asarray(similar * np.maximum(apart - np.sqrt(squares), 0.0))
 
 
 def _spread(

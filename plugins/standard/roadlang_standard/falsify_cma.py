@@ -66,38 +66,38 @@ class CmaSearch(Search):
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
-        self._asked: list[tuple[_Run | FailureSpread, Floats]] = []
+        self._pending: list[tuple[_Run | FailureSpread, Floats]] = []
 
     def ask(self, count: int) -> Floats:
         import numpy as np
 
         columns = self._encoding.columns
-        self._asked = []
+        self._pending = []
         if columns < 2:  # the strategy needs two dimensions
             return self._encoding.points(self._random.random((count, columns)))
         self._population = self._population or max(_SMALLEST, round(0.5 * count))
         share = round(count * self._options.spread) if self._spread.has_parents else 0
         if share:
-            self._asked.append((self._spread, self._spread.ask(share)))
+            self._pending.append((self._spread, self._spread.ask(share)))
             count -= share
         number = 0
         while count > 0:
             if number == len(self._runs):
                 self._runs.append(self._new_run())
             run = self._runs[number]
-            self._asked.append((run, run.ask(min(count, run.rest))))
-            count -= len(self._asked[-1][1])
+            self._pending.append((run, run.ask(min(count, run.rest))))
+            count -= len(self._pending[-1][1])
             number += 1
-        return self._encoding.points(np.concatenate([vectors for _, vectors in self._asked]))
+        return self._encoding.points(np.concatenate([vectors for _, vectors in self._pending]))
 
     def tell(self, points: Floats, values: Floats, descriptors: Floats) -> None:
         first = 0
-        for asked, vectors in self._asked:
+        for source, vectors in self._pending:
             part = slice(first, first + len(vectors))
             first = part.stop
             restart = self._options.restart
-            if isinstance(asked, _Run) and asked.tell(vectors, values[part], restart):
-                self._runs.remove(asked)
+            if isinstance(source, _Run) and source.tell(vectors, values[part], restart):
+                self._runs.remove(source)
             self._spread.tell(vectors, values[part], descriptors[part])
 
     def _new_run(self) -> _Run:
@@ -117,14 +117,14 @@ class _Run:
     ) -> None:
         self.population = population
         self._strategy = _strategy(start, sigma, population, random)
-        self._told: list[tuple[Floats, float]] = []
+        self._evaluated: list[tuple[Floats, float]] = []
         self._best = float("inf")
         self._stale = 0
 
     @property
     def rest(self) -> int:
         """Points that the current generation still lacks."""
-        return self.population - len(self._told)
+        return self.population - len(self._evaluated)
 
     def ask(self, count: int) -> Floats:
         """Points of the current generation, which may be requested in parts."""
@@ -134,15 +134,15 @@ class _Run:
 
     def tell(self, vectors: Floats, values: Floats, restart: float) -> bool:
         """Whether the run is over: it has found enough, or finds nothing better any more."""
-        self._told += zip(vectors, values.tolist(), strict=True)
-        if len(self._told) < self.population:
+        self._evaluated += zip(vectors, values.tolist(), strict=True)
+        if len(self._evaluated) < self.population:
             return False
-        told = [value for _, value in self._told]
-        self._strategy.tell([vector for vector, _ in self._told], told)
-        self._told = []
-        self._stale = 0 if min(told) < self._best else self._stale + 1
-        self._best = min(self._best, *told)
-        failing = sum(value < 0.0 for value in told) / len(told)
+        values_so_far = [value for _, value in self._evaluated]
+        self._strategy.tell([vector for vector, _ in self._evaluated], values_so_far)
+        self._evaluated = []
+        self._stale = 0 if min(values_so_far) < self._best else self._stale + 1
+        self._best = min(self._best, *values_so_far)
+        failing = sum(value < 0.0 for value in values_so_far) / len(values_so_far)
         return failing >= restart or self._stale >= _STALE or bool(self._strategy.stop())
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Axis, Number, Search, Searcher, Whole, option
+from roadlang.api import Axis, Integer, Number, Search, Searcher, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -18,7 +18,7 @@ class Elites(Searcher):
     differs from all others, and children of these. For a survey: `cma` finds more failures."""
 
     name: ClassVar[str] = "elites"
-    initial: Whole = option(
+    initial: Integer = option(
         200, minimum=2, help="candidates of a Halton sequence before the first children"
     )
     step: Number = option(
@@ -50,7 +50,7 @@ class ElitesSearch(Search):
         self._encoding = CubeEncoding(axes)
         self._options = options
         self._seed = seed
-        self._asked = 0
+        self._count = 0
         self._vectors = np.empty((0, self._encoding.columns))
         self._archive = Archive()
 
@@ -59,8 +59,8 @@ class ElitesSearch(Search):
 
         from .halton_sequence import halton_points
 
-        indices = np.arange(self._asked, self._asked + count)
-        self._asked += count
+        indices = np.arange(self._count, self._count + count)
+        self._count += count
         columns = self._encoding.columns
         self._vectors = halton_points(indices, columns, self._seed)
         late = indices >= self._options.initial
@@ -75,9 +75,9 @@ class ElitesSearch(Search):
         import numpy as np
 
         random, parents = self._random, np.stack(self._archive.vectors)
-        one, other = (parents[random.integers(len(parents), size=count)] for _ in range(2))
+        first, second = (parents[random.integers(len(parents), size=count)] for _ in range(2))
         along = self._options.line * random.standard_normal((count, 1))
-        child = one + along * (other - one)
+        child = first + along * (second - first)
         child = child + self._options.step * random.standard_normal(child.shape)
         return np.asarray(1.0 - np.abs(np.mod(child, 2.0) - 1.0))
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import prod
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Axis, Code, DiagnosticError, Search, Searcher, Whole, diagnose, option
+from roadlang.api import Axis, Code, DiagnosticError, Integer, Search, Searcher, diagnose, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -22,7 +22,7 @@ class Grid(Searcher):
 
     name: ClassVar[str] = "grid"
     is_adaptive: ClassVar[bool] = False
-    steps: Whole = option(
+    steps: Integer = option(
         5, minimum=1, maximum=10_000, help="number of values of each continuous draw"
     )
 
@@ -40,13 +40,13 @@ class _GridSearch(Search):
     def __init__(self, levels: Sequence[Sequence[float]]) -> None:
         self._levels = levels
         self._size = prod(map(len, levels))
-        self._asked = 0
+        self._count = 0
 
     def ask(self, count: int) -> Floats:
         import numpy as np
 
-        rest = np.arange(self._asked, min(self._asked + count, self._size))
-        self._asked += len(rest)
+        rest = np.arange(self._count, min(self._count + count, self._size))
+        self._count += len(rest)
         points = np.empty((len(rest), len(self._levels)))
         for column in reversed(range(len(self._levels))):
             levels = np.asarray(self._levels[column])

@@ -29,11 +29,11 @@ class _HaltonSearch(Search):
     def __init__(self, dimensions: int, seed: int) -> None:
         self._dimensions = dimensions
         self._seed = seed
-        self._asked = 0
+        self._count = 0
 
     def ask(self, count: int) -> Floats:
         import numpy as np
 
-        indices = np.arange(self._asked, self._asked + count)
-        self._asked += count
+        indices = np.arange(self._count, self._count + count)
+        self._count += count
         return halton_points(indices, self._dimensions, self._seed)

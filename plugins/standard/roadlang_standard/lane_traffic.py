@@ -75,9 +75,9 @@ def has_room(
     traffic must be farther away than both go until then and `MEETING` seconds more."""
     import numpy as np
 
-    own = seen.speed[:, None]
-    behind = np.where(lane.ahead, own, lane.pace)
-    closing = np.maximum(np.where(lane.ahead, own - lane.pace, lane.pace - own), 0.0)
+    speed = seen.speed[:, None]
+    behind = np.where(lane.ahead, speed, lane.pace)
+    closing = np.maximum(np.where(lane.ahead, speed - lane.pace, lane.pace - speed), 0.0)
     needed = STANDSTILL_GAP + REACTION * np.maximum(behind, 0.0)
     needed = needed + closing * closing / (2.0 * BRAKING)
     oncoming = lane.ahead & (lane.pace < -1.0)

@@ -18,7 +18,7 @@ class StartLane(RoadNumber):
     name: ClassVar[str] = "start_lane"
     cost: ClassVar[float] = 1.0
     member: ClassVar[bool] = True
-    is_whole: ClassVar[bool] = True
+    is_integer: ClassVar[bool] = True
     actor: AgentOrObject = option(help="agent or object on a road")
 
     def values(self) -> Floats:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Length, Perturber, Whole, option
+from roadlang.api import Integer, Length, Perturber, option
 
 if TYPE_CHECKING:
     from roadlang.api import BatchRandom, RoadBatch
@@ -18,7 +18,7 @@ class Harmonics(Perturber):
 
     name: ClassVar[str] = "harmonics"
     amplitude: Length = option(minimum=0, help="bound of the displacement")
-    modes: Whole = option(6, minimum=1, maximum=64, help="how many waves")
+    modes: Integer = option(6, minimum=1, maximum=64, help="how many waves")
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         """Weights of a sine and a cosine for each wave, those of short waves smaller.

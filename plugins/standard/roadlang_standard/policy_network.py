@@ -26,9 +26,11 @@ def policy(path: str, inputs: int) -> Callable[[NDArray[np.float32]], NDArray[np
     """
     name = Path(path).name
     session = _session(path, name)
-    (given,), (found,) = _only(session.get_inputs(), name), _only(session.get_outputs(), name)
-    if given.type != "tensor(float)" or not _fits(given.shape, inputs):
-        raise _unusable(name, f"its input is {given.type} {given.shape}, not float32 (1, {inputs})")
+    (input_,), (found,) = _only(session.get_inputs(), name), _only(session.get_outputs(), name)
+    if input_.type != "tensor(float)" or not _fits(input_.shape, inputs):
+        raise _unusable(
+            name, f"its input is {input_.type} {input_.shape}, not float32 (1, {inputs})"
+        )
     if not _fits(found.shape, OUTPUTS):
         raise _unusable(name, f"its output has the shape {found.shape}, not (1, {OUTPUTS})")
 
@@ -36,7 +38,7 @@ def policy(path: str, inputs: int) -> Callable[[NDArray[np.float32]], NDArray[np
         out = np.empty((len(vectors), OUTPUTS))
         for row in range(len(vectors)):
             with _faults_of(name, "it fails"):
-                (answer,) = session.run([found.name], {given.name: vectors[row : row + 1]})
+                (answer,) = session.run([found.name], {input_.name: vectors[row : row + 1]})
                 out[row] = np.asarray(answer, dtype=np.float64).reshape(OUTPUTS)
         if not np.isfinite(out).all():
             raise _unusable(name, "it gave a number that is not finite")
@@ -77,7 +79,7 @@ def _faults_of(name: str, what: str) -> Iterator[None]:
 
 def _only(ends: Any, name: str) -> list[Any]:
     if len(ends) != 1:
-        names = ", ".join(one.name for one in ends) or "none"
+        names = ", ".join(end.name for end in ends) or "none"
         raise _unusable(name, f"it has to have one input and one output, not {names}")
     return list(ends)
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import AgentOrObject, Length, Position, Standing, Whole, Word, geometry, option
+from roadlang.api import AgentOrObject, Integer, Length, Position, Standing, Word, geometry, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -80,8 +80,8 @@ class AtJunction(Position):
     """Before a junction of the network: in a lane that leads into it, at its stop line."""
 
     name: ClassVar[str] = "junction"
-    id: Whole = option(minimum=0, help="id of the junction")
-    road: Whole = option(None, minimum=0, help="id of the road; by default any that leads there")
+    id: Integer = option(minimum=0, help="id of the junction")
+    road: Integer = option(None, minimum=0, help="id of the road; by default any that leads there")
     before: Length = option(0.0, minimum=0, help="how far before the stop line")
 
     def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.RoutePlace]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Code, DiagnosticError, Sampler, Whole, diagnose, option
+from roadlang.api import Code, DiagnosticError, Integer, Sampler, diagnose, option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,7 +25,7 @@ class GridSampler(Sampler):
     """A parameter sweep: every combination of the values of all draws."""
 
     name: ClassVar[str] = "grid"
-    steps: Whole = option(
+    steps: Integer = option(
         5, minimum=1, maximum=10_000, help="number of values of each continuous draw"
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Sampler, Whole, option
+from roadlang.api import Integer, Sampler, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -20,13 +20,13 @@ class Guided(Sampler):
 
     name: ClassVar[str] = "guided"
     sequential: ClassVar[bool] = False
-    attempts: Whole = option(
+    attempts: Integer = option(
         None,
         minimum=1,
         maximum=100_000_000,
         help="maximum attempts per scene; by default about five seconds of work",
     )
-    pilot: Whole = option(
+    pilot: Integer = option(
         20_000, minimum=100, maximum=10_000_000, help="maximum number of candidates to learn from"
     )
 

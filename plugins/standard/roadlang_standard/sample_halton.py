@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Sampler, Whole, option
+from roadlang.api import Integer, Sampler, option
 
 from .halton_sequence import halton_points
 
@@ -24,7 +24,7 @@ class HaltonSampler(Sampler):
     """A scrambled Halton sequence: covers the space more evenly than random draws."""
 
     name: ClassVar[str] = "halton"
-    attempts: Whole = option(
+    attempts: Integer = option(
         None,
         minimum=1,
         maximum=100_000_000,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Sampler, Whole, option
+from roadlang.api import Integer, Sampler, option
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class RandomSampler(Sampler):
     name: ClassVar[str] = "random"
     is_default: ClassVar[bool] = True
     sequential: ClassVar[bool] = False
-    attempts: Whole = option(
+    attempts: Integer = option(
         None,
         minimum=1,
         maximum=100_000_000,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Point, Selector, Whole, geometry, option
+from roadlang.api import Integer, Point, Selector, geometry, option
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class RoadById(Selector):
     """One road of the network, by its id."""
 
     name: ClassVar[str] = "road"
-    id: Whole = option(minimum=0, help="id that the map or the extractor gave the road")
+    id: Integer = option(minimum=0, help="id that the map or the extractor gave the road")
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
         """The whole of that road."""

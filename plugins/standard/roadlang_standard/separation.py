@@ -30,9 +30,9 @@ def nearest(group: Any, other: Any, separation: Separation) -> Floats:
 def _while_present(a: AgentTrace, b: AgentTrace, separation: Separation) -> Floats:
     import numpy as np
 
-    gone = (a.present == 0.0) | (b.present == 0.0)
+    absent = (a.present == 0.0) | (b.present == 0.0)
     apart = separation(a, b)
-    return np.where(gone, np.inf, apart) if gone.any() else apart
+    return np.where(absent, np.inf, apart) if absent.any() else apart
 
 
 def middles(a: AgentTrace, b: AgentTrace) -> Floats:

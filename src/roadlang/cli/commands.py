@@ -57,7 +57,7 @@ class LazyGroup(click.Group):
         from .plugin_commands import load_command, plugin_commands
 
         added = plugin_commands(OURS)
-        broken = added.broken_one(name)
+        broken = added.broken_command(name)
         try:
             if broken is not None:
                 raise broken.refuse()

@@ -75,7 +75,7 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
 )
 @click.option("--model", type=click.Path(dir_okay=False), help="Model file for `--with onnx`.")
 def command(
-    image: str, output: str | None, overlay: str | None, mask: str | None, **given: Any
+    image: str, output: str | None, overlay: str | None, mask: str | None, **settings: Any
 ) -> None:
     """Extract the roads of IMAGE.
 
@@ -85,8 +85,8 @@ def command(
     from ..files.writing import write_file
     from .extraction_files import as_json, as_mask, as_overlay
 
-    picture, scale = _opened(Path(image), given["scale"])
-    found, seconds = _extracted(picture, scale, given)
+    picture, scale = _opened(Path(image), settings["scale"])
+    found, seconds = _extracted(picture, scale, settings)
     document = as_json(picture, found, scale, seconds, _beside(mask, output))
     files: dict[str | None, str | bytes | None] = {output: document, overlay: None, mask: None}
     if overlay is not None:
@@ -98,7 +98,7 @@ def command(
             write_file(Path(name), content)
     if output is None:
         click.echo(document)
-    _tell(found, output is not None)
+    _report(found, output is not None)
 
 
 def _load() -> None:
@@ -162,9 +162,9 @@ def _extracted(
     with plugin_guard(entry, None):
         extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
         _load()
-        begun = time.process_time()
+        started = time.process_time()
         found = extractor.extract(picture)
-        seconds = time.process_time() - begun
+        seconds = time.process_time() - started
     check_extraction(found, entry, None)
     return found, seconds
 
@@ -198,7 +198,7 @@ def _options(picture: Picture, scale: float | None, arguments: dict[str, Any]) -
     return options
 
 
-def _tell(found: Extraction, wrote: bool) -> None:
+def _report(found: Extraction, wrote: bool) -> None:
     from ..diagnostics import diagnose
 
     if wrote:

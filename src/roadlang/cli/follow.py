@@ -75,12 +75,12 @@ def _lines(path: str) -> Generator[str, None, None]:
 
     try:
         with Path(path).open(encoding="utf-8-sig", errors="replace") as file:
-            begun = ""
+            pending = ""
             while True:
-                begun += file.readline()
-                if begun.endswith("\n"):
-                    yield begun
-                    begun = ""
+                pending += file.readline()
+                if pending.endswith("\n"):
+                    yield pending
+                    pending = ""
                 else:
                     time.sleep(_PAUSE)
     except OSError as problem:

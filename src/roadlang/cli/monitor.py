@@ -147,7 +147,7 @@ def _table(findings: list[dict[str, Any]]) -> str:
     lines = [line(head)]
     for row, finding in zip(rows, findings, strict=True):
         lines.append(line(row))
-        lines += [f"  {told}" for told in finding["lines"][1:]]
+        lines += [f"  {line}" for line in finding["lines"][1:]]
     return "\n".join(lines)
 
 

@@ -44,7 +44,7 @@ class PluginCommands:
     found: dict[str, Candidate]
     broken: tuple[BrokenCommand, ...]
 
-    def broken_one(self, name: str) -> BrokenCommand | None:
+    def broken_command(self, name: str) -> BrokenCommand | None:
         """The broken command of this name, unless another one works."""
         fitting = (b for b in self.broken if b.name == name and name not in self.found)
         return next(fitting, None)

@@ -42,8 +42,8 @@ def _broken(registry: Registry, commands: PluginCommands) -> list[BrokenPlugin]:
 def _broken_line(broken: BrokenPlugin) -> str:
     verb, _, name = broken.kind.partition(" ")
     what = f"the command `{name}` of " if verb == "command" else f"`{broken.kind}` of "
-    whose = f"{what if broken.kind else ''}{broken.origin.plugin} ({broken.origin})"
-    return f"{style(f'{whose} is broken', fg='red')}: {broken.reason}"
+    owner = f"{what if broken.kind else ''}{broken.origin.plugin} ({broken.origin})"
+    return f"{style(f'{owner} is broken', fg='red')}: {broken.reason}"
 
 
 def _origins(registry: Registry, commands: PluginCommands) -> list[Origin]:

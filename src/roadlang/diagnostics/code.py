@@ -219,7 +219,7 @@ class Code:
     POSITION_OFF_ROAD: Final = "RL615"
     NO_ROOM: Final = "RL616"
     FAR_FROM_LANES: Final = "RL617"
-    NO_WAY: Final = "RL618"
+    NO_ROUTE: Final = "RL618"
     NO_AGENTS: Final = "RL700"
     SIGNAL_NOT_RECORDED: Final = "RL701"
     OTHER_JOURNAL: Final = "RL702"

@@ -32,7 +32,7 @@ def _nearest(word: str, known: tuple[str, ...]) -> str | None:
     if len(word) < 2:
         return None
     candidates = names.like(word)
-    return _fewest_edits(word, candidates) or _most_alike(word, candidates)
+    return _fewest_edits(word, candidates) or _most_similar(word, candidates)
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> tuple[str, ...]:
@@ -99,7 +99,7 @@ def _fewest_edits(word: str, candidates: list[str]) -> str | None:
     return max(sorted(best), key=_likeness_to(word)) if best else None
 
 
-def _most_alike(word: str, candidates: list[str]) -> str | None:
+def _most_similar(word: str, candidates: list[str]) -> str | None:
     """A name of which the word is a rough copy or the only beginning."""
     candidates = sorted(candidates)
     similar = get_close_matches(word, candidates, n=1, cutoff=0.7)

@@ -26,7 +26,9 @@ def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
     steady = [
         place for place, call in enumerate(actor.drive) if call.when is None and call.during is None
     ]
-    if all(one is None for one in each.values()) or (steady and each[steady[-1]] is None):
+    if all(controller is None for controller in each.values()) or (
+        steady and each[steady[-1]] is None
+    ):
         return None
     return Driver(each, steady, _signals(actor, registry))
 

@@ -45,7 +45,7 @@ def drive_figure(
     height = _HEAD + 2 * _MARGIN + high * scale
     parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
     parts += _surfaces(scene, roads, place, scale)
-    parts += (_footprint(thing, place, scale) for thing in scene.objects)
+    parts += (_footprint(object_, place, scale) for object_ in scene.objects)
     for agent in agents:
         line = place(agent.x, agent.y)
         if agent.name == name and robustness is not None:
@@ -71,7 +71,7 @@ def _surfaces(
 ) -> Iterator[str]:
     """Junctions and the roads between them."""
     shown = {road.name for road in roads}
-    for junction in (one for network in scene.networks for one in network.junctions):
+    for junction in (junction for network in scene.networks for junction in network.junctions):
         if shown.issuperset(arm.road for arm in junction.arms):
             yield _area(place(*np.array(junction.area).T))
     for road in roads:
@@ -92,13 +92,13 @@ def _area(ring: Floats) -> str:
     return f'<polygon points="{points}" fill="{_ROAD}" stroke="{_ROAD}" stroke-width="2"/>'
 
 
-def _footprint(thing: SceneActor, place: Callable[[Floats, Floats], Floats], scale: float) -> str:
-    x, y = place(np.array(thing.x), np.array(thing.y)).tolist()
-    long, wide = thing.length * scale, thing.width * scale
-    turn = f"translate({x:.1f} {y:.1f}) rotate({-np.degrees(thing.heading):.1f})"
+def _footprint(actor: SceneActor, place: Callable[[Floats, Floats], Floats], scale: float) -> str:
+    x, y = place(np.array(actor.x), np.array(actor.y)).tolist()
+    long, wide = actor.length * scale, actor.width * scale
+    turn = f"translate({x:.1f} {y:.1f}) rotate({-np.degrees(actor.heading):.1f})"
     return (
         f'<rect x="{-long / 2:.1f}" y="{-wide / 2:.1f}" width="{long:.1f}" height="{wide:.1f}"'
-        f' transform="{turn}" fill="{_OBJECT}"><title>{escape(thing.name)}</title></rect>'
+        f' transform="{turn}" fill="{_OBJECT}"><title>{escape(actor.name)}</title></rect>'
     )
 
 

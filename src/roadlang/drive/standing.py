@@ -10,27 +10,27 @@ from ..ir.scene import Scene
 from ..ir.trace import AgentTrace, Trace
 
 
-def without_still(trace: Trace, scene: Scene) -> Trace:
+def without_objects(trace: Trace, scene: Scene) -> Trace:
     """The trace without the objects of the scene that stand in one place throughout."""
-    objects = {thing.name for thing in scene.objects}
+    objects = {object_.name for object_ in scene.objects}
     moving = {
         name: agent
         for name, agent in trace.agents.items()
-        if name not in objects or not _is_still(agent)
+        if name not in objects or not _is_object(agent)
     }
     return replace(trace, agents=moving)
 
 
-def with_still(trace: Trace, scene: Scene) -> Trace:
+def with_objects(trace: Trace, scene: Scene) -> Trace:
     """The trace with all objects of the scene: those that it lacks stand where they were placed."""
     missing = {
-        thing.name: AgentTrace.standing(thing, trace.time)
-        for thing in scene.objects
-        if thing.name not in trace.agents
+        object_.name: AgentTrace.standing(object_, trace.time)
+        for object_ in scene.objects
+        if object_.name not in trace.agents
     }
     return replace(trace, agents={**trace.agents, **missing})
 
 
-def _is_still(agent: AgentTrace) -> bool:
+def _is_object(agent: AgentTrace) -> bool:
     poses = np.stack([agent.x, agent.y, agent.heading])
     return bool((poses == poses[:, :1]).all())

@@ -74,7 +74,7 @@ class Episodes:
         self._at_start = (world.halted.copy(), world.contacts.copy())
         self._margins = [Margins(name, world, pool.registry) for name in pool.margins]
         self._before = np.zeros((len(scenes), 2))
-        depth = max((one.looks_back for one in self._margins), default=0)
+        depth = max((margin.looks_back for margin in self._margins), default=0)
         self._samples = Samples(depth, settings.step)
         self._samples.add(world, self._poses)
         self._off_road = OffRoadCheck(world)
@@ -109,8 +109,8 @@ class Episodes:
             poses = world.poses
             self._contacts.seen(poses)
         self._poses = poses
-        made = world.traveled[self._agents[rows]] - along
-        transition = self._transition(rows, actions, made)
+        progress = world.traveled[self._agents[rows]] - along
+        transition = self._transition(rows, actions, progress)
         self._before[rows] = actions
         return transition, self._ends(rows, transition)
 
@@ -131,7 +131,7 @@ class Episodes:
         world, poses, agents = self._world, self._poses, self._selected(rows)
         motion = world.motion
         self._samples.add(world, poses)
-        margins = {one.name: one.values(self._samples)[rows] for one in self._margins}
+        margins = {margin.name: margin.values(self._samples)[rows] for margin in self._margins}
         return Transition(
             margins=margins,
             moved=moved,

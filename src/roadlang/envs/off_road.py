@@ -65,6 +65,6 @@ def _line_width(world: World, agent: int) -> float:
 
 def _drivable(road: SceneRoad) -> float:
     lanes = LaneSection.of(road)
-    first, last = drivable_borders(np.array([one.drivable for one in lanes.section.lanes]))
+    first, last = drivable_borders(np.array([lane.drivable for lane in lanes.section.lanes]))
     borders: Floats = lanes.section.border_offsets(np.array(road.stations))
     return float(min(borders[first].min(), -borders[last].max()))

@@ -90,11 +90,11 @@ class OneByOne:
 
     def observe(self) -> NDArray[np.float32]:
         """(N, F)."""
-        return np.concatenate([one.observe(_ONLY) for one in self._episodes])
+        return np.concatenate([episode.observe(_ONLY) for episode in self._episodes])
 
     def step(self, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on."""
-        found = [one.step(_ONLY, actions[[i]]) for i, one in enumerate(self._episodes)]
+        found = [episode.step(_ONLY, actions[[i]]) for i, episode in enumerate(self._episodes)]
         happened = [transition for transition, _ in found]
         columns = {
             field.name: np.concatenate([getattr(one, field.name) for one in happened])

@@ -68,7 +68,7 @@ class SceneEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
             terminated,
             bool(ends.late[0]) and not terminated,
             {
-                "margins": {name: float(one[0]) for name, one in happened.margins.items()},
+                "margins": {name: float(margin[0]) for name, margin in happened.margins.items()},
                 **{name: bool(column[0]) for name, column in ends.reasons.items()},
             },
         )

@@ -46,7 +46,7 @@ def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
     scenes = tuple(_waiting(scene, place) for scene, place in zip(records, places, strict=True))
     verdicts = {verdict.name: verdict for verdict in scenes[0].expectations}
     margins = tuple(
-        name for name, one in verdicts.items() if margin_formula(one, registry) is not None
+        name for name, verdict in verdicts.items() if margin_formula(verdict, registry) is not None
     )
     if reward is not None and reward not in margins:
         raise _no_reward(reward, verdicts)

@@ -82,8 +82,8 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
             return self._reset_some(_checked_mask(mask, self.num_envs), seed)
         self._seed(seed)
         draws = [
-            [int(one.integers(len(self.pool.scenes))) for _ in range(self._each)]
-            for one in self._generators
+            [int(generator.integers(len(self.pool.scenes))) for _ in range(self._each)]
+            for generator in self._generators
         ]
         self._rows = rows_of(self.pool, draws, self.settings)
         self._over[:] = False
@@ -109,10 +109,10 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
         observed = rows.observe()
         info = _masked(info | {"margins": _masked(dict(happened.margins), ~over)}, ~over)
         if mode == AutoresetMode.SAME_STEP and self._over.any():
-            observed, info = self._begun(observed, info)
+            observed, info = self._first_step(observed, info)
         return observed, rewards, terminated, truncated, info
 
-    def _begun(self, observed: Array, info: dict[str, Any]) -> tuple[Array, dict[str, Any]]:
+    def _first_step(self, observed: Array, info: dict[str, Any]) -> tuple[Array, dict[str, Any]]:
         """Where an episode is over, the next one begins; `info` has how the last one ended."""
         over = self._over.copy()
         last = np.full(self.num_envs, None, dtype=object)
@@ -144,7 +144,7 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
             seeds = list(seed)
         if len(seeds) != self.num_envs:
             raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
-        self._generators = [seeding.np_random(one)[0] for one in seeds]
+        self._generators = [seeding.np_random(seed)[0] for seed in seeds]
 
     def _running(self) -> Rows:
         if self._rows is None:

@@ -60,7 +60,9 @@ class EnvSettings:
                 )
         if self.vehicle_step > 0.05 or self.step > 1.0:
             raise ValueError("vehicle_step may be at most 0.05 s, and step at most 1 s")
-        if not all(_is_number(one) and 0.0 <= one <= 1000.0 for one in self.distances):
+        if not all(
+            _is_number(distance) and 0.0 <= distance <= 1000.0 for distance in self.distances
+        ):
             raise ValueError(f"distances must be from 0 to 1000 m, not {self.distances!r}")
 
     @property

@@ -87,7 +87,9 @@ def named(name: str, candidates: CandidateBatch) -> Any:
         return found
 
     declared = candidates.scenario.values[name]
-    return candidates.of_scene(lambda whole: whole.once(("value", name), lambda: make(whole)))
+    return candidates.of_scene(
+        lambda scene_batch: scene_batch.once(("value", name), lambda: make(scene_batch))
+    )
 
 
 def drawn(draw: RandomValue, candidates: CandidateBatch, element: int = 0) -> Any:
@@ -164,8 +166,8 @@ def build(
             value = evaluate(written[option.name], candidates, element)
             value = scalar(value) if single else value
             check_bounds(option, value, call)
-            made = converted(option, value, candidates, element, single, resolve)
-            fields[option.name] = frozen(made)
+            option_value = converted(option, value, candidates, element, single, resolve)
+            fields[option.name] = frozen(option_value)
         elif not option.required:
             fields[option.name] = option.default
     with plugin_guard(entry, call.span):

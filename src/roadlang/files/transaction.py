@@ -41,7 +41,7 @@ def replace_files(
     While it happens `marker` is not there: where it is, all files are those that belong to it.
     Raises `OSError` with the folder as it was before. The caller holds the lock of the folder.
     """
-    _refuse_other_things(folder, contents)
+    _refuse_non_files(folder, contents)
     room = Path(tempfile.mkdtemp(prefix=PREFIX, dir=folder))
     try:
         steps = _gathered(folder, room, contents, removed, marker)
@@ -95,7 +95,7 @@ def _is_folder(path: Path) -> bool:
     return path.is_dir() and not path.is_symlink()
 
 
-def _refuse_other_things(folder: Path, names: Iterable[str]) -> None:
+def _refuse_non_files(folder: Path, names: Iterable[str]) -> None:
     """A folder or a device is not replaced, nor what a link to one stands for."""
     for name in names:
         target = folder / name
@@ -113,24 +113,24 @@ def _gathered(
 ) -> list[_FileStep]:
     """Write the new contents, keep the old files, and list the steps, the marker's last."""
     names = sorted(contents, key=lambda name: name == marker)
-    gone = [
+    deleted = [
         name
         for name in dict.fromkeys(removed)
         if is_plain(name) and name not in contents and (folder / name).is_file()
     ]
     steps = []
-    for number, name in enumerate([*gone, *names]):
+    for number, name in enumerate([*deleted, *names]):
         new = f"new-{number}" if name in contents else None
         if new is not None:
             _write(room / new, contents[name])
-        steps.append(_FileStep(name, new, _kept(folder / name, room, number)))
+        steps.append(_FileStep(name, new, _backup(folder / name, room, number)))
     for step in steps:
         if step.new is not None:
             _sync(room / step.new)
     return steps
 
 
-def _kept(target: Path, room: Path, number: int) -> str | None:
+def _backup(target: Path, room: Path, number: int) -> str | None:
     """A second name for what is there now, or a copy where the file system has no such names."""
     copy = room / f"old-{number}"
     if not os.path.lexists(target):

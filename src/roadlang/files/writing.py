@@ -49,7 +49,7 @@ def write_set(
         name: content.encode() if isinstance(content, str) else content
         for name, content in contents.items()
     }
-    with _reported(folder), _made(folder), folder_lock(folder):
+    with _reported(folder), _created(folder), folder_lock(folder):
         recover(folder)
         earlier = folder / marker if marker is not None else None
         removed: Iterable[str] = ()
@@ -103,7 +103,7 @@ def replace_file(path: Path, text: str) -> None:
 
 
 @contextlib.contextmanager
-def _made(folder: Path) -> Iterator[None]:
+def _created(folder: Path) -> Iterator[None]:
     """Make a folder with its parents; where the writing fails, those that were made go again."""
     missing = [path for path in (folder, *folder.parents) if not os.path.lexists(path)]
     folder.mkdir(parents=True, exist_ok=True)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
-from .image_header import ImageHeader, is_whole, read_header
+from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file
 
 MOST_PIXELS = 100_000_000
@@ -45,7 +45,7 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
             Code.NOT_AN_IMAGE, span, written, help="PNG, JPEG, TIFF, BMP, PNM and WebP can be read"
         )
     _check_size(header, written, span)
-    if not is_whole(header.format, content):
+    if not is_complete(header.format, content):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
     pixels = _decoded(content, header)
     if pixels is None or pixels.size == 0:

@@ -41,7 +41,7 @@ def read_header(content: bytes) -> ImageHeader | None:
     return None
 
 
-def is_whole(format: str, content: bytes) -> bool:
+def is_complete(format: str, content: bytes) -> bool:
     """Whether the end of the file is there."""
     if format == "PNG":
         return b"IEND" in content[-64:]

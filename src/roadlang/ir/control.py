@@ -207,10 +207,10 @@ class ObservationBatch:
     @classmethod
     def number_columns(cls) -> tuple[str, ...]:
         """The names of its columns of numbers."""
-        return tuple(one.name for one in fields(cls) if one.type == "Floats")
+        return tuple(field_.name for field_ in fields(cls) if field_.type == "Floats")
 
     @classmethod
-    def of_one(cls, seen: Observation) -> ObservationBatch:
+    def of_single(cls, seen: Observation) -> ObservationBatch:
         """A batch of one agent."""
         import numpy as np
 
@@ -233,13 +233,13 @@ class ObservationBatch:
             line_ahead=lambda distance: columns(seen.line_ahead(first(distance))),
             speed_for_bends=lambda *limits: column(seen.speed_for_bends(*map(first, limits))),
             vehicle_ahead=lambda: columns(seen.vehicle_ahead()),
-            lane_place=lambda: LanePlaces.of_one(seen.lane_place()),
+            lane_place=lambda: LanePlaces.of_single(seen.lane_place()),
             offset_of_lane=lambda which: column(seen.offset_of_lane(lane(which))),
             direction_of_lane=lambda which: column(seen.direction_of_lane(lane(which))),
             speed_limit_ahead=lambda *at: column(seen.speed_limit_ahead(*map(first, at))),
             stop_ahead=lambda: column(seen.stop_ahead()),
             right_of_way=lambda *temper: columns(seen.right_of_way(*map(first, temper))),
-            nearby=lambda range: Neighbors.of_one(seen.nearby(range)),
+            nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
         )
@@ -273,14 +273,20 @@ class ControlBatch:
 
         numbers = np.array(
             [
-                (one.steering, one.acceleration, one.heading, one.line_offset, one.line_time)
-                for one in controls
+                (
+                    control.steering,
+                    control.acceleration,
+                    control.heading,
+                    control.line_offset,
+                    control.line_time,
+                )
+                for control in controls
             ],
             dtype=np.float64,
         ).reshape(len(controls), 5)
         nowhere = (math.nan,) * 4
-        poses = [one.pose or nowhere for one in controls]
-        is_placed = any(one.pose is not None for one in controls)
+        poses = [control.pose or nowhere for control in controls]
+        is_placed = any(control.pose is not None for control in controls)
         pose = np.array(poses, dtype=np.float64) if is_placed else None
         steering, acceleration, heading, line_offset, line_time = numbers.T.copy()
         return cls(steering, acceleration, heading, line_offset, line_time, pose)

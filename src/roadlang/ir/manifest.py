@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 MANIFEST_FILE = "manifest.json"
-MANIFEST_SCHEMA = "roadlang.manifest/1"
+MANIFEST_SCHEMA = "roadlang.manifest/2"
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +58,8 @@ class Manifest:
     """of the run"""
     scenes: int
     """made"""
-    asked: int
-    """asked for"""
+    requested: int
+    """scenes requested"""
     candidates: int
     """tried"""
     inputs: Mapping[str, str] = field(default_factory=dict)

@@ -58,7 +58,7 @@ class LanePlaces:
     road_direction: Floats
 
     @classmethod
-    def of_one(cls, place: LanePlace) -> LanePlaces:
+    def of_single(cls, place: LanePlace) -> LanePlaces:
         """Of one agent."""
         import numpy as np
 
@@ -119,7 +119,7 @@ class Neighbors:
     drift: Floats
 
     @classmethod
-    def of_one(cls, seen: tuple[Neighbor, ...]) -> Neighbors:
+    def of_single(cls, seen: tuple[Neighbor, ...]) -> Neighbors:
         """Those of one agent, (1, K)."""
         import numpy as np
 
@@ -158,7 +158,7 @@ def points_ahead(
     """(K, 1) x and y of the line of one agent, `distances` (K,) ahead."""
     import numpy as np
 
-    points = np.array([line_ahead(float(one))[:2] for one in distances])
+    points = np.array([line_ahead(float(distance))[:2] for distance in distances])
     return points[:, :1], points[:, 1:]
 
 
@@ -187,6 +187,6 @@ def nearest_of(
     others = [one for name, one in everyone.items() if name != seen.agent]
     others.sort(key=lambda one: (one.x - seen.x) ** 2 + (one.y - seen.y) ** 2)
     out = np.full((4, 1, count), math.nan)
-    for number, one in enumerate(others[:count]):
-        out[:, 0, number] = one.x, one.y, one.heading, one.speed
+    for number, other in enumerate(others[:count]):
+        out[:, 0, number] = other.x, other.y, other.heading, other.speed
     return out[0], out[1], out[2], out[3]

@@ -93,7 +93,7 @@ class AgentTrace(Frozen):
             return values
 
     def __getstate__(self) -> dict[str, Any]:
-        return {one.name: getattr(self, one.name) for one in fields(self)}
+        return {field_.name: getattr(self, field_.name) for field_ in fields(self)}
 
     @classmethod
     def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:
@@ -130,7 +130,9 @@ class AgentTrace(Frozen):
         )
 
 
-_OPTIONAL = tuple(one.name for one in fields(AgentTrace) if one.default_factory is _unknown)
+_OPTIONAL = tuple(
+    field_.name for field_ in fields(AgentTrace) if field_.default_factory is _unknown
+)
 
 
 @dataclass(frozen=True)

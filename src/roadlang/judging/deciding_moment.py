@@ -13,7 +13,7 @@ from ..ir.scene import Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..plugins.registry import Registry
 from ..stl import Formula
-from ..stl.explain.explanation import decider, first_blamed
+from ..stl.explain.explanation import decider, first_cause
 from .drives import DriveCondition
 
 Floats = NDArray[np.float64]
@@ -36,7 +36,7 @@ def deciding_moment(verdict: Verdict, trace: Trace, registry: Registry) -> Decid
 def first_violation(verdict: Verdict, trace: Trace, registry: Registry) -> DecidingMoment | None:
     """When a violated formula goes wrong: the first sample at which a comparison fails that it
     would have needed. None for what is no formula over the drive."""
-    return _moment(verdict, trace, registry, first_blamed)
+    return _moment(verdict, trace, registry, first_cause)
 
 
 def _moment(

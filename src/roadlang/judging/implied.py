@@ -20,7 +20,7 @@ from ..world.roads import road_batch, road_root
 from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
 from ..world.stations import STATIONS_PER_FEATURE, unknown_features
-from .influences import influences_on_place, influences_on_start, is_thing_random
+from .influences import influences_on_place, influences_on_start, is_geometry_random
 from .requirement import Requirement
 
 
@@ -84,13 +84,13 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
 def perturbed_names(scenario: IndexedScenario) -> list[str]:
     """The roads and networks that have a `perturb` of their own."""
     return [
-        thing.name
-        for thing in _things(scenario)
-        if any(call.verb == "perturb" for call in thing.passes)
+        source.name
+        for source in _geometries(scenario)
+        if any(call.verb == "perturb" for call in source.passes)
     ]
 
 
-def _things(scenario: IndexedScenario) -> tuple[ScenarioRoad | ScenarioNetwork, ...]:
+def _geometries(scenario: IndexedScenario) -> tuple[ScenarioRoad | ScenarioNetwork, ...]:
     return (*scenario.roads.values(), *scenario.networks.values())
 
 
@@ -108,7 +108,7 @@ def _implied(
         rho=partial(rho, name),
         cost=cost,
         names=frozenset([name]),
-        is_random=is_thing_random(name, scenario),
+        is_random=is_geometry_random(name, scenario),
         implied=True,
         span=scenario.declaration(name).span,
     )
@@ -137,7 +137,7 @@ def _unfolded(name: str, candidates: CandidateBatch) -> Floats:
 
 def hidden_perturbations(scenario: IndexedScenario) -> list[str]:
     """The roads and networks whose draws may make a wave too short for their stations."""
-    return [thing.name for thing in _things(scenario) if unknown_features(thing, scenario)]
+    return [source.name for source in _geometries(scenario) if unknown_features(source, scenario)]
 
 
 def is_shown_by_stations(name: str, scenario: IndexedScenario) -> Requirement:
@@ -149,17 +149,17 @@ def is_shown_by_stations(name: str, scenario: IndexedScenario) -> Requirement:
 def _room_for_stations(name: str, candidates: CandidateBatch) -> Floats:
     """(V,) meters that the shortest wave or bump is longer than the stations need."""
     scenario = candidates.scenario
-    thing = scenario.declaration(name)
-    assert isinstance(thing, ScenarioRoad | ScenarioNetwork)
-    if isinstance(thing, ScenarioRoad):
+    source = scenario.declaration(name)
+    assert isinstance(source, ScenarioRoad | ScenarioNetwork)
+    if isinstance(source, ScenarioRoad):
         frames = {0: road_root(name, candidates).frame}
     else:
-        root = network_root(thing, candidates)
+        root = network_root(source, candidates)
         frames = {edge.id: root.frame(edge.id) for edge in root.edges}
     room = np.full(candidates.count, np.inf)
     for element, frame in frames.items():
         needed = STATIONS_PER_FEATURE * float(np.diff(frame.stations).max())
-        for call in unknown_features(thing, scenario):
+        for call in unknown_features(source, scenario):
             length, closed = frame.curve.length, frame.closed
             feature = features_of_candidates(call, candidates, element, length, closed)
             room = np.minimum(room, feature - needed * (1.0 - 1e-9))

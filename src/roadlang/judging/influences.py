@@ -38,9 +38,9 @@ def influences_on_start(actor: ScenarioActor, scenario: IndexedScenario) -> Infl
     return _joined(named, is_random, _of_actors(scenario), scenario)
 
 
-def is_thing_random(name: str, scenario: IndexedScenario) -> bool:
+def is_geometry_random(name: str, scenario: IndexedScenario) -> bool:
     """Whether a road, network or image differs between candidates."""
-    return scenario.once(("random thing", name), partial(_is_thing_random, name, scenario))
+    return scenario.once(("random thing", name), partial(_is_geometry_random, name, scenario))
 
 
 def _joined(
@@ -50,11 +50,11 @@ def _joined(
     scenario: IndexedScenario,
 ) -> Influences:
     """What names stand for: things themselves, actors what decides them."""
-    things = frozenset(name for name in named if name not in scenario.actors)
+    geometry = frozenset(name for name in named if name not in scenario.actors)
     actors = [of_actors[name] for name in named if name in of_actors]
     is_random = is_random or any(found.is_random for found in actors)
-    is_random = is_random or any(is_thing_random(name, scenario) for name in things)
-    return Influences(things.union(*(found.names for found in actors)), is_random)
+    is_random = is_random or any(is_geometry_random(name, scenario) for name in geometry)
+    return Influences(geometry.union(*(found.names for found in actors)), is_random)
 
 
 def influences_on_place(actor: ScenarioActor, scenario: IndexedScenario) -> Influences:
@@ -70,16 +70,16 @@ def _of_actors(scenario: IndexedScenario) -> Mapping[str, Influences]:
 def _in_order_of_placement(scenario: IndexedScenario) -> Mapping[str, Influences]:
     """Of every agent and object, with those of all that are placed before it."""
     found: dict[str, Influences] = {}
-    things: frozenset[str] = frozenset()
+    geometry: frozenset[str] = frozenset()
     is_random = False
     for actor in placement_order(scenario):
-        new = _names_in(actor, scenario) - scenario.actors.keys() - things
+        new = _names_in(actor, scenario) - scenario.actors.keys() - geometry
         if new:
-            things |= new
+            geometry |= new
         values = (actor.at, actor.kind, *(value for value in actor.options.values()))
         is_random = is_random or bool(scenario.dependencies.draws(*values))
-        is_random = is_random or any(is_thing_random(name, scenario) for name in new)
-        found[actor.name] = Influences(things, is_random)
+        is_random = is_random or any(is_geometry_random(name, scenario) for name in new)
+        found[actor.name] = Influences(geometry, is_random)
     return found
 
 
@@ -90,7 +90,7 @@ def _names_in(actor: ScenarioActor, scenario: IndexedScenario) -> set[str]:
     return named | ({actor.on} if actor.on is not None else set())
 
 
-def _is_thing_random(name: str, scenario: IndexedScenario) -> bool:
+def _is_geometry_random(name: str, scenario: IndexedScenario) -> bool:
     for link in scenario.ancestry(scenario.declaration(name)):
         values = (*(value for value in link.options.values()), *link.passes)
         if scenario.dependencies.draws(*values) or scenario.is_varying(name):

@@ -48,7 +48,7 @@ Item = TypeVar("Item")
 
 # Quantities: SI units and radians inside, any fitting unit outside.
 Number = Annotated[float, QuantityType(dim.PURE)]
-Whole = Annotated[int, QuantityType(dim.PURE, is_integer=True)]
+Integer = Annotated[int, QuantityType(dim.PURE, is_integer=True)]
 Length = Annotated[float, QuantityType(dim.LENGTH)]
 Angle = Annotated[float, QuantityType(dim.ANGLE)]
 Duration = Annotated[float, QuantityType(dim.TIME)]

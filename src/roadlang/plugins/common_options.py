@@ -12,11 +12,11 @@ from .annotations import (
     Duration,
     ExpectationNames,
     Flag,
+    Integer,
     Length,
     LengthInterval,
     Number,
     Speed,
-    Whole,
     Word,
 )
 from .lane_options import LaneOptions
@@ -69,7 +69,7 @@ class PlacementOptions:
         help="heading, counter-clockwise from the direction of the road; without a road, from east",
         example="30deg",
     )
-    count: Whole = option(
+    count: Integer = option(
         1,
         minimum=0,
         maximum=100_000,
@@ -188,10 +188,10 @@ class FalsifyOptions:
         "of the file",
         example="[in_lane, arrives]",
     )
-    evaluations: Whole = option(
+    evaluations: Integer = option(
         1_000, minimum=1, maximum=100_000_000, help="stop after this many candidates"
     )
-    failures: Whole = option(
+    failures: Integer = option(
         None, minimum=1, help="stop after this many distinct failures", example="20"
     )
     seconds: Duration = option(
@@ -200,10 +200,10 @@ class FalsifyOptions:
         help="stop after this time; what is found then depends on the machine",
         example="10min",
     )
-    batch: Whole = option(
+    batch: Integer = option(
         80, minimum=1, maximum=100_000, help="number of candidates that are evaluated together"
     )
-    islands: Whole = option(
+    islands: Integer = option(
         1, minimum=1, maximum=10_000, help="number of independent searches side by side"
     )
     random: Number = option(

@@ -106,9 +106,11 @@ def command_candidates() -> list[Candidate]:
     plugins = _installed_plugins() if commands else ()
     found = []
     for point in commands:
-        of_it = [p for p in plugins if _same(p.installed, point.dist)]
-        near = [p for p in of_it if p.point is not None and _package(p.point) == _package(point)]
-        owner = (near or of_it)[0].name if of_it else point.name
+        providers = [p for p in plugins if _same(p.installed, point.dist)]
+        near = [
+            p for p in providers if p.point is not None and _package(p.point) == _package(point)
+        ]
+        owner = (near or providers)[0].name if providers else point.name
         found.append(Candidate(point.name, _origin_of(point, owner), point))
     return _not_blocked(found)
 

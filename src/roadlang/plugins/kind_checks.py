@@ -103,9 +103,11 @@ def _check_attributes(cls: type[Kind]) -> None:
     """Class attributes have the type that the base gives them, and values that mean something."""
     base = base_of(cls.verb)
     for name in _public(base):
-        usual, value = getattr(base, name), getattr(cls, name)
-        if not callable(usual) and not _is_like(value, usual):
-            noun = "a tuple of words" if isinstance(usual, tuple) else f"a {type(usual).__name__}"
+        default, value = getattr(base, name), getattr(cls, name)
+        if not callable(default) and not _is_like(value, default):
+            noun = (
+                "a tuple of words" if isinstance(default, tuple) else f"a {type(default).__name__}"
+            )
             raise KindFault(f"`{name}` of {cls.__name__} is {value!r}, not {noun}", cls, name)
     if cls.domain not in ("road", "drive"):
         raise KindFault(f'`domain` is {cls.domain!r}, not "road" or "drive"', cls, "domain")
@@ -145,12 +147,12 @@ def _check_methods(cls: type[Kind]) -> None:
 
 
 def _check_method(cls: type[Kind], base: type[Kind], name: str) -> None:
-    method, usual = inspect.getattr_static(cls, name), getattr(base, name)
+    method, default = inspect.getattr_static(cls, name), getattr(base, name)
     if not callable(getattr(cls, name)):
         raise KindFault(f"`{name}` of {cls.__name__} is not a method", cls, name)
-    if not inspect.isfunction(method) or not inspect.isfunction(usual):
+    if not inspect.isfunction(method) or not inspect.isfunction(default):
         return  # a class or static method: called through the class
-    expected = list(inspect.signature(usual).parameters)
+    expected = list(inspect.signature(default).parameters)
     parameters = inspect.signature(method)
     try:
         parameters.bind(*expected)

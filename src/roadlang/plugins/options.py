@@ -37,7 +37,7 @@ class Constraints:
     at_least: int = 0
 
     @property
-    def usual_unit(self) -> str:
+    def default_unit(self) -> str:
         """The unit in which the option is usually written, as in its example: `mm/h`."""
         return self.example.lstrip("0123456789.") if self.example[:1].isdigit() else ""
 
@@ -130,12 +130,12 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
     options = []
     for field in dataclasses.fields(kind):
         try:
-            said = read_annotation(hints[field.name])
+            annotation = read_annotation(hints[field.name])
         except TypeError as error:
             raise TypeError(f"field `{field.name}` of {name}: {error}") from None
         constraints = field.metadata.get(_KEY, Constraints())
-        constraints = replace(constraints, words=(*constraints.words, *said.words))
-        type_ = said.type
+        constraints = replace(constraints, words=(*constraints.words, *annotation.words))
+        type_ = annotation.type
         if constraints.at_least and isinstance(type_, ListType):
             type_ = ListType(type_.item, constraints.at_least)
         default = REQUIRED if field.default is dataclasses.MISSING else field.default

@@ -45,7 +45,7 @@ def check_extraction(found: Any, entry: KindEntry, span: Span | None) -> None:
     if not isinstance(found.network, RoadNetwork):
         what = type(found.network).__name__
         raise wrong_result(entry, span, f"gave an extraction of a {what}, not of a RoadNetwork")
-    if not all(isinstance(thing, FoundObject) for thing in found.objects):
+    if not all(isinstance(found_object, FoundObject) for found_object in found.objects):
         raise wrong_result(entry, span, "gave objects that are not FoundObjects")
     if not isinstance(found.confidence, int | float) or not 0.0 <= found.confidence <= 1.0:
         fault = f"gave the confidence {found.confidence!r}, which is not within [0, 1]"

@@ -69,7 +69,7 @@ def corners(kind: type[Kind], options: Mapping[str, Any]) -> list[dict[str, Any]
     combinations = _ends(tuple(options.values()))
     if combinations is None:
         return None
-    integers = {option.name for option in schema_of(kind) if _is_whole(option.type)}
+    integers = {option.name for option in schema_of(kind) if _is_integer(option.type)}
     rows = (dict(zip(options, combination, strict=True)) for combination in combinations)
     return [{key: round(v) if key in integers else v for key, v in row.items()} for row in rows]
 
@@ -88,5 +88,5 @@ def _ends(value: Any) -> list[Any] | None:
     return [value]
 
 
-def _is_whole(type: object) -> bool:
+def _is_integer(type: object) -> bool:
     return isinstance(type, QuantityType) and type.is_integer

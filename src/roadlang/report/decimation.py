@@ -12,8 +12,8 @@ from ..geometry.arrays import Floats, Integers
 def simplified(points: Floats, tolerance: float) -> Integers:
     """Indices of the points (n, 2) of a line that stays within `tolerance` of all of them (Ramer
     1972; Douglas and Peucker 1973)."""
-    kept = np.zeros(len(points), dtype=bool)
-    kept[[0, -1]] = True
+    selected = np.zeros(len(points), dtype=bool)
+    selected[[0, -1]] = True
     open_ = [(0, len(points) - 1)]
     while open_:
         first, last = open_.pop()
@@ -29,9 +29,9 @@ def simplified(points: Floats, tolerance: float) -> Integers:
         farthest = int(np.argmax(gaps))
         if gaps[farthest] > tolerance:
             middle = first + 1 + farthest
-            kept[middle] = True
+            selected[middle] = True
             open_ += [(first, middle), (middle, last)]
-    return np.flatnonzero(kept)
+    return np.flatnonzero(selected)
 
 
 def samples_of(count: int, most: int, series: Iterable[Floats], also: Iterable[int]) -> Integers:

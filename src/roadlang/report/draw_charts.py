@@ -51,8 +51,8 @@ def _chart(name: str, rows: Sequence[ResultRow], unit: str, delta: float) -> str
     factor, shown = shown_unit(unit)
     drives = [({name: _number(row.values[name]) * factor}, row.has_failed) for row in rows]
     chart = coverage_chart(name, measure_coverage(drives)[name], shown)
-    way = "larger" if delta > 0 else "smaller"
-    note = f" {way} where it fails: {percent((1.0 + abs(delta)) / 2.0)} of pairs"
+    direction = "larger" if delta > 0 else "smaller"
+    note = f" {direction} where it fails: {percent((1.0 + abs(delta)) / 2.0)} of pairs"
     caption = element("figcaption", element("strong", text(name)), text(note))
     return element("figure", caption, chart)
 

@@ -87,9 +87,9 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
     drive, trace = view.drive, view.drive.trace
     series = [judged.series for judged in view.judged if judged.series is not None]
     at = [view.moment.sample] if view.moment is not None else []
-    kept = samples_of(len(trace.time), samples, series, at)
-    still = {thing.name for thing in drive.scene.objects}
-    moving = [agent for agent in trace.agents.values() if agent.name not in still]
+    indices = samples_of(len(trace.time), samples, series, at)
+    objects = {object_.name for object_ in drive.scene.objects}
+    moving = [agent for agent in trace.agents.values() if agent.name not in objects]
     ego = trace.agents.get(view.agent)
     return {
         "name": drive.name,
@@ -99,21 +99,23 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
         "roads": [_number(roads, outline.record()) for outline in outlines(drive.scene)],
         "objects": [
             [
-                thing.name,
-                thing.kind.rpartition(".")[2],
-                *_rounded(thing.x, thing.y, thing.heading, thing.length, thing.width),
+                object_.name,
+                object_.kind.rpartition(".")[2],
+                *_rounded(object_.x, object_.y, object_.heading, object_.length, object_.width),
             ]
-            for thing in drive.scene.objects
+            for object_ in drive.scene.objects
         ],
-        "time": deltas(trace.time[kept], 1000.0),
-        "agents": [_agent(agent, kept) for agent in moving if np.isfinite(agent.x).any()],
+        "time": deltas(trace.time[indices], 1000.0),
+        "agents": [_agent(agent, indices) for agent in moving if np.isfinite(agent.x).any()],
         "agent": view.agent,
-        "speed": [] if ego is None else deltas(ego.speed[kept], CENTIMETERS),
-        "station": [] if ego is None else deltas(ego.station[kept], CENTIMETERS),
-        "verdicts": [_verdict(judged, kept) for judged in view.judged],
+        "speed": [] if ego is None else deltas(ego.speed[indices], CENTIMETERS),
+        "station": [] if ego is None else deltas(ego.station[indices], CENTIMETERS),
+        "verdicts": [_verdict(judged, indices) for judged in view.judged],
         "worst": None if view.worst is None else view.worst.verdict.name,
-        "shades": _shades(view.worst, kept),
-        "moment": None if view.moment is None else int(np.searchsorted(kept, view.moment.sample)),
+        "shades": _shades(view.worst, indices),
+        "moment": None
+        if view.moment is None
+        else int(np.searchsorted(indices, view.moment.sample)),
         "place": view.place,
         "shrunk": drive.shrunk,
         "explanation": drive.explanation,

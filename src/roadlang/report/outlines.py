@@ -51,7 +51,7 @@ def outline(road: SceneRoad) -> Outline:
     borders = road.cross_section().border_offsets(stations)
     markings = road.cross_section().markings
     lines = [_beside(road, border) for border in borders]
-    ring = np.concatenate([lines[0][_kept(lines[0])], lines[-1][_kept(lines[-1])][::-1]])
+    ring = np.concatenate([lines[0][_selected(lines[0])], lines[-1][_selected(lines[-1])][::-1]])
     if road.closed:
         ring = _with_hole(lines[0], lines[-1])
     return Outline(ring, tuple(_marked(road, lines, markings)))
@@ -69,13 +69,13 @@ def _marked(
             continue
         part = line[shown]
         part = np.concatenate([part, part[:1]]) if road.closed else part
-        yield part[_kept(part)], marking == "broken"
+        yield part[_selected(part)], marking == "broken"
 
 
 def _with_hole(left: Floats, right: Floats) -> Floats:
     """The ring of a closed road: out along one side, back along the other."""
     outer, inner = (np.concatenate([side, side[:1]]) for side in (left, right))
-    ring: Floats = np.concatenate([outer[_kept(outer)], inner[_kept(inner)][::-1]])
+    ring: Floats = np.concatenate([outer[_selected(outer)], inner[_selected(inner)][::-1]])
     return ring
 
 
@@ -85,7 +85,7 @@ def _beside(road: SceneRoad, offset: Floats) -> Floats:
     return np.asarray(np.stack([road.x, road.y], axis=-1) + offset[:, None] * left)
 
 
-def _kept(line: Floats) -> Integers:
+def _selected(line: Floats) -> Integers:
     return simplified(line, _TOLERANCE)
 
 

@@ -53,8 +53,8 @@ def box_of(view: DriveView) -> Floats:
     """(2, 2) the least and the greatest x and y of what matters: a road or few with all that moves
     there; of many roads what is near the paths."""
     scene, trace = view.drive.scene, view.drive.trace
-    still = {thing.name for thing in scene.objects}
-    paths = [_path(agent) for name, agent in trace.agents.items() if name not in still]
+    objects = {object_.name for object_ in scene.objects}
+    paths = [_path(agent) for name, agent in trace.agents.items() if name not in objects]
     roads = [road for road in scene.roads if road.derived] or list(scene.roads)
     lines = [path for path in paths if len(path)]
     if len(roads) <= _FEW_ROADS or not lines:
@@ -92,19 +92,19 @@ def _roads(view: DriveView, place: Place, tall: float) -> Iterator[str]:
 
 
 def _paths(view: DriveView, place: Place) -> Iterator[str]:
-    still = {thing.name for thing in view.drive.scene.objects}
+    objects = {object_.name for object_ in view.drive.scene.objects}
     series = None if view.worst is None else view.worst.series
     for name, agent in view.drive.trace.agents.items():
         line = _path(agent)
-        if name in still or not len(line):
+        if name in objects or not len(line):
             continue
         if name != view.agent or series is None:
-            kept = samples_of(len(line), _MOST_OF_OTHERS, (), ())
-            yield element("path", d=_data(place(line[kept])), class_="other path")
+            indices = samples_of(len(line), _MOST_OF_OTHERS, (), ())
+            yield element("path", d=_data(place(line[indices])), class_="other path")
             continue
         finite = np.isfinite(agent.x) & np.isfinite(agent.y)
-        kept = samples_of(len(line), _MOST_SAMPLES, [series[finite]], ())
-        yield from _colored(place(line[kept]), color_shares(series)[finite][kept])
+        indices = samples_of(len(line), _MOST_SAMPLES, [series[finite]], ())
+        yield from _colored(place(line[indices]), color_shares(series)[finite][indices])
     if view.moment is not None and view.moment.actors and view.drive.has_failed:
         actor, at = view.moment.actors[0], view.moment.sample
         x, y = place(np.array([float(actor.x[at]), float(actor.y[at])])).tolist()

@@ -9,7 +9,7 @@ from typing import TypeVar
 import msgspec
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..drive.standing import with_still
+from ..drive.standing import with_objects
 from ..drive.trace_files import from_json
 from ..files.journal import read_lines
 from ..files.reading import UnreadableFile, read_file
@@ -38,7 +38,7 @@ def read_drive(stem: Path) -> tuple[Scene, Trace]:
     """The scene `STEM.json` and its trace, with the objects that stand. Raises RL721."""
     scene = parsed(stem.with_name(f"{stem.name}.json"), scene_from_json)
     trace = parsed(stem.with_name(f"{stem.name}.trace.json"), from_json)
-    return scene, with_still(trace, scene)
+    return scene, with_objects(trace, scene)
 
 
 def read_journal(folder: Path) -> list[bytes]:

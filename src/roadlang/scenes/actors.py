@@ -25,7 +25,7 @@ from .routes import on_network, scene_routes
 from .start_speeds import start_speeds
 
 _UNUSUAL_HEIGHT = 3.0
-_USUAL_HEIGHT = 1.5
+_DEFAULT_HEIGHT = 1.5
 
 
 def scene_actors(
@@ -44,22 +44,22 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
     ]
     for network in bottoms:
         numbers: dict[str, int] = {}
-        for thing in network_root(network, candidates).objects:
-            group = f"{network.name}/{thing.kind.rpartition('.')[2]}"
+        for drawn in network_root(network, candidates).objects:
+            group = f"{network.name}/{drawn.kind.rpartition('.')[2]}"
             number = numbers[group] = numbers.get(group, -1) + 1
-            options = _kind_defaults(thing.kind, candidates)
+            options = _kind_defaults(drawn.kind, candidates)
             height = float(options.get("height", _UNUSUAL_HEIGHT))
-            options |= {"length": thing.length, "width": thing.width}
+            options |= {"length": drawn.length, "width": drawn.width}
             found.append(
                 SceneActor(
                     f"{group}[{number}]",
                     group,
-                    thing.kind.rpartition(".")[2],
-                    float(thing.x),
-                    float(thing.y),
-                    float(thing.heading),
-                    float(thing.length),
-                    float(thing.width),
+                    drawn.kind.rpartition(".")[2],
+                    float(drawn.x),
+                    float(drawn.y),
+                    float(drawn.heading),
+                    float(drawn.length),
+                    float(drawn.width),
                     height,
                     options=options,
                 )
@@ -92,7 +92,7 @@ def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[Sce
             heading,
             length,
             width,
-            float(options[id(instance)].get("height") or _USUAL_HEIGHT),
+            float(options[id(instance)].get("height") or _DEFAULT_HEIGHT),
             name_of_road(actor, road),
             start if on_road else None,
             offset if on_road else None,

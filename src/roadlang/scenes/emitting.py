@@ -120,8 +120,8 @@ def _checked(files: Any, backend: KindInstance) -> Mapping[str, bytes]:
         raise wrong_result(entry, span, f"gave a {type(files).__name__}, not a map of contents")
     contents: dict[str, bytes] = {}
     with backend.guarded:
-        given = list(files.items())
-    for name, content in given:
+        written = list(files.items())
+    for name, content in written:
         if not isinstance(name, str) or not _FILE_NAME.match(name):
             raise wrong_result(entry, span, f"gave a file the name {name!r}")
         if not isinstance(content, str | bytes):

@@ -108,8 +108,8 @@ def share_equal_roads(candidates: CandidateBatch) -> None:
     """Make the roads once of which nothing is drawn; every candidate that is taken has them."""
     for road in candidates.scenario.roads.values():
         if candidates.count > 1 and _is_equal(road, candidates):
-            made = _declared(road, candidates.take(np.zeros(1, dtype=np.intp)))
-            candidates.once(("scene road", road.name), partial(_same, made))
+            shared = _declared(road, candidates.take(np.zeros(1, dtype=np.intp)))
+            candidates.once(("scene road", road.name), partial(_same, shared))
 
 
 def _same(road: SceneRoad) -> SceneRoad:
@@ -133,8 +133,8 @@ def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
         lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
         along = parts_of_network(road, candidates)
         derived = not has_descendants(road, scenario) and not (along and is_network_built())
-        made = scene_road(road.name, root, batch, lanes, limit, derived)
-        return replace(made, along=along, speed_zones=_speed_zones(made, road, candidates))
+        found = scene_road(road.name, root, batch, lanes, limit, derived)
+        return replace(found, along=along, speed_zones=_speed_zones(found, road, candidates))
 
     def is_network_built() -> bool:
         network = road_root(road.name, candidates).network
@@ -143,19 +143,23 @@ def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
     return candidates.once(("scene road", road.name), make)
 
 
-def _speed_limit(thing: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch) -> float | None:
-    value = lane_plan(thing, candidates.scenario).speed_limit
+def _speed_limit(
+    source: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch
+) -> float | None:
+    value = lane_plan(source, candidates.scenario).speed_limit
     return None if value is None else float(scalar(evaluate(value, candidates)))
 
 
 def _speed_zones(
-    made: SceneRoad, road: ScenarioRoad, candidates: CandidateBatch
+    emitted: SceneRoad, road: ScenarioRoad, candidates: CandidateBatch
 ) -> tuple[SpeedZone, ...]:
     """Those of the roads that a road is joined of; none where it has a limit of its own."""
-    if made.speed_limit is not None:
+    if emitted.speed_limit is not None:
         return ()
     changes = road_root(road.name, candidates).limits
-    starts = np.interp([change.start for change in changes], made.reference_stations, made.stations)
+    starts = np.interp(
+        [change.start for change in changes], emitted.reference_stations, emitted.stations
+    )
     return tuple(
         SpeedZone(start, change.speed_limit)
         for start, change in zip(starts.tolist(), changes, strict=True)
@@ -167,10 +171,10 @@ def _root_name(road: ScenarioRoad, candidates: CandidateBatch) -> str:
     scenario = candidates.scenario
     bottom = [link for link in scenario.chain(road) if isinstance(link, ScenarioRoad)][-1]
     root = road_root(road.name, candidates)
-    bent_network = root.network is not None and any(
+    network_is_perturbed = root.network is not None and any(
         call.verb == "perturb" for link in scenario.chain(root.network) for call in link.passes
     )
-    if not bent_network:
+    if not network_is_perturbed:
         return bottom.name
     return root.id if root.path is not None and ":" not in root.id else road.name
 
@@ -199,8 +203,8 @@ def _network(network: ScenarioNetwork, candidates: CandidateBatch) -> SceneNetwo
             batch = edge_batch(network, edge.id, candidates)
             at_start = edge.start == node.id or batch.closed
             x, y = map(float, batch.points[0, 0 if at_start else -1])
-        here = tuple(dict.fromkeys(names[edge.id] for edge in edges))
-        nodes.append(SceneNode(node.id, x, y, here))
+        edge_names = tuple(dict.fromkeys(names[edge.id] for edge in edges))
+        nodes.append(SceneNode(node.id, x, y, edge_names))
     return SceneNetwork(
         network.name,
         tuple(nodes),

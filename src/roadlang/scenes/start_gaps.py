@@ -26,7 +26,7 @@ class _Leader:
     number: int
     gap: float
     """meters from bumper to bumper, at least 0"""
-    same_way: bool
+    same_direction: bool
 
 
 def slowed_behind(
@@ -39,23 +39,23 @@ def slowed_behind(
     with `BRAKING`, behind everything ahead in their lanes as that begins to brake the same way."""
     if not any(free):
         return tuple(agents)
-    things = (*agents, *objects)
+    actors = (*agents, *objects)
     places: dict[str, list[int]] = {}
-    for number, thing in enumerate(things):
-        if thing.road is not None and thing.start is not None:
-            places.setdefault(thing.road, []).append(number)
+    for number, actor in enumerate(actors):
+        if actor.road is not None and actor.start is not None:
+            places.setdefault(actor.road, []).append(number)
     turns = _turn_lengths(networks) if any(a.route is not None for a in agents) else {}
     ahead = {
-        number: list(_leaders(number, things, places, turns))
+        number: list(_leaders(number, actors, places, turns))
         for number, agent in enumerate(agents)
         if free[number] and (agent.start_speed or 0.0) > 0.0
     }
-    speeds = [thing.start_speed or 0.0 for thing in things]
+    speeds = [actor.start_speed or 0.0 for actor in actors]
     changed = True
     while changed:
         changed = False
         for number, leaders in ahead.items():
-            most = min((_most(one, speeds) for one in leaders), default=math.inf)
+            most = min((_most(leader, speeds) for leader in leaders), default=math.inf)
             if most < speeds[number]:
                 speeds[number], changed = most, True
     return tuple(
@@ -66,57 +66,57 @@ def slowed_behind(
 
 def _most(leader: _Leader, speeds: Sequence[float]) -> float:
     """m/s from which an agent can stop, or slow down, behind another: v^2 = u^2 + 2 b g."""
-    speed = speeds[leader.number] if leader.same_way else 0.0
+    speed = speeds[leader.number] if leader.same_direction else 0.0
     free = max(0.0, leader.gap - STANDING_GAP)
     return math.sqrt(speed * speed + 2.0 * BRAKING * free)
 
 
 def _leaders(
     number: int,
-    things: Sequence[SceneActor],
+    actors: Sequence[SceneActor],
     places: Mapping[str, Sequence[int]],
     turns: Mapping[tuple[str, int, int], float],
 ) -> Iterator[_Leader]:
     """Everything ahead in the lanes of an agent, as far as it matters."""
-    agent = things[number]
-    for road, lane, begin, way, before in _way_ahead(agent, turns):
+    agent = actors[number]
+    for road, lane, begin, sign, before in _road_ahead(agent, turns):
         for other in places.get(road, ()):
-            thing = things[other]
-            assert thing.start is not None
-            distance = before + way * (thing.start - begin)
-            gap = distance - 0.5 * (agent.length + thing.length)
+            other_actor = actors[other]
+            assert other_actor.start is not None
+            distance = before + sign * (other_actor.start - begin)
+            gap = distance - 0.5 * (agent.length + other_actor.length)
             if other == number or distance <= 0.0 or gap > FARTHEST:
                 continue
             first = before == 0.0
-            if _in_lane(agent, thing) if first else thing.lane == lane:
-                same = (thing.facing == "back") == (way < 0.0)
+            if _in_lane(agent, other_actor) if first else other_actor.lane == lane:
+                same = (other_actor.facing == "back") == (sign < 0.0)
                 yield _Leader(other, max(0.0, gap), same)
 
 
-def _in_lane(agent: SceneActor, thing: SceneActor) -> bool:
+def _in_lane(agent: SceneActor, other: SceneActor) -> bool:
     """Whether something on the road of an agent is in its way, where the agent is now."""
-    aside = abs((thing.offset or 0.0) - (agent.offset or 0.0))
-    return aside < 0.5 * (agent.width + thing.width) + BESIDE
+    aside = abs((other.offset or 0.0) - (agent.offset or 0.0))
+    return aside < 0.5 * (agent.width + other.width) + BESIDE
 
 
-def _way_ahead(
+def _road_ahead(
     agent: SceneActor, turns: Mapping[tuple[str, int, int], float]
 ) -> Iterator[tuple[str, int, float, float, float]]:
     """The roads ahead of an agent: name, lane, the station at which it comes there and in which
     direction (1 or -1), and how far that is."""
     if agent.road is None or agent.start is None:
         return
-    way = -1.0 if agent.facing == "back" else 1.0
+    sign = -1.0 if agent.facing == "back" else 1.0
     if agent.route is None:
-        yield agent.road, agent.lane or 0, agent.start, way, 0.0
+        yield agent.road, agent.lane or 0, agent.start, sign, 0.0
         return
     before = 0.0
     for number, step in enumerate(agent.route.steps):
         if before > FARTHEST:
             return
         begin = step.start if number else agent.start
-        way = 1.0 if step.stop >= step.start else -1.0
-        yield step.road, step.lane, begin, way, before
+        sign = 1.0 if step.stop >= step.start else -1.0
+        yield step.road, step.lane, begin, sign, before
         before += abs(step.stop - begin)
         if step.turn is not None:
             before += turns.get((step.turn.network, step.turn.junction, step.turn.connection), 0.0)

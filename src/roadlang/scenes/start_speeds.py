@@ -43,10 +43,10 @@ def start_speeds(
     """m/s of each copy of an agent of a single candidate: as the scene file says; else, of agents
     in a lane, what the controller in charge at the start wants, and the bends ahead allow."""
     count = where.x.shape[1]
-    said = actor.options.get("start_speed")
-    if said is not None:
+    written = actor.options.get("start_speed")
+    if written is not None:
         copies = CopyBatch.every(candidates, count)
-        value = np.asarray(evaluate(said, copies, element_of(actor)), float).reshape(-1)
+        value = np.asarray(evaluate(written, copies, element_of(actor)), float).reshape(-1)
         if candidates.record is not None:
             copies.record_in(candidates.record)
         return list(np.broadcast_to(value, (count,)).tolist())
@@ -63,7 +63,7 @@ def keep_distance(
 ) -> list[bool]:
     """Which of the agents of a candidate keep their distance from the start on: whose speed at the
     start the scene file does not say, and whose first controller does that."""
-    said = {actor.name for actor in actors if "start_speed" in actor.options}
+    stated = {actor.name for actor in actors if "start_speed" in actor.options}
     registry = candidates.scenario.registry
     known: dict[str, bool] = {}
 
@@ -74,7 +74,7 @@ def keep_distance(
         return known[kind]
 
     return [
-        bool(agent.drive) and agent.group not in said and keeps(agent.drive[0].kind)
+        bool(agent.drive) and agent.group not in stated and keeps(agent.drive[0].kind)
         for agent in placed
     ]
 

@@ -23,7 +23,7 @@ NUMBERS_AT_ONCE = BATCH * 2_001
 MOST, FEWEST = 10_000, 100
 BUDGET = 5e8
 """Units of work (a displacement at one station), about ten nanoseconds each."""
-ONE_BY_ONE = 1_000
+UNBATCHED = 1_000
 """Attempts where the stations differ, so that candidates cannot be judged together."""
 WITH_PICTURES = 20
 """Attempts where every candidate is extracted from a picture of its own: seconds each."""
@@ -51,7 +51,7 @@ def default_attempts(acceptance: Acceptance) -> int:
     if any(_has_drawn_picture(name, scenario) for name in names):
         return WITH_PICTURES
     if acceptance.has_varying_stations:
-        return ONE_BY_ONE
+        return UNBATCHED
     work = sum(
         requirement.cost * _stations(requirement.names, scenario)
         for requirement in acceptance.requirements

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, overload
 from ..drive.batches import DriveTask, parts_of
 from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
-from ..drive.standing import without_still
+from ..drive.standing import without_objects
 from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..judging.badness import badness
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
@@ -157,17 +157,17 @@ class Drive:
         first = next(iter(self.trace.agents), "")
         name = moment.actors[0].name if moment is not None and moment.actors else first
         at = None if moment is None else moment.sample
-        trace = without_still(self.trace, self.scene.record)
+        trace = without_objects(self.trace, self.scene.record)
         return drive_figure(self.scene.record, trace, name, series, title, at)
 
     def to_csv(self) -> str:
         """The trace as `roadlang run` writes it: one row for each agent at each time. Objects that
         stand still are in the scene, not here."""
-        return to_csv(without_still(self.trace, self.scene.record))
+        return to_csv(without_objects(self.trace, self.scene.record))
 
     def to_json(self) -> str:
         """The same as JSON, with everything that was recorded."""
-        return to_json(without_still(self.trace, self.scene.record))
+        return to_json(without_objects(self.trace, self.scene.record))
 
 
 class DriveSet(Sequence[Drive]):

@@ -68,16 +68,16 @@ def _missing_scales(scenario: IndexedScenario) -> Iterator[Diagnostic]:
 
 def _intervals_without_length(scenario: IndexedScenario) -> Iterator[Diagnostic]:
     """RL414 for `over: [50m, 50m]`."""
-    things: list[ScenarioRoad | ScenarioNetwork] = list(scenario.roads.values())
-    for thing in [*things, *scenario.networks.values()]:
-        for call in thing.passes:
+    sources: list[ScenarioRoad | ScenarioNetwork] = list(scenario.roads.values())
+    for source in [*sources, *scenario.networks.values()]:
+        for call in source.passes:
             over = call.common.get("over")
             interval = scenario.value_bounds.option(over) if call.verb == "perturb" else None
             if isinstance(interval, OptionRange) or not isinstance(interval, tuple):
                 continue
             ends = {end for part in interval for end in (part.low, part.high)}
             if len(ends) == 1:
-                yield interval_off_road(call, thing.name, *(2 * [ends.pop()]))
+                yield interval_off_road(call, source.name, *(2 * [ends.pop()]))
 
 
 def _has_scale(image: ScenarioImage, scenario: IndexedScenario) -> bool:

@@ -40,11 +40,11 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
             lanes.setdefault(_lane(actor, scenario), []).append(standing)
     for group in lanes.values():
         ordered = sorted(group, key=lambda item: item.at)
-        for one, other in pairwise(ordered):
-            said = [apart for apart in (one.apart, other.apart) if apart is not None]
-            room = other.at - one.at - one.half - other.half
-            if room < max(said, default=DEFAULT_APART) - _ROUNDING:
-                yield _fault(one, other, group, room)
+        for first, second in pairwise(ordered):
+            stated = [apart for apart in (first.apart, second.apart) if apart is not None]
+            room = second.at - first.at - first.half - second.half
+            if room < max(stated, default=DEFAULT_APART) - _ROUNDING:
+                yield _fault(first, second, group, room)
 
 
 def _fault(

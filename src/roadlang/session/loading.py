@@ -207,12 +207,12 @@ class LoadedScenario:
         from .falsification import Drives, falsified
 
         names = [expects] if isinstance(expects, str) else expects
-        given = {"expects": names, **settings}
+        all_settings = {"expects": names, **settings}
         return falsified(
             self,
             seed,
             searcher,
-            given,
+            all_settings,
             Drives(engine, dict(options or {})),
             Workers(jobs, executor, progress),
             None if folder is None else Path(folder).absolute(),

@@ -41,7 +41,7 @@ def manifest_of(
         source=str(loaded.path),
         seed=seed,
         scenes=result.accepted,
-        asked=result.wanted,
+        requested=result.wanted,
         candidates=result.candidates,
         inputs=dict(sorted(inputs.items())),
         plugins=dict(sorted({**sampled.plugins, **emitting}.items())),

@@ -53,7 +53,7 @@ class GuardedController(Controller):
             self._state = self.first_state(self._single, 1)
         if implements(self.kind, "control"):
             return self._checked(observation)
-        batch = ObservationBatch.of_one(observation)
+        batch = ObservationBatch.of_single(observation)
         return _only(self.decide(self._single, batch, self._state))
 
     def first_state(self, controller: Controller, count: int) -> Any:

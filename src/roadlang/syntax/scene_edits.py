@@ -41,7 +41,8 @@ def waypoint_moved(text: str, road: str, grabbed: Place, to: Place) -> str | Non
     if not placed:
         return None
     point, (x, y) = min(
-        placed, key=lambda one: hypot(one[1][0] - grabbed[0], one[1][1] - grabbed[1])
+        placed,
+        key=lambda candidate: hypot(candidate[1][0] - grabbed[0], candidate[1][1] - grabbed[1]),
     )
     return _replaced(text, point, (x + to[0] - grabbed[0], y + to[1] - grabbed[1]))
 

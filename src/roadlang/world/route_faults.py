@@ -84,7 +84,7 @@ def _unreachable(
         names = ", ".join(f"`{actor.on}/{road}`" for road in roads)
         help_ = f"see where the lanes of {names} lead to: `emit svg` draws them"
     return diagnose(
-        Code.NO_WAY,
+        Code.NO_ROUTE,
         _span_of(actor, failed),
         goal=_written(goal),
         network=actor.on,

@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
-from .clean import contract, drop_loops, extend_to_border, join, prune
-from .continuing import extend_dead_ends
+from .dead_end_extension import extend_dead_ends
 from .drafting import Draft, draft, typical_width_of
 from .evidence import Net, evidence, road_net
-from .found import FoundNetwork
+from .evidence_pruning import drop_unworthy, prune_by_discounted_length
+from .found_network import FoundNetwork
 from .graph import Graph, trace
-from .hints import leave_out, paint, ways_through
+from .graph_cleanup import contract, drop_loops, extend_to_border, join, prune
+from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
 from .linking import dead_ends, link
 from .masks import without_holes, without_specks
@@ -24,7 +25,6 @@ from .scale import resized, start_scale
 from .skeleton import skeleton
 from .smoothing import stations
 from .tones import Image, Layer
-from .worth import drop_unworthy, prune_by_discounted_length
 
 _COARSE = 0.35
 """Share of the half-size view in the evidence."""
@@ -139,8 +139,8 @@ def roads_of_photo(
 def _other_scale(image: Image, scale: float, seen: Seen, stated: float | None) -> float | None:
     """A scale that may show more: where roads are wide, and where hardly any were seen."""
     if stated is None:
-        usual = _usual(seen)
-        return scale * _HANDY / usual if usual > _WIDE else None
+        width = _typical_width(seen)
+        return scale * _HANDY / width if width > _WIDE else None
     sharp = start_scale(image)
     return sharp if sharp > scale and _share(seen) < _HARDLY else None
 
@@ -160,7 +160,7 @@ def look(image: Image, net: Net) -> Seen:
     return Seen(fine, cv2.addWeighted(fine, 1 - _COARSE, cv2.resize(coarse, size), _COARSE, 0))
 
 
-def _usual(seen: Seen) -> float:
+def _typical_width(seen: Seen) -> float:
     """Usual width of what is surely road, in pixels."""
     mask = without_specks(seen.surface > 0.8, 40)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
@@ -183,13 +183,13 @@ def roads_of_evidence(
     surface = seen.surface.copy()
     score = cv2.GaussianBlur(seen.blend, (0, 0), 1.0)
     leave_out([surface, score], request.leave_out)
-    ways = _ways_through(request.through, score, cutoffs.strong)
-    if ways:
+    paths = _paths_between(request.through, score, cutoffs.strong)
+    if paths:
         if request.only_through:
-            _forget_others([surface, score], score, ways, cutoffs.weak)
-        for path in ways:
-            paint(surface, score, path, request.width or max(5.0, _usual(seen)))
-        cutoffs = cutoffs.stricter(min(float(stations(path)[-1]) for path in ways))
+            _forget_others([surface, score], score, paths, cutoffs.weak)
+        for path in paths:
+            paint(surface, score, path, request.width or max(5.0, _typical_width(seen)))
+        cutoffs = cutoffs.stricter(min(float(stations(path)[-1]) for path in paths))
     graph, mask = _traced(score, cutoffs)
     few = request.threshold is None and len(graph.lines) <= _FEW
     for share in _FAINTER if few else ():
@@ -200,21 +200,23 @@ def roads_of_evidence(
         if _length(graph) >= _LITTLE * max(score.shape):
             break
         graph, mask = _traced(score, cutoffs.relaxed(share))
-    usual = typical_width_of(graph, mask)
-    extend_to_border(graph, (score.shape[0], score.shape[1]), 0.7 * usual + 3)
-    manner = Draft(usual, fixed_width=request.width, level=_EDGE_LEVEL, sure=_SURE, blur=_EDGE_BLUR)
-    return draft(graph, surface, score, manner, "aerial")
+    width = typical_width_of(graph, mask)
+    extend_to_border(graph, (score.shape[0], score.shape[1]), 0.7 * width + 3)
+    settings = Draft(
+        width, fixed_width=request.width, level=_EDGE_LEVEL, sure=_SURE, blur=_EDGE_BLUR
+    )
+    return draft(graph, surface, score, settings, "aerial")
 
 
 def _traced(score: Layer, cutoffs: Cutoffs) -> tuple[Graph, NDArray[np.bool_]]:
     """The tidy graph of the evidence, and the mask that it was traced from."""
     mask = without_specks(hysteresis(score, cutoffs.strong, cutoffs.weak), 40)
     graph = trace(skeleton(mask))
-    usual = typical_width_of(graph, mask)
-    filled = without_holes(mask, usual**2)
+    width = typical_width_of(graph, mask)
+    filled = without_holes(mask, width**2)
     if filled is not mask:
         mask, graph = filled, trace(skeleton(filled))
-    _tidy(graph, score, usual, cutoffs)
+    _tidy(graph, score, width, cutoffs)
     return graph, mask
 
 
@@ -233,26 +235,26 @@ def _length(graph: Graph) -> float:
     return sum(line.length for line in graph.lines)
 
 
-def _ways_through(
+def _paths_between(
     points: tuple[tuple[float, float], ...], score: Layer, strong: float
 ) -> list[Floats]:
-    """The ways from each of the points to the next; of one point alone, to the nearest pixel that
+    """The paths from each of the points to the next; of one point alone, to the nearest pixel that
     is surely road, or as surely as any."""
     polyline = np.array(points, float).reshape(-1, 2)
     road = score > min(strong, 0.9 * float(score.max()))
     if len(polyline) == 1 and road.any():
         seen = np.argwhere(road)[:, ::-1]
         polyline = np.vstack([polyline, seen[np.argmin(np.hypot(*(seen - polyline[0]).T))]])
-    return ways_through(score, polyline)
+    return paths_through(score, polyline)
 
 
-def _forget_others(layers: list[Layer], score: Layer, ways: list[Floats], weak: float) -> None:
-    """Clear all evidence that lies off the ways, in place."""
+def _forget_others(layers: list[Layer], score: Layer, paths: list[Floats], weak: float) -> None:
+    """Clear all evidence that lies off the paths, in place."""
     inner = cv2.distanceTransform((score > weak).astype(np.uint8), cv2.DIST_L2, 5)
-    x, y = np.clip(np.round(np.vstack(ways)).astype(int), 0, np.array(score.shape[::-1]) - 1).T
+    x, y = np.clip(np.round(np.vstack(paths)).astype(int), 0, np.array(score.shape[::-1]) - 1).T
     width = max(5.0, 2.0 * float(np.median(inner[y, x])))
     near = np.zeros_like(score)
-    for path in ways:
+    for path in paths:
         paint(near, near, path, width)
     for layer in layers:
         layer[near <= 0] = 0

@@ -20,7 +20,7 @@ from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
 from .crosscheck import checked_roads
 from .evidence import Net, road_net
-from .found import FoundNetwork, FoundRoad
+from .found_network import FoundNetwork, FoundRoad
 from .tones import Image
 
 

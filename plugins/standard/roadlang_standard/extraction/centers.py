@@ -29,10 +29,10 @@ def centers(
     known = np.isfinite(wide)
     if not known.any():
         return np.zeros(len(points)), known
-    usual = float(np.median(wide[known]))
-    around = median_filter(np.where(known, wide, usual), int(4 * width) + 41, mode="nearest")
+    typical = float(np.median(wide[known]))
+    around = median_filter(np.where(known, wide, typical), int(4 * width) + 41, mode="nearest")
     even = known & (np.abs(np.where(known, wide, 0) - around) < _unevenness(around))
-    even &= np.abs(around - usual) < 0.5 * usual
+    even &= np.abs(around - typical) < 0.5 * typical
     even = minimum_filter1d(even.astype(np.uint8), 2 * int(0.25 * width + 2) + 1) > 0
     even = _without_short_runs(even, 0.5 * width + 4)
     return np.where(even, offset, 0.0), even

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from .found import FoundNetwork
+from .found_network import FoundNetwork
 from .tones import Image, Layer
 
 _ANGLES = 12

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from .drawing import between_lines, likeness
-from .found import FoundNetwork
+from .found_network import FoundNetwork
 from .masks import roads_of_surface
 from .tones import Image, Layer, away_from, tones
 
@@ -40,8 +40,8 @@ def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
     if light is None:
         empty = np.zeros(gray.shape, bool)
         return FoundNetwork(np.zeros((0, 2)), (), empty, "contour", ("the picture has one tone",))
-    surface, manner = _surface(light, chain)
-    found = roads_of_surface(surface, manner, chain.spline, chain.width, chain.min_length)
+    surface, settings = _surface(light, chain)
+    found = roads_of_surface(surface, settings, chain.spline, chain.width, chain.min_length)
     return replace(found, scores={"threshold": round(level / 255, 4)})
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
 from .evidence import Net
-from .found import FoundNetwork, FoundRoad
+from .found_network import FoundNetwork, FoundRoad
 from .scale import resized
 from .tones import Image
 

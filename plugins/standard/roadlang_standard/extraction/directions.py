@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .found import FoundRoad
+from .found_network import FoundRoad
 from .smoothing import resample
 
 _STEP = 0.5
@@ -14,17 +14,17 @@ _SHARE = 0.5
 """Of the length of a road: so much more of it must run one way than the other."""
 
 
-def runs_forward(road: FoundRoad, ways: NDArray[np.float64] | None) -> bool | None:
+def runs_forward(road: FoundRoad, directions: NDArray[np.float64] | None) -> bool | None:
     """Whether traffic runs from the start of a road to its end; None where it runs both ways.
 
-    `ways` (h, w, 2) are the directions of pixels, y down, zero where none is said.
+    `directions` (h, w, 2) are the directions of pixels, y down, zero where none is said.
     """
-    if ways is None or len(road.points) < 2 or road.length <= 0.0:
+    if directions is None or len(road.points) < 2 or road.length <= 0.0:
         return None
     points = resample(road.points, _STEP)
     steps = np.diff(points, axis=0)
     middles = np.rint((points[1:] + points[:-1]) / 2.0).astype(int)
-    x = np.clip(middles[:, 0], 0, ways.shape[1] - 1)
-    y = np.clip(middles[:, 1], 0, ways.shape[0] - 1)
-    along = float((steps * ways[y, x]).sum())
+    x = np.clip(middles[:, 0], 0, directions.shape[1] - 1)
+    y = np.clip(middles[:, 1], 0, directions.shape[0] - 1)
+    along = float((steps * directions[y, x]).sum())
     return along > 0.0 if abs(along) >= _SHARE * road.length else None

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
+from .chain_fitting import Fit, Run, fitted, through
 from .chains import chains
 from .edges import sides, typical_width, widths
 from .fairing import even_points
-from .found import FoundNetwork, FoundRoad
+from .found_network import FoundNetwork, FoundRoad
 from .graph import Graph, Line
-from .meeting import Passing, extended, meeting_point
-from .running import Fit, Run, fitted, through
+from .junction_points import Passing, extended, meeting_point
 from .smoothing import resample, stations
 
 Layer = NDArray[np.float32]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .found import FoundNetwork
+from .found_network import FoundNetwork
 from .masks import roads_of_surface, without_specks
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones

@@ -93,12 +93,12 @@ def typical_width(found: Sides) -> float:
 
 def widths(found: Sides, fallback: float, wavelength: float, closed: bool) -> tuple[Floats, float]:
     """Smoothed widths (n,) and the standard deviation of what was seen about them."""
-    usual = typical_width(found)
-    if not np.isfinite(usual):
+    typical = typical_width(found)
+    if not np.isfinite(typical):
         return np.full(len(found.left), fallback), float("nan")
     raw = found.left + found.right
-    good = found.seen & (np.abs(raw - usual) < 0.5 * usual)
-    filled = np.where(good, raw, usual)
+    good = found.seen & (np.abs(raw - typical) < 0.5 * typical)
+    filled = np.where(good, raw, typical)
     even = smooth_values(filled, wavelength, closed, np.where(good, 1.0, 0.02))
-    spread = float(np.median(np.abs((raw - even)[good]))) * 1.4826 if good.any() else usual
-    return np.maximum(even, 0.2 * usual), spread
+    spread = float(np.median(np.abs((raw - even)[good]))) * 1.4826 if good.any() else typical
+    return np.maximum(even, 0.2 * typical), spread

@@ -106,9 +106,9 @@ def _solved(seen: SeenOffsets, bend: Floats, step: float) -> Floats:
         pulled = weight * (_INSIDE * goal + _BEYOND * outside * edge)
         for index, offset in seen.pins:
             pull[index], pulled[index] = _PINNED, _PINNED * offset
-        bent = bend + np.diff(found, 2) / step**2
+        curvature = bend + np.diff(found, 2) / step**2
         changed = change + np.diff(found, 3) / step**3
-        turning = _TURNING / step / np.maximum(np.abs(bent), flattest)
+        turning = _TURNING / step / np.maximum(np.abs(curvature), flattest)
         changing = _CHANGING / step**2 / np.maximum(np.abs(changed), evenest)
         right = pulled - np.diff(np.pad(turning * bend, 2), 2)
         right += np.diff(np.pad(changing * change, 3), 3)

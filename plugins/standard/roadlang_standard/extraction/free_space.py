@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .masks import roads_of_surface
-from .world import extraction
+from .pixels_to_meters import extraction
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

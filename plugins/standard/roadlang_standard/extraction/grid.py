@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .found import FoundNetwork, FoundRoad
+from .found_network import FoundNetwork, FoundRoad
 
 Cell = tuple[int, int]
 _SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))

@@ -29,7 +29,7 @@ def leave_out(layers: list[Layer], boxes: tuple[tuple[tuple[float, float], ...],
             layer[rows, columns] = 0
 
 
-def ways_through(score: Layer, points: Floats) -> list[Floats]:
+def paths_through(score: Layer, points: Floats) -> list[Floats]:
     """The cheapest ways (n, 2) over the evidence from each of the points (k, 2) to the next.
 
     They follow roads where they are seen and go straight where they are not; pixels throughout.
@@ -41,12 +41,12 @@ def ways_through(score: Layer, points: Floats) -> list[Floats]:
     scale = np.array([width / size[0], height / size[1]])
     cells = np.clip(np.round((points + 0.5) / scale - 0.5).astype(int), 0, np.array(size) - 1)
     graph = _grid(-np.log(np.clip(coarse, 0.02, 1)) + 0.08)
-    ways = []
+    paths = []
     for (start, goal), ends in zip(pairwise(cells), pairwise(points), strict=True):
         path = (np.array(_shortest(graph, start, goal, size[0]), float) + 0.5) * scale - 0.5
         line = resample(np.vstack([ends[0], path[1:-1], ends[1]]))
-        ways.append(smooth(line, 8 * step, 2 * step) if len(line) > 8 else line)
-    return ways
+        paths.append(smooth(line, 8 * step, 2 * step) if len(line) > 8 else line)
+    return paths
 
 
 def _grid(price: NDArray[np.float64]) -> csr_matrix:

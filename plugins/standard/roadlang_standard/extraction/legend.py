@@ -10,20 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .colors import bgr
-from .found import FoundNetwork
+from .found_network import FoundNetwork
 from .grid import roads_of_cells
 from .masks import roads_of_surface
 from .tones import Image
 
 ROAD = "road"
-WAYS = {
+DIRECTIONS = {
     "eastbound": (1.0, 0.0),
     "westbound": (-1.0, 0.0),
     "northbound": (0.0, -1.0),
     "southbound": (0.0, 1.0),
 }
 """Directions of one-way roads, in pixels: y runs down."""
-ROADS = (ROAD, *WAYS)
+ROADS = (ROAD, *DIRECTIONS)
 
 
 @dataclass(frozen=True)
@@ -48,24 +48,26 @@ def read_text(
     )
     kinds = dict(legend)
     road = np.isin(cells, [c for c, kind in kinds.items() if kind in ROADS])
-    things = tuple(
+    objects = tuple(
         LegendObject(kinds[str(cells[y, x])], float(x), float(y), 1.0, 1.0)
         for y, x in np.argwhere(~road)
         if str(cells[y, x]) in kinds
     )
-    ways = _ways({name: np.isin(cells, _keys(kinds, name)) for name in WAYS})
-    return replace(roads_of_cells(road, thickness), ways=ways), things
+    directions = _directions({name: np.isin(cells, _keys(kinds, name)) for name in DIRECTIONS})
+    return replace(roads_of_cells(road, thickness), directions=directions), objects
 
 
 def _keys(legend: Mapping[str, str], kind: str) -> list[str]:
     return [key for key, named in legend.items() if named == kind]
 
 
-def _ways(where: Mapping[str, NDArray[np.bool_]]) -> NDArray[np.float64] | None:
+def _directions(where: Mapping[str, NDArray[np.bool_]]) -> NDArray[np.float64] | None:
     """(h, w, 2) directions, from where each is; None where no road has any."""
     if not any(mask.any() for mask in where.values()):
         return None
-    return np.asarray(sum(mask[..., None] * np.array(WAYS[name]) for name, mask in where.items()))
+    return np.asarray(
+        sum(mask[..., None] * np.array(DIRECTIONS[name]) for name, mask in where.items())
+    )
 
 
 def read_colors(
@@ -80,21 +82,21 @@ def read_colors(
     label = _nearest(image, palette)
     roads = [i for i, name in enumerate(names) if legend[name] in ROADS]
     road = np.isin(label, roads)
-    things = tuple(
-        thing
+    objects = tuple(
+        drawn
         for i, name in enumerate(names)
         if i not in roads
-        for thing in _things(label == i, legend[name])
+        for drawn in _objects(label == i, legend[name])
     )
-    ways = _ways({
+    directions = _directions({
         name: np.isin(label, [i for i, key in enumerate(names) if legend[key] == name])
-        for name in WAYS
+        for name in DIRECTIONS
     })  # fmt: skip
     inner = cv2.distanceTransform(np.pad(road.astype(np.uint8), 1), cv2.DIST_L2, 5)
     if inner.max() <= 1.5:
-        return replace(roads_of_cells(road, thickness or 1.0), ways=ways), things
+        return replace(roads_of_cells(road, thickness or 1.0), directions=directions), objects
     found = roads_of_surface(road.astype(np.float32), "legend", width=thickness, specks=2)
-    return replace(found, ways=ways), things
+    return replace(found, directions=directions), objects
 
 
 def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> NDArray[np.intp]:
@@ -109,13 +111,13 @@ def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> N
     return label
 
 
-def _things(mask: NDArray[np.bool_], kind: str) -> list[LegendObject]:
+def _objects(mask: NDArray[np.bool_], kind: str) -> list[LegendObject]:
     found, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    things = []
+    objects = []
     for outline in found:
         corners = outline.reshape(-1, 2).astype(np.float32)
         (x, y), (a, b), angle = cv2.minAreaRect(corners)
         length, width, turn = (a + 1, b + 1, angle) if a >= b else (b + 1, a + 1, angle + 90)
         heading = float(np.deg2rad((turn + 90) % 180 - 90))
-        things.append(LegendObject(kind, float(x), float(y), float(length), float(width), heading))
-    return sorted(things, key=lambda thing: (thing.y, thing.x))
+        objects.append(LegendObject(kind, float(x), float(y), float(length), float(width), heading))
+    return sorted(objects, key=lambda object_: (object_.y, object_.x))

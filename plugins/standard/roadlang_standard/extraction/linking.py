@@ -14,8 +14,8 @@ from scipy.sparse.csgraph import dijkstra
 from roadlang.geometry import Floats
 
 from .chains import direction
-from .clean import at_border, join
 from .graph import Graph, Line
+from .graph_cleanup import at_border, join
 from .smoothing import stations
 
 Layer = NDArray[np.float32]
@@ -141,7 +141,7 @@ def _bridge(
         return None
     costs = price[window] * _backwards(end.ahead)
     there = owner[window].ravel().copy()
-    there[_near_own(line, end.line, there, step)] = 0
+    there[_near_end(line, end.line, there, step)] = 0
     far, before = dijkstra(
         _grid(costs),
         indices=_CENTER,
@@ -154,7 +154,7 @@ def _bridge(
     if not len(goals):
         return None
     goal = int(goals[np.argmin((far * share)[goals])])
-    cells = np.add(_way(before, goal), (x - _RADIUS, y - _RADIUS))
+    cells = np.add(_path_cells(before, goal), (x - _RADIUS, y - _RADIUS))
     length = float(stations(cells.astype(float))[-1])
     cost = float(far[goal] * share[goal]) / max(length, 1e-9)
     if length < 1 or cost > worst:
@@ -169,7 +169,7 @@ def _cell(place: Floats, step: float) -> tuple[int, int]:
     return int(x), int(y)
 
 
-def _way(before: NDArray[np.int32], goal: int) -> NDArray[np.intp]:
+def _path_cells(before: NDArray[np.int32], goal: int) -> NDArray[np.intp]:
     """Cells (x, y) of the window from its middle to the goal."""
     path = [goal]
     while path[-1] != _CENTER:
@@ -195,7 +195,7 @@ def _ahead(ahead: Floats) -> NDArray[np.bool_]:
     return np.asarray(x * ahead[0] + y * ahead[1] > _STRAIGHT * np.hypot(x, y))
 
 
-def _near_own(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
+def _near_end(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
     """The line's own pixels near its end: it may meet itself only after a long way round."""
     owned = there == index + 1
     return np.asarray(owned if line.length < 6 * _RADIUS * step else owned & _close(owned))

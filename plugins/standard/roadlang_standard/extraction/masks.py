@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .clean import contract, drop_crumbs, extend_to_border, join, prune
 from .drafting import Draft, draft, typical_width_of
-from .found import FoundNetwork
+from .found_network import FoundNetwork
 from .graph import trace
+from .graph_cleanup import contract, drop_crumbs, extend_to_border, join, prune
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 
@@ -41,19 +41,21 @@ def roads_of_surface(
         mask = without_specks(surface >= 0.5, specks)
         thin = skeleton(mask)
     graph = trace(thin)
-    usual = typical_width_of(graph, mask)
-    contract(graph, 1.2 * usual)
-    prune(graph, least if least is not None else 1.1 * usual, mask.shape, margin=0.6 * usual + 2)
+    typical = typical_width_of(graph, mask)
+    contract(graph, 1.2 * typical)
+    prune(
+        graph, least if least is not None else 1.1 * typical, mask.shape, margin=0.6 * typical + 2
+    )
     join(graph)
-    join_oblique_crossings(graph, usual)
-    drop_crumbs(graph, min(2 * usual, 0.5 * max(mask.shape)))
-    usual = typical_width_of(graph, mask)
-    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * usual + 2)
-    manner = Draft(
-        usual, waves if spline else 0.5, tolerance, _accuracy(surface), width, fair=spline
+    join_oblique_crossings(graph, typical)
+    drop_crumbs(graph, min(2 * typical, 0.5 * max(mask.shape)))
+    typical = typical_width_of(graph, mask)
+    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * typical + 2)
+    settings = Draft(
+        typical, waves if spline else 0.5, tolerance, _accuracy(surface), width, fair=spline
     )
     score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
-    return draft(graph, surface, score, manner, method)
+    return draft(graph, surface, score, settings, method)
 
 
 def _is_noise(thin: Booleans) -> bool:

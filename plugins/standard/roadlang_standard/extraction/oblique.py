@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from .chains import heading, turn
-from .clean import contract_lines
 from .graph import Graph, Line
+from .graph_cleanup import contract_lines
 
 _LONGEST = 5.5
 """Widths: roads that cross at 20 degrees lie over one another for w / sin(10 degrees)."""

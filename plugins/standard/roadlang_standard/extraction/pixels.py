@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from roadlang.api import Code
 
 from .colors import NAMES, bgr
-from .found import FoundNetwork
+from .found_network import FoundNetwork
 from .legend import ROAD, ROADS, LegendObject, read_colors, read_text
 from .tones import Image
 

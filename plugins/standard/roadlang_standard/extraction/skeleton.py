@@ -28,9 +28,9 @@ def skeleton(mask: Booleans) -> Booleans:
             codes = np.zeros(len(candidates), np.uint8)
             for bit, step in enumerate(around):
                 codes |= flat[candidates + step] << np.uint8(bit)
-            gone = candidates[table[codes]]
-            flat[gone] = 0
-            near.append((gone[:, None] + around).ravel())
+            removable = candidates[table[codes]]
+            flat[removable] = 0
+            near.append((removable[:, None] + around).ravel())
             candidates = _alive(flat, stamp, np.concatenate([candidates, near[-1]]))
         candidates = _alive(flat, stamp, np.concatenate(near))
     return flat.reshape(height + 2, stride)[1:-1, 1:-1].astype(bool)

@@ -150,9 +150,9 @@ def _far_apart(
     off_x, off_y = x[first] - x[second], y[first] - y[second]
     square = off_x * off_x + off_y * off_y
     square[(second * EVERY)[:, None] >= counts[rows]] = math.inf
-    reach = 2.0 * HALF_WIDTH + EVERY + 2.0
+    distance = 2.0 * HALF_WIDTH + EVERY + 2.0
     out = np.minimum(np.sqrt(square.min(axis=0)) - 2.0 * HALF_WIDTH, MOST)
-    pair, row = np.nonzero(square < reach * reach)
+    pair, row = np.nonzero(square < distance * distance)
     if len(pair):
         near = np.full(len(rows), math.inf)
         _nearest_quads(near, row, (first[pair], second[pair]), (sides, counts, rows))

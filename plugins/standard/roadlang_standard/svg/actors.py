@@ -30,9 +30,9 @@ _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 def objects(scene: Scene, viewport: Viewport) -> str:
     """Everything that does not move; trees last, their crowns over the rest."""
-    ordered = sorted(scene.objects, key=lambda thing: _plain(thing.kind) in _GREENERY)
+    ordered = sorted(scene.objects, key=lambda actor: _plain(actor.kind) in _GREENERY)
     drawn = [
-        _drawn(thing, index, viewport, _SMALLEST_OBJECT) for index, thing in enumerate(ordered)
+        _drawn(actor, index, viewport, _SMALLEST_OBJECT) for index, actor in enumerate(ordered)
     ]
     return group(drawn, class_="objects")
 
@@ -47,12 +47,12 @@ def agents(scene: Scene, viewport: Viewport) -> str:
 
 def labels(scene: Scene, viewport: Viewport, size: float) -> str:
     """Names beside agents and the objects worth naming, with a halo, not on top of each other."""
-    things = list(scene.agents)
-    worthy = [thing for thing in scene.objects if _plain(thing.kind) not in _UNLABELED]
+    actors = list(scene.agents)
+    worthy = [actor for actor in scene.objects if _plain(actor.kind) not in _UNLABELED]
     if len(worthy) <= _MOST_LABELED_OBJECTS:
-        things += worthy
+        actors += worthy
     return group(
-        _labels(_named(things), viewport, size),
+        _labels(_named(actors), viewport, size),
         class_="labels",
         font_size=size,
         font_weight="600",
@@ -65,19 +65,19 @@ def labels(scene: Scene, viewport: Viewport, size: float) -> str:
     )
 
 
-def _drawn(thing: SceneActor, index: int, viewport: Viewport, least: float) -> str:
-    x, y = viewport.place([thing.x, thing.y]).tolist()
+def _drawn(actor: SceneActor, index: int, viewport: Viewport, least: float) -> str:
+    x, y = viewport.place([actor.x, actor.y]).tolist()
     scale = viewport.pixels_per_meter
-    longest = max(thing.length, thing.width, 0.01) * scale
+    longest = max(actor.length, actor.width, 0.01) * scale
     enlarged = scale * max(1.0, least / longest)
-    turn = f"translate({x:.2f} {y:.2f}) rotate({-math.degrees(thing.heading):.2f})"
-    shape = _shape(thing, index, enlarged)
-    return element("g", title(_hint(thing)), *shape, transform=turn)
+    turn = f"translate({x:.2f} {y:.2f}) rotate({-math.degrees(actor.heading):.2f})"
+    shape = _shape(actor, index, enlarged)
+    return element("g", title(_hint(actor)), *shape, transform=turn)
 
 
-def _shape(thing: SceneActor, index: int, scale: float) -> list[str]:
-    length, width = thing.length * scale, thing.width * scale
-    kind, color = _plain(thing.kind), _color(thing)
+def _shape(actor: SceneActor, index: int, scale: float) -> list[str]:
+    length, width = actor.length * scale, actor.width * scale
+    kind, color = _plain(actor.kind), _color(actor)
     if kind in _CARS:
         return shapes.car(length, width, color)
     if kind in _TRUCKS:
@@ -97,37 +97,37 @@ def _plain(kind: str) -> str:
     return kind.rpartition(".")[2]
 
 
-def _color(thing: SceneActor) -> str:
-    color = thing.options.get("color")
+def _color(actor: SceneActor) -> str:
+    color = actor.options.get("color")
     return color if isinstance(color, str) and _COLOR.match(color) else palette.OBJECT
 
 
-def _hint(thing: SceneActor) -> str:
-    place = f" at {thing.start:.1f} m on {thing.road}" if thing.start is not None else ""
-    return f"{thing.name}: {_plain(thing.kind)}{place}"
+def _hint(actor: SceneActor) -> str:
+    place = f" at {actor.start:.1f} m on {actor.road}" if actor.start is not None else ""
+    return f"{actor.name}: {_plain(actor.kind)}{place}"
 
 
-def _named(things: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
+def _named(actors: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
     """Each thing with its label; a group with many copies gets one, with their number."""
-    sizes = Counter(thing.group for thing in things)
+    sizes = Counter(actor.group for actor in actors)
     labeled: list[tuple[SceneActor, str]] = []
     seen: set[str] = set()
-    for thing in things:
-        if sizes[thing.group] <= _MOST_COPIES_LABELED:
-            labeled.append((thing, thing.name))
-        elif thing.group not in seen:
-            seen.add(thing.group)
-            labeled.append((thing, f"{thing.group} ({sizes[thing.group]})"))
+    for actor in actors:
+        if sizes[actor.group] <= _MOST_COPIES_LABELED:
+            labeled.append((actor, actor.name))
+        elif actor.group not in seen:
+            seen.add(actor.group)
+            labeled.append((actor, f"{actor.group} ({sizes[actor.group]})"))
     return labeled
 
 
 def _labels(
-    things: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float
+    named: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float
 ) -> Iterator[str]:
     placed: list[tuple[float, float, float]] = []
-    for thing, label in things:
-        x, y = viewport.place([thing.x, thing.y]).tolist()
-        extent = max(thing.length, thing.width) * viewport.pixels_per_meter
+    for actor, label in named:
+        x, y = viewport.place([actor.x, actor.y]).tolist()
+        extent = max(actor.length, actor.width) * viewport.pixels_per_meter
         drop = max(extent, _SHORTEST_AGENT) / 2 + 0.6 * size
         wide = 0.56 * size * len(label)
         candidates = [(x, y - drop), (x, y + drop + 0.7 * size)]

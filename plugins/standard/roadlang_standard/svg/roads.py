@@ -94,8 +94,8 @@ def _end_half(ribbon: Ribbon, x: float, y: float) -> float:
     first, last = ribbon.center[0], ribbon.center[-1]
     at_start = abs(first - (x, y)).sum() <= abs(last - (x, y)).sum()
     # What was extracted at a junction may be the width of the whole crossing.
-    usual = sorted(ribbon.half.tolist())[len(ribbon.half) // 2]
-    return min(float(ribbon.half[0 if at_start else -1]), 1.2 * float(usual))
+    median = sorted(ribbon.half.tolist())[len(ribbon.half) // 2]
+    return min(float(ribbon.half[0 if at_start else -1]), 1.2 * float(median))
 
 
 def _outside_junctions(

@@ -39,15 +39,15 @@ def page(code: str) -> Page:
     head, _, body = path.read_text(encoding="utf-8").partition("\n\n")
     heading, *lines = head.split("\n")
     name, _, title = heading.removeprefix(f"# {code} ").partition(":")
-    said = dict(line.split(": ", 1) for line in lines)
+    fields = dict(line.split(": ", 1) for line in lines)
     return Page(
         code=code,
         name=name,
         title=title.strip(),
-        severity=cast(Literal["error", "warning", "note"], said["severity"]),
-        message=said["message"],
+        severity=cast(Literal["error", "warning", "note"], fields["severity"]),
+        message=fields["message"],
         body=body.strip(),
-        exit=int(said.get("exit", "1")),
+        exit=int(fields.get("exit", "1")),
     )
 
 

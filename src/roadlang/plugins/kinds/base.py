@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+import warnings
+from typing import Any, ClassVar
+
+_RENAMED = {
+    "is_whole": "is_integer",
+    "usual_width": "default_width",
+    "usual_marking": "default_marking",
+}
+"""class attributes of kinds, whose old names work for one more minor version"""
 
 
 class Kind:
@@ -27,7 +35,7 @@ class Kind:
     """work for a station, where that of a displacement is 1: cheap requirements are tried first"""
     member: ClassVar[bool] = False
     """a number or signal of an agent or object, written `ego.speed` instead of `speed(ego)`"""
-    is_whole: ClassVar[bool] = False
+    is_integer: ClassVar[bool] = False
     """a number whose values are integers"""
     domain: ClassVar[str] = "road"
     """whether it is about roads ("road") or about drives ("drive")"""
@@ -36,3 +44,12 @@ class Kind:
     of the plugin (RL470)"""
     required_methods: ClassVar[tuple[str, ...]] = ()
     """a kind implements at least one of these methods of its base"""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        for old in _RENAMED.keys() & vars(cls).keys():
+            text = (
+                f"`{old}` is now `{_RENAMED[old]}`; the old name goes with the next minor version"
+            )
+            warnings.warn(text, DeprecationWarning, stacklevel=2)
+            setattr(cls, _RENAMED[old], vars(cls)[old])

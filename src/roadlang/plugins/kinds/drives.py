@@ -101,5 +101,5 @@ class Simulator(Kind):
 
         Returns a `Trace` for each scene, in their order. By default `drive` is called for each.
         """
-        for scene, own in zip(scenes, controllers, strict=True):
-            yield self.drive(scene, own)
+        for scene, of_scene in zip(scenes, controllers, strict=True):
+            yield self.drive(scene, of_scene)

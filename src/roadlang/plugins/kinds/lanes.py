@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import warnings
-from typing import Any, ClassVar, Literal, TypeAlias
+from typing import ClassVar, Literal, TypeAlias
 
 from ...geometry.lanes import Marking
 from .base import Kind
 
 LaneDirection: TypeAlias = Literal["side", "both", "none"]
 LaneMarking: TypeAlias = Marking
-
-_RENAMED = {"usual_width": "default_width", "usual_marking": "default_marking"}
 
 
 class LaneKind(Kind):
@@ -36,11 +33,3 @@ class LaneKind(Kind):
     default_marking: ClassVar[LaneMarking | Literal["auto"]] = "auto"
     """the line toward the outer neighbor where a scene file says none; `auto`: broken to a
     lane of the same kind and direction, a curb to a raised lane, else solid"""
-
-    def __init_subclass__(cls, **options: Any) -> None:
-        super().__init_subclass__(**options)
-        for old, new in _RENAMED.items():
-            if old in vars(cls):
-                text = f"`{old}` of lanes is now `{new}`, and goes with the next minor version"
-                warnings.warn(text, DeprecationWarning, stacklevel=2)
-                setattr(cls, new, vars(cls)[old])

@@ -46,7 +46,7 @@ def with_options(checker: Checker, value: Value, options: Options) -> Value:
     if not options:
         return value
     if isinstance(value, PassCall) and value.verb in ("agent", "object"):
-        others = {name: given for name, given in value.options.items() if name not in options}
+        others = {name: written for name, written in value.options.items() if name not in options}
         return replace(value, options=FrozenDict({**others, **options}))
     if isinstance(value, RandomValue):
         inner = {

@@ -44,7 +44,7 @@ class _Binder:
         self._context = context
         self._known = {option.name: option for option in schema}
         self._owner = f"`{call.function.span.text}`"
-        self._given: dict[str, TypedExpression] = {}
+        self._bound: dict[str, TypedExpression] = {}
         self._named: set[str] = set()
         self._gathered: list[TypedExpression] = []
         self._complete = True
@@ -60,11 +60,11 @@ class _Binder:
                 self._take(argument, names[index])
             else:
                 self._too_many(argument)
-                return BoundOptions(self._given, False)
+                return BoundOptions(self._bound, False)
         if self._gathered:
-            self._given[self._rest] = self._list()
+            self._bound[self._rest] = self._list()
         self._look_for_missing()
-        return bound_of(self._checker, self._given, self._schema, self._complete)
+        return bound_of(self._checker, self._bound, self._schema, self._complete)
 
     def _take_named(self, argument: ast.Argument, key: ast.Word) -> None:
         if key.text in self._known:
@@ -88,7 +88,7 @@ class _Binder:
         if typed is None:
             self._complete = False
         else:
-            self._given[name] = typed
+            self._bound[name] = typed
 
     def _gather(self, argument: ast.Argument) -> None:
         option = self._known[self._rest]

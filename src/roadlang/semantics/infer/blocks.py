@@ -88,7 +88,7 @@ def lower_call(
     common: Sequence[OptionSchema],
     context: Context,
     owner: str,
-    blamed: Span,
+    fault_span: Span,
     span: Span,
 ) -> PassCall | None:
     """The options of a kind, and of its verb, against their schema."""
@@ -100,8 +100,8 @@ def lower_call(
         schema,
         context,
         owner=owner,
-        span=blamed,
-        whole=_is_whole(block),
+        span=fault_span,
+        complete_block=_is_complete(block),
     )
     for inner in block.passes if block else ():
         checker.report(Code.MISPLACED_PASS, inner.verb.span, what=owner, verb=inner.verb.text)
@@ -128,10 +128,10 @@ def lower_options(
         context,
         owner=f"`{statement}`",
         span=span,
-        whole=_is_whole(block),
+        complete_block=_is_complete(block),
     )
 
 
-def _is_whole(block: ast.Block | None) -> bool:
+def _is_complete(block: ast.Block | None) -> bool:
     """Whether what is not in a block is missing, rather than in a part that could not be read."""
     return block is None or (block.complete and block.span.text.endswith("}"))

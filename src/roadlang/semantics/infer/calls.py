@@ -99,11 +99,11 @@ def _built_in(
     arguments = [checker.infer(argument.value, context) for argument in call.arguments]
     if any(argument.is_unknown for argument in arguments):
         return unknown(call.span)
-    for given in arguments:
-        if not isinstance(given.type, Quantity | SignalType):
-            what, found = f"`{name}`", given.type
+    for typed in arguments:
+        if not isinstance(typed.type, Quantity | SignalType):
+            what, found = f"`{name}`", typed.type
             return checker.report(
-                Code.WRONG_TYPE, given.span, what=what, expected="a number", found=found
+                Code.WRONG_TYPE, typed.span, what=what, expected="a number", found=found
             )
     dimension = common_dimension(checker, arguments, "compared")
     if dimension is None:

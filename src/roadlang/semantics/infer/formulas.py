@@ -49,7 +49,7 @@ def infer_comparison(
     for operator, right in zip(node.operators, parts[1:], strict=True):
         # A lone `=` is reported already.
         is_written = operator in node.span.text
-        if operator in ("==", "!=") and is_written and not _is_whole(right):
+        if operator in ("==", "!=") and is_written and not _is_integer(right):
             checker.report(Code.FLOAT_EQUALITY, node.span, operator=operator)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, TypedExpression):
@@ -63,7 +63,7 @@ def infer_comparison(
     return _formula(node.span, formula, evidence, parts, numbers)
 
 
-def _is_whole(typed: TypedExpression) -> bool:
+def _is_integer(typed: TypedExpression) -> bool:
     return (
         isinstance(typed.type, Quantity) and typed.type.is_integer and typed.type.dimension.is_pure
     )

@@ -133,7 +133,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
     meant = meant_name(name, qualified if "." in name else known)
-    help_ = [] if meant else _elsewhere(checker, verb, name) or _not_installed(checker, name)
+    help_ = [] if meant else _of_other_verbs(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
     if not meant:
@@ -148,7 +148,7 @@ def _not_installed(checker: Checker, name: str) -> list[str]:
     return [f"no plugin called `{plugin}` is installed"] if dot and plugin not in there else []
 
 
-def _elsewhere(checker: Checker, verb: str, name: str) -> list[str]:
+def _of_other_verbs(checker: Checker, verb: str, name: str) -> list[str]:
     verbs = [other for other in VERBS if other != verb and checker.registry.has(other, name)]
     return [_written(other, name) for other in verbs[:1]]
 

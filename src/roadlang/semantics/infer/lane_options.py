@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
-from ...plugins.annotations import Flag, Length, Speed, Whole
+from ...plugins.annotations import Flag, Integer, Length, Speed
 from ...plugins.option_types import CallType, ListType
 from ...plugins.options import option
 
@@ -16,7 +16,7 @@ LaneList = Annotated[tuple[Any, ...], ListType(CallType("lane"))]
 class CrossSectionOptions:
     """Options of `road` and `network`: which lanes there are."""
 
-    lanes: Whole = option(
+    lanes: Integer = option(
         2,
         minimum=1,
         maximum=32,

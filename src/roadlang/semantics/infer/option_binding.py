@@ -43,8 +43,8 @@ class BoundOptions:
 
 def divided(options: Options, names: Container[str]) -> tuple[Options, Options]:
     """The options of these names, and the others."""
-    own = {name: value for name, value in options.items() if name in names}
-    return FrozenDict(own), FrozenDict({n: v for n, v in options.items() if n not in own})
+    chosen = {name: value for name, value in options.items() if name in names}
+    return FrozenDict(chosen), FrozenDict({n: v for n, v in options.items() if n not in chosen})
 
 
 def bind_options(
@@ -55,13 +55,13 @@ def bind_options(
     *,
     owner: str,
     span: Span,
-    whole: bool = True,
+    complete_block: bool = True,
 ) -> BoundOptions:
-    """The options of a block. `whole`: the block could be read, so that what is not in it is
+    """The options of a block. `complete_block`: it could be read, so that what is not in it is
     missing. `owner` has the options, for messages; `span` is blamed for what is missing."""
     known = {option.name: option for option in schema}
     first: dict[str, Span] = {}
-    given: dict[str, TypedExpression] = {}
+    stated: dict[str, TypedExpression] = {}
     misspelled: list[str] = []
     complete = True
     for option in options:
@@ -79,14 +79,14 @@ def bind_options(
             typed = infer_option(checker, option.value, known[name], context)
             complete = typed is not None and complete
             if typed is not None:
-                given[name] = typed
+                stated[name] = typed
     # An option that was misspelled is not missing as well.
     meant = {meant_name(name, known) for name in misspelled}
-    given_or_meant = {*first, *meant}
-    missing = [o.name for o in schema if o.required and o.name not in given_or_meant]
-    if missing and whole:
+    written = {*first, *meant}
+    missing = [o.name for o in schema if o.required and o.name not in written]
+    if missing and complete_block:
         complete = report_missing(checker, owner, missing, known, span)
-    return bound_of(checker, given, schema, complete)
+    return bound_of(checker, stated, schema, complete)
 
 
 def infer_option(
@@ -126,7 +126,7 @@ def bound_of(
     numbers: list[TypedExpression] = []
     for option in schema:
         if option.name in ordered:
-            numbers.extend(_alike(ordered[option.name], option.type))
+            numbers.extend(_comparable(ordered[option.name], option.type))
     if len(numbers) < 1:
         return BoundOptions(ordered, complete)
     dimension = common_dimension(checker, numbers, "used together")
@@ -136,11 +136,11 @@ def bound_of(
     return BoundOptions(ordered, complete, leader)
 
 
-def _alike(typed: TypedExpression, expected: opt.OptionType) -> list[TypedExpression]:
+def _comparable(typed: TypedExpression, expected: opt.OptionType) -> list[TypedExpression]:
     if isinstance(expected, opt.LikeType) and isinstance(typed.type, ty.Quantity):
         return [typed]
     if isinstance(expected, opt.ListType | opt.IntervalType):
-        return [part for item in typed.items for part in _alike(item, expected.item)]
+        return [part for item in typed.items for part in _comparable(item, expected.item)]
     return []
 
 

@@ -34,7 +34,7 @@ def measured(
     text = name if member or not bound.values else call_text(name, bound.values)
     call = PassCall(verb, found.entry.qualified, bound.values, text, span)
     if verb == "number":
-        kind = Quantity(dimension, is_integer=found.kind.is_whole)
+        kind = Quantity(dimension, is_integer=found.kind.is_integer)
         return TypedExpression(span, kind, Measure(call), random=True)
     domain = _DOMAINS[verb]
     return TypedExpression(

@@ -154,12 +154,12 @@ def _by_another(
         if isinstance(value, Entity) and value.role in ("agent", "object"):
             other = checker.program.declarations[value.name].statement
             assert isinstance(other, ast.Actor)
-            road, own = road_of(checker, other), road_of(checker, statement)
-            if road is None or own is None:
+            road, own_road = road_of(checker, other), road_of(checker, statement)
+            if road is None or own_road is None:
                 name, member = value.name, "place on a road"
                 checker.report(Code.START_WITHOUT_ROAD, typed.span, name=name, member=member)
                 return None
-            if road.span.text != own.span.text:
+            if road.span.text != own_road.span.text:
                 help_ = f"place it on `{road.span.text}`, or leave out `on`"
                 checker.report(
                     Code.OTHER_ROAD,

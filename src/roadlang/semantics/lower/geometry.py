@@ -62,13 +62,13 @@ def lower_geometry(
         return None
     if not _belongs_together(checker, statement, source.source, passes):
         return None
-    made = _with_default(checker, statement, source.source, passes)
-    if made is None:
+    options = _with_default(checker, statement, source.source, passes)
+    if options is None:
         return None
     if isinstance(source.source, ir.FileSource):
         checker.program.inputs.append(source.source.resolved)
     lowered: ir.ScenarioImage | ir.ScenarioNetwork | ir.ScenarioRoad = _MAKERS[word](
-        name, source.source, bound.values, made, statement.span
+        name, source.source, bound.values, options, statement.span
     )
     return lowered
 

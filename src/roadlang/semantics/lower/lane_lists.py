@@ -19,10 +19,10 @@ from .randomness import is_random
 _SAME_WIDTH = 1e-3
 """Meters."""
 
-Given = Mapping[str, TypedExpression]
+Stated = Mapping[str, TypedExpression]
 
 
-def lanes_fit(checker: Checker, statement: ast.Geometry, stated: Given) -> bool:
+def lanes_fit(checker: Checker, statement: ast.Geometry, stated: Stated) -> bool:
     """False, reported, where lanes are said twice, contradict each other, or are none."""
     if statement.word == "image":
         return True
@@ -55,7 +55,7 @@ def lanes_fit(checker: Checker, statement: ast.Geometry, stated: Given) -> bool:
 _SIDES = ("left", "right")
 
 
-def _same_in_every_scene(checker: Checker, stated: Given) -> bool:
+def _same_in_every_scene(checker: Checker, stated: Stated) -> bool:
     """The junctions of a network are planned once for all candidates."""
     for option in LANE_OPTIONS:
         typed = stated.get(option)
@@ -71,7 +71,7 @@ def _same_in_every_scene(checker: Checker, stated: Given) -> bool:
 
 
 def _counted_too(
-    checker: Checker, statement: ast.Geometry, stated: Given, lists: list[str]
+    checker: Checker, statement: ast.Geometry, stated: Stated, lists: list[str]
 ) -> bool:
     option = "lanes" if "lanes" in stated else "sidewalks"
     assert statement.block is not None

@@ -20,7 +20,8 @@ def lower(checker: Checker) -> ir.Scenario:
     for name in definition_order(program, "param", "let"):
         checker.definition(name)
     lowered = {
-        name: _lower_one(checker, declaration) for name, declaration in program.declarations.items()
+        name: _lower_statement(checker, declaration)
+        for name, declaration in program.declarations.items()
     }
     unnamed = _unnamed(checker)
     order = evaluation_order(checker)
@@ -41,7 +42,7 @@ def lower(checker: Checker) -> ir.Scenario:
     )
 
 
-def _lower_one(checker: Checker, declaration: PlacedStatement) -> Any:
+def _lower_statement(checker: Checker, declaration: PlacedStatement) -> Any:
     spec = STATEMENTS[declaration.role]
     return spec.lower(checker, spec, declaration)
 
@@ -63,9 +64,9 @@ def _unnamed(checker: Checker) -> dict[str, Any]:
             continue
         if spec.once:
             _report_others(checker, found)
-            fields[spec.scenario_field] = _lower_one(checker, found[0])
+            fields[spec.scenario_field] = _lower_statement(checker, found[0])
         else:
-            lowered = [_lower_one(checker, declaration) for declaration in found]
+            lowered = [_lower_statement(checker, declaration) for declaration in found]
             fields[spec.scenario_field] = tuple(
                 statement for statement in lowered if statement is not None
             )

@@ -105,7 +105,7 @@ def _mismatch(
 
 
 def _unit_help(wanted: Dimension, limits: Constraints) -> tuple[str, ...]:
-    if limits.usual_unit:
+    if limits.default_unit:
         return (f"write a value such as `{limits.example}`",)
     return (f"{wanted} has a unit such as `{wanted.unit}`",) if wanted.unit else ()
 
@@ -130,12 +130,12 @@ def _quantity(
                 help=_unit_help(wanted, limits),
             )  # fmt: skip
         return None
-    if expected.is_integer and not _is_whole(checker, typed, kind, what):
+    if expected.is_integer and not _is_integer(checker, typed, kind, what):
         return None
     return typed if check_limits(checker, typed, limits, what, expected.dimension) else None
 
 
-def _is_whole(checker: Checker, typed: TypedExpression, kind: ty.Quantity, what: str) -> bool:
+def _is_integer(checker: Checker, typed: TypedExpression, kind: ty.Quantity, what: str) -> bool:
     if kind.is_integer or kind.fits_any:
         return True
     if typed.constant is None and not typed.random:

@@ -55,7 +55,7 @@ def _unit(checker: Checker, number: ast.NumberLiteral) -> Unit | None:
     try:
         return _parse(number.unit)
     except TwoSlashes:
-        better = _one_slash(number)
+        better = _as_quotient(number)
         checker.report(
             Code.TWO_SLASHES_IN_UNIT,
             number.span,
@@ -81,7 +81,7 @@ def _report_unknown_unit(checker: Checker, number: ast.NumberLiteral, word: str)
     checker.report(Code.UNKNOWN_UNIT, number.span, unit=word, meant=better)
 
 
-def _one_slash(number: ast.NumberLiteral) -> str:
+def _as_quotient(number: ast.NumberLiteral) -> str:
     """`12m/s/s` as `12m/s^2`, and `12m/s/min`, whose divisors differ, as `12m/s / 1min`."""
     above, *below = number.unit.split("/")
     powers = [f"{unit}^{n}" if n > 1 else unit for unit, n in Counter(below).items()]
@@ -92,10 +92,10 @@ def unit_missing(
     checker: Checker, typed: TypedExpression, expected: Dimension, limits: Constraints | None = None
 ) -> TypedExpression:
     """RL202: a bare number where a unit is expected, with the number in that unit as fix."""
-    usual = limits.usual_unit if limits is not None else ""
-    units = ("deg", "rad") if expected == ANGLE else (usual or expected.unit,)
+    common_unit = limits.default_unit if limits is not None else ""
+    units = ("deg", "rad") if expected == ANGLE else (common_unit or expected.unit,)
     readings = [_with_unit(typed.span.text, unit) for unit in units]
-    such = f", such as `{limits.example}`" if limits is not None and usual else ""
+    such = f", such as `{limits.example}`" if limits is not None and common_unit else ""
     return checker.report(
         Code.MISSING_UNIT,
         typed.span,

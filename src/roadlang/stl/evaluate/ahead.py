@@ -65,8 +65,8 @@ def _shifts(formula: f.Formula) -> tuple[float, ...]:
     below = (0.0, *(shift for part in formula.parts for shift in _shifts(part)))
     interval = formula.window if isinstance(formula, f.Compound) else None
     bounds = [] if interval is None else [interval.lo, interval.hi]
-    moves = [0.0, *(sign * bound for bound in bounds if math.isfinite(bound) for sign in (1, -1))]
-    sums = sorted(shift + move for shift in below for move in moves)
+    offsets = [0.0, *(sign * bound for bound in bounds if math.isfinite(bound) for sign in (1, -1))]
+    sums = sorted(shift + move for shift in below for move in offsets)
     rounding = 16 * math.ulp(max(abs(sums[0]), abs(sums[-1])))
     distinct = [sums[0]]
     distinct += [b for a, b in itertools.pairwise(sums) if b - a > rounding]

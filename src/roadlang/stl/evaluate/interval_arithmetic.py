@@ -106,13 +106,13 @@ def _power(a: Bounds, b: Bounds) -> Bounds:
     exponent = b[0]
     if not (isinstance(exponent, float | int) and exponent == b[1] and math.isfinite(exponent)):
         return UNKNOWN
-    is_whole, negative = float(exponent).is_integer(), exponent < 0
+    is_integer, negative = float(exponent).is_integer(), exponent < 0
     undefined = _contains_zero(a) if negative else False
-    if not is_whole:
+    if not is_integer:
         undefined = undefined | (a[0] < 0)
     low, high = (_raised(_where(undefined, 1.0, end), exponent) for end in a)
     found = _least(low, high), _greatest(low, high)
-    if is_whole and not negative and exponent % 2 == 0 and exponent > 0:
+    if is_integer and not negative and exponent % 2 == 0 and exponent > 0:
         found = _where(_contains_zero(a), 0.0, found[0]), found[1]
     return _unless(undefined, found)
 

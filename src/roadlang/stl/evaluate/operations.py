@@ -57,7 +57,7 @@ class Reaching:
 
 
 @dataclass(frozen=True)
-class Given:
+class GivenNumbers:
     """Numbers per variant, infinite ones welcome, that are computed with the graph."""
 
     name: str
@@ -79,7 +79,14 @@ class AtUnseen:
 
 
 Operation: TypeAlias = (
-    Read | NumberOperation | Given | PointwiseOperation | Sliding | Reaching | Extend | AtUnseen
+    Read
+    | NumberOperation
+    | GivenNumbers
+    | PointwiseOperation
+    | Sliding
+    | Reaching
+    | Extend
+    | AtUnseen
 )
 
 

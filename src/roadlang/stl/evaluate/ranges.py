@@ -27,7 +27,7 @@ from .operations import (
     AtUnseen,
     Extend,
     Function,
-    Given,
+    GivenNumbers,
     NumberOperation,
     PointwiseOperation,
     Reaching,
@@ -141,7 +141,7 @@ class BoundGraph(FormulaGraph):
             return self.add(sliding, operand)
         absent = self._extended(operand, extreme.identity)
         result = self.add(sliding, absent)
-        if later and _holds_own_sample(formula):
+        if later and _includes_now(formula):
             join = least if extreme is LEAST else greatest
             return self.add(AtUnseen(self.seen, join), result, operand)
         return result
@@ -169,9 +169,9 @@ class BoundGraph(FormulaGraph):
             result = self.add(reaching, before, self._extended(right, -np.inf))
         else:
             result = self.add(reaching, self._extended(left, np.inf), right)
-            if later and (past or not _holds_own_sample(formula)):
+            if later and (past or not _includes_now(formula)):
                 result = self.add(AtUnseen(self.seen, least), result, left)
-        if later and _holds_own_sample(formula):
+        if later and _includes_now(formula):
             result = self.add(AtUnseen(self.seen, greatest), result, right)
         return result
 
@@ -186,10 +186,10 @@ class BoundGraph(FormulaGraph):
             highest = np.where((highest >= 0) & truth.possible, 1.0, -1.0)
         name = f"{side} of {formula} at an unseen sample"
         self.supplied[name] = (lowest if side == "lower" else highest)[:, None]
-        return self.add(Given(name))
+        return self.add(GivenNumbers(name))
 
 
-def _holds_own_sample(formula: f.TemporalOperator) -> bool:
+def _includes_now(formula: f.TemporalOperator) -> bool:
     return formula.window is None or formula.window.lo == 0
 
 

@@ -12,7 +12,7 @@ from .kernels import slide, until
 from .operations import (
     AtUnseen,
     Extend,
-    Given,
+    GivenNumbers,
     NumberOperation,
     PointwiseOperation,
     Reaching,
@@ -124,7 +124,7 @@ class EvaluationPlan:
         match step.node.operation:
             case NumberOperation(value):
                 return np.full((1, 1), value)
-            case Given(name):
+            case GivenNumbers(name):
                 return trace.unchecked(name, first, last)
             case Read(name):
                 low, high = step.span

@@ -77,22 +77,22 @@ class _Tape:
 
     def run(self, plan: EvaluationPlan) -> Smooth:
         values: list[FloatArray] = []
-        ways: list[Backward | None] = []
+        backwards: list[Backward | None] = []
         for step in plan.steps:
-            value, way = self._forward(plan, step, values) if step else (np.zeros(1), None)
+            value, backward = self._forward(plan, step, values) if step else (np.zeros(1), None)
             values.append(value)
-            ways.append(way)
+            backwards.append(backward)
         gradients = [np.zeros_like(value) for value in values]
         gradients[-1][...] = 1.0
         by_name: dict[str, FloatArray] = {}
         for index in range(len(plan.steps) - 1, -1, -1):
-            step, way = plan.steps[index], ways[index]
+            step, backward = plan.steps[index], backwards[index]
             if step is None:
                 continue
             if isinstance(step.node.operation, o.Read):
                 by_name[step.node.operation.name] = self._placed(step, gradients[index])
-            if way is not None:
-                parts = way(gradients[index])
+            if backward is not None:
+                parts = backward(gradients[index])
                 for source, need, part in zip(step.node.inputs, step.needs, parts, strict=True):
                     _add(gradients[source], plan.steps[source], need, part)
         return Smooth(float(values[-1][0]), by_name)
@@ -191,14 +191,14 @@ class _Tape:
         """max over the witness of min(right there, left on the way), window by window."""
         samples = windows.span[1] - windows.span[0] + 1
         left, right = np.broadcast_to(left, (samples,)), np.broadcast_to(right, (samples,))
-        own = windows.first + np.arange(windows.count)
-        indices, inside = _gathered(windows, own)
-        witness = inside & (np.arange(len(indices))[:, None] >= windows.starts - own)
+        positions = windows.first + np.arange(windows.count)
+        indices, inside = _gathered(windows, positions)
+        witness = inside & (np.arange(len(indices))[:, None] >= windows.starts - positions)
         k = self.sharpness
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             onward = np.logaddexp.accumulate(np.where(inside, -k * left[indices], -np.inf), axis=0)
-            way = np.concatenate([np.full((1, windows.count), -np.inf), onward[:-1]])
-            costs = np.logaddexp(way, -k * right[indices])
+            left_cost = np.concatenate([np.full((1, windows.count), -np.inf), onward[:-1]])
+            costs = np.logaddexp(left_cost, -k * right[indices])
         stack = np.where(witness, -costs / k, -np.inf)
         value, weights = self._soft(stack, 1.0)
 

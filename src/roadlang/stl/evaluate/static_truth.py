@@ -64,7 +64,7 @@ def static_truth(formula: f.Formula, variables: Mapping[str, Bounds]) -> StaticT
 
 def _in_window(operand: StaticTruth, formula: f.UnaryTemporal) -> StaticTruth:
     """A window that holds its own sample is not empty; any other may be, near the end."""
-    if _holds_own_sample(formula):
+    if _includes_now(formula):
         return operand
     if formula.least:
         return StaticTruth(operand.certain, True)
@@ -73,12 +73,12 @@ def _in_window(operand: StaticTruth, formula: f.UnaryTemporal) -> StaticTruth:
 
 def _with_witness(left: StaticTruth, right: StaticTruth, formula: f.BinaryTemporal) -> StaticTruth:
     """A witness at its own sample needs nothing of `left`; any other needs `left` there."""
-    if _holds_own_sample(formula):
+    if _includes_now(formula):
         return right
     return StaticTruth(False, _both(left, right).possible)
 
 
-def _holds_own_sample(formula: f.UnaryTemporal | f.BinaryTemporal) -> bool:
+def _includes_now(formula: f.UnaryTemporal | f.BinaryTemporal) -> bool:
     return formula.interval is None or formula.interval.lo == 0
 
 

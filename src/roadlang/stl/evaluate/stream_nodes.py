@@ -230,14 +230,14 @@ class StreamUntil:
         """The value at each sample whose window is over."""
         found = []
         samples, upcoming = self.samples, self.upcoming
-        reach = self.interval.hi + self.clock.tolerance
+        latest = self.interval.hi + self.clock.tolerance
         upcoming.append(self.clock.latest)
         for (place, left), (_, right) in joined(self.inputs, inputs):
-            while samples and samples[0][0] + reach < place:
+            while samples and samples[0][0] + latest < place:
                 found.append(self._decide())
             samples.append((place, left, right))
             upcoming.popleft()
-        while samples and upcoming and samples[0][0] + reach < upcoming[0]:
+        while samples and upcoming and samples[0][0] + latest < upcoming[0]:
             found.append(self._decide())
         return found
 

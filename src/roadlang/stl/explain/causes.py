@@ -62,9 +62,9 @@ class _Blame:
             return
         match formula:
             case f.Comparison():
-                blamed = normal_form(formula, negated=True) if holding else formula
-                assert isinstance(blamed, f.Comparison)
-                self.guarded[blamed] = self.guarded.get(blamed, False) | samples
+                cause = normal_form(formula, negated=True) if holding else formula
+                assert isinstance(cause, f.Comparison)
+                self.guarded[cause] = self.guarded.get(cause, False) | samples
             case f.Not(operand):
                 self.spread(operand, samples, not holding)
             case f.BinaryTemporal(_, left, right):

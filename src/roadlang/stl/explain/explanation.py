@@ -127,7 +127,7 @@ def decider(
     return last.variables, sample
 
 
-def first_blamed(
+def first_cause(
     formula: f.Formula, positions: Positions, signals: Signals
 ) -> tuple[frozenset[str], int]:
     """As `decider`, of the first comparison that fails although the formula would have needed it;

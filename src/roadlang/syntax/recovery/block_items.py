@@ -23,8 +23,8 @@ def spoil(source: Source, tokens: Sequence[Token], culprit: int) -> list[Token] 
         return None
     opener, closer = block
     for start, end in _items(source, tokens, opener, closer):
-        ends_it = culprit == end and (end == closer or tokens[end][0] == "COMMA")
-        if start <= culprit < end or ends_it:
+        ends_item = culprit == end and (end == closer or tokens[end][0] == "COMMA")
+        if start <= culprit < end or ends_item:
             if all(token[0] == UNREADABLE for token in tokens[start:end]):
                 break
             mark: Token = (UNREADABLE, "", tokens[start][2], tokens[end - 1][3])

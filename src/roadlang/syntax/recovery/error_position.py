@@ -109,7 +109,7 @@ class ErrorPosition:
                 return None
         return ErrorPosition(self.source, self.tables, self.start, self.tokens, index, tuple(stack))
 
-    def goes_on(self, *kinds: str, skip: int = 0, over: int = 3) -> bool:
+    def continues(self, *kinds: str, skip: int = 0, over: int = 3) -> bool:
         """Whether, with these kinds put in here, the next few tokens fit."""
         first = self.index + skip
         following = [token[0] for token in self.tokens[first : first + over]]

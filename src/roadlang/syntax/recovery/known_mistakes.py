@@ -31,7 +31,7 @@ from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_uni
 from .placement_habits import position_on_road
 from .sign_mistakes import (
     equal_for_word,
-    one_too_many,
+    extra_sign,
     power_of_python,
     stray_closer,
     third_dot,
@@ -89,7 +89,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     bare_file_name,
     list_operand,
     specifier,
-    one_too_many,
+    extra_sign,
 )
 
 _MISSING = (
@@ -124,7 +124,7 @@ def unexpected(place: ErrorPosition) -> Mistake:
             continue
         if sign.isalpha() and "NAME" in expected:  # any word may be a name here, as behind a `.`
             continue
-        if kind in expected and place.goes_on(kind) and _closes_later(place, kind):
+        if kind in expected and place.continues(kind) and _closes_later(place, kind):
             edit = Edit(place.index, place.index, (_token(place, kind, sign),))
             break
     wanted = f"`{edit.tokens[0][1]}`" if edit else expectation(place)

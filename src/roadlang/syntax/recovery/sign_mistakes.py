@@ -37,7 +37,7 @@ def equal_for_word(place: ErrorPosition) -> Mistake | None:
     if place.kind() != "EQUAL":
         return None
     word = next((word for word in ("from", "is") if place.expects(word.upper())), None)
-    if word is None or not place.goes_on(word.upper(), skip=1):
+    if word is None or not place.continues(word.upper(), skip=1):
         return None
     span = place.span()
     found = diagnose(
@@ -74,9 +74,9 @@ def stray_closer(place: ErrorPosition) -> Mistake | None:
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
-def one_too_many(place: ErrorPosition) -> Mistake | None:
+def extra_sign(place: ErrorPosition) -> Mistake | None:
     """A comma or a `with` that can be left out."""
-    if place.kind() not in ("COMMA", "WITH") or not place.goes_on(skip=1):
+    if place.kind() not in ("COMMA", "WITH") or not place.continues(skip=1):
         return None
     help = "leave it out"
     if place.kind() == "WITH" and place.kind(1) == "NAME":

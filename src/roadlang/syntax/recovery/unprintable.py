@@ -25,11 +25,11 @@ def binary(source: Source) -> Diagnostic | None:
 
 def surrogates(source: Source, reported: Sequence[Diagnostic]) -> list[Diagnostic]:
     """Bytes that are not UTF-8 inside strings and comments, where they damage no token."""
-    said = {found.span.start for found in reported if found.span is not None}
+    reported_at = {found.span.start for found in reported if found.span is not None}
     return [
         diagnose(
             Code.UNEXPECTED_CHARACTER, source.span(*match.span()), what=f"U+{ord(match[0][0]):04X}"
         )
         for match in _SURROGATES.finditer(source.text)
-        if match.start() not in said
+        if match.start() not in reported_at
     ]

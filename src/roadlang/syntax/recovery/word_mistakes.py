@@ -51,7 +51,7 @@ def misspelled_word(place: ErrorPosition) -> Mistake | None:
             continue
         words = [word for word in (*CONNECTIVES, *RESERVED) if at.expects(word.upper())]
         meant = misspelled(at.word(), words)
-        if meant is None or not at.goes_on(meant.upper(), skip=1, over=1):
+        if meant is None or not at.continues(meant.upper(), skip=1, over=1):
             continue
         span = at.span()
         help = f"did you mean `{meant}`?"
@@ -69,7 +69,7 @@ def reserved_name(place: ErrorPosition) -> Mistake | None:
         return None
     if place.first_kind in ("REQUIRE", "EXPECT") and place.kind(1) not in ("COLON", "WITH"):
         return None
-    if not place.goes_on("NAME", skip=1, over=1):
+    if not place.continues("NAME", skip=1, over=1):
         return None
     help = "choose another name"
     found = diagnose(Code.RESERVED_WORD_AS_NAME, place.span(), word=place.word(), help=help)
@@ -109,7 +109,7 @@ def bare_letter(place: ErrorPosition) -> Mistake | None:
     if letter not in _LETTERS or place.kind(-1) != "NAME":
         return None
     before = place.back(-1)
-    if before is None or not before.expects("ALWAYS") or not before.goes_on("ALWAYS", skip=1):
+    if before is None or not before.expects("ALWAYS") or not before.continues("ALWAYS", skip=1):
         return None
     span = before.span()
     word = _LETTERS[letter]

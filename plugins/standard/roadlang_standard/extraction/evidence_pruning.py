@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .clean import at_border, components, join
 from .graph import Graph, Line
+from .graph_cleanup import at_border, components, join
 from .smoothing import resample
 
 Layer = NDArray[np.float32]

@@ -13,7 +13,7 @@ from roadlang.geometry import Floats
 
 from .directions import runs_forward
 from .fairing import even_points
-from .found import FoundNetwork, FoundRoad
+from .found_network import FoundNetwork, FoundRoad
 from .legend import LegendObject
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ _WIDEST_CORNER = 2.0  # cells: more than a fillet of half a link has, so that ea
 def extraction(
     picture: Picture,
     found: FoundNetwork,
-    things: Sequence[LegendObject] = (),
+    objects: Sequence[LegendObject] = (),
     remarks: Sequence[str] = (),
 ) -> Extraction:
     """The found roads as splines in meters, joined at nodes; doubtful ones are remarked on."""
@@ -36,11 +36,11 @@ def extraction(
 
     where = picture.to_world(found.nodes) if len(found.nodes) else found.nodes
     where = np.array(where, dtype=np.float64)
-    met = Counter(node for road in found.roads for node in (road.start, road.end))
+    degree = Counter(node for road in found.roads for node in (road.start, road.end))
     edges: list[Edge] = []
     errors: list[float] = []
     for road in found.roads:
-        ring = road.closed and met[road.start] == 2
+        ring = road.closed and degree[road.start] == 2
         if found.method == "cells":
             curve = _through_cells(picture, road, ring)
         else:
@@ -51,13 +51,13 @@ def extraction(
             widths = np.maximum(road.widths * picture.scale, 1e-3)
             ids = (road.start, road.end)
             edge = Edge(len(edges) + 1, *ids, curve, widths, road.confidence)
-            edges.append(replace(edge, forward=runs_forward(road, found.ways)))
+            edges.append(replace(edge, forward=runs_forward(road, found.directions)))
             errors.append(float(road.width_error * picture.scale))
     used = {node for edge in edges for node in (edge.start, edge.end)}
     nodes = tuple(Node(i, (float(x), float(y))) for i, (x, y) in enumerate(where) if i in used)
     return Extraction(
         RoadNetwork(nodes, tuple(edges)),
-        tuple(_object(picture, thing) for thing in things),
+        tuple(_object(picture, object_) for object_ in objects),
         round(found.confidence, 4),
         (*remarks, *found.remarks, *_doubts(found)),
         found.mask,
@@ -83,8 +83,8 @@ def _spline(picture: Picture, road: FoundRoad, where: Floats) -> Curve | None:
     """A spline through points about half a width apart; None for a road without length."""
     from roadlang.geometry import Curve
 
-    usual = float(np.median(road.widths))
-    world = picture.to_world(even_points(road.points, step=max(2.0, 0.5 * usual)))
+    typical = float(np.median(road.widths))
+    world = picture.to_world(even_points(road.points, step=max(2.0, 0.5 * typical)))
     world[0], world[-1] = where[road.start], where[road.end]
     apart = np.r_[True, np.hypot(*np.diff(world, axis=0).T) > 1e-6]
     world = world[apart]
@@ -93,13 +93,13 @@ def _spline(picture: Picture, road: FoundRoad, where: Floats) -> Curve | None:
     return Curve.through(world) if len(world) > 1 and not road.closed else None
 
 
-def _object(picture: Picture, thing: LegendObject) -> FoundObject:
+def _object(picture: Picture, drawn: LegendObject) -> FoundObject:
     from roadlang.api import FoundObject
 
-    x, y = picture.to_world(np.array([[thing.x, thing.y]]))[0]
+    x, y = picture.to_world(np.array([[drawn.x, drawn.y]]))[0]
     scale = picture.scale
     return FoundObject(
-        thing.kind, float(x), float(y), thing.length * scale, thing.width * scale, -thing.heading
+        drawn.kind, float(x), float(y), drawn.length * scale, drawn.width * scale, -drawn.heading
     )
 
 

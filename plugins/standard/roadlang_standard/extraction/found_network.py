@@ -50,7 +50,7 @@ class FoundNetwork:
     method: str = ""
     remarks: tuple[str, ...] = ()
     scores: dict[str, float] = field(default_factory=dict)
-    ways: NDArray[np.float64] | None = None
+    directions: NDArray[np.float64] | None = None
     """(h, w, 2) unit vectors, y down, where a legend says in which direction traffic runs; else
     zero"""
 

@@ -44,7 +44,7 @@ def _apart(graph: Graph, lines: list[tuple[float, int]]) -> list[Line]:
 
 def contract_lines(graph: Graph, bridges: list[Line]) -> None:
     """Contract lines that share no node; what becomes a small loop by it goes as well."""
-    gone = {id(line) for line in bridges}
+    removed = {id(line) for line in bridges}
     into: dict[int, int] = {}
     spans: dict[int, float] = {}
     for bridge in bridges:
@@ -55,7 +55,7 @@ def contract_lines(graph: Graph, bridges: list[Line]) -> None:
         spans[remaining] = bridge.length
     left = []
     for line in graph.lines:
-        if id(line) in gone:
+        if id(line) in removed:
             continue
         line.start, line.end = into.get(line.start, line.start), into.get(line.end, line.end)
         if line.closed and line.length < 3 * spans.get(line.start, 0.0) + 6:

@@ -13,9 +13,9 @@ from roadlang.api import junction_paint, signal_heads
 from roadlang.geometry import Floats
 
 from .frame import SceneOrigin
-from .junctions import triangles_thing
+from .junctions import triangles_part
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .thing import ScenePart
+from .scene_part import ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import PaintedShape, Scene, SceneJunction
@@ -26,23 +26,23 @@ _LARGEST = BULK_DATAGRAM - HEADER_BYTES - 16
 _CORNER_BYTES, _TRIANGLE_BYTES = 12, 6
 
 
-def paint_things(
+def paint_parts(
     scene: Scene, junctions: Sequence[SceneJunction], frame: SceneOrigin
 ) -> list[ScenePart]:
     """The paint of all junctions, as much in one thing as a datagram holds."""
-    things: list[ScenePart] = []
+    parts: list[ScenePart] = []
     batch: list[Floats] = []
     for ring in _rings(junction_paint(scene, junctions)):
         if batch and sum(map(_size, (*batch, ring))) > _LARGEST:
-            things.append(_paint(batch, len(things) + 1, frame))
+            parts.append(_paint(batch, len(parts) + 1, frame))
             batch = []
         batch.append(ring)
-    return [*things, _paint(batch, len(things) + 1, frame)] if batch else things
+    return [*parts, _paint(batch, len(parts) + 1, frame)] if batch else parts
 
 
-def signal_things(junctions: Iterable[SceneJunction], frame: SceneOrigin) -> list[ScenePart]:
+def signal_parts(junctions: Iterable[SceneJunction], frame: SceneOrigin) -> list[ScenePart]:
     """The signals of each junction that has some."""
-    things: list[ScenePart] = []
+    parts: list[ScenePart] = []
     for junction in junctions:
         heads, control = list(signal_heads(junction)), junction.control
         if not heads:
@@ -54,13 +54,13 @@ def signal_things(junctions: Iterable[SceneJunction], frame: SceneOrigin) -> lis
         green = bytes(
             head.connections[0] in phase.connections for head in heads for phase in control.phases
         )
-        begun = control.offset % control.cycle
-        head = struct.pack("<BBf", len(heads), len(control.phases), begun)
+        elapsed = control.offset % control.cycle
+        head = struct.pack("<BBf", len(heads), len(control.phases), elapsed)
         body = head + seconds.tobytes() + places.tobytes() + green
         content = places[:, :3].tobytes() + seconds.tobytes() + green
         label = f"signals of junction {junction.id}"
-        things.append(ScenePart(Message.SIGNALS, len(things) + 1, body, content, label))
-    return things
+        parts.append(ScenePart(Message.SIGNALS, len(parts) + 1, body, content, label))
+    return parts
 
 
 def _rings(shapes: Iterable[PaintedShape]) -> Iterator[Floats]:
@@ -109,4 +109,4 @@ def _paint(rings: Sequence[Floats], id: int, frame: SceneOrigin) -> ScenePart:
         # Clockwise seen from above, which is the front in the engine.
         fans.append(np.stack([np.full(len(last), first), last, last - 1], axis=-1))
         first += len(ring)
-    return triangles_thing(Message.PAINT, corners, np.concatenate(fans), id, f"paint {id}")
+    return triangles_part(Message.PAINT, corners, np.concatenate(fans), id, f"paint {id}")

@@ -17,7 +17,7 @@ from .centers import centers
 from .chains import LineChain
 from .edges import normals
 from .fairing import SeenOffsets, even_points, faired
-from .meeting import at_stations, extended, foot_station
+from .junction_points import at_stations, extended, foot_station
 from .smoothing import curvature, resample, smooth, stations
 
 Layer = NDArray[np.float32]

@@ -13,8 +13,8 @@ from scipy.spatial import cKDTree
 from roadlang.geometry import Floats
 
 from .chains import direction
-from .clean import join, prune
 from .graph import Graph, Line, trace
+from .graph_cleanup import join, prune
 from .hysteresis import hysteresis
 from .linking import DeadEnd, dead_end, dead_ends
 from .skeleton import skeleton
@@ -94,13 +94,13 @@ class _Faint:
     """The fainter lines, found by where their ends lie."""
 
     def __init__(self, graph: Graph, width: float, distance: float) -> None:
-        self.width, self.reach = width, distance
+        self.width, self.max_distance = width, distance
         self.tips = [(line, side) for line in graph.lines for side in (0, 1)]
         self.tree = cKDTree(np.array([_tip(*tip) for tip in self.tips]).reshape(-1, 2))
 
     def onwards(self, end: DeadEnd) -> list[Onward]:
         """Those that go straight on from a dead end."""
-        near = self.tree.query_ball_point(end.place, self.reach)
+        near = self.tree.query_ball_point(end.place, self.max_distance)
         found = (Onward.of(end, *self.tips[index]) for index in sorted(near))
         return [onward for onward in found if onward.straight(self.width)]
 

@@ -32,9 +32,9 @@ def meeting_point(guess: Floats, passing: Sequence[Passing], limit: float) -> Fl
     place = np.asarray(guess, float)
     for _ in range(_ROUNDS):
         system, right = _GUESS * np.eye(2), _GUESS * guess
-        for one in passing:
-            foot, normal = _foot(one.curve, place)
-            weight = _THROUGH if one.through else 1.0
+        for line in passing:
+            foot, normal = _foot(line.curve, place)
+            weight = _THROUGH if line.through else 1.0
             outer = weight * np.outer(normal, normal)
             system, right = system + outer, right + outer @ foot
         place = np.linalg.solve(system, right)

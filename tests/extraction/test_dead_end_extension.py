@@ -7,9 +7,9 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.clean import drop_loops, join, prune
-from roadlang_standard.extraction.continuing import extend_dead_ends
+from roadlang_standard.extraction.dead_end_extension import extend_dead_ends
 from roadlang_standard.extraction.graph import Graph, Line, trace
+from roadlang_standard.extraction.graph_cleanup import drop_loops, join, prune
 from roadlang_standard.extraction.linking import dead_ends, link
 from roadlang_standard.extraction.skeleton import skeleton
 

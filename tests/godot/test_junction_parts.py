@@ -19,10 +19,10 @@ def test_signals_and_paint_are_built_and_proven(
     session: Session, sample: Callable[..., SamplingResult]
 ) -> None:
     scene, _ = crossing(sample, SIDEWALKS + "control with signals")
-    things = layout_of(scene).things
+    things = layout_of(scene).parts
     session.begin({"name": "test", "extent": 500.0}, clear=True)
     session.update(things)
-    assert session.prove().things == len(things)
+    assert session.prove().parts == len(things)
     kinds = [thing.kind for thing in things]
     assert kinds.count(Message.SIGNALS) == 1
     paint = [thing for thing in things if thing.kind == Message.PAINT]
@@ -34,6 +34,6 @@ def test_nothing_is_painted_where_nobody_stops(
     sample: Callable[..., SamplingResult],
 ) -> None:
     scene, _ = crossing(sample, "lanes: 2")
-    kinds = {thing.kind for thing in layout_of(scene).things}
+    kinds = {thing.kind for thing in layout_of(scene).parts}
     assert Message.PATCH in kinds
     assert not {Message.PAINT, Message.SIGNALS} & kinds

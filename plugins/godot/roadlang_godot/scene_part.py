@@ -46,7 +46,7 @@ def removal(world: int, key: Key, revision: int) -> bytes:
     return _PREFIX.pack(world, 0, key[1], revision) + struct.pack("<B", key[0])
 
 
-def digest(records: Iterable[bytes]) -> bytes:
+def part_digest(records: Iterable[bytes]) -> bytes:
     """The digest of a whole world; records are ordered by kind and id."""
     ordered = sorted(records, key=record_key)
     return hashlib.md5(b"".join(ordered), usedforsecurity=False).digest()
