@@ -13,7 +13,7 @@ from roadlang_standard.extraction.classical import roads_by_ribbons
 from roadlang_standard.extraction.contour import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.drawing import roads_of_drawing
 from roadlang_standard.extraction.exposure import even_exposure
-from roadlang_standard.extraction.found import FoundNetwork
+from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.free_space import roads_of_free_space
 from roadlang_standard.extraction.nodata import nodata
 from roadlang_standard.extraction.picture_kind import picture_kind
