@@ -216,7 +216,7 @@ with contextlib.suppress(ImportError):
     def roadlang_sample(tmp_path: Path) -> Callable[..., SceneSet]:
         """`sample`, where files that a text names are in the test's `tmp_path`."""
 
-        def sample(text: str, n: int | None = 1, **more: Any) -> SceneSet:
+        def sample_in_folder(text: str, n: int | None = 1, **more: Any) -> SceneSet:
             return sample(text, n, **{"folder": tmp_path, **more})
 
-        return sample
+        return sample_in_folder
