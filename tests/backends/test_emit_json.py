@@ -88,9 +88,12 @@ def test_signals_of_the_first_schema_get_their_present_names() -> None:
     }
     record = {**json.loads(to_json(scene)), "schema": "roadlang.scene/1"}
     record["expectations"] = [{"name": "a", "text": "", "domain": "drive", "formula": old}]
+    record["name"] = "cross_track"
     record["expectations"][0] |= {"robustness": None, "satisfied": None}
-    formula = scene_from_json(json.dumps(record)).expectations[0].formula
+    read = scene_from_json(json.dumps(record))
+    formula = read.expectations[0].formula
     assert formula is not None
+    assert read.name == "cross_track"  # a name of the author's
     assert formula["signals"] == {
         "e": {"kind": "cross_track_error", "options": {"agent": "ego"}},
         "d": {"kind": "roadlang.distance", "options": {"first": "ego", "second": "van"}},

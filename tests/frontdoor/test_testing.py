@@ -39,6 +39,17 @@ def test_a_text_can_name_a_kind_under_test() -> None:
     assert scene.provenance.plugins["tested"]
 
 
+def test_a_seed_gives_draws_of_its_own() -> None:
+    text = "param reach = 1m..3m\n" + TEXT
+
+    def reach(**seed: int) -> object:
+        return testing.sample(text, kinds=[Shift], **seed)[0].draws["reach"]
+
+    assert len({reach(seed=seed) for seed in range(3)}) == 3
+    assert reach(seed=2) == reach(seed=2)
+    assert reach() == reach(seed=0)
+
+
 def test_its_faults_read_as_a_user_would_see_them() -> None:
     found = testing.check(TEXT.replace("by: 2m", "by: -2m"), kinds=[Shift])
     assert [diagnostic.code for diagnostic in found] == ["RL208"]
