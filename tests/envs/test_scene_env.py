@@ -103,6 +103,8 @@ def test_the_reward_is_the_margin_of_an_expectation() -> None:
         ("always (ego.speed < 30m/s and ego.speed > 1m/s)", lambda e: e["speed"] - 1.0),
         ("ego.speed > 5m/s or not (ego.speed > 2m/s)", lambda e: 2.0 - e["speed"]),
         ("always (ego.speed > 1m/s -> ego.speed * 2 < 10m/s)", lambda e: 10.0 - 2 * e["speed"]),
+        ("always (ego.speed < 120m/s)", lambda e: min(120.0 - e["speed"], 100.0)),
+        ("always (ego.speed < 1000m/s)", lambda e: 100.0),
         ("eventually (ego.speed == 3m/s)", lambda e: -abs(e["speed"] - 3.0)),
     ],
 )
