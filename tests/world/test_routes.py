@@ -161,7 +161,7 @@ def test_a_point_far_from_every_lane(sample: Sample) -> None:
         sample, "agent ego is car on town { route: [(10m, 45m), (10m, 200m)] }"
     )
     assert code == "RL617"
-    assert message.startswith("(10m, 200m) is 146m from")
+    assert message.startswith("(10m, 200m) is 147m from")
     assert "15m" in help_
 
 

@@ -17,7 +17,10 @@ class Pixel(Extractor):
 
     name: ClassVar[str] = "pixels"
     thickness: Pixels | None = option(
-        None, above=0, help="road width; by default one cell of a text image, or the drawn width"
+        None,
+        above=0,
+        help="road width; by default the drawn width, or in a text image and where roads are drawn "
+        "one pixel wide that of the lanes, at most one cell",
     )
 
     def extract(self, picture: Picture) -> Extraction:

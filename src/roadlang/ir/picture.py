@@ -102,7 +102,9 @@ class Extraction(Frozen):
 
     `mask`: (height, width) bool, the pixels taken for road, where the extractor has one: tiles
     are built from it. `width_errors`: meters, the standard deviation of what was measured of each
-    road's width, in the order of the network's edges, where the extractor knows it.
+    road's width, in the order of the network's edges, where the extractor knows it. `has_widths`
+    is False where the picture says nothing of the widths, as one typed in characters: those of the
+    edges are then the most that there is room for, and their lanes say how wide the roads are.
     """
 
     network: RoadNetwork
@@ -111,3 +113,4 @@ class Extraction(Frozen):
     remarks: tuple[str, ...] = ()
     mask: NDArray[np.bool_] | None = None
     width_errors: tuple[float, ...] = ()
+    has_widths: bool = True

@@ -27,6 +27,7 @@ from .cross_sections import LaneBatch
 from .junctions import NetworkPlans, directed, network_plans
 from .lane_building import built_lanes
 from .lane_plan import lane_plan
+from .lane_widths import as_wide_as_lanes
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
@@ -222,5 +223,7 @@ def _extracted(
         found = built.kind.extract(loaded.picture)
     check_extraction(found, built.entry, span)
     found = verified(call, network.name, found, candidates)
+    if not found.has_widths:
+        found = replace(found, network=as_wide_as_lanes(network, found.network, candidates))
     spacing = station_spacing(network, candidates.scenario)
     return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)

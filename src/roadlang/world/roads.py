@@ -24,6 +24,7 @@ from ..plugins.guard import wrong_result
 from .joined_roads import PartOfRoad, joined_root
 from .lane_building import built_lanes
 from .lane_plan import LanePlan, is_fixed, lane_plan
+from .lane_widths import LANE_WIDTH
 from .networks import NetworkRoot, edge_batch, network_root
 from .perturbation import displaced, perturbed
 from .reading import read_file
@@ -34,8 +35,6 @@ from .stations import station_spacing
 from .verified import verified
 
 DEFAULT_WIDTH = 7.0
-LANE_WIDTH = 3.5
-"""Meters, of counted lanes."""
 _SAME_WIDTH = 1e-3
 """Meters."""
 

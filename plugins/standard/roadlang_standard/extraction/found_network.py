@@ -53,6 +53,8 @@ class FoundNetwork:
     directions: NDArray[np.float64] | None = None
     """(h, w, 2) unit vectors, y down, where a legend says in which direction traffic runs; else
     zero"""
+    has_widths: bool = True
+    """whether the widths were measured or given, not only how wide a cell is"""
 
     @property
     def confidence(self) -> float:

@@ -12,8 +12,11 @@ _SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
 _CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
 
 
-def roads_of_cells(road: NDArray[np.bool_], thickness: float = 1.0) -> FoundNetwork:
-    """The network of a boolean grid (h, w): neighbors join by sides, else by corners."""
+def roads_of_cells(road: NDArray[np.bool_], thickness: float | None = None) -> FoundNetwork:
+    """The network of a boolean grid (h, w): neighbors join by sides, else by corners.
+
+    Without a `thickness` roads are as wide as a cell, which says nothing of their width.
+    """
     links = _links(road)
     ends = {cell for cell, near in links.items() if len(near) != 2}
     roads = []
@@ -33,9 +36,9 @@ def roads_of_cells(road: NDArray[np.bool_], thickness: float = 1.0) -> FoundNetw
         for cell in (path[0], path[-1]):
             index.setdefault(cell, len(index))
     nodes = np.array([(x, y) for y, x in index], float).reshape(-1, 2)
-    return FoundNetwork(
-        nodes, tuple(_road(path, index, thickness) for path in roads), road, "cells"
-    )
+    width = 1.0 if thickness is None else thickness
+    found = tuple(_road(path, index, width) for path in roads)
+    return FoundNetwork(nodes, found, road, "cells", has_widths=thickness is not None)
 
 
 def _links(road: NDArray[np.bool_]) -> dict[Cell, list[Cell]]:
@@ -65,6 +68,6 @@ def _follow(
     return path
 
 
-def _road(path: list[Cell], index: dict[Cell, int], thickness: float) -> FoundRoad:
+def _road(path: list[Cell], index: dict[Cell, int], width: float) -> FoundRoad:
     points = np.array([(x, y) for y, x in path], float)
-    return FoundRoad(index[path[0]], index[path[-1]], points, np.full(len(points), thickness))
+    return FoundRoad(index[path[0]], index[path[-1]], points, np.full(len(points), width))

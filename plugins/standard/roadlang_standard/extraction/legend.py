@@ -39,7 +39,7 @@ class LegendObject:
 
 
 def read_text(
-    rows: Sequence[str], legend: Mapping[str, str], thickness: float = 1.0
+    rows: Sequence[str], legend: Mapping[str, str], thickness: float | None = None
 ) -> tuple[FoundNetwork, tuple[LegendObject, ...]]:
     """Roads between the centers of road characters, and a thing for each other character."""
     width = max((len(row) for row in rows), default=0)
@@ -94,7 +94,7 @@ def read_colors(
     })  # fmt: skip
     inner = cv2.distanceTransform(np.pad(road.astype(np.uint8), 1), cv2.DIST_L2, 5)
     if inner.max() <= 1.5:
-        return replace(roads_of_cells(road, thickness or 1.0), directions=directions), objects
+        return replace(roads_of_cells(road, thickness), directions=directions), objects
     found = roads_of_surface(road.astype(np.float32), "legend", width=thickness, specks=2)
     return replace(found, directions=directions), objects
 

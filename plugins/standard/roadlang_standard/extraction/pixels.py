@@ -46,7 +46,7 @@ def read_legend(
         )
     if picture.characters is not None:
         _check_characters(legend)
-        return read_text(picture.characters, legend, thickness or 1.0)
+        return read_text(picture.characters, legend, thickness)
     for color in legend:
         _check_color(color)
     return read_colors(pixels_of(picture, "pixels"), legend, thickness)

@@ -62,6 +62,7 @@ def extraction(
         (*remarks, *found.remarks, *_doubts(found)),
         found.mask,
         tuple(errors),
+        found.has_widths,
     )
 
 
