@@ -34,10 +34,17 @@ def test_names_that_never_were_are_unknown() -> None:
         assert not hasattr(module, "Stretches")
 
 
-def test_a_lane_kind_may_still_state_its_width_and_marking_by_their_old_names() -> None:
-    with pytest.warns(DeprecationWarning, match="`usual_width` is now `default_width`"):
-
-        class TramLane(LaneKind):
-            usual_width = 2.8
-
-    assert TramLane.default_width == 2.8
+@pytest.mark.parametrize(
+    ("old", "new", "value"),
+    [
+        ("usual_width", "default_width", 2.8),
+        ("usual_marking", "default_marking", "double"),
+        ("is_whole", "is_integer", True),
+    ],
+)
+def test_a_kind_may_still_use_the_old_names_of_its_attributes(
+    old: str, new: str, value: object
+) -> None:
+    with pytest.warns(DeprecationWarning, match=f"`{old}` is now `{new}`"):
+        kind = type("TramLane", (LaneKind,), {old: value})
+    assert getattr(kind, new) == value

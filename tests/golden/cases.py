@@ -21,7 +21,7 @@ from tests.golden.formula_views import (
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.interface_views import interface_lines
 from tests.golden.language_views import command_output, fault_lines, scenario_lines
-from tests.golden.mistake_views import mistake_lines
+from tests.golden.mistake_views import mistake_lines, set_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
 from tests.golden.scene_views import (
     console_lines,
@@ -130,6 +130,8 @@ COMMANDS = (
     ("schema", "drive", "traffic"),
     ("schema", "manifest"),
     ("schema", "trace"),
+    ("schema", "scene"),
+    ("schema", "scenario"),
     ("check", "--json", "bent.rl"),
     ("fmt", "--diff", "bent.rl"),
     ("fmt", "--check", "town.rl", "pieces.rl"),
@@ -205,6 +207,7 @@ def _cases() -> Iterable[Case]:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
+    yield Case("language", "set", set_lines)
     yield Case("language", "interface", interface_lines)
     yield Case("language", "commands", partial(command_output, COMMANDS))
     for name in SEQUENCES:

@@ -15,6 +15,24 @@ agent ego is car on main at 20m { drive with car_follow { speed: 9m/s } }
 """
 
 
+_SET = (
+    *({"width": "9m"}, {"width": " 9 s "}, {"widht": "  3m "}, {"main": "3m"}, {"ego": "3"}),
+    *({"width": "3m +"}, {"width": ""}, {"width": "main"}, {"width": "1m..2m"}, {"width": '"a"'}),
+    *({"width": "3"}, {"width": "(1m, 2m)"}, {"bend": "3m", "width": "3m)"}, {"width": "4m # c"}),
+    *({"s.width": "3m"}, {"time": "3s"}, {"width": "widht"}, {"width": "-1m"}, {"width": "true"}),
+)
+
+
+def set_lines() -> Iterator[str]:
+    """Values of params from outside."""
+    text = (_FOLDER / "street.rl").read_text(encoding="utf-8") + _BEFORE
+    for settings in _SET:
+        yield f"--set {settings}"
+        _, diagnostics = check_text(text, _FOLDER / "scene.rl", settings, registry_of({}))
+        for found in diagnostics:
+            yield "  " + said(found).replace(str(SCENES), "SCENES").replace("\n", " / ")
+
+
 def mistake_lines() -> Iterator[str]:
     """Each part of `mistakes.txt`, and all errors and warnings of it."""
     registry = registry_of({})
