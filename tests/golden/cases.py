@@ -20,8 +20,9 @@ from tests.golden.formula_views import (
 )
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.interface_views import interface_lines
-from tests.golden.language_views import command_output, fault_lines, scenario_lines
+from tests.golden.language_views import command_output, fault_lines, kind_lines, scenario_lines
 from tests.golden.mistake_views import mistake_lines, set_lines
+from tests.golden.object_views import scene_object_lines, search_object_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
 from tests.golden.scene_views import (
     console_lines,
@@ -207,11 +208,15 @@ def _cases() -> Iterable[Case]:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
+    yield Case("language", "kinds", kind_lines)
     yield Case("language", "set", set_lines)
     yield Case("language", "interface", interface_lines)
     yield Case("language", "commands", partial(command_output, COMMANDS))
     for name in SEQUENCES:
         yield Case("searches", f"{name}.commands", partial(sequence_lines, name), FIGURE)
+    for name in ("values", "cross_signals", "tour"):
+        yield Case("scenes", f"{name}.objects", partial(scene_object_lines, name))
+    yield Case("searches", "search.objects", partial(search_object_lines, "search"))
     few = {"evaluations": 60, "batch": 20}
     for kind in ("cma", "random", "grid", "halton"):
         lines = partial(search_lines, "search", searcher=kind, **few)

@@ -93,7 +93,9 @@ def evidence_lines(first: int, count: int) -> Iterator[str]:
         for name, request in _REQUESTS.items():
             yield from found_lines(name, roads_of_evidence(Seen(surface, blend), request))
         strict = Cutoffs(strong=0.6, weak=0.3, link_distance=90.0, shortest_branch=8.0)
-        yield from found_lines("linked", roads_of_evidence(Seen(surface, blend), cutoffs=strict))
+        linked = roads_of_evidence(Seen(surface, blend), cutoffs=strict)
+        yield from found_lines("linked", linked)
+        yield from found_lines("half", linked.scaled(0.5, (95, 120)))
 
 
 def picture_lines(first: int, count: int) -> Iterator[str]:

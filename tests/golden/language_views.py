@@ -68,3 +68,16 @@ def command_output(commands: Iterable[tuple[str, ...]]) -> Iterator[str]:
     for words in commands:
         yield f"$ roadlang {' '.join(words)}"
         yield from printed(*(str(SCENES / w) if w.endswith(".rl") else w for w in words))
+
+
+def kind_lines() -> Iterator[str]:
+    """Every kind that ships, and its options with their types, defaults, bounds and help."""
+    text = "\n".join(printed("plugins", "--json"))
+    for kind in json.loads(text.partition("\n")[2])["kinds"]:
+        if kind["distribution"] != "roadlang":
+            continue
+        yield f"{kind['verb']} {kind['qualified']}: {kind['help']}"
+        for option in kind["options"]:
+            needed = "required" if option["required"] else f"= {option['default']}"
+            known = f"{option['type']} {needed} {option['bounds']} {option['words']}"
+            yield f"  {option['name']}: {known} {option['help']}"

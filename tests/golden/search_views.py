@@ -98,7 +98,7 @@ def environment_lines(name: str, **settings: Any) -> Iterator[str]:
     observed, info = env.reset(seed=SEED)
     rows, rewards = [observed], []
     for step in range(250):
-        action = np.array([0.2 * np.sin(step / 9), 0.4 + 0.4 * np.cos(step / 20)], dtype=np.float32)
+        action = np.array([0.2 * np.sin(step / 9), 0.2 + 0.8 * np.cos(step / 20)], dtype=np.float32)
         observed, reward, terminated, truncated, info = env.step(action)
         rows.append(observed)
         rewards.append(reward)

@@ -33,6 +33,41 @@ def test_text_is_read_and_printed_canonically(written: str, canonical: str) -> N
     assert str(stl.parse(written)) == canonical
 
 
+@pytest.mark.parametrize(
+    ("written", "canonical"),
+    [
+        ("(x * y) * z", "x * y * z"),
+        ("x * (y * z)", "x * (y * z)"),
+        ("(x * y) / z", "x * y / z"),
+        ("(x / y) * z", "x / y * z"),
+        ("x / (y * z)", "x / (y * z)"),
+        ("x * (y / z)", "x * (y / z)"),
+        ("(x / y) / z", "x / y / z"),
+        ("x / (y / z)", "x / (y / z)"),
+        ("(x + y) - z", "x + y - z"),
+        ("x - (y + z)", "x - (y + z)"),
+        ("x - (y - z)", "x - (y - z)"),
+        ("(x - y) - z", "x - y - z"),
+        ("(x + y) * z", "(x + y) * z"),
+        ("x + (y * z)", "x + y * z"),
+        ("x ^ (y ^ z)", "x ^ (y ^ z)"),
+        ("(x ^ y) ^ z", "(x ^ y) ^ z"),
+        ("(x * y) ^ z", "(x * y) ^ z"),
+        ("x * (y ^ z)", "x * y ^ z"),
+        ("-(x + y)", "-(x + y)"),
+        ("-(x * y)", "-(x * y)"),
+        ("(-x) * y", "-x * y"),
+        ("-x ^ y", "-x ^ y"),
+        ("(-x) ^ y", "(-x) ^ y"),
+        ("x - (-y)", "x - -y"),
+    ],
+)
+def test_terms_are_printed_with_the_brackets_that_they_need(written: str, canonical: str) -> None:
+    formula = stl.parse(f"{written} < 1")
+    assert str(formula) == f"{canonical} < 1"
+    assert stl.parse(str(formula)) == formula
+
+
 @pytest.mark.parametrize("seed", range(300))
 def test_printed_formulas_read_back(seed: int) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
