@@ -10,6 +10,7 @@ from tests.golden.command_views import SEQUENCES, sequence_lines
 from tests.golden.comparing import FIGURE, NUMBERS
 from tests.golden.engine_views import layout_lines
 from tests.golden.extraction_views import evidence_lines, picture_lines
+from tests.golden.file_views import file_lines
 from tests.golden.fold_views import fold_lines
 from tests.golden.formula_views import (
     formula_lines,
@@ -208,6 +209,7 @@ def _cases() -> Iterable[Case]:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
+    yield Case("language", "files", file_lines, FIGURE)
     yield Case("language", "kinds", kind_lines)
     yield Case("language", "set", set_lines)
     yield Case("language", "interface", interface_lines)
@@ -218,7 +220,7 @@ def _cases() -> Iterable[Case]:
         yield Case("scenes", f"{name}.objects", partial(scene_object_lines, name))
     yield Case("searches", "search.objects", partial(search_object_lines, "search"))
     few = {"evaluations": 60, "batch": 20}
-    for kind in ("cma", "random", "grid", "halton"):
+    for kind in ("cma", "elites", "random", "grid", "halton"):
         lines = partial(search_lines, "search", searcher=kind, **few)
         yield Case("searches", f"search.{kind}", lines)
     falsify = ("falsify", "--evaluations", "40", "--seed", "5", "--batch", "20")
