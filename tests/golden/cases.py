@@ -58,6 +58,7 @@ STILL = {
     "places": 2,
     "right_places": 2,
     "drawn": 4,
+    "approaches": 1,
 }
 TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", "cross_yield")
 DRIVEN = (
@@ -116,6 +117,7 @@ TWEAKED = {
     "table": 8,
     "search": 10,
     "drawn": 24,
+    "approaches": 24,
     "joined": 10,
 }
 COMMANDS = (
