@@ -19,7 +19,7 @@ def interface_lines() -> Iterator[str]:
     seen: set[int] = set()
     for module_name in _MODULES:
         module = importlib.import_module(module_name)
-        listed = getattr(module, "__all__", None) or [n for n in vars(module) if n[0] != "_"]
+        listed = getattr(module, "__all__", None) or _own_names(module)
         yield f"{module_name}: {' '.join(sorted(listed))}"
         for name in sorted(listed):
             value = getattr(module, name)
@@ -27,6 +27,14 @@ def interface_lines() -> Iterator[str]:
                 continue
             seen.add(id(value))
             yield from _described(f"{module_name}.{name}", value)
+
+
+def _own_names(module: Any) -> list[str]:
+    return [
+        name
+        for name, value in vars(module).items()
+        if name[0] != "_" and getattr(value, "__module__", "") == module.__name__
+    ]
 
 
 def _described(name: str, value: Any) -> Iterator[str]:
