@@ -87,3 +87,16 @@ def test_faults_are_explained(
     monkeypatch.chdir(os.path.dirname(trace))
     assert run(["monitor", arguments[0], trace, *arguments[1:]]) == code
     assert told in capsys.readouterr().err
+
+
+def test_files_are_judged_between_samples(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    trace = tmp_path / "a.csv"
+    trace.write_text("time,x\n0,0\n1,9\n2,9\n")
+    formula = "always[0.2, 0.8] (x < 5)"
+    assert run(["monitor", formula, str(trace), "--semantics", "linear", "--json"]) == 4
+    found = json.loads(capsys.readouterr().out)
+    assert found["verdict"] == "violated"
+    assert found["robustness"] == pytest.approx(-2.2)
+    assert run(["monitor", formula, str(trace), "--semantics", "held", "--wrap", "3"]) == 2

@@ -13,6 +13,7 @@ from .console import echo, report
 
 if TYPE_CHECKING:
     from ..stl import Formula
+    from ..stl.dense.evaluation import Semantics
     from ..stl.formats.trace_files import Columns
 
 
@@ -37,6 +38,14 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--strict", is_flag=True, help="Count a vacuous verdict as a violation (exit code 4)."
+)
+@click.option(
+    "--semantics",
+    type=click.Choice(["sampled", "held", "linear"]),
+    default="sampled",
+    show_default=True,
+    help="What a signal is between two samples: not looked at, that of the earlier one, or on the "
+    "line between both.",
 )
 @click.option(
     "--follow",
@@ -64,8 +73,11 @@ def command(
     positions, trace (the robustness at each position) and explanation; of several it is a list of
     these. Infinities are the strings "inf" and "-inf".
     """
+    dense = how.pop("semantics")
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
+    if dense != "sampled" and (plot or following or how["wrap"]):
+        raise click.UsageError(f"--semantics {dense} goes without --plot, --wrap and --follow")
     if following and (len(traces) > 1 or plot or as_json or any(how.values())):
         raise click.UsageError("--follow goes with one TRACE and no other option")
     from ..stl import parse, read_trace
@@ -78,17 +90,25 @@ def command(
         code = exit_codes.EXPECTATION_VIOLATED if failed else exit_codes.DONE
         click.get_current_context().exit(code)
     agent, wrap = how["agent"], how["wrap"]
-    findings = [_finding(parsed, read_trace(path, agent), path, wrap, plot) for path in traces]
-    if as_json:
-        echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
+    columns = [(path, read_trace(path, agent)) for path in traces]
+    if dense == "sampled":
+        findings = [_finding(parsed, trace, path, wrap, plot) for path, trace in columns]
     else:
-        echo(str(parsed))
-        echo(_table(findings))
-    for finding in findings:
-        _warn_of_empty_windows(finding)
+        findings = [_dense_finding(parsed, trace, path, dense) for path, trace in columns]
+    _show(parsed, findings, as_json)
     failing = ("violated", "vacuous") if how["strict"] else ("violated",)
     broken = any(finding["verdict"] in failing for finding in findings)
     click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
+
+
+def _show(formula: Formula, findings: list[dict[str, Any]], as_json: bool) -> None:
+    if as_json:
+        echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
+    else:
+        echo(str(formula))
+        echo(_table(findings))
+    for finding in findings:
+        _warn_of_empty_windows(finding)
 
 
 def _finding(
@@ -114,6 +134,28 @@ def _finding(
         "trace": [value if abs(value) != float("inf") else str(value) for value in trace.tolist()],
         "explanation": explanation,
         "lines": why.lines(),
+    }
+
+
+def _dense_finding(
+    formula: Formula, columns: Columns, path: str, semantics: Semantics
+) -> dict[str, Any]:
+    """Without a range: the trace is judged as far as it goes. At exactly 0 nothing is decided."""
+    _, positions, signals = columns
+    trace = formula.robustness(positions, signals, semantics=semantics).tolist()
+    rho = trace[0]
+    shown = [value if abs(value) != float("inf") else str(value) for value in trace]
+    return {
+        "file": path,
+        "formula": str(formula),
+        "semantics": semantics,
+        "robustness": shown[0],
+        "range": [shown[0], shown[0]],
+        "verdict": "satisfied" if rho > 0 else "violated" if rho < 0 else "unknown",
+        "positions": positions,
+        "trace": shown,
+        "explanation": {"between_samples": []},
+        "lines": [],
     }
 
 

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 from ..diagnostics.renamed_names import current_name
 
 if TYPE_CHECKING:
+    from .dense.evaluation import dense_function, sampling_error
+    from .dense.grids import OwnGrid
     from .evaluate.online import OnlineMonitor
     from .evaluate.smooth import smooth_rho
     from .evaluate.streaming import DecidedSample, StreamMonitor
@@ -64,6 +66,8 @@ _HOMES = {
         "Iff Implies LogicalJunction Next Not Once Or Prev Release Rise SampleStep Since "
         "TemporalOperator PastRelease Truth UnaryTemporal Until WeakSince WeakUntil Xor"
     ),
+    "dense.evaluation": "dense_function sampling_error",
+    "dense.grids": "OwnGrid",
     "explain.causes": "ViolationInterval",
     "explain.explanation": "Explanation Link",
     "formats.breach_and_latex": "read_breach read_latex",
@@ -110,6 +114,7 @@ __all__ = [
     "Once",
     "OnlineMonitor",
     "Or",
+    "OwnGrid",
     "Parameter",
     "PastRelease",
     "Prev",
@@ -130,6 +135,7 @@ __all__ = [
     "WeakSince",
     "WeakUntil",
     "Xor",
+    "dense_function",
     "from_json",
     "mine",
     "mine_front",
@@ -139,6 +145,7 @@ __all__ = [
     "read_latex",
     "read_staliro",
     "read_trace",
+    "sampling_error",
     "smooth_rho",
     "to_json",
 ]

@@ -75,6 +75,8 @@ def slide_between(
 ) -> FloatArray:
     """The extreme over values[starts[k] : ends[k] + 1] for any windows, from a sparse table."""
     result = np.full((starts.size, values.shape[1]), extreme.identity)
+    if not starts.size:
+        return result
     widths = ends - starts + 1
     levels = np.frexp(np.maximum(widths, 1))[1] - 1
     levels[widths < 1] = -1

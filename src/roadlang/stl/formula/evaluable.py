@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from ..dense.evaluation import Semantics
+    from ..dense.grids import GridsOrSignals
     from ..evaluate.trace import FloatArray, Positions, Signals
     from ..evaluate.verdicts import Range, Verdict
     from ..explain.explanation import Explanation
@@ -35,17 +37,41 @@ class Evaluable:
         return cast("Formula", self)
 
     def rho(
-        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+        self,
+        positions: Positions,
+        signals: GridsOrSignals,
+        *,
+        wrap: float | None = None,
+        semantics: Semantics = "sampled",
     ) -> FloatArray:
-        """Robustness at the first sample, (V,) or a scalar; computes no more than that needs."""
+        """Robustness at the first sample, (V,) or a scalar; computes no more than that needs.
+
+        `semantics` says what signals are between samples; RL311 for what has no value there.
+        """
+        if semantics != "sampled":
+            from ..dense.evaluation import dense_rho
+
+            return dense_rho(self._formula, positions, signals, semantics, wrap)
         from ..evaluate.evaluation import rho
 
         return rho(self._formula, positions, signals, wrap=wrap)
 
     def robustness(
-        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+        self,
+        positions: Positions,
+        signals: GridsOrSignals,
+        *,
+        wrap: float | None = None,
+        semantics: Semantics = "sampled",
     ) -> FloatArray:
-        """Robustness at every sample, (V, S) or (S,)."""
+        """Robustness at every sample, (V, S) or (S,).
+
+        `semantics` says what signals are between samples; RL311 for what has no value there.
+        """
+        if semantics != "sampled":
+            from ..dense.evaluation import dense_robustness
+
+            return dense_robustness(self._formula, positions, signals, semantics, wrap)
         from ..evaluate.evaluation import robustness
 
         return robustness(self._formula, positions, signals, wrap=wrap)

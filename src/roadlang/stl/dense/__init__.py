@@ -1,0 +1,1 @@
+"""Robustness between the samples: signals that are held or interpolated linearly."""
