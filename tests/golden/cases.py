@@ -24,6 +24,7 @@ from tests.golden.interface_views import interface_lines
 from tests.golden.language_views import command_output, fault_lines, kind_lines, scenario_lines
 from tests.golden.mistake_views import mistake_lines, set_lines
 from tests.golden.object_views import scene_object_lines, search_object_lines
+from tests.golden.random_views import random_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
 from tests.golden.scene_views import (
     console_lines,
@@ -171,6 +172,8 @@ def _cases() -> Iterable[Case]:
         seeds = range(first, first + 5)
         yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 16.0))
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
+    for first in range(0, 120, 24):
+        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 24)))
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
     for name in BUILT:
