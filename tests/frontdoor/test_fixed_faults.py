@@ -177,3 +177,28 @@ def test_a_road_is_as_long_to_the_right_as_to_the_left(angle: str) -> None:
     road = f"road main {{ draw with segments {{ pieces: [arc(50m, {angle})] }} }}\n"
     assert faults(road + "agent a is car on main at 150m\n") == []
     assert faults(road + "agent a is car on main at 160m\n") == [("RL615", 2)]
+
+
+CROSSING = '''image plan from """
+...#....
+########
+...#....
+""" {{ scale: 20m/px, legend: {{ "#": road }} }}
+network town from plan {{ extract with pixels, control with stop {{ {0} }} }}
+'''
+
+
+@pytest.mark.parametrize(
+    ("option", "code"),
+    [
+        ("junctions: [99], roads: [1]", "RL429"),
+        ("junctions: [3], roads: [1]", "RL429"),
+        ("roads: [9]", "RL411"),
+    ],
+)
+def test_junctions_and_roads_that_a_typed_picture_lacks(option: str, code: str) -> None:
+    assert faults(CROSSING.format(option)) == [(code, 6)]
+
+
+def test_junctions_and_roads_that_a_typed_picture_has() -> None:
+    assert faults(CROSSING.format("junctions: [1], roads: [1]")) == []

@@ -17,7 +17,7 @@ def patience(monkeypatch: pytest.MonkeyPatch) -> None:
     """A busy machine is no fault: engines are waited for much longer than by users."""
     monkeypatch.setattr(sessions, "PATIENCE", 300.0)
     monkeypatch.setattr(sessions, "GOODBYE_SECONDS", 300.0)
-    monkeypatch.setattr(engines, "OWN_PATIENCE", 300.0)
+    monkeypatch.setattr(engines, "ANSWER_TIMEOUT", 300.0)
     monkeypatch.setattr(engines, "START_SECONDS", 300.0)
 
 

@@ -24,7 +24,7 @@ from .session import Session
 
 OLDEST = (4, 3)
 START_SECONDS = 180.0
-OWN_PATIENCE = 120.0
+ANSWER_TIMEOUT = 120.0
 """Seconds without an answer after which an engine of ours is given up though its process runs: on a
 busy machine it may get little time. Where the process ends, nobody waits that long."""
 """Drawing in software takes seconds, in which an engine answers nobody."""
@@ -139,7 +139,7 @@ class Engine:
 
     def connect(self, name: str = "", patience: float | None = None) -> Session:
         """A session with this engine."""
-        seconds = OWN_PATIENCE if patience is None else patience
+        seconds = ANSWER_TIMEOUT if patience is None else patience
         return connect(self.host, self.port, self.transport, name, seconds, self._is_running)
 
     def _is_running(self) -> bool:

@@ -64,7 +64,9 @@ class FollowedScene:
         if not len(self._mirror.driven):
             return {}
         decision = self._mirror.decide()
-        return {self._numbers[row]: self._taken(row, decision) for row in self._mirror.driven}
+        return {
+            self._numbers[row]: self._engine_control(row, decision) for row in self._mirror.driven
+        }
 
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""
@@ -103,7 +105,7 @@ class FollowedScene:
         self._mirror.touch(Contact(time, row, other, self._names[other], speed))
         self._mirror.touch(Contact(time, other, row, self._names[row], speed))
 
-    def _taken(self, row: int, decision: Decision) -> EngineControl:
+    def _engine_control(self, row: int, decision: Decision) -> EngineControl:
         steering = float(decision.steering[row])
         acceleration = float(decision.acceleration[row])
         if not self._mirror.present[row]:

@@ -34,6 +34,7 @@ class ChangeLane(Controller):
     first half."""
 
     name: ClassVar[str] = "change_lane"
+    leaves_open: ClassVar[str] = "the rest of the drive"
     to: Integer = option(
         words=("left", "right"),
         minimum=-32,

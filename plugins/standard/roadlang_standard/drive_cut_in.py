@@ -44,6 +44,7 @@ class CutIn(Controller):
     controller before drives on from there. Others that are in the way it waits for."""
 
     name: ClassVar[str] = "cut_in"
+    leaves_open: ClassVar[str] = "the rest of the drive"
     target: Annotated[str, AgentName] = option(help="the agent to cut in front of")
     gap: Length = option(
         8.0, minimum=0, maximum=200, help="gap to the target at the end, from bumper to bumper"

@@ -47,6 +47,7 @@ class Merge(Controller):
     there."""
 
     name: ClassVar[str] = "merge"
+    leaves_open: ClassVar[str] = "the rest of the drive"
     to: Integer = option(
         "left",
         words=("left", "right"),

@@ -43,7 +43,7 @@ FASTER = 10.0
 """m/s: how much faster than the target it passes, where no speed limit says otherwise."""
 LEAST_FASTER = 2.0
 """m/s: passing more slowly takes too long."""
-STILL_FREE = 0.9
+FREE_SHARE = 0.9
 """Share of the free distance to begin a pass that must remain for what is left of it."""
 MARGIN = 2.0
 """Seconds between the end of the pass and meeting oncoming traffic, at least."""
@@ -68,6 +68,7 @@ class Overtake(Controller):
     falls back if it is not. Before and afterwards the controller before drives."""
 
     name: ClassVar[str] = "overtake"
+    leaves_open: ClassVar[str] = "the rest of the drive"
     target: Annotated[str, AgentOrObject] = option(help="the agent, object or group to overtake")
     gap: Length = option(
         8.0, minimum=1, maximum=200, help="gap to the target when it pulls in, bumper to bumper"
@@ -215,7 +216,7 @@ class Overtake(Controller):
         """Until they are beside the target, those who pass look again."""
         early = (state[:, _PHASE] == PASSING) & (plan.ahead > 0.0) & plan.found
         if early.any():
-            state[early & ~self._free(seen, plan, STILL_FREE), _PHASE] = GIVING_UP
+            state[early & ~self._free(seen, plan, FREE_SHARE), _PHASE] = GIVING_UP
 
     def _pull_in(self, seen: ObservationBatch, plan: PassingView, state: Any) -> None:
         """Those who are far enough before the target, or have lost it from sight."""

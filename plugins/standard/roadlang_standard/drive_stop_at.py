@@ -30,6 +30,7 @@ class StopAt(Controller):
     controller before drives. Without a place it stops where it is."""
 
     name: ClassVar[str] = "stop_at"
+    leaves_open: ClassVar[str] = "steering"
     station: Length = option(
         None,
         minimum=0,

@@ -38,7 +38,7 @@ def command(failure: str, scene_file: str | None, target: str | None) -> None:
 
 def _print(found: Failure, simple: Failure) -> None:
     from ..report.numbers import quantity
-    from ..session.failure_findings import kept_draws, unit_of
+    from ..session.failure_findings import reported_draws, unit_of
 
     name = found.outcome.violated[0]
     before, after = (
@@ -46,7 +46,7 @@ def _print(found: Failure, simple: Failure) -> None:
     )
     word = style("violated", fg="red")
     echo(f"{word}  {name}: robustness {after} (before: {before})")
-    draws = kept_draws(simple)
+    draws = reported_draws(simple)
     axes = len(simple.axes)
     if not draws:
         echo(f"it fails with all of its {axes} random values at their medians")

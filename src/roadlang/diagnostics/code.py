@@ -112,6 +112,7 @@ class Code:
     TRIVIAL_REQUIREMENT: Final = "RL290"
     FLOAT_EQUALITY: Final = "RL291"
     SHADOWED_KIND: Final = "RL292"
+    NO_BASE_CONTROLLER: Final = "RL293"
     EMPTY_TRACE: Final = "RL300"
     INVALID_POSITIONS: Final = "RL301"
     NON_FINITE_SIGNAL: Final = "RL302"

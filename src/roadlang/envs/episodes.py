@@ -59,10 +59,10 @@ class Episodes:
 
     def __init__(self, pool: ScenePool, chosen: Sequence[int], settings: EnvSettings) -> None:
         self._settings = settings
-        scenes = [pool.scenes[one] for one in chosen]
+        scenes = [pool.scenes[index] for index in chosen]
         engine = engine_settings(pool.registry)
         self._world = world = world_of(scenes, engine.bodies, settings.dt, settings.step)
-        driven = [pool.driven[one] for one in chosen]
+        driven = [pool.driven[index] for index in chosen]
         self._agents = np.arange(len(scenes)) * world.slots + np.array(driven, dtype=np.int64)
         self._vector = settings.vector
         self._surroundings = Surroundings(world)

@@ -118,10 +118,10 @@ def _form(
     for name, call in first.get("signals", {}).items():
         kind = str(call["kind"])
         kinds = {kind: entry_of(registry, "drive_signal", kind)}
-        calls = [one["signals"][name] for _, one in members]
+        calls = [condition["signals"][name] for _, condition in members]
         signals[name] = SignalCall(calls, rows.tolist(), world, kinds)
     numbers = {
-        number: np.array([float(one["numbers"][number]) for _, one in members])
+        number: np.array([float(condition["numbers"][number]) for _, condition in members])
         for number in first["numbers"]
     }
     return _Form(rows, formula, signals, numbers)

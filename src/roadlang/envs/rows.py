@@ -48,10 +48,10 @@ class Together:
         self, pool: ScenePool, draws: Sequence[Sequence[int]], settings: EnvSettings
     ) -> None:
         self._each = len(draws[0])
-        self._episodes = Episodes(pool, [one for each in draws for one in each], settings)
+        self._episodes = Episodes(pool, [scene for each in draws for scene in each], settings)
         self._first = np.arange(len(draws)) * self._each
         self._turn = np.zeros(len(draws), dtype=np.int64)
-        self._index = np.array([[pool.scenes[one].index for one in each] for each in draws])
+        self._index = np.array([[pool.scenes[scene].index for scene in each] for each in draws])
 
     @property
     def scenes(self) -> Integers:
@@ -97,17 +97,17 @@ class OneByOne:
         found = [episode.step(_ONLY, actions[[i]]) for i, episode in enumerate(self._episodes)]
         happened = [transition for transition, _ in found]
         columns = {
-            field.name: np.concatenate([getattr(one, field.name) for one in happened])
+            field.name: np.concatenate([getattr(step, field.name) for step in happened])
             for field in fields(Transition)
             if field.name != "margins"
         }
         margins = {
-            name: np.concatenate([one.margins[name] for one in happened])
+            name: np.concatenate([step.margins[name] for step in happened])
             for name in happened[0].margins
         }
         ends = EpisodeEnds(
             *(
-                np.concatenate([getattr(one, field.name) for _, one in found])
+                np.concatenate([getattr(step, field.name) for _, step in found])
                 for field in fields(EpisodeEnds)
             )
         )

@@ -126,7 +126,7 @@ class Neighbors:
         words = {"name", "kind"}
         columns = {
             name: np.array(
-                [[getattr(one, name) for one in seen]],
+                [[getattr(neighbor, name) for neighbor in seen]],
                 dtype=object if name in words else np.float64,
             ).reshape(1, len(seen))
             for name in _MEMBERS
@@ -184,8 +184,8 @@ def nearest_of(
     there are no more."""
     import numpy as np
 
-    others = [one for name, one in everyone.items() if name != seen.agent]
-    others.sort(key=lambda one: (one.x - seen.x) ** 2 + (one.y - seen.y) ** 2)
+    others = [other for name, other in everyone.items() if name != seen.agent]
+    others.sort(key=lambda other: (other.x - seen.x) ** 2 + (other.y - seen.y) ** 2)
     out = np.full((4, 1, count), math.nan)
     for number, other in enumerate(others[:count]):
         out[:, 0, number] = other.x, other.y, other.heading, other.speed

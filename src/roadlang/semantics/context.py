@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from ..plugins.option_types import (
     CallType,
+    EntityType,
     IntervalType,
     KindNameType,
     ListType,
@@ -31,6 +32,8 @@ class Context:
     drive_time: bool = False
     strings: bool = False
     """A bare name that means nothing else is a string, as in `--set weather=rain`."""
+    roles: tuple[str, ...] = ()
+    """What a name must be declared as, such as `agent`; empty for anything"""
     example: str = ""
     """A value of the option, as its help shows it."""
 
@@ -44,6 +47,7 @@ class Context:
             words=words,
             verbs=verbs_in(option),
             strings=False,
+            roles=roles_in(option),
             example=example,
         )
 
@@ -56,4 +60,13 @@ def verbs_in(option: OptionType) -> tuple[str, ...]:
         return verbs_in(option.item)
     if isinstance(option, UnionType):
         return tuple(verb for part in option.alternatives for verb in verbs_in(part))
+    return ()
+
+
+def roles_in(option: OptionType) -> tuple[str, ...]:
+    """The roles of the declarations that an option's value may name."""
+    if isinstance(option, EntityType):
+        return option.roles
+    if isinstance(option, ListType):
+        return roles_in(option.item)
     return ()

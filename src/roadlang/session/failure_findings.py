@@ -25,7 +25,7 @@ def write_shrunk(simple: Failure, file: Path, target: Path | None = None) -> Pat
     return path
 
 
-def kept_draws(failure: Failure) -> list[str]:
+def reported_draws(failure: Failure) -> list[str]:
     """The draws that are not at their medians."""
     axes = failure.axes
     return [name for name, at in zip(axes, failure.outcome.point, strict=True) if at != MIDDLE]

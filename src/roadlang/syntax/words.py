@@ -14,6 +14,8 @@ RESERVED = (
     "true", "false", "with",
     *(word for word, operator in BY_WORD.items() if not operator.contextual),
 )  # fmt: skip
+PASS_VERBS = ("adjust", "extract", "read", "draw", "perturb", "control", "drive")
+"""Words before `with KIND` in the blocks of declarations."""
 
 NOT_NAMES = frozenset((*RESERVED, *STATEMENTS, *CONNECTIVES, "as", "inf"))
 """Words that name no signal unless they are in back quotes."""

@@ -130,7 +130,7 @@ def _heading(scene: Scene, style: Style, x: float, base: float) -> str:
         [
             text(shown, x, base, font_size=1.3 * size, font_weight="700", fill=palette.INK),
             text(note, style.size - x, base, text_anchor="end", font_size=0.9 * size,
-                 fill=palette.QUIET_INK),
+                 fill=palette.MUTED_INK),
         ],
         class_="heading",
     )  # fmt: skip

@@ -83,7 +83,7 @@ def world_note(scene: Scene, viewport: Viewport, size: float) -> str:
     if not note:
         return ""
     x, y = viewport.x + viewport.width - 0.8 * size, viewport.y + viewport.height - 0.8 * size
-    return text(note, x, y, text_anchor="end", font_size=0.9 * size, fill=palette.QUIET_INK,
+    return text(note, x, y, text_anchor="end", font_size=0.9 * size, fill=palette.MUTED_INK,
                 stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
 
 
@@ -105,8 +105,8 @@ def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:
         _marks(ribbon, spacing, size),
         class_="stations",
         font_size=0.8 * size,
-        fill=palette.QUIET_INK,
-        stroke=palette.QUIET_INK,
+        fill=palette.MUTED_INK,
+        stroke=palette.MUTED_INK,
     )
 
 

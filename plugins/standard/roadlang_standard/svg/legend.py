@@ -73,7 +73,7 @@ class Legend:
         for number, line in enumerate(self._lines(row)):
             if line:
                 below = base + number * _LINE * size
-                yield text(line, x + self._formula, below, fill=palette.QUIET_INK)
+                yield text(line, x + self._formula, below, fill=palette.MUTED_INK)
         yield text(row.outcome, x + self.width, base, text_anchor="end", fill=row.color,
                    font_weight="600")  # fmt: skip
 
@@ -87,7 +87,7 @@ def legend_of(scene: Scene, width: float, size: float) -> Legend:
     rows = [_row(verdict, colors.get(verdict.name)) for verdict in verdicts[:_MOST_ROWS]]
     if len(verdicts) > _MOST_ROWS:
         rest = f"and {len(verdicts) - _MOST_ROWS} more"
-        rows.append(LegendRow("none", palette.QUIET_INK, rest, "", ""))
+        rows.append(LegendRow("none", palette.MUTED_INK, rest, "", ""))
     return Legend(tuple(rows), width, size)
 
 

@@ -88,7 +88,7 @@ def _row(
     zero = top + height * high / span
     base = top + 0.62 * height
     yield text(row.name, x, base - 0.5 * size, font_weight="600")
-    yield text(row.note, x, base + 0.6 * size, font_size=0.8 * size, fill=palette.QUIET_INK)
+    yield text(row.note, x, base + 0.6 * size, font_size=0.8 * size, fill=palette.MUTED_INK)
     yield element("line", x1=left, y1=zero, x2=right, y2=zero, stroke=palette.GROUND_EDGE,
                   stroke_width=1.0)  # fmt: skip
     if not row.signal:
@@ -128,16 +128,16 @@ def _thinned(across: Floats, down: Floats) -> Floats:
 
 def _axis(y: float, left: float, right: float, length: float, size: float) -> Iterator[str]:
     step = round_length(length / _TICKS * 2)
-    yield element("line", x1=left, y1=y, x2=right, y2=y, stroke=palette.QUIET_INK,
+    yield element("line", x1=left, y1=y, x2=right, y2=y, stroke=palette.MUTED_INK,
                   stroke_width=0.8)  # fmt: skip
     for index in range(int(length / step + 1e-9) + 1):
         at = left + (right - left) * index * step / length
-        yield element("line", x1=at, y1=y, x2=at, y2=y + 0.3 * size, stroke=palette.QUIET_INK,
+        yield element("line", x1=at, y1=y, x2=at, y2=y + 0.3 * size, stroke=palette.MUTED_INK,
                       stroke_width=0.8)  # fmt: skip
         if index and at > right - 6 * size:  # the axis has its name there
             continue
         label = number(index * step) + (" m" if index == 0 else "")
         yield text(label, at, y + 1.25 * size, text_anchor="middle", font_size=0.8 * size,
-                   fill=palette.QUIET_INK)  # fmt: skip
+                   fill=palette.MUTED_INK)  # fmt: skip
     yield text("arc length", right, y + 1.25 * size, text_anchor="end", font_size=0.8 * size,
-               fill=palette.QUIET_INK)  # fmt: skip
+               fill=palette.MUTED_INK)  # fmt: skip

@@ -113,7 +113,7 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
     section = road.cross_section()
     borders = section.border_offsets(road.stations).T * viewport.pixels_per_meter
     stations, reference = np.asarray(road.stations), np.asarray(road.reference_stations)
-    keep = _kept(center)
+    keep = _spaced(center)
     center, columns, half, borders = center[keep], columns[keep], half[keep], borders[keep]
     stations, reference = stations[keep], reference[keep]
     if road.closed:
@@ -155,7 +155,7 @@ def unfolded(line: Floats, center: Floats) -> list[Floats]:
     return [line[a:b] for a, b in zip(starts, ends, strict=True) if b - a > 1]
 
 
-def _kept(points: Floats) -> NDArray[np.intp]:
+def _spaced(points: Floats) -> NDArray[np.intp]:
     import numpy as np
 
     steps = np.hypot(*np.diff(points, axis=0).T)

@@ -123,7 +123,7 @@ def _cell(scene: Scene, viewport: Viewport, clip: str, font: float, note: Sequen
             viewport.x,
             base + (index + 1) * _LINE * font,
             font_size=_SMALL * font,
-            fill=color if outcome.startswith(line) else palette.QUIET_INK,
+            fill=color if outcome.startswith(line) else palette.MUTED_INK,
         )
         for index, line in enumerate(note)
     ]
@@ -145,8 +145,8 @@ def _outcome(scene: Scene) -> tuple[str, str]:
     verdicts = (*scene.requirements, *scene.expectations)
     judged = [(v.robustness, v.name) for v in verdicts if v.robustness is not None]
     if not judged:
-        return palette.QUIET_INK, ""
+        return palette.MUTED_INK, ""
     worst, name = min(judged)
     failed = any(verdict.satisfied is False for verdict in verdicts)
-    color = palette.VIOLATIONS[0] if failed else palette.QUIET_INK
+    color = palette.VIOLATIONS[0] if failed else palette.MUTED_INK
     return color, f"{name}: {rho(worst)}"

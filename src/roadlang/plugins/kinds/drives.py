@@ -45,6 +45,10 @@ class Controller(Kind):
     """whether an agent for which nothing says how fast it begins does so slowly enough to keep its
     distance to what is ahead in its lane"""
 
+    leaves_open: ClassVar[str] = ""
+    """what it leaves to the controller before it, such as "steering": a warning says so where it is
+    the first controller of an agent"""
+
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.
 

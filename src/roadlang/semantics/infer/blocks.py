@@ -9,13 +9,13 @@ from ...diagnostics import Code, Label, Span, nearest
 from ...ir.values import PassCall
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
+from ...syntax.words import PASS_VERBS
 from ..checker import Checker, ResolvedKind
 from ..context import Context
 from .kinds import display_name, find_kind
 from .option_binding import BoundOptions, bind_options, divided
 from .statement_spec import StatementSpec
 
-_ALL_VERBS = ("adjust", "extract", "read", "draw", "perturb", "control", "drive")
 _SOURCES = ("extract", "read", "draw")
 
 
@@ -63,7 +63,7 @@ def _verb_fits(checker: Checker, spec: StatementSpec, item: ast.Pass) -> bool:
     help_: list[str] = []
     if not meant and verbs:
         help_.append(f"`{statement}` takes " + ", ".join(f"`{known}`" for known in verbs))
-    code = Code.MISPLACED_PASS if verb in _ALL_VERBS else Code.UNKNOWN_VERB
+    code = Code.MISPLACED_PASS if verb in PASS_VERBS else Code.UNKNOWN_VERB
     checker.report(code, item.verb.span, what=f"`{statement}`", verb=verb, help=help_, meant=meant)
     return False
 

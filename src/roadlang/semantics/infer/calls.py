@@ -159,7 +159,7 @@ def of_kind(
         first = found.schema[0].name if found.schema else "agent"
         help_ = f"write `{first}.{name}`, as in `ego.{name}`"
         return checker.report(Code.UNKNOWN_FUNCTION, call.function.span, name=name, help=help_)
-    inner = context if verb == "distribution" else replace(context, words=(), verbs=())
+    inner = context if verb == "distribution" else replace(context, words=(), verbs=(), roles=())
     rest = found.kind.rest
     schema = (*common_options(verb), *found.schema) if verb == "lane" else found.schema
     bound = bind_arguments(checker, call, schema, rest, inner)

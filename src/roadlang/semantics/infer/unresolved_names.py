@@ -18,7 +18,9 @@ def report_unresolved(checker: Checker, name: ast.Name, context: Context) -> Typ
     """RL101, or what is wrong with the name as a word or kind of an option."""
     if checker.program.incomplete and not (context.words or context.verbs):
         return unknown(name.span)
-    declared = nearest(name.text, checker.program.declarations)
+    declared = nearest(name.text, _fitting_names(checker, context)) or nearest(
+        name.text, checker.program.declarations
+    )
     kinds = [kind for verb in context.verbs for kind in checker.registry.names(verb)]
     words = (*context.words, *kinds)
     word = nearest(name.text, words)
@@ -59,14 +61,19 @@ def _about_functions(checker: Checker, text: str) -> tuple[str, ...]:
 
 
 def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
-    """What the scene declares, as far as it can be taken in at a glance."""
-    names = [
-        name
-        for name, declaration in checker.program.declarations.items()
-        if declaration.role not in ("require", "expect") and name != context.user
-    ]
+    """What the scene declares that fits, as far as it can be taken in at a glance."""
+    names = [name for name in _fitting_names(checker, context) if name != context.user]
     if not names:
-        return ()
+        return (
+            (f"this scene declares no other {' or '.join(context.roles)}",) if context.roles else ()
+        )
     shown = ", ".join(f"`{name}`" for name in names[:_MOST_LISTED])
     more = f" and {len(names) - _MOST_LISTED} more" if len(names) > _MOST_LISTED else ""
     return (f"this scene declares {shown}{more}",)
+
+
+def _fitting_names(checker: Checker, context: Context) -> list[str]:
+    declarations = checker.program.declarations.items()
+    if context.roles:
+        return [name for name, found in declarations if found.role in context.roles]
+    return [name for name, found in declarations if found.role not in ("require", "expect")]

@@ -7,7 +7,8 @@ from dataclasses import replace
 from ...diagnostics import Code, Span
 from ...ir import scenario as ir
 from ...ir.read_only import FrozenDict
-from ...ir.values import NO_OPTIONS, Entity, Options, Reference
+from ...ir.values import NO_OPTIONS, Entity, Options, PassCall, Reference
+from ...plugins.kinds import Controller
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -48,6 +49,7 @@ def lower_actor(
         return None
     if placement is None or drive is None:
         return None
+    _warn_without_base(checker, name, drive)
     if on is None and not _fits_without_road(checker, statement):
         return None
     if statement.at is None and route is not None:
@@ -59,6 +61,17 @@ def lower_actor(
     return ir.ScenarioActor(
         name, value, road, at.value, fraction, placement, drive, statement.span, spans
     )
+
+
+def _warn_without_base(checker: Checker, name: str, drive: tuple[PassCall, ...]) -> None:
+    """RL293 where the first controller leaves something to one before it."""
+    if not drive:
+        return
+    kind, span = checker.registry.find("drive", drive[0].kind).load(), drive[0].span
+    if span is not None and issubclass(kind, Controller) and kind.leaves_open:
+        checker.report(
+            Code.NO_BASE_CONTROLLER, span, kind=kind.name, name=name, rest=kind.leaves_open
+        )
 
 
 def _option_spans(statement: ast.Actor) -> FrozenDict[str, Span]:

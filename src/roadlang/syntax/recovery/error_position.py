@@ -94,6 +94,19 @@ class ErrorPosition:
         return self.expects("NUMBER")
 
     @property
+    def in_block(self) -> bool:
+        """Whether the innermost bracket open here is a brace."""
+        depth = 0
+        for kind, *_ in reversed(self.tokens[: self.index]):
+            if kind in CLOSERS:
+                depth += 1
+            elif kind in OPENERS and depth == 0:
+                return kind == "LBRACE"
+            elif kind in OPENERS:
+                depth -= 1
+        return False
+
+    @property
     def first_kind(self) -> str:
         """Terminal of the first token of the file."""
         return self.tokens[0][0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
 from ..parsing.grammar import END
-from ..words import BINDING_KINDS, TEMPORAL_KINDS
+from ..words import BINDING_KINDS, PASS_VERBS, TEMPORAL_KINDS
 from .error_position import Edit, ErrorPosition, Mistake
 
 
@@ -34,6 +34,31 @@ def interval_form(place: ErrorPosition) -> Mistake | None:
     start = place.tokens[opener][3]
     low = (("NUMBER", "0", start, start), ("COMMA", ",", start, start))
     return Mistake(found, Edit(opener + 1, opener + 1, low))
+
+
+def option_without_value(place: ErrorPosition) -> Mistake | None:
+    """`{ lanes }`, `{ count 5 }`, and a unit written twice: `{ scale: 8m/px px }`."""
+    if place.kind() not in ("COMMA", "RBRACE", "NUMBER") or place.kind(-1) != "NAME":
+        return None
+    name, before = place.word(-1), place.token(-2)
+    if name in PASS_VERBS or not place.expects("COLON") or not place.in_block:
+        return None
+    if before[0] == "NUMBER" and before[1].endswith(name):
+        help_ = f"`{before[1]}` already has its unit: leave out `{name}`"
+    else:
+        value = place.word() if place.kind() == "NUMBER" else "VALUE"
+        help_ = f"write `{name}: {value}`"
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(-1) if place.kind() != "NUMBER" else place.span(),
+        expected=f"`:` and a value after `{name}`" if place.kind() != "NUMBER" else "`:`",
+        found=f"`{place.word()}`",
+        help=help_,
+    )
+    if place.kind() == "NUMBER":
+        colon = ("COLON", ":", place.token()[2], place.token()[2])
+        return Mistake(found, Edit(place.index, place.index, (colon,)))
+    return Mistake(found, culprit=place.index - 1)
 
 
 def _round_interval(place: ErrorPosition) -> Mistake | None:

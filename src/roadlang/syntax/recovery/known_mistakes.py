@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from ...diagnostics import Code, diagnose
 from ..words import CLOSERS, OPENERS
+from .copy_habits import count_before_kind
 from .error_position import Edit, ErrorPosition, Mistake
 from .expression_habits import (
     absolute_value,
@@ -26,7 +27,7 @@ from .expression_habits import (
     title_of_scenario,
     typed_value,
 )
-from .form_mistakes import actor_order, interval_form, list_operand
+from .form_mistakes import actor_order, interval_form, list_operand, option_without_value
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .placement_habits import position_on_road
 from .sign_mistakes import (
@@ -53,6 +54,7 @@ from .word_mistakes import (
 )
 
 _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
+    count_before_kind,
     loose_unit,
     third_dot,
     clock_time,
@@ -73,6 +75,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     method_call,
     emit_target,
     absolute_value,
+    option_without_value,
     next_item,
     next_statement,
     turned_comparison,

@@ -27,7 +27,7 @@ def _road_after_at(place: ErrorPosition) -> Mistake | None:
 
 def _missing_at(place: ErrorPosition) -> Mistake | None:
     shape = [place.kind(offset) for offset in (-2, -1, 0)]
-    if shape != ["ON", "NAME", "NUMBER"]:
+    if shape != ["ON", "NAME", "NUMBER"] or place.starts_line():
         return None
     return _rewritten(place, -2, 0, place.token(-1), place.token())
 
