@@ -153,8 +153,8 @@ def _said(text: str) -> Iterator[str]:
 
 
 def _file(file: Path, name: str) -> Iterator[str]:
-    yield f"file {name}"
     text = file.read_bytes().decode("utf-8", "replace")
+    yield f"file {name}" + ("" if text.endswith("\n") else " without a last line break")
     if file.suffix == ".csv" and "trace" not in name:
         yield from table_lines(io.StringIO(text, newline="").read())
     elif file.suffix == ".html":

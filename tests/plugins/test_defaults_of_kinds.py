@@ -11,6 +11,7 @@ import numpy as np
 from roadlang import testing
 from roadlang.api import LaneKind, Length, Number, Reader, Whole, option
 from roadlang.geometry import Curve
+from tests.plugins.installed import install
 
 STREET = "road main { draw with segments { pieces: [straight(90m)] }, LANES }\n"
 
@@ -58,3 +59,26 @@ def test_a_reader_gets_plain_numbers(tmp_path: Path) -> None:
     seen = Shapes.seen[-1]
     assert seen == {"length": 40.0, "share": 0.5, "count": 5}
     assert [type(value) for value in seen.values()] == [float, float, int]
+
+
+STRANGER = """
+from dataclasses import dataclass
+from typing import ClassVar
+from roadlang.api import LaneKind, hookimpl
+
+@dataclass(frozen=True)
+class Tram(LaneKind):
+    name: ClassVar[str] = "tram"
+
+@hookimpl
+def roadlang_kinds():
+    return [Tram]
+"""
+
+
+def test_kinds_under_test_stand_beside_those_of_installed_plugins(site: Path) -> None:
+    install(site, "trams", STRANGER)
+    found = testing.registry_with(Strip)
+    assert found.find("lane", "tram").origin.plugin == "trams"
+    assert found.find("lane", "strip").origin.plugin == testing.PLUGIN
+    assert found.find("lane", "drive").origin.is_shipped

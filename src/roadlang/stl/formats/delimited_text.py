@@ -56,7 +56,7 @@ class DelimitedText:
             if len(commented) != len(names) or any(map(_is_number, commented)):
                 raise DelimitedTextFault("the first line has numbers; it must name the columns")
             names, rest, line = commented, f"{header}\n{rest}", line - 1
-        if names and not names[-1]:
+        if not names[-1]:
             names = names[:-1]  # every line ends with a separator
         if len(set(names)) < len(names) or not all(names):
             raise DelimitedTextFault("two columns have the same name, or one has none")
