@@ -232,8 +232,16 @@ def _cases() -> Iterable[Case]:
     yield Case("searches", "search.page", partial(command_lines, *falsify), FIGURE)
     yield Case("searches", "run.page", partial(command_lines, "run", "-n", "2"), FIGURE)
     yield Case("searches", "rival.env", partial(environment_lines, "rival", scenes=3))
-    side_by_side = partial(vector_lines, "rival", scenes=6, duration=5.0)
+    changed = partial(
+        environment_lines, "rival", scenes=2, scene_seed=3, step=0.2, vehicle_step=0.02,
+        acceleration=2.0, deceleration=3.0, distances=(3.0, 12.0), agents=1, off_road_ends=False,
+        agent="rival",
+    )  # fmt: skip
+    yield Case("searches", "rival.changed", changed)
+    side_by_side = partial(vector_lines, "rival", 5, scenes=6, duration=5.0)
     yield Case("searches", "rival.envs", side_by_side)
+    alone = partial(vector_lines, "rival", 1, scenes=2, duration=3.0, reward="ego.speed < 9m/s")
+    yield Case("searches", "rival.alone", alone)
 
 
 CASES = {case.name: case for case in _cases()}

@@ -104,6 +104,7 @@ _SEQUENCES: dict[str, tuple[str, ...]] = {
     ),
 }
 SEQUENCES = tuple(_SEQUENCES)
+_DOCUMENTS = {"manifest.json", "summary.json", "index.json", "b.json", "r.json"}
 
 
 def sequence_lines(name: str) -> Iterator[str]:
@@ -159,7 +160,7 @@ def _file(file: Path, name: str) -> Iterator[str]:
         yield from table_lines(io.StringIO(text, newline="").read())
     elif file.suffix == ".html":
         yield from page_lines(text)
-    elif file.name in ("manifest.json", "summary.json", "b.json", "r.json"):
+    elif file.name in _DOCUMENTS or file.name.endswith((".explanation.json", ".verdicts.json")):
         document = json.loads(text)
         for key in ("provenance", "time_s"):
             document.pop(key, None)

@@ -150,6 +150,8 @@ def network_lines(first: int, count: int) -> Iterator[str]:
         yield f"  degrees {[network.degree(node.id) for node in network.nodes]}"
         moved = network.transformed([[0.0, 2.0], [2.0, 0.0]], (5.0, 7.0), 1.5).scaled(0.5)
         yield f"  moved {moved.bounds} {_numbers([edge.width.at(9.0) for edge in moved.edges])}"
+        yield from _path(network.edge, 99)
+        yield from _path(network.node, 99)
         points = rng.uniform(-20.0, 140.0, (6, 2))
         for p, q in zip(points[:3], points[3:], strict=True):
             edge, s = nearest_place(network, p)

@@ -111,14 +111,14 @@ def environment_lines(name: str, **settings: Any) -> Iterator[str]:
     yield from of_json(_jsonable(info), "info")
 
 
-def vector_lines(name: str, **settings: Any) -> Iterator[str]:
-    """Five environments side by side."""
-    env = SceneVectorEnv(loaded(name), 5, EnvSettings(**settings))
+def vector_lines(name: str, count: int, **settings: Any) -> Iterator[str]:
+    """Environments side by side."""
+    env = SceneVectorEnv(loaded(name), count, EnvSettings(**settings))
     observed, _ = env.reset(seed=SEED)
-    total = np.zeros(5)
+    total = np.zeros(count)
     for step in range(120):
-        angles = 0.1 * np.sin(step / 9 + np.arange(5))
-        actions = np.stack([angles, np.full(5, 0.7)], axis=1).astype(np.float32)
+        angles = 0.1 * np.sin(step / 9 + np.arange(count))
+        actions = np.stack([angles, np.full(count, 0.7)], axis=1).astype(np.float32)
         observed, rewards, ended, cut, info = env.step(actions)
         total += rewards
         if np.any(ended) or np.any(cut):

@@ -1,0 +1,22 @@
+"""Both sides of the wire have the same numbers."""
+
+from __future__ import annotations
+
+import re
+
+from roadlang_godot import engine as engines
+from roadlang_godot import protocol
+from roadlang_godot.link_websocket import WebSocketLink
+
+_CONSTANT = re.compile(r"^const (\w+) := (\S+)$", re.MULTILINE)
+_KNOWN_TO_THE_ENGINE_ALONE = {"MAX_WORLDS", "MAX_THINGS"}
+
+
+def test_constants_of_the_protocol() -> None:
+    text = (engines.project() / "net" / "protocol.gd").read_text(encoding="utf-8")
+    there = {name: float(int(value, 0) if "." not in value else float(value))
+             for name, value in _CONSTANT.findall(text)}  # fmt: skip
+    here = {message.name: float(message) for message in protocol.Message}
+    here |= {name: float(getattr(protocol, name)) for name in there.keys() & vars(protocol).keys()}
+    here["WEBSOCKET_WINDOW"] = float(WebSocketLink.window)
+    assert here == {name: there[name] for name in there.keys() - _KNOWN_TO_THE_ENGINE_ALONE}
