@@ -54,6 +54,7 @@ STILL = {
     "values": 3,
     "picture": 2,
     "table": None,
+    "grid": None,
     "guided": 3,
     "halton": 3,
     "places": 2,

@@ -51,6 +51,23 @@ object van is parked_van on bent at 120m { side: right, offset: -1m..1m }
 world { friction: 0.3..0.9 }
 """
 
+LEAVING = """
+road main { draw with segments { pieces: [straight(60m), arc(60m, 40deg)] }, lanes: 2 }
+agent ego is car on main at 5m..70m {
+  lane: -1, start_speed: 8m/s
+  drive with lane_follow { speed: 9m/s }
+  drive with brake { speed: 3m/s, while: distance(ego, lead) < 25m }
+  drive with lane_follow {
+    speed: 14m/s, when: gap(ego, lead) > 40m or once[0s, 1s] (lead.speed > 11m/s)
+  }
+}
+agent lead is car on main at ahead_of(ego, 12m) {
+  lane: -1, start_speed: 6m/s, drive with lane_follow { speed: 7m/s..14m/s }
+}
+agent others is van on main at random { count: integer(0, 2), facing: back, drive with traffic }
+object crate is box on main at 80m { side: right, offset: 1m }
+"""
+
 
 def drives(scenes: Sequence[Scene], **options: Any) -> list[Trace]:
     registry = load_registry()
@@ -86,6 +103,15 @@ def test_scenes_of_different_files_drive_in_one_block() -> None:
     assert len({len(trace.time) for trace in together}) > 2, "they end at times of their own"
     for scene, trace in zip(scenes, together, strict=True):
         (alone,) = drives([scene], duration=45.0)
+        assert bytes_of(alone) == bytes_of(trace)
+
+
+def test_conditions_stay_with_their_scenes_when_others_end() -> None:
+    scenes = records(LEAVING, 8)
+    together = drives(scenes)
+    assert len({len(trace.time) for trace in together}) > 4, "they end at times of their own"
+    for scene, trace in zip(scenes, together, strict=True):
+        (alone,) = drives([scene])
         assert bytes_of(alone) == bytes_of(trace)
 
 
