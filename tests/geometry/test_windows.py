@@ -49,11 +49,22 @@ def test_a_fade_holds_value_slope_and_second_derivative_at_the_ends() -> None:
     assert one_sided[-1] == 1.0
 
 
-def test_on_a_short_road_each_end_fades_over_half() -> None:
-    s = np.linspace(0.0, 10.0, 11)
-    window = fade(s, 10.0, taper=100.0)
-    assert window[5] == 1.0
+def test_on_a_short_road_each_end_fades_over_half_and_bends_no_more_than_a_long_one() -> None:
+    long, short = np.linspace(0.0, 40.0, 4001), np.linspace(0.0, 10.0, 1001)
+    bends = [
+        np.abs(np.diff(fade(s, s[-1], taper=15.0), 2)).max() / s[1] ** 2 for s in (long, short)
+    ]
+    assert bends[1] == pytest.approx(bends[0], rel=1e-3)
+    window = fade(short, 10.0, taper=15.0)
+    assert window.argmax() == 500
     assert window[0] == window[-1] == 0.0
+
+
+def test_a_dead_end_shorter_than_the_taper_is_left_nearly_where_it_is() -> None:
+    s = np.linspace(0.0, 2.0, 21)
+    one_sided = fade(s, 2.0, taper=15.0, at_end=False)
+    np.testing.assert_allclose(one_sided, fade(s, 30.0, taper=15.0), atol=1e-12)
+    assert one_sided[-1] < 0.03
 
 
 def test_ease_goes_from_zero_to_one() -> None:

@@ -31,7 +31,7 @@ def junction_window(
     trims: tuple[float, float] = (0.0, 0.0),
 ) -> Floats:
     """(S,) zero up to `trims` meters from the ends of the edge at anchored nodes, one beyond
-    `taper` meters from there. Where less is left between the trims, each end takes half.
+    `taper` meters from there; where less is left between the trims, it stays below one (`fade`).
 
     Value, slope and second derivative of a displacement in this window vanish there, so that
     positions, headings and curvatures stay what they were: a junction planned for the edge fits

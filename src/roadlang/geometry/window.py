@@ -35,16 +35,17 @@ def fade(
     """(S,) zero at the chosen ends of an open curve of `length`, one from `taper` meters inside.
 
     Value, slope and second derivative vanish at the ends, so that position, heading and curvature
-    stay there. When both ends fade and the curve is shorter than twice `taper`, each takes half.
+    stay there. When both ends fade and the curve is shorter than twice `taper`, each takes half and
+    the window stays below one, so that nowhere it bends more than with room for the whole taper.
     """
     if not taper > 0.0:
         raise GeometryError("the taper of a fade must be positive")
-    taper = min(taper, length / 2.0 if at_start and at_end else length)
-    window = np.ones_like(stations)
+    room = min(taper, length / 2.0) if at_start and at_end else taper
+    window = np.full_like(stations, (room / taper) ** 2)
     if at_start:
-        window = window * _rise(stations, 0.0, taper)
+        window = window * _rise(stations, 0.0, room)
     if at_end:
-        window = window * _rise(stations, length, taper, falling=True)
+        window = window * _rise(stations, length, room, falling=True)
     return window
 
 

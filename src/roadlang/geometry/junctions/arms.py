@@ -12,6 +12,7 @@ import numpy as np
 from ..arrays import Floats
 from ..cross_section import CrossSection
 from ..network import Edge
+from .folds import Span, folded_spans, past
 from .model import End
 
 ArmKey: TypeAlias = tuple[int, End]
@@ -64,6 +65,12 @@ class ArmLine:
             heading, left, right = heading + np.pi, right, left
         return cls(edge, end, section, s, edge.curve.at(along), heading, left, right)
 
+    def near_half(self) -> ArmLine:
+        """Up to the middle of the road: what is its own where both its ends enter one place."""
+        near = slice(0, max(3, int(np.searchsorted(self.s, self.length / 2.0, side="right"))))
+        columns = (self.s, self.points, self.heading, self.left, self.right)
+        return ArmLine(self.edge, self.end, self.section, *(column[near] for column in columns))
+
     @property
     def key(self) -> ArmKey:
         """The edge and which of its ends."""
@@ -83,6 +90,18 @@ class ArmLine:
     def normal(self) -> Floats:
         """(n, 2) to the left."""
         return np.stack([-np.sin(self.heading), np.cos(self.heading)], axis=-1)
+
+    @cached_property
+    def _folds(self) -> tuple[Span, ...]:
+        borders = self.normal * self.left[:, None], -self.normal * self.right[:, None]
+        return folded_spans(
+            self.s, self.points, (self.points + borders[0], self.points + borders[1])
+        )
+
+    def past_folds(self, trim: float) -> float:
+        """The least trim, no smaller than this one, from which on the road does not run back over
+        what lies before its face."""
+        return past(self._folds, trim)
 
     def along(self, trim: float) -> float:
         """The arc length of the road at a distance from the node."""

@@ -12,7 +12,7 @@ from ..arrays import Booleans, Floats
 from .arms import DEFAULT_TRIM, ArmKey, ArmLine, Face
 from .fitting import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, lane_pairs
-from .places import SHORTEST_ROAD, JunctionSite
+from .places import SHORTEST_ROAD, SHORTEST_STUB, JunctionSite
 from .sweeping import swept_arms
 
 ROUNDS = 7
@@ -56,7 +56,9 @@ def connected(place: JunctionSite, trims: MutableMapping[ArmKey, float]) -> Conn
         pushed = _too_tight(found)
         if not pushed:
             found = _with_sweeps(found, trims)
-            pushed = {found.arms[arm].key for arm in np.flatnonzero(found.swept.any(axis=0))}
+            onward = np.array([not _is_return(found, pair) for pair in found.pairs], dtype=bool)
+            swept = found.swept[onward].any(axis=0)
+            pushed = {found.arms[arm].key for arm in np.flatnonzero(swept)}
         moved = [_push(place, key, trims) for key in sorted(pushed)]
         if not any(moved):
             break
@@ -68,19 +70,26 @@ def _too_tight(found: Connected) -> set[ArmKey]:
     return {
         found.arms[arm].key
         for pair, drivable in zip(found.pairs, found.fits.drivable, strict=True)
-        if not drivable and abs(pair.angle) <= SHARPEST
+        if not drivable and abs(pair.angle) <= SHARPEST and not _is_return(found, pair)
         for arm in (pair.source, pair.target)
     }
+
+
+def _is_return(found: Connected, pair: LanePair) -> bool:
+    """Whether a turn leads back into the road that it comes from, at another node of the place."""
+    source, target = found.arms[pair.source], found.arms[pair.target]
+    return source.edge is target.edge and source.node != target.node
 
 
 def _push(place: JunctionSite, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bool:
     """Moves a trim outward; False if the road leaves no room."""
     arm = next(arm for arm in place.arms.arms if arm.key == key)
     other: ArmKey = (key[0], "end" if key[1] == "start" else "start")
-    room = arm.length - trims.get(other, 0.0) - SHORTEST_ROAD
+    least = SHORTEST_ROAD if other in trims else SHORTEST_STUB
+    room = arm.length - trims.get(other, 0.0) - least
     limit = min(DEFAULT_TRIM, room, float(arm.s[-1]))
-    wanted = min(trims[key] * _FURTHER + _AND, limit)
-    if wanted <= trims[key] + 1e-6:
+    wanted = arm.past_folds(min(trims[key] * _FURTHER + _AND, limit))
+    if not trims[key] + 1e-6 < wanted <= limit:
         return False
     trims[key] = wanted
     return True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from enum import IntEnum
 
 from .arms import ArmLine
 
@@ -14,6 +15,17 @@ SLACK = 1.08
 NOSE = 0.5
 """Meters: the radius of a corner that nobody turns round, or that is too sharp to turn."""
 _SHARP, _BLUNT, _FLAT = math.radians(30.0), math.radians(60.0), math.radians(135.0)
+
+
+class CurbSize(IntEnum):
+    """How round the curbs beside an arm are: as by default; no rounder than a car needs; not at all.
+
+    Roads that curbs of the default size would swallow have smaller ones.
+    """
+
+    DEFAULT = 0
+    LEAST = 1
+    NOSE = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,25 +48,29 @@ def corner_between(
     arms: tuple[ArmLine, ArmLine],
     places: tuple[int, int],
     headings: tuple[float, float],
-    small: bool,
+    size: CurbSize,
 ) -> Corner:
-    """The corner of two arms that leave with `headings`; `small`: as tight as possible."""
+    """The corner of two arms that leave with `headings`."""
     # Arms of different nodes may lean towards each other.
     least = 0.25 * math.pi if arms[0].node == arms[1].node else 0.75 * math.pi
     angle = (headings[1] - headings[0] + least) % (2.0 * math.pi) - least
     inner = _curb_to_lane(arms)
-    radius = NOSE if small or inner is None else _radius(angle, inner)
+    if size is CurbSize.NOSE or inner is None:
+        radius = NOSE
+    else:
+        radius = _radius(angle, inner, _BLUNT if size is CurbSize.DEFAULT else _FLAT)
     if angle >= _FLAT:
         return Corner(*places, angle, None, math.inf)
     lane_radius = max(SMALLEST_RADIUS * SLACK, radius + (inner or 0.0))
     return Corner(*places, angle, radius, lane_radius)
 
 
-def _radius(angle: float, inner: float) -> float:
+def _radius(angle: float, inner: float, default_from: float) -> float:
+    """`default_from`: the angle from which on the curb has the default radius."""
     need = max(SLACK * SMALLEST_RADIUS - inner, 1.0)
     if angle < _SHARP:
         return NOSE
-    return need if angle < _BLUNT else max(SMALLEST_RADIUS, need)
+    return need if angle < default_from else max(SMALLEST_RADIUS, need)
 
 
 def _curb_to_lane(arms: tuple[ArmLine, ArmLine]) -> float | None:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..cross_section import CrossSection
 from ..network import Edge, RoadNetwork
 from .arms import ArmKey, ArmLine
+from .corners import CurbSize
 from .model import Problem
 from .trims import Trimmed, trimmed
 
 SHORTEST_ROAD = 2.0
 """Meters of a road between two places; what would be shorter is swallowed."""
-_LONGEST_STUB, _LONGEST_INSIDE = 30.0, 60.0
+SHORTEST_STUB = 0.5
+"""Meters that a tight turn leaves of a dead end."""
+_LONGEST_STUB, LONGEST_INSIDE = 30.0, 60.0
 """Meters: longer dead ends, and roads between two places, are not swallowed. Where no room is left
 of them, the roads of the drawing overlap."""
 
@@ -36,10 +39,15 @@ class JunctionSite:
 
 class PlaceFinder:
     """Merges the nodes of a network until every road that is left between two places is long
-    enough. `ring` are the roads of roundabouts, which are never swallowed."""
+    enough. `ring` are the roads of roundabouts, which are never swallowed, `joined` roads that are
+    swallowed whatever their length."""
 
     def __init__(
-        self, network: RoadNetwork, sections: Mapping[int, CrossSection], ring: Mapping[int, bool]
+        self,
+        network: RoadNetwork,
+        sections: Mapping[int, CrossSection],
+        ring: Mapping[int, bool],
+        joined: Collection[int] = (),
     ) -> None:
         self._network = network
         self._ring = ring
@@ -49,7 +57,7 @@ class PlaceFinder:
         for edge in self._edges.values():
             for end in ("start", "end"):
                 self.arms[edge.id, end] = ArmLine.of(edge, end, sections[edge.id])
-        self._small: set[ArmKey] = set()
+        self._curbs: dict[int, CurbSize] = {}
         self._inside: set[int] = set()
         self._vanished: set[int] = set()
         self._place: dict[int, int] = {}
@@ -58,9 +66,15 @@ class PlaceFinder:
             lone_ring = len(ends) == 2 and ends[0] is ends[1]
             if len(ends) >= 2 and not lone_ring:
                 self._place[node] = node
+        for id in sorted(joined):
+            self._inside.add(id)
+            self._merge({self._place[node] for node in self._ends(id) if node in self._place})
 
-    def find(self) -> tuple[tuple[JunctionSite, ...], tuple[Problem, ...]]:
-        """The places by their ids, and the dead ends that vanished inside them."""
+    def _ends(self, edge: int) -> tuple[int, int]:
+        return self._edges[edge].start, self._edges[edge].end
+
+    def find(self) -> tuple[JunctionSite, ...]:
+        """The places by their ids."""
         found: dict[int, JunctionSite] = {}
         changed = set(self._place.values())
         while changed:
@@ -69,12 +83,14 @@ class PlaceFinder:
                 if id in self._place.values():
                     found[id] = self._trim(id)
             changed = self._swallow(found)
-        places = tuple(found[id] for id in sorted(found))
-        vanished = [self._edges[id] for id in sorted(self._vanished)]
-        problems = (
-            Problem("vanished", self._place_of(edge), (edge.id,), edge.length) for edge in vanished
+        return tuple(found[id] for id in sorted(found))
+
+    def vanished(self) -> tuple[Problem, ...]:
+        """The dead ends that lie inside places, once these are found."""
+        edges = [self._edges[id] for id in sorted(self._vanished)]
+        return tuple(
+            Problem("vanished", self._place_of(edge), (edge.id,), edge.length) for edge in edges
         )
-        return places, tuple(problems)
 
     def _place_of(self, edge: Edge) -> int:
         return self._place.get(edge.start, self._place.get(edge.end, -1))
@@ -91,9 +107,10 @@ class PlaceFinder:
                     inside.append(edge.id)
                     lines += [self.arms[edge.id, "start"], self.arms[edge.id, "end"]]
             else:
-                arms += [self.arms[edge.id, end] for end in ends]  # type: ignore[index]
-        found = trimmed(arms, lines, self._small)
-        return JunctionSite(nodes, found, tuple(inside), frozenset(self._ring))
+                found = [self.arms[edge.id, end] for end in ends]  # type: ignore[index]
+                arms += [arm.near_half() for arm in found] if len(found) == 2 else found
+        trims = trimmed(arms, lines, self._curbs)
+        return JunctionSite(nodes, trims, tuple(inside), frozenset(self._ring))
 
     def _swallow(self, found: Mapping[int, JunctionSite]) -> set[int]:
         """Merges what the trims leave no road between; the ids of the places that changed."""
@@ -106,13 +123,14 @@ class PlaceFinder:
             left = edge.length - sum(trims.get(end, 0.0) for end in ends)
             if left >= SHORTEST_ROAD or not any(end in trims for end in ends):
                 continue
-            places = {self._place[n] for n in (edge.start, edge.end) if n in self._place}
+            places = {self._place[n] for n in self._ends(edge.id) if n in self._place}
             is_stub = any(end not in trims for end in ends)
-            if (is_stub or edge.id in self._ring) and ends[0] not in self._small:
-                self._small |= set(ends)
+            least = CurbSize.NOSE if is_stub or edge.id in self._ring else CurbSize.LEAST
+            if self._curbs.get(edge.id) != least:
+                self._curbs[edge.id] = least
                 changed |= places
             elif edge.id not in self._ring and edge.length <= (
-                _LONGEST_STUB if is_stub else _LONGEST_INSIDE
+                _LONGEST_STUB if is_stub else LONGEST_INSIDE
             ):
                 self._inside.add(edge.id)
                 if is_stub:

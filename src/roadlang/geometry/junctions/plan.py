@@ -11,12 +11,11 @@ from ..cross_section import CrossSection
 from ..network import RoadNetwork
 from .arms import ArmKey
 from .building import junction_of
-from .connecting import connected
+from .layout import laid_out
 from .mirroring import mirrored
 from .model import Junction, JunctionPlan
 from .one_way import sections_with_rings
 from .overlaps import overlaps
-from .places import SHORTEST_ROAD, PlaceFinder, all_trims
 from .roundabouts import ring_directions
 
 
@@ -45,32 +44,18 @@ def plan_junctions(
         return mirrored(plan_junctions(image, flipped, PlanOptions(False, options.roundabouts)))
     rings = ring_directions(network) if options.roundabouts else {}
     ring, sections = sections_with_rings(sections, rings)
-    finder = PlaceFinder(network, sections, ring)
-    places, problems = finder.find()
-    trims = all_trims(places)
-    _make_room(network, trims)
+    layout = laid_out(network, sections, ring)
     junctions: list[Junction] = []
-    found = list(problems)
-    for place in places:
-        built = junction_of(place, connected(place, trims), trims, finder.arms, ring)
+    found = list(layout.finder.vanished())
+    for place, turns in zip(layout.places, layout.turns, strict=True):
+        built = junction_of(place, turns, layout.trims, layout.finder.arms, ring)
         junctions.append(built.junction)
         found += built.problems
-    inside = {edge for place in places for edge in place.inside}
-    by_edge = _trims_by_edge(network, trims, inside)
+    inside = {edge for place in layout.places for edge in place.inside}
+    by_edge = _trims_by_edge(network, layout.trims, inside)
     known = {frozenset(problem.edges) for problem in found if problem.kind == "overlap"}
     found += overlaps(network, sections, by_edge, known)
     return JunctionPlan(tuple(junctions), by_edge, tuple(found), ring)
-
-
-def _make_room(network: RoadNetwork, trims: dict[ArmKey, float]) -> None:
-    """Shortens the trims of short roads that are never swallowed, in proportion."""
-    for edge in network.edges:
-        start, end = trims.get((edge.id, "start"), 0.0), trims.get((edge.id, "end"), 0.0)
-        room = max(edge.length - SHORTEST_ROAD, 0.5 * edge.length)
-        if start + end > room:
-            for key in ((edge.id, "start"), (edge.id, "end")):
-                if key in trims:
-                    trims[key] *= room / (start + end)
 
 
 def _trims_by_edge(

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Floats, cross
 from .arms import DEFAULT_TRIM, FARTHEST_TRIM, SPACING, ArmKey, ArmLine, nearest_on
-from .corners import Corner, corner_between
+from .corners import Corner, CurbSize, corner_between
 
 LEAST = 1.0
 """Meters: the trim of an arm that nothing touches."""
@@ -31,12 +31,12 @@ class Trimmed:
 def trimmed(
     arms: Sequence[ArmLine],
     swallowed: Sequence[ArmLine],
-    small: Collection[ArmKey] = (),
+    curbs: Mapping[int, CurbSize],
 ) -> Trimmed:
     """Trims the arms of one place.
 
-    `swallowed` are the roads inside the place. At the corners of the arms in `small` the curb is
-    as tight as can be.
+    `swallowed` are the roads inside the place, `curbs` the sizes of the curbs beside those roads
+    that do not have the default one: at a corner of two roads the smaller counts.
     """
     trims = {arm.key: min(15.0, float(arm.s[-1])) for arm in arms}
     order: tuple[ArmLine, ...] = ()
@@ -46,7 +46,7 @@ def trimmed(
         if [arm.key for arm in following] == [arm.key for arm in order]:
             break
         order = following
-        corners = _corners(order, trims, small)
+        corners = _corners(order, trims, curbs)
         trims = _all_trims(order, corners, swallowed)
     return Trimmed(order, trims, corners)
 
@@ -63,7 +63,7 @@ def _ordered(arms: Sequence[ArmLine], trims: Mapping[ArmKey, float]) -> tuple[Ar
 
 
 def _corners(
-    order: tuple[ArmLine, ...], trims: Mapping[ArmKey, float], small: Collection[ArmKey]
+    order: tuple[ArmLine, ...], trims: Mapping[ArmKey, float], curbs: Mapping[int, CurbSize]
 ) -> tuple[Corner, ...]:
     if len(order) < 2:
         return ()
@@ -74,8 +74,8 @@ def _corners(
         headings = tuple(
             float(a.heading[np.searchsorted(a.s, min(trims[a.key], a.s[-1]))]) for a in pair
         )
-        tight = any(a.key in small for a in pair)
-        found.append(corner_between(pair, (place, beside), (headings[0], headings[1]), tight))
+        size = max(curbs.get(a.edge.id, CurbSize.DEFAULT) for a in pair)
+        found.append(corner_between(pair, (place, beside), (headings[0], headings[1]), size))
     return tuple(found)
 
 
@@ -99,7 +99,11 @@ def _all_trims(
             if _leave_apart(arm, other):
                 continue
             trims[arm.key] = max(trims[arm.key], _clear_of(arm, other))
-    return {key: trim if trim <= FARTHEST_TRIM else DEFAULT_TRIM for key, trim in trims.items()}
+    return {arm.key: arm.past_folds(_moderate(trims[arm.key])) for arm in order}
+
+
+def _moderate(trim: float) -> float:
+    return trim if trim <= FARTHEST_TRIM else DEFAULT_TRIM
 
 
 def _seen_from(arm: ArmLine, swallowed: Sequence[ArmLine]) -> tuple[ArmLine, ...]:

@@ -1,0 +1,110 @@
+"""Junctions with little room: bends, blocks, short roads and dead ends right behind them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from benchmarks.junctions.checks import check_junction
+from roadlang.geometry import Curve, Edge, Node, RoadNetwork, filleted, network_of_polylines
+from roadlang.geometry.junctions.folds import folded_spans, past
+from roadlang.geometry.junctions.model import JunctionPlan
+from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of
+
+
+def network_of_streets(*lines: Any, width: float, radius: float) -> RoadNetwork:
+    """Streets with round corners, joined where they end at the same points."""
+    curves = [filleted(np.array(line, dtype=float), radius) for line in lines]
+    places: dict[tuple[float, float], int] = {}
+    edges = []
+    for id, (line, curve) in enumerate(zip(lines, curves, strict=True), 1):
+        start, end = (places.setdefault(tuple(line[i]), len(places)) for i in (0, -1))
+        edges.append(Edge(id, start, end, curve, np.array([width, width])))
+    nodes = tuple(Node(id, place) for place, id in places.items())
+    return RoadNetwork(nodes, tuple(edges))
+
+
+def faults(plan: JunctionPlan, network: RoadNetwork, lanes: int = 2) -> list[dict[str, float]]:
+    sections = sections_of(network, lanes)
+    return [check_junction(j, plan, network, sections).faults for j in plan.junctions]
+
+
+def test_no_road_begins_in_a_bend_that_its_inner_border_crosses() -> None:
+    """Half a width of 8 m round a bend of 6 m: the borders before and after it overlap."""
+    network = network_of_streets(
+        [(0, 0), (-60, 0)], [(0, 0), (0, 60)], [(0, 0), (14, 0), (14, -60)], width=16, radius=6
+    )
+    plan = plan_of(network, lanes=4)
+    bend = 14.0 - 6.0, 14.0 - 6.0 + 6.0 * np.pi / 2.0
+    assert plan.trims[3][0] > bend[1] + 1.9 or plan.trims[3][0] < bend[0] - 1.9
+    assert faults(plan, network, lanes=4) == [{}]
+
+
+def test_a_border_that_crosses_itself_is_found_from_crossing_to_crossing() -> None:
+    s = np.linspace(0.0, 40.0, 401)
+    curve = filleted(np.array([(0.0, 0.0), (20.0, 0.0), (20.0, 60.0)]), 5.0)
+    points, normal = curve.at(s), curve.normal(s)
+    ((start, stop),) = folded_spans(s, points, (points + 8.0 * normal, points - 8.0 * normal))
+    assert np.allclose([start, stop], [15 - 3, 15 + 5 * np.pi / 2 + 3], atol=0.2)
+    assert past(((start, stop),), 11.0) == 11.0
+    assert past(((start, stop),), 13.0) == stop
+
+
+def test_a_curb_that_turns_about_a_point_is_no_fold() -> None:
+    s = np.linspace(0.0, 40.0, 401)
+    curve = filleted(np.array([(0.0, 0.0), (20.0, 0.0), (20.0, 60.0)]), 5.0)
+    border = curve.at(s) + 5.0 * curve.normal(s)
+    assert folded_spans(s, curve.at(s), (border, border)) == ()
+
+
+def test_a_block_with_both_ends_at_one_place_keeps_its_road() -> None:
+    """Two T mouths 12 m apart are one place; the road round the block is trimmed as any other."""
+    network = network_of_streets(
+        [(-60, 0), (0, 0)], [(0, 0), (12, 0)], [(12, 0), (70, 0)],
+        [(0, 0), (0, -50), (12, -50), (12, 0)], width=6, radius=4,
+    )  # fmt: skip
+    plan = plan_of(network)
+    assert only(plan).inside == (2,)
+    assert max(plan.trims[4]) < 15.0
+
+
+def test_wide_roads_get_rounder_curbs_only_where_that_leaves_room() -> None:
+    """Curbs of 4 m need 24 m between two crossings of roads that are 16 m wide."""
+    lines = [
+        [(0, 0), (23, 0)], [(0, 0), (-60, 0)], [(0, 0), (0, 60)], [(0, 0), (0, -60)],
+        [(23, 0), (80, 0)], [(23, 0), (23, 60)], [(23, 0), (23, -60)],
+    ]  # fmt: skip
+    plan = plan_of(network_of_polylines(lines, 16.0), lanes=4)
+    assert [junction.nodes for junction in plan.junctions] == [(0,), (1,)]
+    assert not plan.problems
+
+
+def test_a_turn_into_a_short_dead_end_may_use_nearly_all_of_it() -> None:
+    lines = [[(0, 0), (8.45, 0)], [(0, 0), (0, -8.45)], [(0, 0), (-60, 0)], [(0, 0), (0, 60)]]
+    plan = plan_of(network_of_polylines(lines, 8.45), lanes=3)
+    assert not only(plan).refused
+
+
+def test_junctions_between_which_turns_have_no_room_are_one() -> None:
+    """The bend of the short road leaves no room for the turns of the T mouth behind it."""
+    network = network_of_streets(
+        [(0, 0), (-60, 0)], [(0, 0), (8, 0)], [(8, 0), (8, 60)], [(8, 0), (16, 0), (16, -16)],
+        [(16, -16), (60, -16)], [(0, 0), (0, -40), (16, -40), (16, -16)], width=7.7, radius=3.85,
+    )  # fmt: skip
+    plan = plan_of(network)
+    assert not [p for p in plan.problems if p.kind in ("refused", "sweep", "stuck")]
+    assert faults(plan, network) == [{}] * len(plan.junctions)
+
+
+def test_a_ring_through_one_junction_still_turns_into_itself() -> None:
+    ring = Curve.through(np.array([(0, 0), (30, -12), (40, 10), (20, 30), (0, 0)], dtype=float))
+    line = Curve.through(np.array([(0.0, 0.0), (-80.0, -10.0)]))
+    ends = (0.0, 0.0), tuple(float(value) for value in line.at(line.length))
+    network = RoadNetwork(
+        (Node(0, ends[0]), Node(1, ends[1])),
+        (Edge(1, 0, 0, ring, np.full(2, 7.0)), Edge(2, 0, 1, line, np.full(2, 7.0))),
+    )
+    turns = {(c.source.end, c.target.end) for c in only(plan_of(network)).connections
+             if c.source.edge == c.target.edge == 1}  # fmt: skip
+    assert turns == {("start", "end"), ("end", "start")}
