@@ -19,7 +19,7 @@ _CLOSE = 0.01
 
 
 @dataclass(frozen=True)
-class Layout:
+class PlaceLayout:
     """Places, the trims of all their arms, and the turns of each place. `joined` are the roads
     whose places were merged for the sake of the turns."""
 
@@ -60,7 +60,7 @@ def _refused(turns: Connected) -> Booleans:
 
 def laid_out(
     network: RoadNetwork, sections: Mapping[int, CrossSection], ring: Mapping[int, bool]
-) -> Layout:
+) -> PlaceLayout:
     """The places of a network, merged until they have room for as many turns as that can give.
 
     `ring` are the roads of roundabouts.
@@ -82,13 +82,13 @@ def _layout(
     sections: Mapping[int, CrossSection],
     ring: Mapping[int, bool],
     joined: frozenset[int],
-) -> Layout:
+) -> PlaceLayout:
     finder = PlaceFinder(network, sections, ring, joined)
     places = finder.find()
     trims = all_trims(places)
     _make_room(network, trims)
     turns = tuple(connected(place, trims) for place in places)
-    return Layout(finder, places, trims, turns, joined)
+    return PlaceLayout(finder, places, trims, turns, joined)
 
 
 def _make_room(network: RoadNetwork, trims: dict[ArmKey, float]) -> None:
