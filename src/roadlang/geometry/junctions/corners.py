@@ -18,7 +18,7 @@ _SHARP, _BLUNT, _FLAT = math.radians(30.0), math.radians(60.0), math.radians(135
 
 
 class CurbSize(IntEnum):
-    """How round the curbs beside an arm are: as by default; no rounder than a car needs; not at all.
+    """How round the curbs beside an arm are: as by default, as round as a car needs, not at all.
 
     Roads that curbs of the default size would swallow have smaller ones.
     """
