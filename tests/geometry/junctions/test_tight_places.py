@@ -75,14 +75,14 @@ def test_wide_roads_get_rounder_curbs_only_where_that_leaves_room() -> None:
         [(0, 0), (23, 0)], [(0, 0), (-60, 0)], [(0, 0), (0, 60)], [(0, 0), (0, -60)],
         [(23, 0), (80, 0)], [(23, 0), (23, 60)], [(23, 0), (23, -60)],
     ]  # fmt: skip
-    plan = plan_of(network_of_polylines(lines, 16.0), lanes=4)
+    plan = plan_of(network_of_polylines([np.array(line) for line in lines], 16.0), lanes=4)
     assert [junction.nodes for junction in plan.junctions] == [(0,), (1,)]
     assert not plan.problems
 
 
 def test_a_turn_into_a_short_dead_end_may_use_nearly_all_of_it() -> None:
     lines = [[(0, 0), (8.45, 0)], [(0, 0), (0, -8.45)], [(0, 0), (-60, 0)], [(0, 0), (0, 60)]]
-    plan = plan_of(network_of_polylines(lines, 8.45), lanes=3)
+    plan = plan_of(network_of_polylines([np.array(line) for line in lines], 8.45), lanes=3)
     assert not only(plan).refused
 
 
@@ -100,9 +100,9 @@ def test_junctions_between_which_turns_have_no_room_are_one() -> None:
 def test_a_ring_through_one_junction_still_turns_into_itself() -> None:
     ring = Curve.through(np.array([(0, 0), (30, -12), (40, 10), (20, 30), (0, 0)], dtype=float))
     line = Curve.through(np.array([(0.0, 0.0), (-80.0, -10.0)]))
-    ends = (0.0, 0.0), tuple(float(value) for value in line.at(line.length))
+    x, y = line.at(line.length)
     network = RoadNetwork(
-        (Node(0, ends[0]), Node(1, ends[1])),
+        (Node(0, (0.0, 0.0)), Node(1, (float(x), float(y)))),
         (Edge(1, 0, 0, ring, np.full(2, 7.0)), Edge(2, 0, 1, line, np.full(2, 7.0))),
     )
     turns = {(c.source.end, c.target.end) for c in only(plan_of(network)).connections

@@ -68,8 +68,10 @@ class ArmLine:
     def near_half(self) -> ArmLine:
         """Up to the middle of the road: what is its own where both its ends enter one place."""
         near = slice(0, max(3, int(np.searchsorted(self.s, self.length / 2.0, side="right"))))
-        columns = (self.s, self.points, self.heading, self.left, self.right)
-        return ArmLine(self.edge, self.end, self.section, *(column[near] for column in columns))
+        s, points, heading, left, right = (
+            column[near] for column in (self.s, self.points, self.heading, self.left, self.right)
+        )
+        return ArmLine(self.edge, self.end, self.section, s, points, heading, left, right)
 
     @property
     def key(self) -> ArmKey:
