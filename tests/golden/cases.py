@@ -61,6 +61,7 @@ STILL = {
     "right_places": 2,
     "drawn": 4,
     "approaches": 1,
+    "copies": 3,
 }
 TOWNS = ("town", "cross_right", "cross_signals", "cross_stop", "cross_all_way", "cross_yield")
 DRIVEN = (
@@ -120,6 +121,7 @@ TWEAKED = {
     "search": 10,
     "drawn": 24,
     "approaches": 24,
+    "copies": 16,
     "joined": 10,
 }
 COMMANDS = (
