@@ -34,7 +34,7 @@ from tests.golden.scene_views import (
     scene_lines,
 )
 from tests.golden.search_views import command_lines, environment_lines, search_lines, vector_lines
-from tests.golden.traffic_views import option_lines, traffic_lines
+from tests.golden.traffic_views import option_lines, street_lines, traffic_lines
 from tests.golden.tweaked_views import tweaked_lines
 
 
@@ -175,6 +175,7 @@ def _cases() -> Iterable[Case]:
         seeds = range(first, first + 5)
         yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 16.0))
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
+    yield Case("drives", "streets.drive", partial(street_lines, 15.0))
     for first in range(0, 120, 24):
         yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 24)))
     for name in FIGURES:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -151,3 +152,33 @@ def option_lines(seconds: float, traffic: str = "right") -> Iterator[str]:
         name = line.split(":")[0].strip()
         if not name.startswith("things"):
             yield line + (f" {said[name]}" if name in said else "")
+
+
+_STREETS = [
+    [[0.0, 0.0], [50.0, 4.0], [100.0, 0.0]],
+    [[190.0, 30.0], [150.0, 8.0], [100.0, 0.0]],
+    [[190.0, 30.0], [230.0, 60.0], [290.0, 60.0]],
+    [[100.0, -90.0], [110.0, -50.0], [190.0, 30.0]],
+]
+_ROUTES = """
+network town from "right.json" { read with lines, lanes: 4, speed_limit: 50km/h, control with stop }
+agent near is car on town { route: [(5m, -2m), (280m, 58m)], drive with traffic }
+agent far is car on town { route: [(25m, -5m), (180m, 24m)], drive with traffic }
+agent meets is van on town { route: [(285m, 62m), (10m, 5m)], drive with traffic }
+agent joins is car on town { route: [(110m, -70m), (20m, 4m)], drive with traffic }
+agent turns is car on town { route: [(114m, -55m), (200m, 30m), (280m, 55m)], drive with traffic }
+agent laps is car on town { route: [(60m, -2m), (285m, 55m)], lane: outer, drive with traffic }
+"""
+
+
+def street_lines(seconds: float) -> Iterator[str]:
+    """Drives along streets that are drawn against each other and join without a junction."""
+    text = json.dumps({"lines": _STREETS, "width": 14.0})
+    with tempfile.TemporaryDirectory() as name:
+        (Path(name) / "right.json").write_text(text, encoding="utf-8")
+        scenes = testing.sample(_ROUTES, 1, kinds=[Lines], folder=Path(name), seed=1)
+        for actor in scenes[0].record.agents:
+            assert actor.route is not None
+            steps = [(step.road, step.lane, step.stop) for step in actor.route.steps]
+            yield f"{actor.name} {steps}"
+        yield from agent_lines(scenes[0].run(duration=seconds))
