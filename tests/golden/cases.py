@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from tests.golden.command_views import SEQUENCES, sequence_lines
 from tests.golden.comparing import FIGURE, NUMBERS
@@ -90,6 +91,14 @@ FIGURES = (
     "drawn",
     "tour",
 )
+OTHER_FIGURES: dict[str, dict[str, Any]] = {
+    "bent": {"size": 300.0, "ghost": False, "profiles": False},
+    "values": {"size": 260.0, "stations": False},
+    "controllers": {"labels": False, "legend": False},
+    "right_places": {"size": 400.0},
+    "cross_stop": {"size": 2000.0, "labels": False},
+    "copies": {"size": 150.0},
+}
 BUILT = (
     *("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout"),
     *("joined", "tour"),
@@ -161,6 +170,10 @@ def _figure(name: str) -> Iterable[str]:
     return figure_lines(sampled(name, 1))
 
 
+def _other_figure(name: str, options: dict[str, Any]) -> Iterable[str]:
+    return figure_lines(sampled(name, 1), **options)
+
+
 def _built(name: str, road: str) -> Iterable[str]:
     return layout_lines(sampled(name, 1)[0], road)
 
@@ -180,6 +193,8 @@ def _cases() -> Iterable[Case]:
         yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 24)))
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
+    for name, options in OTHER_FIGURES.items():
+        yield Case("scenes", f"{name}.figure_with", partial(_other_figure, name, options), FIGURE)
     for name in BUILT:
         yield Case("engine", f"{name}.mesh", partial(_built, name, "mesh"))
     yield Case("engine", "picture.tiles", partial(_built, "picture", "tiles"))

@@ -53,6 +53,7 @@ _SEQUENCES: dict[str, tuple[str, ...]] = {
         "run table.rl -o a -n 6 --seed 3 --resume",
         "run a/scene-0001.json -o again --duration 3",
         "compile table.rl -o d -n 2 --set gap=9m --print-after all --json",
+        "compile table.rl -o s -n 5 --emit svg{size:400px},json",
         "compile impossible.rl -o e",
         "compile impossible.rl -o e --json",
         "compile faulty.rl -o e",
@@ -104,6 +105,7 @@ _SEQUENCES: dict[str, tuple[str, ...]] = {
     ),
 }
 SEQUENCES = tuple(_SEQUENCES)
+_PICTURES = {"p.svg", "b.svg", "contact-sheet.svg"}
 _DOCUMENTS = {"manifest.json", "summary.json", "index.json", "b.json", "r.json"}
 
 
@@ -165,7 +167,7 @@ def _file(file: Path, name: str) -> Iterator[str]:
         for key in ("provenance", "time_s"):
             document.pop(key, None)
         yield from of_json(document)
-    elif file.name in ("p.svg", "b.svg"):
+    elif file.name in _PICTURES or name in ("a/scene-0000.drive.svg", "f/failures/0001.svg"):
         yield from of_svg(text)
     elif file.name in ("faulty.rl", "table.rl"):
         yield from of_text(text)

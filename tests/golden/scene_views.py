@@ -8,6 +8,7 @@ import json
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from roadlang import Drive, LoadedScenario, NoSceneError, SceneSet
 from roadlang.cli.main import run
@@ -52,9 +53,9 @@ def scene_lines(scenes: SceneSet) -> Iterator[str]:
         first = first or lines
 
 
-def figure_lines(scenes: SceneSet) -> Iterator[str]:
+def figure_lines(scenes: SceneSet, **options: Any) -> Iterator[str]:
     """The figure of the first scene."""
-    yield from of_svg(scenes[0].svg())
+    yield from of_svg(scenes[0].svg(**options))
 
 
 def drive_lines(drive: Drive) -> Iterator[str]:
