@@ -156,6 +156,7 @@ if TYPE_CHECKING:
     from .simulation.bodies import Body, vehicle_parameters
     from .simulation.contacts import Contact
     from .simulation.decision import Decision
+    from .simulation.line_steering import line_steering
     from .simulation.mirroring import Mirror
     from .simulation.observation_vector import ObservationVector
     from .simulation.route_lines import route_points
@@ -189,6 +190,7 @@ _LATER = {
     ".simulation.bodies": "Body vehicle_parameters",
     ".simulation.contacts": "Contact",
     ".simulation.decision": "Decision",
+    ".simulation.line_steering": "line_steering",
     ".simulation.mirroring": "Mirror",
     ".simulation.observation_vector": "ObservationVector",
     ".simulation.route_lines": "route_points",
@@ -216,9 +218,9 @@ __all__ = [
     "SceneSignal", "Search", "Searcher", "Selector", "Signal", "SignalHead", "SignalPhase",
     "Simulator", "Source", "Span", "Speed", "Standing", "String", "Trace", "Verdict",
     "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean", "geometry",
-    "hookimpl", "junction_paint", "kind_of", "list_of", "map_of", "one_of", "option", "pair_of",
-    "quantity", "read_image", "read_input", "record_of", "route_points", "scene_from_json",
-    "signal_heads", "simulate_scenes", "to_json", "vehicle_parameters",
+    "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of", "one_of",
+    "option", "pair_of", "quantity", "read_image", "read_input", "record_of", "route_points",
+    "scene_from_json", "signal_heads", "simulate_scenes", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

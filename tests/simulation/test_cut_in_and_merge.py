@@ -99,3 +99,22 @@ def test_without_a_gap_it_stops_where_its_lane_ends_and_goes_when_all_have_gone(
     assert stands.any()
     assert ego.x[stands].max() < 50 + 60
     assert ego.y[stands].max() < OUTER + 0.1
+
+
+def test_merge_knows_where_its_lane_ends_and_goes_on_when_there_is_room() -> None:
+    (trace,) = drive("""
+    road wide {
+      draw with segments { pieces: [straight(250m)] }, lanes: 2, oneway: true, speed_limit: 60km/h
+    }
+    road single {
+      draw with segments { pieces: [straight(250m)] }, lanes: 1, oneway: true, speed_limit: 60km/h
+    }
+    road works from wide { then: single, taper: 50m }
+    agent flow is car on works at 20m { lane: -1, count: 6, spacing: 22m, drive with traffic }
+    agent ego is car on works at 60m { lane: -2, drive with traffic, drive with merge }
+    """, duration=50)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    assert ego.speed.min() < 1.0, "there is no room at first"
+    assert ego.station[ego.lane == -2].max() < 250.0
+    assert ego.station[-1] > 350.0

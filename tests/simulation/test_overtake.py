@@ -127,3 +127,42 @@ def test_what_stands_in_the_lane_is_passed_when_the_road_is_free(things: str) ->
         out = ego.y > 0.0
         meeting = np.abs(ego.x - oncoming.x) < 5.0
         assert not (out & meeting).any()
+
+
+@pytest.mark.parametrize("gap", [2, 3, 5, 7])
+def test_it_pulls_out_from_close_behind_a_bus_that_stands(gap: int) -> None:
+    (trace,) = drive(f"""
+    road main {{ draw with segments {{ pieces: [straight(300m)] }}, lanes: 2, speed_limit: 50km/h }}
+    agent bus is bus on main at 120m {{ start_speed: 0m/s, drive with stop_at }}
+    agent ego is car on main at behind(bus, {gap}m) {{
+      start_speed: 0m/s, drive with car_follow, drive with overtake {{ target: bus }}
+    }}
+    """, duration=30)  # fmt: skip
+    assert trace.events == ()
+    assert trace.agents["ego"].station[-1] > 200.0
+
+
+def test_it_does_not_begin_a_pass_that_would_hit_what_stands() -> None:
+    (trace,) = drive("""
+    road main { draw with segments { pieces: [straight(300m)] }, lanes: 2, speed_limit: 50km/h }
+    agent bus is bus on main at 40m { drive with traffic, drive with stop_at { station: 120m } }
+    agent ego is car on main at 10m {
+      drive with traffic, drive with overtake { target: bus, when: bus.speed < 0.1m/s }
+    }
+    """, duration=35)  # fmt: skip
+    assert trace.events == ()
+    assert trace.agents["ego"].station[-1] > 200.0
+
+
+def test_in_the_innermost_lane_of_a_oneway_road_it_passes_on_the_other_side() -> None:
+    (trace,) = drive("""
+    road highway { draw with segments { pieces: [straight(500m)] }, lanes: 2, oneway: true }
+    object tire is tire on highway at 250m { lane: -1 }
+    agent ego is car on highway at 20m {
+      lane: -1, drive with car_follow { speed: 90km/h }, drive with overtake { target: tire }
+    }
+    """, duration=25)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    assert set(ego.lane.tolist()) == {-1.0, -2.0}
+    assert ego.lane[-1] == -1

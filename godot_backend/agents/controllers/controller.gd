@@ -11,6 +11,8 @@ const PLANNED_SHARE := 0.5
 const PREVIEW_TIME := 0.12
 ## Below it, a cross-track error is corrected as at this speed.
 const SLOWEST := 3.0
+## Seconds: steering angle for each rad/s of a yaw rate that is not that of the line.
+const YAW_DAMPING := 0.1
 
 var max_acceleration := 3.0
 var max_deceleration := 6.0
@@ -71,10 +73,12 @@ static func along_line(agent: Agent) -> float:
 	if agent.path == null:
 		return 0.0
 	var wheelbase: float = agent.body.wheelbase
-	var bend := atan(wheelbase * agent.line_curvature(PREVIEW_TIME * maxf(agent.speed, 0.0)))
+	var curvature := agent.line_curvature(PREVIEW_TIME * maxf(agent.speed, 0.0))
+	var bend := atan(wheelbase * curvature)
 	# A car on a circle points along the circle at its rear axle.
 	var turn := angle_difference(agent.heading, agent.line_heading(-0.5 * wheelbase))
-	return bend + turn - atan(2.0 * agent.cross_track_error / maxf(agent.speed, SLOWEST))
+	var correction := atan(2.0 * agent.cross_track_error / maxf(agent.speed, SLOWEST))
+	return bend + turn - correction - YAW_DAMPING * (agent.yaw_rate - agent.speed * curvature)
 
 
 ## Steering angle of pure pursuit (Coulter 1992): the arc from the rear axle through the line

@@ -2,8 +2,6 @@ extends "res://agents/controllers/controller.gd"
 ## The Stanley controller (Hoffmann et al. 2007): heading error plus an angle for the cross-track
 ## error of the front axle, and against yaw rates that are not those of the line.
 
-const YAW_DAMPING := 0.1
-
 var _speed := 0.0
 var _gain := 0.0
 var _softening := 0.0

@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from roadlang.api import LanePlace
+from roadlang_standard.engine_tables import BODIES
 
 from .conditions import is_known
 from .names import plain_name
@@ -20,12 +21,11 @@ IN_ENGINE = frozenset(
     {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", "manual"}
 )
 
-WALKERS = ("pedestrian", "animal")
-
 
 def is_walker(actor: SceneActor) -> bool:
     """Whether the engine builds it as someone on foot."""
-    return plain_name(actor.kind) in WALKERS
+    body = BODIES.get(plain_name(actor.kind))
+    return body is not None and body.walks
 
 
 def drives_alone(scene: Scene) -> bool:

@@ -143,3 +143,111 @@ class Animal(AgentKind):
     height: Length = option(1.2, above=0, maximum=4, help="height")
     mass: Mass = option(80.0, above=0, help="body mass")
     color: String = _color("#7a5230")
+
+
+@dataclass(frozen=True)
+class Taxi(AgentKind):
+    """A taxi."""
+
+    name: ClassVar[str] = "taxi"
+    length: Length = _length(4.6)
+    width: Length = _width(1.85)
+    height: Length = _height(1.5)
+    wheelbase: Length = _wheelbase(2.75)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(1600.0)
+    color: String = _color("#e8b71a")
+
+
+@dataclass(frozen=True)
+class PoliceCar(AgentKind):
+    """A police car."""
+
+    name: ClassVar[str] = "police_car"
+    length: Length = _length(4.8)
+    width: Length = _width(1.85)
+    height: Length = _height(1.5)
+    wheelbase: Length = _wheelbase(2.85)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(1800.0)
+    color: String = _color("#1565c0")
+
+
+@dataclass(frozen=True)
+class Ambulance(AgentKind):
+    """An ambulance."""
+
+    name: ClassVar[str] = "ambulance"
+    length: Length = _length(6.2)
+    width: Length = _width(2.1)
+    height: Length = _height(2.7)
+    wheelbase: Length = _wheelbase(3.7)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(3800.0)
+    color: String = _color("#f5f5f5")
+
+
+@dataclass(frozen=True)
+class FireTruck(AgentKind):
+    """A fire truck."""
+
+    name: ClassVar[str] = "fire_truck"
+    length: Length = _length(8.5)
+    width: Length = _width(2.5)
+    height: Length = _height(3.3)
+    wheelbase: Length = _wheelbase(4.8)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(14000.0)
+    color: String = _color("#c62828")
+
+
+@dataclass(frozen=True)
+class Tractor(AgentKind):
+    """A farm tractor."""
+
+    name: ClassVar[str] = "tractor"
+    length: Length = _length(4.6)
+    width: Length = _width(2.3)
+    height: Length = _height(2.9)
+    wheelbase: Length = _wheelbase(2.6)
+    max_steering: Angle = _max_steering(0.7)
+    mass: Mass = _mass(6000.0)
+    color: String = _color("#2e7d32")
+
+
+@dataclass(frozen=True)
+class Scooter(AgentKind):
+    """An electric kick scooter with its rider."""
+
+    name: ClassVar[str] = "scooter"
+    length: Length = _length(1.2)
+    width: Length = _width(0.6)
+    height: Length = _height(1.75)
+    wheelbase: Length = _wheelbase(0.95)
+    max_steering: Angle = _max_steering(0.6109)
+    mass: Mass = _mass(90.0)
+    color: String = _color("#455a64")
+
+
+@dataclass(frozen=True)
+class Child(AgentKind):
+    """A child on foot."""
+
+    name: ClassVar[str] = "child"
+    length: Length = option(0.3, above=0, maximum=2, help="front-to-back depth")
+    width: Length = option(0.4, above=0, maximum=2, help="shoulder width")
+    height: Length = option(1.1, above=0, maximum=3, help="height")
+    mass: Mass = option(25.0, above=0, help="body mass")
+    color: String = _color("#ef6c00")
+
+
+@dataclass(frozen=True)
+class Dog(AgentKind):
+    """A dog."""
+
+    name: ClassVar[str] = "dog"
+    length: Length = option(0.9, above=0, maximum=2, help="length from head to tail")
+    width: Length = option(0.3, above=0, maximum=2, help="width")
+    height: Length = option(0.6, above=0, maximum=3, help="height")
+    mass: Mass = option(25.0, above=0, help="body mass")
+    color: String = _color("#6d4c41")

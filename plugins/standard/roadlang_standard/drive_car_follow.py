@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
 
-from .steering import along_line, bend_speed
+from .steering import ahead_in_lane, along_line, bend_speed
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
@@ -20,7 +20,8 @@ SLOWEST = 0.1
 
 @dataclass(frozen=True)
 class CarFollow(Controller):
-    """Follow the vehicle ahead in the lane (intelligent driver model, Treiber et al. 2000)."""
+    """Follow the vehicle ahead in the lane, and stop before objects that stand in it (intelligent
+    driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
     speed: Speed = option(
@@ -49,7 +50,7 @@ class CarFollow(Controller):
         seen, speed = observations, observations.speed
         target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
         share = speed / np.maximum(target, SLOWEST)
-        gap, ahead = seen.vehicle_ahead()
+        gap, ahead = ahead_in_lane(seen)
         braking = speed * (speed - ahead)
         braking = braking / (2.0 * np.sqrt(self.acceleration * self.deceleration))
         wanted = self.gap + np.maximum(0.0, speed * self.headway + braking)

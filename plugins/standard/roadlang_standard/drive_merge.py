@@ -19,7 +19,7 @@ from roadlang.api import (
 from .drive_brake import HOLDING, STANDING
 from .drive_change_lane import SIGHT
 from .lane_traffic import SETTLING_TIME, LaneTraffic, has_room, lane_traffic
-from .steering import along_line, target_speed, toward
+from .steering import ahead_in_lane, along_line, target_speed, toward
 
 if TYPE_CHECKING:
     import numpy as np
@@ -32,8 +32,12 @@ HARDEST = 8.0
 """m/s^2: deceleration in an emergency."""
 HEADWAY, GAP = 0.8, 2.0
 """Seconds and meters that it keeps to who it merges behind."""
+WITHIN = 150.0
+"""Meters in which it changes out of a lane that does not end."""
+PULL_OUT = 8.0
+"""Meters before the end of the lane at which it waits, so that it can pull out."""
 SLOWEST = 1.0
-"""m/s: a change begins no slower."""
+"""m/s: who is slower pulls out only where there is room ahead to do so."""
 BESIDE = 3.0
 """Meters: whose center is farther behind is behind; it merges behind all others."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
@@ -57,10 +61,12 @@ class Merge(Controller):
         example="left",
     )
     within: Length = option(
-        150.0,
+        None,
         above=0,
         maximum=10_000,
-        help="how far from where it takes over its own lane ends: there it stops, and waits",
+        help="how far from where it takes over it stops, and waits, if there was no room; by "
+        "default where its own lane ends, or after 150m if that goes on",
+        example="150m",
     )
     speed: Speed = option(
         None,
@@ -99,7 +105,8 @@ class Merge(Controller):
             lane = lane_traffic(seen, np.where(exists, middle, 0.0), near)
             waiting = state[:, _PHASE] == WAITING
             time = np.zeros(len(open_)) + self.duration
-            begins = waiting & exists & (seen.speed > SLOWEST) & has_room(seen, lane, time)
+            begins = waiting & exists & has_room(seen, lane, time)
+            begins &= (seen.speed > SLOWEST) | (ahead_in_lane(seen)[0] > 0.5 * PULL_OUT)
             state[begins, _PHASE], state[begins, _TARGET] = MOVING, middle[begins]
             line[begins] = middle[begins]
             waiting = state[:, _PHASE] == WAITING
@@ -120,7 +127,7 @@ class Merge(Controller):
         speed = seen.speed
         wanted = target_speed(seen, self.speed, self.deceleration)
         free = toward(speed, wanted, self.acceleration, self.deceleration)
-        in_lane = self._behind(seen, *seen.vehicle_ahead())
+        in_lane = self._behind(seen, *ahead_in_lane(seen))
         there = lane.there & (lane.gap > -seen.length[:, None] - lane.length)
         behind = LaneTraffic(
             there, lane.ahead | (lane.gap < BESIDE - seen.length[:, None]), lane.gap, lane.pace,
@@ -128,12 +135,22 @@ class Merge(Controller):
         )  # fmt: skip
         gap, pace = behind.nearest_ahead()
         gentle = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
-        left = self.within - (seen.traveled - state[:, _BEGAN]) - 0.5 * seen.length
+        left = self._left(seen, state) - 0.5 * seen.length - PULL_OUT
         needed = speed * speed / (2.0 * np.maximum(left, 0.05))
         stopping = np.where(needed >= 0.9 * self.deceleration, -needed, np.inf)
         stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)
         least = np.minimum(np.minimum(free, in_lane), np.minimum(gentle, stopping))
         return np.maximum(least, -HARDEST)
+
+    def _left(self, seen: ObservationBatch, state: Floats) -> Floats:
+        """(N,) meters in which the center has to be in the other lane."""
+        import numpy as np
+
+        traveled = seen.traveled - state[:, _BEGAN]
+        if self.within is not None:
+            return np.asarray(self.within - traveled)
+        end = seen.lane_end()
+        return np.where(np.isfinite(end), end, WITHIN - traveled)
 
     def _behind(self, seen: ObservationBatch, gap: Floats, pace: Floats) -> Floats:
         """(N,) acceleration behind somebody (intelligent driver model, Treiber et al. 2000)."""

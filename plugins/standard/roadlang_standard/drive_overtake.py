@@ -28,7 +28,7 @@ from .lane_traffic import (
     target_among,
 )
 from .passing import PassingView, passing_distance, passing_time
-from .steering import along_line
+from .steering import along_line, pursuit, toward
 
 if TYPE_CHECKING:
     import numpy as np
@@ -58,7 +58,17 @@ EASE = 1.5
 BACK_OFF = 6.0
 """m/s^2: deceleration of who gives up, at most."""
 WAITING, PASSING, RETURNING, GIVING_UP, DONE = 0.0, 1.0, 2.0, 3.0, 4.0
-_PHASE, _ORIGIN, _LANE, _CLOCK = range(4)
+TIGHTEST = 1.7
+"""Meters: from less behind something that stands still nobody can pull out."""
+CLEARED = 0.65
+"""Share of the time of a lane change after which it is clear of what it passes."""
+CREEPING = 1.5
+"""m/s at which it pulls out from close behind, with the wheels turned as far as they go."""
+LOOKAHEAD = 3.0
+"""Meters on to which it steers then."""
+CLEAR = 1.0
+"""Meters from the middle of the other lane from which on it drives on as always."""
+_PHASE, _ORIGIN, _LANE, _CLOCK, _CLOSE = range(5)
 
 
 @dataclass(frozen=True)
@@ -93,10 +103,10 @@ class Overtake(Controller):
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, offsets of its lane and of that in which it passes, time since it
-        began to pull in."""
+        began to pull in, whether it pulls out from close behind."""
         import numpy as np
 
-        return np.zeros((count, 4))
+        return np.zeros((count, 5))
 
     def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
         import numpy as np
@@ -120,6 +130,13 @@ class Overtake(Controller):
         acceleration = self._acceleration(seen, plan, state)
         steers = (phase != WAITING) & (phase != DONE)
         steering = np.where(steers, along_line(seen), np.nan)
+        close = (phase == PASSING) & (state[:, _CLOSE] > 0.0)
+        if close.any():
+            time = np.where(close, 0.0, time)
+            steering = np.where(close, pursuit(seen, LOOKAHEAD), steering)
+            slow = toward(seen.speed, CREEPING, self.acceleration, BACK_OFF)
+            acceleration = np.where(close, np.minimum(slow, acceleration), acceleration)
+            state[close & (np.abs(seen.road_offset - state[:, _LANE]) < CLEAR), _CLOSE] = 0.0
         state[phase == RETURNING, _CLOCK] += seen.step
         settled = state[:, _CLOCK] >= self.duration + SETTLING_TIME
         state[(phase == RETURNING) & settled, _PHASE] = DONE
@@ -136,7 +153,7 @@ class Overtake(Controller):
         offset = seen.road_offset - seen.cross_track_error
         waiting = state[:, _PHASE] == WAITING
         origin = np.where(waiting, offset, state[:, _ORIGIN])
-        middle = np.where(waiting, seen.offset_of_lane("inner"), state[:, _LANE])
+        middle = np.where(waiting, self._other_lane(seen), state[:, _LANE])
         lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, offset), near)
         row = members(near, self.target) & (np.abs(near.pace) < STANDSTILL)
         farthest = np.where(row, near.ahead, -np.inf).max(axis=1, initial=-np.inf)
@@ -145,6 +162,15 @@ class Overtake(Controller):
             found, ahead, left, pace, length, origin, middle, self._fast(seen, pace), lane,
             lane_traffic(seen, origin, near), row, row_length,
         )  # fmt: skip
+
+    def _other_lane(self, seen: ObservationBatch) -> Floats:
+        """(N,) the lane in which it passes: the next one inward, and where there is none, the next
+        one outward whose traffic goes the same way. NaN for none."""
+        import numpy as np
+
+        inner, outer = seen.offset_of_lane("inner"), seen.offset_of_lane("outer")
+        outer = np.where(seen.direction_of_lane("outer") > 0.0, outer, np.nan)
+        return np.where(np.isfinite(inner), inner, outer)
 
     def _fast(self, seen: ObservationBatch, pace: Floats) -> Floats:
         """(N,) speed while passing."""
@@ -186,7 +212,10 @@ class Overtake(Controller):
             & (np.abs(plan.left) < np.maximum(plan.length, seen.width))
         )
         fits &= plan.fast - plan.pace >= LEAST_FASTER
-        fits &= (plan.pace > STANDSTILL) | (gap > 0.5 * PULL_OUT)
+        still = np.abs(plan.pace) < STANDSTILL
+        aside = CLEARED * self.duration
+        has_way = gap > aside * (seen.speed + 0.5 * self.acceleration * aside)
+        fits &= ~still | has_way | ((gap > TIGHTEST) & (seen.speed < 2.0 * CREEPING))
         if not fits.any():
             return
         time = np.zeros(len(gap)) + self.duration
@@ -197,6 +226,7 @@ class Overtake(Controller):
         fits &= self._free(seen, plan, 1.0) & has_room(seen, same_direction, time)
         fits &= self._place_before(seen, plan)
         state[fits, _PHASE] = PASSING
+        state[fits, _CLOSE] = (still & ~has_way)[fits]
 
     def _place_before(self, seen: ObservationBatch, plan: PassingView) -> Booleans:
         """(N,) whether there is a place for the agent between the target and who drives before

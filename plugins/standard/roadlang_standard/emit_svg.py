@@ -23,6 +23,7 @@ class Svg(Backend):
     labels: Flag = option(True, help="label agents and objects")
     legend: Flag = option(True, help="list requirements and expectations below the map")
     stations: Flag = option(True, help="mark arc length along the road")
+    ids: Flag = option(True, help="write the ids of the junctions and roads of networks")
     profiles: Flag = option(True, help="plot signals and robustness over arc length")
     photo: ImageName | None = option(None, help="image to show under the roads")
     fade: Number = option(
@@ -40,6 +41,7 @@ class Svg(Backend):
             self.labels,
             self.legend,
             self.stations,
+            self.ids,
             self.profiles,
             self.photo,
             self.fade,

@@ -4,25 +4,11 @@ not move."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from roadlang.api import Length, ObjectKind, String, option
+from roadlang.api import Length, ObjectKind, String
 
-
-def _length(default: float) -> Any:
-    return option(default, above=0, maximum=500, help="dimension along the heading")
-
-
-def _width(default: float) -> Any:
-    return option(default, above=0, maximum=500, help="dimension across the heading")
-
-
-def _height(default: float) -> Any:
-    return option(default, above=0, maximum=500, help="height above the ground")
-
-
-def _color(default: str) -> Any:
-    return option(default, help="color by name or hexadecimal code: `white`, `#2e7d32`")
+from .object_options import color_option, height_option, length_option, width_option
 
 
 @dataclass(frozen=True)
@@ -30,10 +16,10 @@ class Tree(ObjectKind):
     """A tree."""
 
     name: ClassVar[str] = "tree"
-    length: Length = _length(4.0)
-    width: Length = _width(4.0)
-    height: Length = _height(8.0)
-    color: String = _color("#2e7d32")
+    length: Length = length_option(4.0)
+    width: Length = width_option(4.0)
+    height: Length = height_option(8.0)
+    color: String = color_option("#2e7d32")
 
 
 @dataclass(frozen=True)
@@ -41,10 +27,10 @@ class Bush(ObjectKind):
     """A bush."""
 
     name: ClassVar[str] = "bush"
-    length: Length = _length(1.5)
-    width: Length = _width(1.5)
-    height: Length = _height(1.2)
-    color: String = _color("#558b2f")
+    length: Length = length_option(1.5)
+    width: Length = width_option(1.5)
+    height: Length = height_option(1.2)
+    color: String = color_option("#558b2f")
 
 
 @dataclass(frozen=True)
@@ -52,10 +38,10 @@ class Building(ObjectKind):
     """A building."""
 
     name: ClassVar[str] = "building"
-    length: Length = _length(12.0)
-    width: Length = _width(10.0)
-    height: Length = _height(7.0)
-    color: String = _color("#b71c1c")
+    length: Length = length_option(12.0)
+    width: Length = width_option(10.0)
+    height: Length = height_option(7.0)
+    color: String = color_option("#b71c1c")
 
 
 @dataclass(frozen=True)
@@ -63,10 +49,10 @@ class Wall(ObjectKind):
     """A wall."""
 
     name: ClassVar[str] = "wall"
-    length: Length = _length(10.0)
-    width: Length = _width(0.3)
-    height: Length = _height(2.0)
-    color: String = _color("#9e9e9e")
+    length: Length = length_option(10.0)
+    width: Length = width_option(0.3)
+    height: Length = height_option(2.0)
+    color: String = color_option("#9e9e9e")
 
 
 @dataclass(frozen=True)
@@ -74,10 +60,10 @@ class ParkedCar(ObjectKind):
     """A parked car."""
 
     name: ClassVar[str] = "parked_car"
-    length: Length = _length(4.5)
-    width: Length = _width(1.8)
-    height: Length = _height(1.5)
-    color: String = _color("#607d8b")
+    length: Length = length_option(4.5)
+    width: Length = width_option(1.8)
+    height: Length = height_option(1.5)
+    color: String = color_option("#607d8b")
 
 
 @dataclass(frozen=True)
@@ -85,10 +71,10 @@ class ParkedVan(ObjectKind):
     """A parked van."""
 
     name: ClassVar[str] = "parked_van"
-    length: Length = _length(5.9)
-    width: Length = _width(2.0)
-    height: Length = _height(2.5)
-    color: String = _color("#eceff1")
+    length: Length = length_option(5.9)
+    width: Length = width_option(2.0)
+    height: Length = height_option(2.5)
+    color: String = color_option("#eceff1")
 
 
 @dataclass(frozen=True)
@@ -96,10 +82,10 @@ class ParkedTruck(ObjectKind):
     """A parked truck."""
 
     name: ClassVar[str] = "parked_truck"
-    length: Length = _length(9.0)
-    width: Length = _width(2.5)
-    height: Length = _height(3.5)
-    color: String = _color("#795548")
+    length: Length = length_option(9.0)
+    width: Length = width_option(2.5)
+    height: Length = height_option(3.5)
+    color: String = color_option("#795548")
 
 
 @dataclass(frozen=True)
@@ -107,10 +93,10 @@ class Cone(ObjectKind):
     """A traffic cone."""
 
     name: ClassVar[str] = "cone"
-    length: Length = _length(0.35)
-    width: Length = _width(0.35)
-    height: Length = _height(0.75)
-    color: String = _color("#ff6d00")
+    length: Length = length_option(0.35)
+    width: Length = width_option(0.35)
+    height: Length = height_option(0.75)
+    color: String = color_option("#ff6d00")
 
 
 @dataclass(frozen=True)
@@ -118,10 +104,10 @@ class Barrier(ObjectKind):
     """A construction barrier."""
 
     name: ClassVar[str] = "barrier"
-    length: Length = _length(2.0)
-    width: Length = _width(0.4)
-    height: Length = _height(1.0)
-    color: String = _color("#d32f2f")
+    length: Length = length_option(2.0)
+    width: Length = width_option(0.4)
+    height: Length = height_option(1.0)
+    color: String = color_option("#d32f2f")
 
 
 @dataclass(frozen=True)
@@ -129,10 +115,10 @@ class Sign(ObjectKind):
     """A traffic sign on a post."""
 
     name: ClassVar[str] = "sign"
-    length: Length = _length(0.1)
-    width: Length = _width(0.7)
-    height: Length = _height(2.5)
-    color: String = _color("#1565c0")
+    length: Length = length_option(0.1)
+    width: Length = width_option(0.7)
+    height: Length = height_option(2.5)
+    color: String = color_option("#1565c0")
 
 
 @dataclass(frozen=True)
@@ -140,10 +126,10 @@ class TrafficLight(ObjectKind):
     """A traffic light on a post."""
 
     name: ClassVar[str] = "traffic_light"
-    length: Length = _length(0.3)
-    width: Length = _width(0.4)
-    height: Length = _height(3.2)
-    color: String = _color("#212121")
+    length: Length = length_option(0.3)
+    width: Length = width_option(0.4)
+    height: Length = height_option(3.2)
+    color: String = color_option("#212121")
 
 
 @dataclass(frozen=True)
@@ -151,10 +137,10 @@ class Lamp(ObjectKind):
     """A street lamp."""
 
     name: ClassVar[str] = "lamp"
-    length: Length = _length(0.3)
-    width: Length = _width(0.3)
-    height: Length = _height(6.0)
-    color: String = _color("#757575")
+    length: Length = length_option(0.3)
+    width: Length = width_option(0.3)
+    height: Length = height_option(6.0)
+    color: String = color_option("#757575")
 
 
 @dataclass(frozen=True)
@@ -162,10 +148,10 @@ class Bench(ObjectKind):
     """A bench."""
 
     name: ClassVar[str] = "bench"
-    length: Length = _length(0.6)
-    width: Length = _width(1.8)
-    height: Length = _height(0.9)
-    color: String = _color("#8d6e63")
+    length: Length = length_option(0.6)
+    width: Length = width_option(1.8)
+    height: Length = height_option(0.9)
+    color: String = color_option("#8d6e63")
 
 
 @dataclass(frozen=True)
@@ -173,10 +159,10 @@ class Bin(ObjectKind):
     """A trash can."""
 
     name: ClassVar[str] = "bin"
-    length: Length = _length(0.5)
-    width: Length = _width(0.5)
-    height: Length = _height(1.0)
-    color: String = _color("#455a64")
+    length: Length = length_option(0.5)
+    width: Length = width_option(0.5)
+    height: Length = height_option(1.0)
+    color: String = color_option("#455a64")
 
 
 @dataclass(frozen=True)
@@ -184,10 +170,10 @@ class Rock(ObjectKind):
     """A rock."""
 
     name: ClassVar[str] = "rock"
-    length: Length = _length(1.0)
-    width: Length = _width(1.0)
-    height: Length = _height(0.8)
-    color: String = _color("#616161")
+    length: Length = length_option(1.0)
+    width: Length = width_option(1.0)
+    height: Length = height_option(0.8)
+    color: String = color_option("#616161")
 
 
 @dataclass(frozen=True)
@@ -195,7 +181,7 @@ class Box(ObjectKind):
     """A plain box, for anything without a kind."""
 
     name: ClassVar[str] = "box"
-    length: Length = _length(1.0)
-    width: Length = _width(1.0)
-    height: Length = _height(1.0)
-    color: String = _color("#9575cd")
+    length: Length = length_option(1.0)
+    width: Length = width_option(1.0)
+    height: Length = height_option(1.0)
+    color: String = color_option("#9575cd")

@@ -6,7 +6,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import AgentOrObject, Integer, Length, Position, Standing, Word, geometry, option
+from roadlang.api import (
+    AgentOrObject,
+    Integer,
+    Length,
+    Point,
+    Position,
+    Standing,
+    Word,
+    geometry,
+    option,
+)
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -80,27 +90,46 @@ class AtJunction(Position):
     """Before a junction of the network: in a lane that leads into it, at its stop line."""
 
     name: ClassVar[str] = "junction"
-    id: Integer = option(minimum=0, help="id of the junction")
+    id: Integer = option(None, minimum=0, help="id of the junction", example="3")
+    near: Point = option(
+        None, help="or a point: the junction that is nearest to it", example="(120m, 75m)"
+    )
     road: Integer = option(None, minimum=0, help="id of the road; by default any that leads there")
     before: Length = option(0.0, minimum=0, help="how far before the stop line")
 
     def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.RoutePlace]:
         """One in each lane, as far before its end as the lane is long enough."""
         turns = enumerate(lanes.turns)
-        leading = [lane for lane, out in turns if any(turn.junction == self.id for turn in out)]
+        id = self.id if self.near is None else _nearest_junction(lanes, self.near)
+        leading = [lane for lane, out in turns if any(turn.junction == id for turn in out)]
         if not leading:
             known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
             names = ", ".join(map(str, known)) or "none"
+            wanted = "a junction needs its id, or `near`" if id is None else f"junction {id}"
             raise geometry.GeometryError(
-                f"no lane leads to junction {self.id}; the ids of the junctions are: {names}"
+                f"no lane leads to {wanted}; the ids of the junctions are: {names}"
             )
         chosen = [lane for lane in leading if self.road in (None, lanes.lanes[lane].edge)]
         if not chosen:
             roads = ", ".join(map(str, sorted({lanes.lanes[lane].edge for lane in leading})))
             raise geometry.GeometryError(
-                f"road {self.road} does not lead into junction {self.id}; its roads are {roads}"
+                f"road {self.road} does not lead into junction {id}; its roads are {roads}"
             )
         return [_before(lanes, lane, self.before) for lane in chosen]
+
+
+def _nearest_junction(lanes: geometry.LaneGraph, point: tuple[float, float]) -> int | None:
+    """The junction before which some lane ends nearest to a point; None where there is none."""
+    import numpy as np
+
+    found: dict[int, float] = {}
+    for lane, out in enumerate(lanes.turns):
+        at = lanes.edges[lanes.lanes[lane].edge].curve.at
+        away = float(np.hypot(*(at(lanes.end[lane]) - np.asarray(point))))
+        for turn in out:
+            if turn.junction >= 0:
+                found[turn.junction] = min(away, found.get(turn.junction, away))
+    return min(found, key=lambda id: (found[id], id), default=None)
 
 
 def _before(lanes: geometry.LaneGraph, lane: int, distance: float) -> geometry.RoutePlace:

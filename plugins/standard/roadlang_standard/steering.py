@@ -14,10 +14,6 @@ SPEED_GAIN = 2.0
 """From a difference in speed to an acceleration, 1/s."""
 PLANNED_SHARE = 0.5
 """Share of the greatest deceleration with which drivers plan to brake before a bend."""
-PREVIEW_TIME = 0.12
-"""Seconds by which the curvature is looked up ahead."""
-SLOWEST = 3.0
-"""m/s: below it, a cross-track error is corrected as at this speed."""
 NEAREST = 0.5
 """Meters: a point to steer to is no nearer."""
 
@@ -73,16 +69,10 @@ def pursuit(seen: ObservationBatch, distance: Column) -> Floats:
 
 
 def along_line(seen: ObservationBatch) -> Floats:
-    """(N,) steering angle that keeps to the line: its curvature, looked up ahead, and a correction
-    of the errors in place and heading."""
-    import numpy as np
+    """(N,) steering angle that keeps to the line."""
+    from roadlang.api import line_steering
 
-    _, _, _, curvature = seen.line_ahead(PREVIEW_TIME * seen.speed)
-    # A car on a circle points along the circle at its rear axle.
-    _, _, rear_heading, _ = seen.line_ahead(-0.5 * seen.wheelbase)
-    correction = np.arctan(2.0 * seen.cross_track_error / np.maximum(seen.speed, SLOWEST))
-    bend = np.arctan(seen.wheelbase * curvature)
-    return np.asarray(bend + difference(seen.heading, rear_heading) - correction)
+    return line_steering(seen)
 
 
 def difference(heading: Floats, other: Floats) -> Floats:
@@ -90,3 +80,12 @@ def difference(heading: Floats, other: Floats) -> Floats:
     import numpy as np
 
     return np.asarray((other - heading + np.pi) % (2.0 * np.pi) - np.pi)
+
+
+def ahead_in_lane(seen: ObservationBatch) -> tuple[Floats, Floats]:
+    """(N,) gap to the next agent or object in the lane, infinite for none, and its speed."""
+    import numpy as np
+
+    gap, speed = seen.vehicle_ahead()
+    standing = seen.obstacle_ahead()
+    return np.minimum(gap, standing), np.where(standing < gap, 0.0, speed)

@@ -60,6 +60,10 @@ class Observation(Frozen):
     `b`"""
     vehicle_ahead: Callable[[], tuple[float, float]] = lambda: (math.inf, 0.0)
     """`vehicle_ahead()`: gap to the next agent ahead in the lane, and its speed along it"""
+    obstacle_ahead: Callable[[], float] = lambda: math.inf
+    """`obstacle_ahead()`: gap to the next object that stands in the way"""
+    lane_end: Callable[[], float] = lambda: math.inf
+    """`lane_end()`: how far ahead of the center its lane becomes too narrow to drive in"""
     length: float = 4.5
     width: float = 1.8
     yaw_rate: float = 0.0
@@ -165,6 +169,8 @@ class ObservationBatch:
     """of each agent, a distance ahead: a number, or (N,)"""
     speed_for_bends: Callable[[Floats | float, Floats | float, Floats | float], Floats]
     vehicle_ahead: Callable[[], tuple[Floats, Floats]]
+    obstacle_ahead: Callable[[], Floats]
+    lane_end: Callable[[], Floats]
     length: Floats
     width: Floats
     yaw_rate: Floats
@@ -233,6 +239,8 @@ class ObservationBatch:
             line_ahead=lambda distance: columns(seen.line_ahead(first(distance))),
             speed_for_bends=lambda *limits: column(seen.speed_for_bends(*map(first, limits))),
             vehicle_ahead=lambda: columns(seen.vehicle_ahead()),
+            obstacle_ahead=lambda: column(seen.obstacle_ahead()),
+            lane_end=lambda: column(seen.lane_end()),
             lane_place=lambda: LanePlaces.of_single(seen.lane_place()),
             offset_of_lane=lambda which: column(seen.offset_of_lane(lane(which))),
             direction_of_lane=lambda which: column(seen.direction_of_lane(lane(which))),

@@ -27,6 +27,7 @@ JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_inte
 LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, is_integer=True), KindNameType("lane")))]
 _RoutePoint = UnionType((PointType(LENGTH), CallType("position")))
 RoutePoints = Annotated[Any, ListType(_RoutePoint, at_least=1)]
+Points = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_integer=True))]
 
 
@@ -158,6 +159,11 @@ class ControlOptions:
         minimum=0,
         help="ids of the junctions; by default all but roundabouts",
         example="[3, 7]",
+    )
+    near: Points = option(
+        None,
+        help="or points: the junctions that are nearest to them",
+        example="[(120m, 75m)]",
     )
 
 

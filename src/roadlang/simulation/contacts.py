@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from .outlines import Outlines
 from .poses import Poses
 from .world import World
@@ -36,7 +36,8 @@ class ContactDetector:
     """Watches the agents of a world, from one sample to the next.
 
     Who touches something stands still from then on. On foot one touches nothing but vehicles. Who
-    has left touches nothing.
+    has left touches nothing. Two that overlap where the scene puts them (`overlap: true`) never
+    touch.
     """
 
     def __init__(self, world: World) -> None:
@@ -47,8 +48,18 @@ class ContactDetector:
         self._pairs, self._near = _pairs(world)
         self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
         self._before: Poses | None = None
+        self._pairs, self._near = self._apart(world)
         self._next_check = np.zeros(len(self._near[0]))
         self._traveled = np.zeros(len(world.present))
+
+    def _apart(self, world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
+        """The pairs that do not overlap at the start."""
+        moving, (first, second), (agent, thing) = (
+            Outlines.moving(world, world.poses), self._pairs, self._near,
+        )  # fmt: skip
+        clear = ~_overlapping(moving, first, moving, second)
+        free = ~_overlapping(moving, agent, self._objects, thing)
+        return (first[clear], second[clear]), (agent[free], thing[free])
 
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
@@ -194,6 +205,17 @@ def first_contact(a: Outlines, b: Outlines, shift: tuple[Floats, Floats]) -> Flo
             )
             enter, leave = np.maximum(enter, first), np.minimum(leave, last)
     return np.where(enter <= leave, enter, math.inf)
+
+
+def _overlapping(a: Outlines, first: Integers, b: Outlines, second: Integers) -> Booleans:
+    """(N,) which pairs of rectangles overlap."""
+    out = np.zeros(len(first), dtype=bool)
+    away = np.hypot(a.x[first] - b.x[second], a.y[first] - b.y[second])
+    radius = [np.hypot(each.half_length, each.half_width) for each in (a, b)]
+    near = np.flatnonzero(away < radius[0][first] + radius[1][second])
+    still = (np.zeros(len(near)), np.zeros(len(near)))
+    out[near] = first_contact(a.take(first[near]), b.take(second[near]), still) == 0.0
+    return out
 
 
 def _overlap(start: Floats, change: Floats, distance: Floats) -> tuple[Floats, Floats]:

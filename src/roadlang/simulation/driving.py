@@ -17,6 +17,7 @@ from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
 from .controllers import Driver, GuardedController
 from .decision import Decision
+from .line_steering import line_steering
 from .observing import Surroundings, View
 from .poses import Poses
 from .single_agents import OthersSeen, observations
@@ -108,6 +109,7 @@ class DriverGroup:
                     _move_lines(world, group.rows[chosen], found)
         if out.is_open.any():
             self._ask_earlier(in_charge, view, out)
+            _keep_to_lines(world, view, out)
             out.close()
         return out
 
@@ -135,6 +137,13 @@ class DriverGroup:
                 rows = group.rows[chosen]
                 accelerates = np.isnan(out.acceleration[rows])
                 out.fill(rows, _decided(group, chosen, view, accelerates))
+
+
+def _keep_to_lines(world: World, view: View, out: Decision) -> None:
+    """Vehicles on a road whose controllers leave the steering open follow their lines."""
+    rows = np.flatnonzero(np.isnan(out.steering) & world.has_road & ~world.bodies.walks)
+    if len(rows):
+        out.steering[rows] = line_steering(view.of(rows))
 
 
 def _signals(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:

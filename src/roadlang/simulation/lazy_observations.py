@@ -100,6 +100,8 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     "path_ahead": lambda seen: lambda distances: seen.view.path_ahead(seen.rows, distances),
     "speed_for_bends": _speed_for_bends,
     "vehicle_ahead": lambda seen: lambda: seen.view.vehicle_ahead(seen.rows),
+    "obstacle_ahead": lambda seen: lambda: seen.view.obstacle_ahead(seen.rows),
+    "lane_end": lambda seen: lambda: seen.view.lane_end(seen.chosen),
     "lane_place": lambda seen: lambda: seen.view.lane_place(seen.chosen),
     "offset_of_lane": _lane("middles"),
     "direction_of_lane": _lane("direction"),

@@ -17,6 +17,10 @@ SAME_LANE = 2.0
 """Meters: beside each other rather than behind one another, from here on."""
 
 
+ACROSS = 0.5
+"""Sine of the angle to the road from which on somebody stands across it."""
+
+
 @dataclass(frozen=True)
 class Leaders:
     """Who is ahead of whom."""
@@ -70,8 +74,20 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
     offset = world.line_offset.reshape(shape)[:, :, None]
     length = world.bodies.length.reshape(shape)
     gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
-    fits = (ahead > 0.0) & (np.abs(beside - offset) < SAME_LANE)
+    fits = (ahead > 0.0) & (np.abs(beside - offset) < _in_the_way(world, shape))
     return np.where(fits, gap, math.inf)
+
+
+def _in_the_way(world: World, shape: tuple[int, int]) -> Floats | float:
+    """(S, A, A) how far beside the line of the first the middle of the second is in its way: who
+    stands across takes more of the road."""
+    across = np.abs(world.motion.sine).reshape(shape)
+    if not (across > ACROSS).any():
+        return SAME_LANE
+    length, width = world.bodies.length.reshape(shape), world.bodies.width.reshape(shape)
+    half = 0.5 * (length * across + width * np.sqrt(1.0 - np.minimum(across * across, 1.0)))
+    half = np.where(across > ACROSS, half, 0.0)
+    return np.maximum(SAME_LANE, 0.5 * width[:, :, None] + half[:, None, :])
 
 
 def _search(world: World, poses: Poses, apart: Booleans, gap: Floats, turned: Floats) -> None:

@@ -158,6 +158,14 @@ class View:
         ahead = self._leaders()
         return ahead.gap[rows], ahead.speed[rows]
 
+    def obstacle_ahead(self, rows: Any) -> Floats:
+        """(N,) gap to the next object in the way, infinite for none."""
+        return np.asarray(self.surroundings.obstacles(self.world).ahead(self.world)[rows])
+
+    def lane_end(self, rows: Integers) -> Floats:
+        """(N,) how far ahead of agents their lane becomes too narrow to drive in."""
+        return self._lanes_here().take(rows).end(self.world.motion.offset[rows])
+
     def right_of_way(
         self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None
     ) -> tuple[Floats, Floats, Floats]:

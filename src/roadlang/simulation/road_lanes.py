@@ -16,6 +16,8 @@ from .speed_zones import SpeedZones
 
 SPACING = 1.0
 """Meters between two nodes of a table of lanes whose width varies."""
+NARROW = 2.2
+"""Meters: a lane that was wider and is narrower from here on ends."""
 _DIRECTIONS: Mapping[str, float] = {"forward": 1.0, "backward": -1.0}
 
 
@@ -30,6 +32,8 @@ class _Section:
     drivable: tuple[bool, ...]
     borders: Floats
     limits: Floats
+    ends: Floats
+    """(nodes, L, 2) meters until a lane is too narrow to drive in, along the road and against it"""
     spacing: float
 
 
@@ -64,6 +68,11 @@ class RoadLanes:
             for section in sections
         ]
         self._borders = np.concatenate(wide) if wide else np.zeros((1, widest + 1))
+        ends = [
+            np.pad(section.ends, ((0, 0), (0, widest - len(section.ids)), (0, 0)))
+            for section in sections
+        ]
+        self._ends = np.concatenate(ends) if ends else np.zeros((1, widest, 2))
         limits = [row for section in sections for row in section.limits.tolist()]
         self._limits = _padded(limits, widest, math.inf)
 
@@ -80,9 +89,14 @@ class RoadLanes:
         there = np.arange(self._widest) < self._count[row][:, None]
         there &= (road >= 0)[:, None]
         sign = np.where(backward, -1.0, 1.0)[:, None]
+        ends = np.take_along_axis(
+            self._ends[first + low], backward.astype(np.int64)[:, None, None], axis=2
+        )[:, :, 0]
+        into = share * self._spacing[row][:, None]
         return LanesHere(
             there, self._ids[row], self._kinds[row], self._drivable[row], self._limits[first + low],
-            self._direction[row] * sign, borders * sign, backward,
+            self._direction[row] * sign, borders * sign,
+            np.maximum(ends - np.where(backward[:, None], -into, into), 0.0), backward,
         )  # fmt: skip
 
 
@@ -99,6 +113,8 @@ class LanesHere:
     direction: Floats
     borders: Floats
     """(N, L + 1)"""
+    ends: Floats
+    """(N, L) meters ahead at which a lane is too narrow to drive in, infinite where it goes on"""
     backward: Booleans
 
     def take(self, rows: Integers) -> LanesHere:
@@ -130,6 +146,11 @@ class LanesHere:
             np.where(found, _of(self.direction, index), math.nan),
             np.where(self.backward, -1.0, 1.0),
         )
+
+    def end(self, offset: Floats) -> Floats:
+        """(N,) how far ahead the lanes at offsets (N,) end."""
+        index = self.index(offset)
+        return np.where(index >= 0, _of(self.ends, index), math.inf)
 
     def choose(self, which: LaneChoice | Floats | Integers, offset: Floats) -> Integers:
         """(N,) the lane that agents at `offset` mean, -1 for none."""
@@ -183,19 +204,35 @@ def _key(road: SceneRoad) -> Any:
 def _section(road: SceneRoad) -> _Section:
     section = road.cross_section()
     varies = _key(road) is None
-    length = road.length
+    length, lanes = road.length, len(section.lanes)
     nodes = max(2, math.ceil(length / SPACING) + 1) if varies else 1
     stations = np.linspace(0.0, length, nodes)
     zones = SpeedZones.of(road, section.lanes)
+    borders = np.ascontiguousarray(section.border_offsets(stations).T)
     return _Section(
         ids=section.ids,
         kinds=tuple(lane.kind for lane in section.lanes),
         direction=tuple(_DIRECTIONS.get(lane.direction, 0.0) for lane in section.lanes),
         drivable=tuple(lane.drivable for lane in section.lanes),
-        borders=np.ascontiguousarray(section.border_offsets(stations).T),
+        borders=borders,
         limits=zones.limits[zones.zone(stations)],
+        ends=_ends(borders, length / (nodes - 1)) if varies else np.full((1, lanes, 2), math.inf),
         spacing=length / (nodes - 1) if varies else 1.0,
     )
+
+
+def _ends(borders: Floats, spacing: float) -> Floats:
+    """(nodes, L, 2) as in `_Section`, of borders (nodes, L + 1). A lane that is narrow everywhere
+    ends nowhere."""
+    width = np.abs(np.diff(borders, axis=1))
+    narrow = (width < NARROW) & (width.max(axis=0) >= NARROW)
+    out = np.full((*width.shape, 2), math.inf)
+    for side, nodes in ((0, range(len(width) - 1, -1, -1)), (1, range(len(width)))):
+        left = np.full(width.shape[1], math.inf)
+        for node in nodes:
+            left = np.where(narrow[node], 0.0, left + spacing)
+            out[node, :, side] = left
+    return out
 
 
 def _padded(rows: Sequence[Sequence[Any]], count: int, value: Any) -> Any:

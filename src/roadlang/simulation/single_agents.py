@@ -58,6 +58,12 @@ class _SingleAgent:
         gap, speed = self._view.vehicle_ahead(self._rows)
         return float(gap[0]), float(speed[0])
 
+    def obstacle_ahead(self) -> float:
+        return float(self._seen.obstacle_ahead()[0])
+
+    def lane_end(self) -> float:
+        return float(self._seen.lane_end()[0])
+
     def right_of_way(self, politeness: float, aggression: float) -> tuple[float, float, float]:
         stop, gap, speed = self._seen.right_of_way(politeness, aggression)
         return float(stop[0]), float(gap[0]), float(speed[0])
@@ -106,6 +112,8 @@ def observations(
                 others=_NOBODY if others is None else others,
                 speed_for_bends=single.speed_for_bends,
                 vehicle_ahead=single.vehicle_ahead,
+                obstacle_ahead=single.obstacle_ahead,
+                lane_end=single.lane_end,
                 lane_place=single.lane_place,
                 offset_of_lane=single.offset_of_lane,
                 direction_of_lane=single.direction_of_lane,

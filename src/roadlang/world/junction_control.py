@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable
 from typing import get_args
 
@@ -18,6 +19,8 @@ from ..plugins.kinds import RightOfWay
 from .networks import network_root
 
 _RULES = get_args(ControlRule)
+FARTHEST = 30.0
+"""Meters from a junction that a point may be that stands for it"""
 
 
 def right_of_way_rules(
@@ -52,15 +55,37 @@ def _controls(network: ScenarioNetwork, candidates: CandidateBatch) -> list[Pass
 
 def _chosen(call: PassCall, plan: JunctionPlan, candidates: CandidateBatch) -> list[Junction]:
     """The junctions that a pass is about."""
-    option = call.common.get("junctions")
-    if option is None:
+    option, near = call.common.get("junctions"), call.common.get("near")
+    if option is None and near is None:
         return [junction for junction in plan.junctions if junction.kind == "junction"]
-    wanted = _numbers(evaluate(option, candidates))
+    wanted = [] if option is None else _numbers(evaluate(option, candidates))
     known = {node: junction for junction in plan.junctions for node in junction.nodes}
     for id in wanted:
         if id not in known:
             raise _no_such_junction(id, plan, call.span)
-    return list({known[id].id: known[id] for id in wanted}.values())
+    chosen = [known[id] for id in wanted]
+    points = () if near is None else evaluate(near, candidates)
+    chosen += [_nearest(scalar(point), plan, call.span) for point in points]
+    return list({junction.id: junction for junction in chosen}.values())
+
+
+def _nearest(point: tuple[float, float], plan: JunctionPlan, span: Span | None) -> Junction:
+    """The junction whose middle is nearest to a point. Raises RL429 for one that is far away."""
+    away = {j.id: math.dist(point, _middle(j)) - _radius(j) for j in plan.junctions}
+    id = min(away, key=lambda id: (away[id], id), default=None)
+    if id is None or away[id] > FARTHEST:
+        x, y = point
+        raise _unknown(f"near ({x:g}m, {y:g}m)", plan, span)
+    return next(junction for junction in plan.junctions if junction.id == id)
+
+
+def _middle(junction: Junction) -> tuple[float, float]:
+    x, y = zip(*junction.area, strict=True)
+    return sum(x) / len(x), sum(y) / len(y)
+
+
+def _radius(junction: Junction) -> float:
+    return max(math.dist(corner, _middle(junction)) for corner in junction.area)
 
 
 def _numbers(value: object) -> list[int]:
@@ -70,12 +95,17 @@ def _numbers(value: object) -> list[int]:
 
 def _no_such_junction(id: int, plan: JunctionPlan, span: Span | None) -> DiagnosticError:
     ids = [junction.id for junction in plan.junctions]
-    known = ", ".join(map(str, ids[:20])) or "none: no roads meet"
-    help_ = [f"its junctions are {known}"]
-    if ids:
-        near = min(ids, key=lambda other: (abs(other - id), other))
-        help_.append(f"did you mean `{near}`?")
-    return DiagnosticError(diagnose(Code.UNKNOWN_JUNCTION_ID, span, id=id, help=help_))
+    near = min(ids, key=lambda other: (abs(other - id), other), default=None)
+    return _unknown(str(id), plan, span, () if near is None else (f"did you mean `{near}`?",))
+
+
+def _unknown(
+    what: str, plan: JunctionPlan, span: Span | None, more: tuple[str, ...] = ()
+) -> DiagnosticError:
+    places = [(junction.id, *_middle(junction)) for junction in plan.junctions[:12]]
+    known = ", ".join(f"{id} at ({x:.0f}m, {y:.0f}m)" for id, x, y in places)
+    help_ = (f"its junctions are {known or 'none: no roads meet'}", *more)
+    return DiagnosticError(diagnose(Code.UNKNOWN_JUNCTION_ID, span, id=what, help=list(help_)))
 
 
 def _check_roads(

@@ -16,9 +16,12 @@ if TYPE_CHECKING:
 
     from .viewport import Viewport
 
-_CARS = ("car", "van", "bus", "parked_car", "parked_van")
-_TRUCKS = ("truck", "parked_truck")
-_TWO_WHEELERS = ("bicycle", "motorcycle")
+_CARS = (
+    "car", "van", "bus", "taxi", "police_car", "ambulance", "parked_car", "parked_van", "parked_bus"
+)  # fmt: skip
+_TRUCKS = ("truck", "fire_truck", "parked_truck")
+_TWO_WHEELERS = ("bicycle", "motorcycle", "scooter", "parked_bicycle", "parked_motorcycle")
+_ON_FOOT = ("pedestrian", "child")
 _GREENERY = ("tree", "bush")
 _UNLABELED = ("tree", "bush", "building")
 _SHORTEST_AGENT = 15.0
@@ -84,7 +87,7 @@ def _shape(actor: SceneActor, index: int, scale: float) -> list[str]:
         return shapes.truck(length, width, color)
     if kind in _TWO_WHEELERS:
         return shapes.bicycle(length, width, color)
-    if kind == "pedestrian":
+    if kind in _ON_FOOT:
         return shapes.pedestrian(length, width, color)
     if kind in _GREENERY:
         return shapes.tree(max(length, width), index)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from . import actors, furniture, ghost, palette, photo, profiles
 from .agent_routes import agent_routes
+from .ids import network_ids
 from .legend import legend_of
 from .markup import element, group, text, title
 from .ribbon import Ribbon, ribbon_of
@@ -30,6 +31,7 @@ class Style:
     labels: bool = True
     legend: bool = True
     stations: bool = True
+    ids: bool = True
     profiles: bool = True
     photo: Picture | None = None
     fade: float = 0.35
@@ -85,6 +87,7 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         violations(scene, ribbons),
         actors.objects(scene, viewport),
         *_stations(scene, selection, ribbons, viewport, style),
+        network_ids(scene, selection.full, viewport, style.font) if style.ids else "",
         agent_routes(scene, viewport, style.font),
         actors.agents(scene, viewport),
         tight_places(scene, ribbons, style.font) if style.profiles and style.labels else "",

@@ -1,0 +1,67 @@
+"""What stands in the way: objects in the lane, vehicles that back into it, things that overlap."""
+
+from __future__ import annotations
+
+from .driven_roads import drive
+
+STREET = "road street { draw with segments { pieces: [straight(300m)] }, lanes: 2 }\n"
+
+
+def test_car_follow_stops_before_an_object_in_its_lane() -> None:
+    (trace,) = drive(STREET + """
+    object broken is parked_car on street at 150m { lane: -1 }
+    agent ego is car on street at 20m { drive with car_follow { speed: 70km/h } }
+    """, duration=25)  # fmt: skip
+    assert trace.events == ()
+    assert 150.0 - 4.5 - 4.0 < trace.agents["ego"].station[-1] < 150.0 - 4.5
+
+
+def test_car_follow_goes_past_an_object_beside_its_lane() -> None:
+    (trace,) = drive(STREET + """
+    object parked is parked_car on street at 150m { side: right, offset: 0.2m }
+    agent ego is car on street at 20m { drive with car_follow { speed: 50km/h } }
+    """, duration=25)  # fmt: skip
+    assert trace.agents["ego"].speed.min() > 13.0
+
+
+def test_reverse_backs_out_turns_and_stops() -> None:
+    (trace,) = drive("""
+    road lot {
+      draw with segments { pieces: [straight(200m)] }
+      right: [drive, parking(5m)], left: [drive]
+    }
+    agent ego is car on lot at 100m {
+      lane: parking, heading: -90deg, start_speed: 0m/s
+      drive with reverse { distance: 9m, straight: 3m, turn: 90deg, when: time > 1s }
+    }
+    """, duration=20)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert ego.speed.min() < -1.4
+    assert abs(ego.speed[-1]) < 1e-9
+    assert abs(ego.heading[-1]) < 0.01
+    assert abs(ego.y[-1] - ego.y[0] - (3.0 + 6.0 / 1.5708 + 1.35 - 1.35)) < 1.5
+
+
+def test_traffic_stops_for_a_car_that_backs_into_its_lane() -> None:
+    (trace,) = drive("""
+    road street {
+      draw with segments { pieces: [straight(200m)] }, speed_limit: 30km/h
+      left: [drive(3m)], right: [drive(3m), parking(5m)]
+    }
+    agent backer is car on street at 82m {
+      lane: parking, heading: -90deg, start_speed: 0m/s
+      drive with reverse { distance: 4m, when: distance(ego, backer) < 25m }
+    }
+    agent ego is car on street at 5m { drive with traffic }
+    """, duration=20)  # fmt: skip
+    assert trace.events == ()
+    assert trace.agents["ego"].speed[-1] < 0.1
+
+
+def test_two_that_may_overlap_drive_through_each_other() -> None:
+    (trace,) = drive(STREET + """
+    agent one is car on street at 20m { overlap: true, drive with pure_pursuit { speed: 12m/s } }
+    agent other is car on street at 20m { overlap: true, drive with stanley { speed: 10m/s } }
+    """, duration=10)  # fmt: skip
+    assert trace.events == ()
+    assert trace.agents["one"].station[-1] > trace.agents["other"].station[-1] + 10.0
