@@ -110,8 +110,8 @@ def test_merge_knows_where_its_lane_ends_and_goes_on_when_there_is_room() -> Non
       draw with segments { pieces: [straight(250m)] }, lanes: 1, oneway: true, speed_limit: 60km/h
     }
     road works from wide { then: single, taper: 50m }
-    agent flow is car on works at 20m { lane: -1, count: 6, spacing: 22m, drive with traffic }
-    agent ego is car on works at 60m { lane: -2, drive with traffic, drive with merge }
+    agent flow is car on works at 20m { lane: -1, count: 9, spacing: 14m, drive with traffic }
+    agent ego is car on works at 83m { lane: -2, drive with traffic, drive with merge }
     """, duration=50)  # fmt: skip
     ego = trace.agents["ego"]
     assert trace.events == ()

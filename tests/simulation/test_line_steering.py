@@ -9,7 +9,7 @@ from .driven_roads import drive, driven
 
 FAST = """
 road main {
-  draw with segments { pieces: [straight(300m), clothoid(100m, to: 0.002/m), arc(500m, 60deg)] }
+  draw with segments { pieces: [straight(700m)] }
   lanes: 3, oneway: true
 }
 agent ego is KIND on main at 10m {

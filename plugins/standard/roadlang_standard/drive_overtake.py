@@ -58,12 +58,14 @@ EASE = 1.5
 BACK_OFF = 6.0
 """m/s^2: deceleration of who gives up, at most."""
 WAITING, PASSING, RETURNING, GIVING_UP, DONE = 0.0, 1.0, 2.0, 3.0, 4.0
-TIGHTEST = 1.7
+TIGHTEST = 2.7
 """Meters: from less behind something that stands still nobody can pull out."""
 CLEARED = 0.65
 """Share of the time of a lane change after which it is clear of what it passes."""
 CREEPING = 1.5
 """m/s at which it pulls out from close behind, with the wheels turned as far as they go."""
+SLOWEST, TURNED = 0.4, 0.1
+"""m/s until it has turned by so many radians: its wheels turn before it moves."""
 LOOKAHEAD = 3.0
 """Meters on to which it steers then."""
 CLEAR = 1.0
@@ -134,7 +136,9 @@ class Overtake(Controller):
         if close.any():
             time = np.where(close, 0.0, time)
             steering = np.where(close, pursuit(seen, LOOKAHEAD), steering)
-            slow = toward(seen.speed, CREEPING, self.acceleration, BACK_OFF)
+            turned = np.abs(seen.heading_error) > TURNED
+            pace = np.where(turned, CREEPING, SLOWEST)
+            slow = toward(seen.speed, pace, self.acceleration, BACK_OFF)
             acceleration = np.where(close, np.minimum(slow, acceleration), acceleration)
             state[close & (np.abs(seen.road_offset - state[:, _LANE]) < CLEAR), _CLOSE] = 0.0
         state[phase == RETURNING, _CLOCK] += seen.step

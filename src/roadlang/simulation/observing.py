@@ -160,11 +160,12 @@ class View:
 
     def obstacle_ahead(self, rows: Any) -> Floats:
         """(N,) gap to the next object in the way, infinite for none."""
-        return np.asarray(self.surroundings.obstacles(self.world).ahead(self.world)[rows])
+        gap: Floats = self.surroundings.obstacles(self.world).ahead(self.world)[rows]
+        return gap
 
     def lane_end(self, rows: Integers) -> Floats:
         """(N,) how far ahead of agents their lane becomes too narrow to drive in."""
-        return self._lanes_here().take(rows).end(self.world.motion.offset[rows])
+        return self._current_lanes().take(rows).end(self.world.motion.offset[rows])
 
     def right_of_way(
         self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None
