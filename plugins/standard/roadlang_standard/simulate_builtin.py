@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
@@ -28,6 +29,13 @@ class Builtin(Simulator):
     vehicle_step: Duration = option(
         0.02, minimum=0.001, maximum=0.05, help="time step of the equations of motion"
     )
+    after_violation: Duration = option(
+        None,
+        minimum=0,
+        help="how long a drive goes on after every `expect always` about it is violated; by "
+        "default to its end; expectations of other forms are never violated for certain before it",
+        example="2s",
+    )
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         (trace,) = self.drive_all([scene], [controllers])
@@ -48,5 +56,10 @@ class Builtin(Simulator):
         from .engine_tables import BODIES
 
         return EngineSettings(
-            self.duration, self.step, self.control_step, self.vehicle_step, BODIES
+            self.duration,
+            self.step,
+            self.control_step,
+            self.vehicle_step,
+            math.inf if self.after_violation is None else self.after_violation,
+            BODIES,
         )

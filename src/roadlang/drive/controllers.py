@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ..ir.scene import Call, Scene, SceneActor
 from ..plugins.finding import entry_of, find_entry
 from ..plugins.guard import plugin_guard
@@ -14,14 +16,17 @@ from ..simulation.controllers import Driver, GuardedController
 def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller]:
     """Agent to what drives it, where the last unconditional controller is written in Python."""
     found: dict[str, Controller] = {}
+    expected = _expected_signals(scene, registry)
     for actor in scene.agents:
-        driver = _driver(actor, registry)
+        driver = _driver(actor, registry, expected)
         if driver is not None:
             found[actor.name] = driver
     return found
 
 
-def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
+def _driver(
+    actor: SceneActor, registry: Registry, expected: Mapping[str, KindEntry]
+) -> Driver | None:
     each = {place: _controller(call, registry) for place, call in enumerate(actor.drive)}
     steady = [
         place for place, call in enumerate(actor.drive) if call.when is None and call.during is None
@@ -30,7 +35,22 @@ def _driver(actor: SceneActor, registry: Registry) -> Driver | None:
         steady and each[steady[-1]] is None
     ):
         return None
-    return Driver(each, steady, _signals(actor, registry))
+    return Driver(each, steady, {**expected, **_signals(actor, registry)})
+
+
+def _expected_signals(scene: Scene, registry: Registry) -> dict[str, KindEntry]:
+    """The drive signals that the scene's expectations are about, as far as they are installed."""
+    names = {
+        str(signal["kind"])
+        for verdict in scene.expectations
+        for signal in (verdict.formula or {}).get("signals", {}).values()
+        if verdict.domain == "drive"
+    }
+    return {
+        name: entry_of(registry, "drive_signal", name)
+        for name in sorted(names)
+        if registry.has("drive_signal", name)
+    }
 
 
 def _signals(actor: SceneActor, registry: Registry) -> dict[str, KindEntry]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..ir.scene import Scene
+from ..ir.scene import Call, Scene
 from ..ir.trace import Trace
 from ..judging.drives import Judgement, judge
 from ..plugins.configured import configured
@@ -31,18 +31,25 @@ class Driven:
 def simulator_of(
     scene: Scene, registry: Registry, engine: str | None, options: Mapping[str, Any]
 ) -> tuple[KindEntry, Simulator]:
-    """The simulator called `engine`, else the scene's, else the first there is.
+    """The simulator of `simulator_call`. Raises what that and `configured` raise."""
+    call = simulator_call(scene, registry, engine, options)
+    return configured(registry, "simulate", call.kind, call.options)
+
+
+def simulator_call(
+    scene: Scene, registry: Registry, engine: str | None, options: Mapping[str, Any]
+) -> Call:
+    """The simulator called `engine`, else the scene's, else the first there is, with its options.
 
     `options` (SI units) come before those of the scene's `simulate with`, which count where it
-    names the same engine. Raises `DiagnosticError` RL930 and what `configured` raises.
+    names the same engine. Raises `DiagnosticError` RL930.
     """
     call = scene.simulate
     name = engine or (call.kind if call is not None else _first_engine(registry))
     entry = entry_of(registry, "simulate", name)
     is_of_scene = call is not None and entry_of(registry, "simulate", call.kind) == entry
     written = dict(call.options) if call is not None and is_of_scene else {}
-    entry, simulator = configured(registry, "simulate", name, {**written, **options})
-    return entry, simulator
+    return Call(entry.recorded, {**written, **options})
 
 
 def _first_engine(registry: Registry) -> str:

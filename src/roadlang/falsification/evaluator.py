@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ..diagnostics import DiagnosticError
-from ..drive.simulators import Driven, drive_scenes
+from ..drive.simulators import Driven, drive_scenes, simulator_call
 from ..evaluate.candidates import CandidateBatch, rows_of
 from ..evaluate.draw_record import DrawRecord
 from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
+from ..plugins.finding import entry_of
 from ..plugins.registry import Registry
 from ..scenes.instantiate import driven_scene, instantiate
 from ..scenes.preparing import prepare_scenes
@@ -25,6 +26,8 @@ from ..world.index import index_scenario
 from .descriptors import descriptor, measures, moment_of, protagonist
 from .outcome import Outcome
 
+AFTER_VIOLATION = "after_violation"
+"""The option of simulators that can end a drive early."""
 _PILOT, _PILOT_SIZE = -2, 64
 """Candidates that the usual size of violations is learned from."""
 
@@ -42,6 +45,8 @@ class Task:
     engine: str | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
     overrides: Mapping[str, str] = field(default_factory=dict)
+    after_violation: float = 2.0
+    """seconds that a drive goes on after all that is expected of it is violated"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,15 +87,16 @@ class Evaluator:
         for place, row in enumerate(rows.tolist()):
             single = _part(valid, np.array([place]))
             try:
-                scenes[row] = driven_scene(single, proposals[row].index, self.task.overrides)
+                scene = driven_scene(single, proposals[row].index, self.task.overrides)
             except DiagnosticError as error:
                 if not _is_of_draws(error):
                     raise
                 worst = float(len(self.acceptance.requirements) + 1)
                 outcomes[row] = self._invalid(proposals[row], worst, measured.rho[:, row])
+            else:
+                scenes[row] = self._with_simulator(scene)
         if scenes:
-            task = self.task
-            driven = drive_scenes(list(scenes.values()), task.registry, task.engine, task.options)
+            driven = drive_scenes(list(scenes.values()), self.task.registry, None, {})
             for row, found in zip(scenes, driven, strict=True):
                 outcomes[row] = self.outcome(proposals[row], found, measured.rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
@@ -105,11 +111,10 @@ class Evaluator:
             return []
         candidates = self._candidates(proposals)
         prepare_scenes(candidates)
+        singles = [_part(candidates, np.array([row])) for row in range(len(proposals))]
         return [
-            instantiate(
-                _part(candidates, np.array([row])), proposal.index, self.task.overrides
-            ).scene
-            for row, proposal in enumerate(proposals)
+            self._with_simulator(instantiate(single, proposal.index, self.task.overrides).scene)
+            for single, proposal in zip(singles, proposals, strict=True)
         ]
 
     def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
@@ -137,6 +142,19 @@ class Evaluator:
             descriptor(scene, driven.trace, name, moment),
             moment,
         )
+
+    def _with_simulator(self, scene: Scene) -> Scene:
+        """The scene, which says how it is driven in this search: alone it is the same drive."""
+        task = self.task
+        call = simulator_call(scene, task.registry, task.engine, task.options)
+        if self._can_end_early(call.kind) and call.options.get(AFTER_VIOLATION) is None:
+            options = {**call.options, AFTER_VIOLATION: task.after_violation}
+            call = replace(call, options=options)
+        return replace(scene, simulate=call)
+
+    def _can_end_early(self, kind: str) -> bool:
+        entry = entry_of(self.task.registry, "simulate", kind)
+        return any(option.name == AFTER_VIOLATION for option in entry.options)
 
     def _invalid(self, proposal: Proposal, violation: float, rho: Floats) -> Outcome:
         return Outcome(

@@ -23,6 +23,8 @@ class Plan:
     islands: int = 1
     random: float = 0.05
     """share of the candidates that are drawn at random"""
+    after_violation: float = 2.0
+    """seconds that a drive goes on after all that is expected of it is violated"""
 
     def __post_init__(self) -> None:
         if not self.searcher.is_adaptive:

@@ -218,6 +218,14 @@ class FalsifyOptions:
         maximum=1,
         help="share of candidates that are drawn at random, to estimate the failure rate",
     )
+    after_violation: Duration = option(
+        2.0,
+        minimum=0,
+        help="how long a drive goes on after every `expect always` about it is violated, where the "
+        "simulator can tell, as the embedded engine can; no verdict depends on it, but robustness "
+        "may fall further in a longer drive",
+        example="1h",
+    )
 
 
 _OF_VERB = {

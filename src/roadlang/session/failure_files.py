@@ -43,7 +43,7 @@ def failure_in(file: str | Path, scene_file: str | Path | None = None) -> Failur
     plan, expects = plan_of(indexed, record.seed or 0, None, {"expects": record.expects or None})
     task = Task(
         loaded.scenario, loaded.registry, record.seed or 0, axes, expects, record.engine,
-        dict(record.options), loaded.params,
+        dict(record.options), loaded.params, plan.after_violation,
     )  # fmt: skip
     evaluator = Evaluator(task)
     outcome = _evaluated(evaluator, proposal, scene, path, str(loaded.path))

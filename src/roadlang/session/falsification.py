@@ -214,8 +214,9 @@ def falsified(
         raise DiagnosticError(diagnose(Code.NOTHING_TO_SEARCH))
     names = tuple(axis.name for axis in axes)
     task = Task(
-        source, registry, seed, names, expects, drives.engine, dict(drives.options), loaded.params
-    )
+        source, registry, seed, names, expects, drives.engine, dict(drives.options), loaded.params,
+        plan.after_violation,
+    )  # fmt: skip
     evaluator = Evaluator(task)
     journal: Journal = NoJournal()
     if folder is not None:

@@ -84,7 +84,7 @@ class DriverGroup:
         self._surroundings = Surroundings(world)
         self._slots = world.slots
         self._groups, calls = _grouped(world, controllers)
-        self._triggers = Triggers(world, calls, _signals(controllers))
+        self._triggers = Triggers(world, calls, signals_of(controllers))
         self._in_charge = np.zeros(0, dtype=np.int64)
         self._chosen: list[Integers] = []
         """of each group who is in charge, by the last `in_charge`"""
@@ -120,8 +120,7 @@ class DriverGroup:
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
-        place = np.full(count, -1)
-        place[agents] = np.arange(len(agents))
+        place = places(agents, count)
         for group in self._groups:
             group.take(place)
         self._triggers.take(place, agents)
@@ -146,8 +145,17 @@ def _keep_to_lines(world: World, view: View, out: Decision) -> None:
         out.steering[rows] = line_steering(view.of(rows))
 
 
-def _signals(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:
-    """The drive signals of all conditions, by the names that scenes have for them."""
+def places(agents: Integers, count: int) -> Integers:
+    """(count,) where the `agents` of a world of `count` are in a world of them alone; -1 for the
+    others."""
+    place = np.full(count, -1)
+    place[agents] = np.arange(len(agents))
+    return place
+
+
+def signals_of(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:
+    """The drive signals of all conditions and expectations, by the names that scenes have for
+    them."""
     found: dict[str, KindEntry] = {}
     for each in controllers:
         for driver in each.values():

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene
 from ..ir.trace import AgentTrace, Trace
 from .columns import COLUMNS
@@ -37,11 +37,13 @@ class Recorder:
         self._ends: dict[int, int] = {}
         self._events: dict[int, list[dict[str, Any]]] = {}
 
-    def record(self, world: World, poses: Poses) -> None:
-        """One sample of all scenes; a scene in which all have arrived ends with it."""
+    def record(self, world: World, poses: Poses, done: Booleans | None = None) -> None:
+        """One sample of all scenes; a scene in which all have arrived ends with it, and one that is
+        `done`, (S,)."""
         self._times.append(world.time)
         self._samples.append(np.stack([COLUMNS[name](world, poses) for name in RECORDED]))
-        ended = world.finished & ~self._over
+        finished = world.finished if done is None else world.finished | done
+        ended = finished & ~self._over
         if ended.any():
             self._over |= ended
             self._ends |= dict.fromkeys(self._rows[ended].tolist(), len(self._times))

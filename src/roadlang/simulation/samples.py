@@ -59,6 +59,11 @@ class Samples:
             for values in (*(past[name] for past in self._past), self._now[name]):
                 values[agents] = now[agents]
 
+    @property
+    def members_read(self) -> frozenset[str]:
+        """Members of `AgentTrace` that the sample of now was asked for."""
+        return frozenset(self._now)
+
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         for number, past in enumerate(self._past):

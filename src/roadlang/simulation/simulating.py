@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -14,9 +15,10 @@ from ..plugins.kinds import Controller
 from . import compiled, motion
 from .bodies import Body
 from .contacts import Contact, ContactDetector
-from .driving import DriverGroup
+from .driving import DriverGroup, places, signals_of
 from .motion import Advance
 from .recording import Recorder
+from .violations import ViolationWatch
 from .world import World
 from .world_building import world_of
 
@@ -38,6 +40,8 @@ class EngineSettings:
     """for which a decision of the controllers holds"""
     vehicle_step: float = 0.02
     """of the equations of motion"""
+    after_violation: float = math.inf
+    """for which a drive goes on at most once all that is expected of it is violated for certain"""
     bodies: Mapping[str, Body] = field(default_factory=dict)
     """what kinds of agents are, by name"""
 
@@ -93,19 +97,22 @@ def _drive_block(
     contacts = ContactDetector(world)
     poses = world.poses
     recorder = Recorder(world)
+    watch = ViolationWatch(world, signals_of(controllers), settings.after_violation)
     recorder.note(world, contacts.watch(world, poses, 0.0))
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
-            recorder.record(world, poses)
+            recorder.record(world, poses, watch.done(world, poses))
         going_on = recorder.going_on
         if world.tick >= last or not len(going_on):
             return recorder.traces()
         if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
             agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
-            drivers.take(agents, len(world.present))
-            contacts.take(agents, len(world.present))
+            count = len(world.present)
+            drivers.take(agents, count)
+            contacts.take(agents, count)
             world, poses = world.take(going_on), poses.take(agents)
             recorder.go_on_with(going_on)
+            watch.take(going_on, places(agents, count), agents)
         decision = drivers.decide(world, poses)
         steps = min(held, last - world.tick)
         samples = range(sampled - world.tick % sampled, steps, sampled)
@@ -121,7 +128,8 @@ def _drive_block(
             contacts.seen(poses)
         for between in passed:
             _halt_touched(between, world, touched)
-            recorder.record(between, between.poses)
+            poses_then = between.poses
+            recorder.record(between, poses_then, watch.done(between, poses_then))
 
 
 def _halt_touched(between: World, world: World, touched: Sequence[Contact]) -> None:

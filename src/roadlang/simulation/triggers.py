@@ -20,6 +20,8 @@ from .world import World
 
 PlacedCall = tuple[int, int, Call]
 """The place in the list of an agent, the column of the agent, and the call"""
+PlacedCondition = tuple[int, int, Mapping[str, Any] | None]
+"""A place, the column of an agent, and its condition there `{formula, signals, numbers}`"""
 
 
 @dataclass
@@ -32,6 +34,32 @@ class Trigger:
     signals: dict[str, SignalCall]
     latched: Booleans | None
     """of `when:`, which stays true once it is; None of `while:`"""
+
+    @classmethod
+    def of(
+        cls,
+        form: Sequence[PlacedCondition],
+        world: World,
+        kinds: Mapping[str, KindEntry],
+        *,
+        latched: bool,
+    ) -> Trigger:
+        """Of conditions of one form. Raises RL513 for what is not known step by step."""
+        conditions = [condition for _, _, condition in form if condition is not None]
+        rows = np.array([row for _, row, _ in form], dtype=np.int64)
+        scenes = (rows // world.slots).tolist()
+        first = conditions[0]
+        signals = {
+            name: SignalCall([member["signals"][name] for member in conditions], scenes, world, kinds)
+            for name in first.get("signals", {})
+        }
+        numbers = {
+            name: np.array([float(member["numbers"][name]) for member in conditions])
+            for name in first.get("numbers", {})
+        }
+        condition = ControllerCondition(first["formula"], numbers, len(rows))
+        past = np.zeros(len(rows), dtype=bool) if latched else None
+        return cls(form[0][0], rows, condition, signals, past)
 
     def holds(self, samples: Samples, time: float) -> Booleans:
         """(R,) whose condition holds."""
@@ -100,42 +128,22 @@ class Triggers:
 
 def _triggers(
     world: World,
-    conditions: Iterable[tuple[int, int, Mapping[str, Any] | None]],
+    conditions: Iterable[PlacedCondition],
     signals: Mapping[str, KindEntry],
     *,
     latched: bool,
 ) -> list[Trigger]:
+    forms = conditions_by_form(conditions)
+    return [Trigger.of(form, world, signals, latched=latched) for form in forms]
+
+
+def conditions_by_form(conditions: Iterable[PlacedCondition]) -> list[list[PlacedCondition]]:
     """Conditions of one form together: scenes of one file differ in their numbers alone."""
-    members: dict[Any, list[tuple[int, Mapping[str, Any]]]] = {}
+    members: dict[Any, list[PlacedCondition]] = {}
     for place, row, condition in conditions:
         if condition is not None:
             kinds = {name: signal["kind"] for name, signal in condition.get("signals", {}).items()}
             numbers = sorted(condition.get("numbers", {}))
             form = json.dumps([condition["formula"], kinds, numbers], sort_keys=True)
-            members.setdefault((place, form), []).append((row, condition))
-    return [
-        _trigger(place, found, world, signals, latched) for (place, _), found in members.items()
-    ]
-
-
-def _trigger(
-    place: int,
-    members: list[tuple[int, Mapping[str, Any]]],
-    world: World,
-    kinds: Mapping[str, KindEntry],
-    latched: bool,
-) -> Trigger:
-    rows = np.array([row for row, _ in members], dtype=np.int64)
-    first = members[0][1]
-    scenes = [row // world.slots for row, _ in members]
-    signals = {
-        name: SignalCall([member["signals"][name] for _, member in members], scenes, world, kinds)
-        for name in first.get("signals", {})
-    }
-    numbers = {
-        name: np.array([float(member["numbers"][name]) for _, member in members])
-        for name in first.get("numbers", {})
-    }
-    condition = ControllerCondition(first["formula"], numbers, len(rows))
-    past = np.zeros(len(rows), dtype=bool) if latched else None
-    return Trigger(place, rows, condition, signals, past)
+            members.setdefault((place, form), []).append((place, row, condition))
+    return list(members.values())

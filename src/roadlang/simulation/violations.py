@@ -1,0 +1,121 @@
+"""Which drives have violated all that is expected of them, whatever comes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import DiagnosticError
+from ..geometry.arrays import Booleans, Integers
+from ..ir.scene import Scene
+from ..plugins.registry import KindEntry
+from .poses import Poses
+from .samples import Samples
+from .triggers import PlacedCondition, Trigger, conditions_by_form
+from .world import World
+
+_KNOWN_LATER = "acceleration"
+"""A member of traces that depends on the next sample too."""
+_ROUNDING = 1e-9
+"""Seconds by which sums of time steps may differ."""
+
+
+class ViolationWatch:
+    """Looks at every sample. An expectation is violated for certain once it is `always p` and `p`
+    is false; a scene with an expectation of another form is never done."""
+
+    def __init__(self, world: World, signals: Mapping[str, KindEntry], patience: float) -> None:
+        """`signals`: drive signals by the names that scenes have for them; `patience`: seconds that
+        a drive goes on after its last expectation was violated; infinite: always to its end."""
+        self._patience = patience
+        self._slots = world.slots
+        self._watched: list[_Watched] = []
+        self._open = np.zeros(len(world.scenes), dtype=np.int64)
+        """expectations that are not violated yet; -1 where there are none"""
+        self._violated_at = np.full(len(world.scenes), math.inf)
+        if math.isfinite(patience):
+            self._watch(world, signals)
+        self._is_idle = not self._watched
+
+    def done(self, world: World, poses: Poses) -> Booleans | None:
+        """(S,) scenes that have violated everything for long enough; None where nothing is watched.
+
+        To be called at every sample, in order.
+        """
+        if self._is_idle:
+            return None
+        for watched in list(self._watched):
+            new = watched.newly_violated(world, poses)
+            if new is None:
+                self._watched.remove(watched)
+            elif len(new):
+                self._open[new // self._slots] -= 1
+        now = (self._open == 0) & np.isinf(self._violated_at)
+        self._violated_at[now] = world.time
+        return np.asarray(world.time - self._violated_at > self._patience - _ROUNDING)
+
+    def take(self, scenes: Integers, place: Integers, agents: Integers) -> None:
+        """From now on the world has these of its scenes alone. `place`: (N,) where its agents are
+        now, -1 for no more; `agents`: those that stay."""
+        self._open, self._violated_at = self._open[scenes], self._violated_at[scenes]
+        for watched in self._watched:
+            watched.take(place, agents)
+
+    def _watch(self, world: World, signals: Mapping[str, KindEntry]) -> None:
+        found: list[PlacedCondition] = []
+        for number, scene in enumerate(world.scenes):
+            expected = list(_expected(scene))
+            self._open[number] = len(expected) or -1
+            first = number * world.slots
+            found += [(at, first, part) for at, part in enumerate(expected) if part is not None]
+        for form in conditions_by_form(found):
+            try:
+                trigger = Trigger.of(form, world, signals, latched=False)
+            except DiagnosticError:  # not known step by step: those scenes go on to their ends
+                continue
+            if not any(signal.looks_back for signal in trigger.signals.values()):
+                self._watched.append(_Watched(trigger, Samples(0), np.zeros(len(form), dtype=bool)))
+
+
+@dataclass
+class _Watched:
+    """What has to be true at every sample, of one form, in some scenes."""
+
+    trigger: Trigger
+    samples: Samples
+    violated: Booleans
+
+    def newly_violated(self, world: World, poses: Poses) -> Integers | None:
+        """The first agents of scenes in which it is now violated for the first time; None where it
+        cannot be evaluated step by step."""
+        self.samples.add(world, poses)
+        try:
+            holds = self.trigger.holds(self.samples, world.time)
+        except DiagnosticError:  # the fault is reported when the trace is judged
+            return None
+        if _KNOWN_LATER in self.samples.members_read:
+            return None
+        new = self.trigger.rows[~holds & ~self.violated]
+        self.violated |= ~holds
+        return new
+
+    def take(self, place: Integers, agents: Integers) -> None:
+        """Agents are at other places of the world now; at -1, no more."""
+        self.violated = self.violated[place[self.trigger.rows] >= 0]
+        self.trigger.take(place, agents)
+        self.samples.take(agents)
+
+
+def _expected(scene: Scene) -> Iterator[Mapping[str, Any] | None]:
+    """Of each expectation of the drive what has to be true at every sample; None of other forms."""
+    for verdict in scene.expectations:
+        if verdict.domain != "drive":
+            continue
+        form = verdict.formula or {}
+        formula = form.get("formula")
+        is_invariant = isinstance(formula, Mapping) and list(formula) == ["always"]
+        yield {**form, "formula": formula["always"]} if is_invariant else None  # type: ignore[index]
