@@ -142,7 +142,7 @@ class Provenance(Frozen):
     plugins: Mapping[str, str] = field(default_factory=dict)
     """version by distribution"""
     source: str = ""
-    """the scene file"""
+    """name of the scene file, without its folder"""
     overrides: Mapping[str, str] = field(default_factory=dict)
     """params set from outside, as written"""
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.metadata import PackageNotFoundError, version
+from pathlib import PurePath
 from typing import Any
 
 import numpy as np
@@ -144,8 +145,15 @@ def provenance(candidates: CandidateBatch, index: int, overrides: Mapping[str, s
         attempt=int(candidates.attempts[0]),
         inputs={item.path: item.sha256 for item in _inputs(candidates)},
         plugins=scenario.origins(),
+        source=_scene_file(scenario),
         overrides=dict(overrides),
     )
+
+
+def _scene_file(scenario: IndexedScenario) -> str:
+    """The name of the scene file, wherever it lies; empty for a scenario that is of no file."""
+    inputs = scenario.source.inputs
+    return PurePath(inputs[0].path).name if inputs else ""
 
 
 @cache
