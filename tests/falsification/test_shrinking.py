@@ -17,7 +17,8 @@ def search() -> Falsification:
 def test_a_failure_shrinks_to_one_that_still_fails(search: Falsification) -> None:
     failure = search.failures[0]
     simple = failure.shrink()
-    plain = [value == 0.5 for value in simple.outcome.point]
+    places = zip(simple.outcome.point, simple.simplest, strict=True)
+    plain = [value == simplest for value, simplest in places]
     assert sum(plain) > 3
     assert simple.outcome.violated == failure.outcome.violated
     assert simple.drive.verdicts["in_lane"].satisfied is False

@@ -63,6 +63,10 @@ class Choice(Distribution):
             ends += share
         return levels
 
+    def simplest(self) -> float:
+        """The first item."""
+        return self.levels(1)[0]
+
     def cells(self) -> list[float]:
         ends = 0.0
         return [ends := ends + float(share) for share in self._shares()]

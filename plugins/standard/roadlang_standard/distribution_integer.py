@@ -42,3 +42,8 @@ class UniformInteger(Distribution):
         if count > _MOST_CELLS:
             return None
         return [(number + 1) / count for number in range(count)]
+
+    def simplest(self) -> float:
+        """The number nearest to 0."""
+        nearest = min(max(0, self.low), self.high)
+        return (nearest - self.low + 0.5) / (self.high - self.low + 1)

@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 
+BELOW_ONE = 1.0 - 2.0**-53
+
+
 @dataclass(frozen=True)
 class Uniform(Distribution):
     """A uniformly distributed real number; `a..b` is the same."""
@@ -29,3 +32,10 @@ class Uniform(Distribution):
     def levels(self, steps: int) -> list[float]:
         """Both ends and even steps between them."""
         return [0.5] if steps == 1 else [step / (steps - 1) for step in range(steps)]
+
+    def simplest(self) -> float:
+        """0, or the end of the range that is nearer to it."""
+        if not self.low < self.high:
+            return 0.5
+        at = -self.low / (self.high - self.low)
+        return float(min(max(at, 0.0), BELOW_ONE))

@@ -23,8 +23,9 @@ def command(failure: str, scene_file: str | None, target: str | None) -> None:
     """Write the simplest scene that still fails as FAILURE.json does.
 
     FAILURE.json is a scene that `roadlang falsify` wrote (failures/0001.json), or one of `roadlang
-    run` that violates an expectation. Its random values are set to their medians, one after the
-    other, as long as the same expectation stays violated. What is left is what the failure needs.
+    run` that violates an expectation. Its random values are set to their simplest values, one
+    after the other, or go half way toward them, as long as the same expectation stays violated.
+    What is left is what the failure needs.
     """
     from ..session.failure_files import failure_in
     from ..session.failure_findings import write_shrunk
@@ -49,9 +50,9 @@ def _print(found: Failure, simple: Failure) -> None:
     draws = reported_draws(simple)
     axes = len(simple.axes)
     if not draws:
-        echo(f"it fails with all of its {axes} random values at their medians")
+        echo(f"it fails with all of its {axes} random values at their simplest")
         return
-    echo(f"{axes - len(draws)} of {axes} random values are at their medians; it needs")
+    echo(f"{axes - len(draws)} of {axes} random values are at their simplest; it needs")
     units = simple.scene.units
     for draw in draws:
         value = simple.outcome.draws.get(draw)

@@ -52,7 +52,15 @@ def _axis(name: str, draw: RandomValue | None, scenario: IndexedScenario) -> Axi
     with built.guarded:
         cells = built.kind.cells()
         ends = None if cells is None else tuple(_ascending(cells))
-    return Axis(name, ends, built.kind.is_ordered)
+        simplest = _coordinate(built.kind.simplest())
+    return Axis(name, ends, built.kind.is_ordered, simplest)
+
+
+def _coordinate(found: float) -> float:
+    """A number in [0, 1). Raises `ValueError` for anything else."""
+    if not 0.0 <= float(found) < 1.0:
+        raise ValueError(f"its simplest value is at {found}, which is not in [0, 1)")
+    return float(found)
 
 
 def _ascending(cells: Iterator[float]) -> list[float]:

@@ -19,10 +19,12 @@ from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.finding import entry_of
+from ..plugins.kinds import Axis
 from ..plugins.registry import Registry
 from ..scenes.instantiate import driven_scene, instantiate
 from ..scenes.preparing import prepare_scenes
 from ..world.index import index_scenario
+from .axes import axes_of
 from .descriptors import descriptor, measures, moment_of, protagonist
 from .outcome import Outcome
 
@@ -65,6 +67,21 @@ class Evaluator:
         self.task = task
         self.scenario = index_scenario(task.scenario, task.registry)
         self.acceptance = Acceptance(self.scenario)
+
+    @cached_property
+    def _axes(self) -> tuple[Axis, ...]:
+        known = {axis.name: axis for axis in axes_of(self.scenario, self.task.seed)}
+        return tuple(known.get(name, Axis(name)) for name in self.task.axes)
+
+    @property
+    def simplest(self) -> tuple[float, ...]:
+        """The coordinates of the simplest values of all axes."""
+        return tuple(axis.simplest for axis in self._axes)
+
+    @property
+    def ordered(self) -> tuple[bool, ...]:
+        """Of which axes there are values between others."""
+        return tuple(axis.ends is None or axis.is_ordered for axis in self._axes)
 
     def __reduce__(self) -> tuple[type[Evaluator], tuple[Task]]:
         return Evaluator, (self.task,)

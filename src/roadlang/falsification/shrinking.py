@@ -8,27 +8,54 @@ from itertools import combinations
 from .evaluator import Evaluator, Proposal
 from .outcome import Outcome
 
-MIDDLE = 0.5
-"""The coordinate that counts as plain: the median of a draw."""
+MEDIAN = 0.5
+"""The coordinate of the median of a draw."""
+LEAST_STEP = 0.05
+"""Shorter steps toward the simplest value are not tried, in parts of the range of a draw."""
 _MOST_PAIRED = 8
 """Draws whose pairs are tried: those that matter most by themselves."""
 
 
 def shrunk(failure: Outcome, evaluator: Evaluator) -> Outcome:
-    """The failure with as many draws as possible at their medians, still of the same cause.
+    """The failure with as many draws as possible at their simplest values, and the others half
+    way toward them as often as it still fails of the same cause.
 
-    Draws are reset one after the other, always the one with which it fails worst, until none can
-    be reset any more.
+    Draws are changed one after the other, always the one with which it fails worst, until none can
+    be any more. Draws of unordered values have no half way.
     """
-    current = failure
+    current, simplest = failure, evaluator.simplest
     while True:
-        others = [i for i, value in enumerate(current.point) if value != MIDDLE]
-        tried = evaluator.evaluate([_reset(current, [axis]) for axis in others])
-        name = failure.violated[0]
-        failing = [outcome for outcome in tried if name in outcome.violated]
-        if not failing:
+        others = [axis for axis, at in enumerate(current.point) if at != simplest[axis]]
+        resets = [_moved(current, axis, simplest[axis]) for axis in others]
+        halves = [
+            _moved(current, axis, middle)
+            for axis in others
+            if evaluator.ordered[axis]
+            and abs(current.point[axis] - (middle := _between(current, axis, simplest)))
+            >= LEAST_STEP
+        ]
+        better = _worst(failure, resets, evaluator) or _worst(failure, halves, evaluator)
+        if better is None:
             return current
-        current = min(failing, key=lambda outcome: _rho(outcome, name))
+        current = better
+
+
+def _between(outcome: Outcome, axis: int, simplest: Sequence[float]) -> float:
+    return 0.5 * (outcome.point[axis] + simplest[axis])
+
+
+def _worst(failure: Outcome, proposals: Sequence[Proposal], evaluator: Evaluator) -> Outcome | None:
+    """The one that fails worst of the same cause; None where none fails."""
+    name = failure.violated[0]
+    tried = evaluator.evaluate(proposals) if proposals else []
+    failing = [outcome for outcome in tried if name in outcome.violated]
+    return min(failing, key=lambda outcome: _rho(outcome, name), default=None)
+
+
+def _moved(outcome: Outcome, axis: int, at: float) -> Proposal:
+    """The same candidate with one coordinate somewhere else."""
+    point = (*outcome.point[:axis], at, *outcome.point[axis + 1 :])
+    return Proposal(outcome.index, point)
 
 
 def influences(
@@ -55,8 +82,8 @@ def _tried(
 
 
 def _reset(outcome: Outcome, axes: Sequence[int]) -> Proposal:
-    """The same candidate with some coordinates in the middle; its other draws stay."""
-    point = tuple(MIDDLE if axis in axes else v for axis, v in enumerate(outcome.point))
+    """The same candidate with some coordinates at the medians; its other draws stay."""
+    point = tuple(MEDIAN if axis in axes else v for axis, v in enumerate(outcome.point))
     return Proposal(outcome.index, point)
 
 

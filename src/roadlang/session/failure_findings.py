@@ -7,7 +7,6 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ..falsification.shrinking import MIDDLE
 from ..files.writing import write_all, write_file
 from ..report.units import robustness_unit
 from .falsification import Failure
@@ -26,9 +25,9 @@ def write_shrunk(simple: Failure, file: Path, target: Path | None = None) -> Pat
 
 
 def reported_draws(failure: Failure) -> list[str]:
-    """The draws that are not at their medians."""
-    axes = failure.axes
-    return [name for name, at in zip(axes, failure.outcome.point, strict=True) if at != MIDDLE]
+    """The draws that are not at their simplest values."""
+    places = zip(failure.axes, failure.outcome.point, failure.simplest, strict=True)
+    return [name for name, at, simplest in places if at != simplest]
 
 
 def explanation(failure: Failure) -> dict[str, Any]:

@@ -69,6 +69,11 @@ class Failure:
         return self._search.evaluator.task.axes
 
     @property
+    def simplest(self) -> tuple[float, ...]:
+        """Where in [0, 1) the simplest values of its axes are."""
+        return self._search.evaluator.simplest
+
+    @property
     def robustness(self) -> Mapping[str, float | None]:
         """Of each expectation of the search."""
         return self.outcome.expectations
@@ -79,7 +84,9 @@ class Failure:
         return self._search.scene(self.outcome)
 
     def shrink(self) -> Failure:
-        """The same failure with as many draws as possible at their medians."""
+        """The same failure with as many draws as possible at their simplest values (0 or what is
+        nearest to it, the first of a `choice`, the median of other distributions), and the others
+        nearer to theirs."""
         return Failure(self.rank, shrunk(self.outcome, self._search.evaluator), self._search)
 
     def explain(self) -> Mapping[tuple[str, ...], float | None]:

@@ -49,6 +49,11 @@ class Distribution(Kind):
         ascending to 1. None where values are continuous. Options are plain numbers."""
         return None
 
+    def simplest(self) -> float:
+        """Where in [0, 1) `quantile` gives the simplest value, to which failures are shrunk; the
+        median by default. Options are plain numbers."""
+        return 0.5
+
 
 class DrawnValue(Protocol):
     """A random value of the scenario, as samplers see it."""

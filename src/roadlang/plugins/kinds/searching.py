@@ -26,6 +26,8 @@ class Axis:
     ends: tuple[float, ...] | None = None
     is_ordered: bool = True
     """of a countable value: whether neighbors are more alike than others"""
+    simplest: float = 0.5
+    """where its simplest value is"""
 
     def middles(self) -> tuple[float, ...]:
         """A coordinate for each value of a countable axis; none for a continuous one."""

@@ -248,7 +248,7 @@ function foundByCommands({ name, shrunk, explanation }) {
   const parts = [];
   if (shrunk) {
     const rows = shrunk.draws.map(([draw, value, unit]) => [draw, typeof value === "number" ? shown(value, unit) : String(value)]);
-    const count = `${shrunk.others} of ${shrunk.others + rows.length} random values are at their medians; it needs:`;
+    const count = `${shrunk.others} of ${shrunk.others + rows.length} random values are at their simplest; it needs:`;
     parts.push(make("h3", {}, "The simplest scene that still fails"), make("p", {}, count), list(rows));
     parts.push(make("p", {}, make("code", {}, `roadlang run ${name}.shrunk.json`)));
   }
