@@ -50,7 +50,9 @@ class Trigger:
         scenes = (rows // world.slots).tolist()
         first = conditions[0]
         signals = {
-            name: SignalCall([member["signals"][name] for member in conditions], scenes, world, kinds)
+            name: SignalCall(
+                [member["signals"][name] for member in conditions], scenes, world, kinds
+            )
             for name in first.get("signals", {})
         }
         numbers = {
