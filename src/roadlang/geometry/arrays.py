@@ -64,6 +64,13 @@ def wrapped(angles: Floats) -> Floats:
     return np.asarray((angles + np.pi) % (2.0 * np.pi) - np.pi)
 
 
+def inverse_index(rows: Integers, count: int) -> Integers:
+    """(count,) where each of `count` rows is in a selection `rows`; -1 for those that are not."""
+    place = np.full(count, -1)
+    place[rows] = np.arange(len(rows))
+    return place
+
+
 def read_only(array: Array) -> Array:
     """The same numbers in an array that cannot be written to."""
     if array.flags.writeable:

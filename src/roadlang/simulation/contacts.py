@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers, inverse_index
 from .outlines import Outlines
 from .poses import Poses
 from .world import World
@@ -88,8 +88,7 @@ class ContactDetector:
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
-        place = np.full(count, -1)
-        place[agents] = np.arange(len(agents))
+        place = inverse_index(agents, count)
         remaining = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
         self._pairs = (place[self._pairs[0][remaining]], place[self._pairs[1][remaining]])
         remaining = place[self._near[0]] >= 0

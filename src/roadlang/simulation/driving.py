@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..geometry.arrays import Booleans, Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers, inverse_index
 from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
@@ -120,7 +120,7 @@ class DriverGroup:
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
-        place = places(agents, count)
+        place = inverse_index(agents, count)
         for group in self._groups:
             group.take(place)
         self._triggers.take(place, agents)
@@ -143,14 +143,6 @@ def _keep_to_lines(world: World, view: View, out: Decision) -> None:
     rows = np.flatnonzero(np.isnan(out.steering) & world.has_road & ~world.bodies.walks)
     if len(rows):
         out.steering[rows] = line_steering(view.of(rows))
-
-
-def places(agents: Integers, count: int) -> Integers:
-    """(count,) where the `agents` of a world of `count` are in a world of them alone; -1 for the
-    others."""
-    place = np.full(count, -1)
-    place[agents] = np.arange(len(agents))
-    return place
 
 
 def signals_of(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats, Integers
+from ..geometry.arrays import Floats, Integers, inverse_index
 from ..ir.scene import Scene
 from ..ir.trace import AgentTrace, Trace
 from .columns import COLUMNS
@@ -14,6 +14,7 @@ from .contacts import Contact
 from .lane_reader import LaneReader
 from .poses import Poses
 from .recorded_columns import RECORDED, RecordedAgent, RecordedPart
+from .violations import ViolationWatch
 from .world import World
 
 ENGINE = "the embedded engine"
@@ -22,7 +23,8 @@ ENGINE = "the embedded engine"
 class Recorder:
     """Samples of all agents of a block of scenes. Scenes may end at different times."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, watch: ViolationWatch | None = None) -> None:
+        self._watch = watch
         self._scenes = scenes = world.scenes
         self._lanes = LaneReader(world)
         self._slots = world.slots
@@ -37,11 +39,12 @@ class Recorder:
         self._ends: dict[int, int] = {}
         self._events: dict[int, list[dict[str, Any]]] = {}
 
-    def record(self, world: World, poses: Poses, done: Booleans | None = None) -> None:
-        """One sample of all scenes; a scene in which all have arrived ends with it, and one that is
-        `done`, (S,)."""
+    def record(self, world: World, poses: Poses) -> None:
+        """One sample of all scenes; a scene in which all have arrived ends with it, and one that
+        has violated all that is expected of it for long enough."""
         self._times.append(world.time)
         self._samples.append(np.stack([COLUMNS[name](world, poses) for name in RECORDED]))
+        done = None if self._watch is None else self._watch.done(world, poses)
         finished = world.finished if done is None else world.finished | done
         ended = finished & ~self._over
         if ended.any():
@@ -67,9 +70,11 @@ class Recorder:
             row = int(self._rows[contact.agent // self._slots])
             self._events.setdefault(row, []).append(event)
 
-    def go_on_with(self, rows: Integers) -> None:
-        """Of the scenes that went on, only these still do."""
+    def go_on_with(self, rows: Integers, agents: Integers, count: int) -> None:
+        """Of the scenes that went on, only these still do, with these of `count` agents."""
         self._close()
+        if self._watch is not None:
+            self._watch.take(rows, inverse_index(agents, count), agents)
         self._rows, self._over = self._rows[rows], self._over[rows]
 
     def traces(self) -> list[Trace]:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Floats, Integers, inverse_index
 from ..ir.scene import Scene
 from ..ir.trace import AgentTrace, Trace
 from ..plugins.drive_signals import drive_signal_kind, drive_signal_values, named_entities
@@ -134,10 +134,8 @@ class SignalCall:
     def take(self, rows: Integers, agents: Integers, count: int) -> None:
         """From now on it is about `rows` of its agents alone; of the `count` agents of the world
         there are those that are `agents`."""
-        place = np.full(count, -1)
-        place[agents] = np.arange(len(agents))
-        number = np.full(self._count, -1)
-        number[rows] = np.arange(len(rows))
+        place = inverse_index(agents, count)
+        number = inverse_index(rows, self._count)
         self._parts = [
             _Part(
                 number[part.rows[remaining]],

@@ -15,7 +15,7 @@ from ..plugins.kinds import Controller
 from . import compiled, motion
 from .bodies import Body
 from .contacts import Contact, ContactDetector
-from .driving import DriverGroup, places, signals_of
+from .driving import DriverGroup, signals_of
 from .motion import Advance
 from .recording import Recorder
 from .violations import ViolationWatch
@@ -96,12 +96,12 @@ def _drive_block(
     drivers = DriverGroup(world, controllers, held * dt)
     contacts = ContactDetector(world)
     poses = world.poses
-    recorder = Recorder(world)
     watch = ViolationWatch(world, signals_of(controllers), settings.after_violation)
+    recorder = Recorder(world, watch)
     recorder.note(world, contacts.watch(world, poses, 0.0))
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
-            recorder.record(world, poses, watch.done(world, poses))
+            recorder.record(world, poses)
         going_on = recorder.going_on
         if world.tick >= last or not len(going_on):
             return recorder.traces()
@@ -111,8 +111,7 @@ def _drive_block(
             drivers.take(agents, count)
             contacts.take(agents, count)
             world, poses = world.take(going_on), poses.take(agents)
-            recorder.go_on_with(going_on)
-            watch.take(going_on, places(agents, count), agents)
+            recorder.go_on_with(going_on, agents, count)
         decision = drivers.decide(world, poses)
         steps = min(held, last - world.tick)
         samples = range(sampled - world.tick % sampled, steps, sampled)
@@ -128,8 +127,7 @@ def _drive_block(
             contacts.seen(poses)
         for between in passed:
             _halt_touched(between, world, touched)
-            poses_then = between.poses
-            recorder.record(between, poses_then, watch.done(between, poses_then))
+            recorder.record(between, between.poses)
 
 
 def _halt_touched(between: World, world: World, touched: Sequence[Contact]) -> None:
