@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..geometry.arrays import Integers
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
@@ -106,8 +107,7 @@ def _drive_block(
         if world.tick >= last or not len(going_on):
             return recorder.traces()
         if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
-            agents = (going_on[:, None] * world.slots + np.arange(world.slots)).ravel()
-            count = len(world.present)
+            agents, count = _columns(going_on, world.slots), len(world.present)
             drivers.take(agents, count)
             contacts.take(agents, count)
             world, poses = world.take(going_on), poses.take(agents)
@@ -128,6 +128,11 @@ def _drive_block(
         for between in passed:
             _halt_touched(between, world, touched)
             recorder.record(between, between.poses)
+
+
+def _columns(scenes: Integers, slots: int) -> Integers:
+    """Those of all agents of some scenes."""
+    return np.asarray((scenes[:, None] * slots + np.arange(slots)).ravel())
 
 
 def _halt_touched(between: World, world: World, touched: Sequence[Contact]) -> None:
