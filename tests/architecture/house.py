@@ -11,7 +11,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 CORE = "src/roadlang"
-SHIPPED_PLUGINS = ("plugins/standard/roadlang_standard", "plugins/godot/roadlang_godot")
+SHIPPED_PLUGINS = (
+    "plugins/standard/roadlang_standard",
+    "plugins/godot/roadlang_godot",
+    "plugins/formats/roadlang_formats",
+)
 PAGE = "docs/architecture.md"
 
 

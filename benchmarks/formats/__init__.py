@@ -1,0 +1,1 @@
+"""Files of `emit opendrive`, judged by the tools of others."""

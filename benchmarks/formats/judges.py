@@ -1,0 +1,92 @@
+"""The ASAM OpenDRIVE checker and netconvert on one file."""
+
+from __future__ import annotations
+
+import subprocess
+from collections import Counter
+from pathlib import Path
+from xml.etree import ElementTree
+
+from roadlang.ir.scene import Scene
+
+_SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
+<Config><Param name="InputFile" value="{file}"/><CheckerBundle application="xodrBundle">
+<Param name="resultFile" value="{result}"/></CheckerBundle></Config>
+"""
+_SHARE = 0.005
+"""By which a road of netconvert may differ in length."""
+_WALKED = {"sidewalk"}
+
+
+def checked(program: str, file: Path) -> tuple[int, Counter[str]]:
+    """How many rules the ASAM checker has completed, and which ones it says are broken.
+
+    It ends with 0 whatever it finds, and skips rules without a word: its result says so.
+    """
+    result, settings = file.with_suffix(".xqar"), file.with_suffix(".xml")
+    result.unlink(missing_ok=True)
+    settings.write_text(_SETTINGS.format(file=file, result=result))
+    subprocess.run([program, "-c", str(settings)], capture_output=True, check=True, cwd=file.parent)
+    root = ElementTree.parse(result)
+    completed = sum(rule.get("status") == "completed" for rule in root.iter("Checker"))
+    return completed, Counter(str(issue.get("ruleUID")) for issue in root.iter("Issue"))
+
+
+def converted(program: str, file: Path, scene: Scene) -> list[str]:
+    """What netconvert misses of a scene: roads, turns, lengths; also its warnings."""
+    net = file.with_suffix(".net.xml")
+    command = [program, "--opendrive-files", str(file), "-o", str(net)]
+    # The roads of a file end where the corners of its junctions begin: no more is to be cut off.
+    command += ["--default.junctions.radius", "0"]
+    command += ["--opendrive.curve-resolution", "0.5", "--precision", "6"]
+    # 4 GB: a file that it cannot take has eaten all memory before now.
+    done = subprocess.run(
+        ["sh", "-c", 'ulimit -v 4000000; exec "$@"', "sh", *command], capture_output=True, text=True
+    )
+    if done.returncode:
+        return [f"netconvert failed: {done.stderr.strip()[-200:]}"]
+    faults = [
+        line
+        for line in done.stderr.splitlines()
+        if line.startswith("Warning") and "SUMO_HOME" not in line and "turning radius" not in line
+    ]
+    root = ElementTree.parse(net).getroot()
+    edges = {edge.get("id"): edge for edge in root.iter("edge") if edge.get("function") is None}
+    turns = sum(not str(link.get("from")).startswith(":") for link in root.iter("connection"))
+    wanted = sum(
+        len(junction.connections)
+        for network in scene.networks
+        for junction in network.junctions
+        if {arm.road for arm in junction.arms} <= {r.name for r in scene.roads if r.derived}
+    )
+    if turns < wanted:
+        faults.append(f"{turns} turns instead of {wanted}")
+    return faults + _lengths(ElementTree.parse(file).getroot(), edges)
+
+
+def _lengths(file: ElementTree.Element, edges: dict[str | None, ElementTree.Element]) -> list[str]:
+    """Roads that are missing, and those whose two directions are not as long on the average."""
+    faults = []
+    for road in file.iterfind("road"):
+        if road.get("junction") != "-1":
+            continue
+        ways = [_edges(name, edges) for name in (f"-{road.get('id')}", str(road.get("id")))]
+        if not any(ways):
+            faults.append(f"road {road.get('id')} is missing")
+        elif all(len(way) == 1 for way in ways):
+            lanes = [
+                lane
+                for (edge,) in ways
+                for lane in edge.iterfind("lane")
+                if lane.get("type") not in _WALKED
+            ]
+            mean = sum(float(str(lane.get("length"))) for lane in lanes) / len(lanes)
+            length = float(str(road.get("length")))
+            if abs(mean / length - 1.0) > _SHARE:
+                faults.append(f"road {road.get('id')} is {mean:.2f} m long, not {length:.2f} m")
+    return faults
+
+
+def _edges(name: str, edges: dict[str | None, ElementTree.Element]) -> list[ElementTree.Element]:
+    """The edges of one direction of a road: several where lanes begin or end."""
+    return [edge for id, edge in edges.items() if str(id).partition("#")[0] == name]

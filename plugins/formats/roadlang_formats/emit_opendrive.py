@@ -1,0 +1,42 @@
+"""`emit opendrive`: roads, junctions, signals and objects for simulators that read OpenDRIVE."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar, Literal
+
+from roadlang.api import Backend, Length, String, option
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from roadlang.api import ScenarioContents, Scene
+
+
+@dataclass(frozen=True)
+class OpenDriveBackend(Backend):
+    """The roads, lanes, junctions, signals and objects of a scene as ASAM OpenDRIVE, which CARLA,
+    esmini, SUMO and others read. Agents are not part of the format."""
+
+    name: ClassVar[str] = "opendrive"
+    version: Literal["1.6", "1.7", "1.8"] = option("1.8", help="of the format")
+    tolerance: Length = option(
+        0.005,
+        minimum=0.0001,
+        maximum=1,
+        help="how far a reference line may be from the road where it is not exactly made of "
+        "lines, arcs and clothoids",
+    )
+    geo_reference: String = option(
+        "", help="a PROJ string that says where on Earth the origin is; without one, nowhere"
+    )
+
+    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
+        """It is of roads."""
+        if not (contents.roads or contents.networks):
+            yield "it has no road"
+
+    def files(self, scene: Scene) -> Mapping[str, str]:
+        from .opendrive.document import document
+
+        return {"xodr": document(scene, self.version, self.tolerance, self.geo_reference)}

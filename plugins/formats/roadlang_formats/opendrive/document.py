@@ -1,0 +1,123 @@
+"""A scene as the text of an OpenDRIVE file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element, indent, tostring
+
+import numpy as np
+
+from .connecting_roads import ConnectingRoad, put_connecting_road
+from .elements import linear_pieces, put
+from .junctions import end_roads, numbered_junctions, put_junction
+from .lanes import put_lanes
+from .objects import objects_by_part, put_objects
+from .reference import put_elevation, put_plan_view
+from .road_parts import RoadPart, road_parts
+from .signals import put_controllers, put_signals, signals
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+
+_LEVEL = 1e-3
+"""Meters by which heights may be off."""
+_DATE = "1970-01-01T00:00:00"
+"""The format demands one; files of the same scene are to be equal."""
+
+
+def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -> str:
+    """The file of a scene. Roads keep to their curves within `tolerance` (meters)."""
+    left_hand = scene.world.get("traffic") == "left"
+    rule = "LHT" if left_hand else "RHT"
+    parts = road_parts(scene, tolerance)
+    junctions = numbered_junctions(scene, parts)
+    lights = signals(junctions)
+    ends = end_roads(junctions)
+    things = objects_by_part(scene.objects, parts)
+    root = Element("OpenDRIVE")
+    _put_header(root, scene, parts, version, geo_reference)
+    for part in parts:
+        road = put(root, "road", name=_name(part), length=part.line.length, id=part.id, junction=-1)
+        road.set("rule", rule)
+        _put_links(road, part, ends)
+        _put_types(road, part)
+        put_plan_view(road, part.line.pieces)
+        put_elevation(road, _heights(part))
+        put_lanes(road, part, version)
+        put_objects(road, part, things.get(part.id, ()))
+        put_signals(road, part, lights, left_hand)
+    for junction in junctions:
+        for connecting in junction.roads:
+            put_connecting_road(root, connecting, rule, _speed(connecting))
+    controllers = put_controllers(root, lights)
+    for junction in junctions:
+        put_junction(root, junction, controllers.get(junction.id, ()))
+    indent(root, " ")
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, encoding="unicode") + "\n"
+
+
+def _put_header(
+    root: Element, scene: Scene, parts: tuple[RoadPart, ...], version: str, geo_reference: str
+) -> None:
+    major, _, minor = version.partition(".")
+    poses = [part.pose(part.stations) for part in parts]
+    x, y = (np.concatenate([pose[:, axis] for pose in poses]) for axis in (0, 1))
+    header = put(
+        root,
+        "header",
+        revMajor=int(major),
+        revMinor=int(minor),
+        name=scene.title or scene.name,
+        version="1",
+        date=_DATE,
+        north=float(y.max()),
+        south=float(y.min()),
+        east=float(x.max()),
+        west=float(x.min()),
+        vendor="roadlang",
+    )
+    if geo_reference:
+        put(header, "geoReference").text = geo_reference
+
+
+def _name(part: RoadPart) -> str:
+    return part.road.street or part.road.name
+
+
+def _put_links(road: Element, part: RoadPart, ends: dict[tuple[str, str], int]) -> None:
+    link = put(road, "link")
+    if part.previous is not None and part.next is not None:
+        put(link, "predecessor", elementType="road", elementId=part.previous, contactPoint="end")
+        put(link, "successor", elementType="road", elementId=part.next, contactPoint="start")
+        return
+    for tag, end in (("predecessor", "start"), ("successor", "end")):
+        junction = ends.get((part.road.name, end))
+        if junction is not None:
+            put(link, tag, elementType="junction", elementId=junction)
+
+
+def _put_types(road: Element, part: RoadPart) -> None:
+    """The speed limit of the road, zone by zone."""
+    first, last = part.stations[0], part.stations[-1]
+    for zone, after in zip(part.road.zones(), (*part.road.zones()[1:], None), strict=True):
+        if zone.start >= last or (after is not None and after.start <= first):
+            continue
+        s = float(part.line.at(np.array([max(zone.start, first)]))[0])
+        kind = put(road, "type", s=s, type="town")
+        if zone.speed_limit is not None:
+            put(kind, "speed", max=zone.speed_limit, unit="m/s")
+
+
+def _heights(part: RoadPart) -> list[tuple[float, ...]]:
+    heights = part.road.elevation
+    if not heights:
+        return [(0.0, 0.0, 0.0)]
+    at = np.interp(part.stations, part.road.stations, heights)
+    return linear_pieces(part.arc_lengths.tolist(), at.tolist(), _LEVEL)
+
+
+def _speed(connecting: ConnectingRoad) -> float:
+    """The limit of the road that it leads to at the end where it joins, else infinite."""
+    road, end = connecting.target.part.road, connecting.target.end
+    limit = road.zones()[0 if end == "start" else -1].speed_limit
+    return np.inf if limit is None else limit

@@ -1,0 +1,88 @@
+"""Junctions: who is connected with whom, who goes first, and the signals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
+
+from .connecting_roads import ConnectingRoad, RoadEnd
+from .elements import put
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene, SceneJunction, SceneLaneEnd
+
+    from .road_parts import RoadPart
+
+
+@dataclass(frozen=True)
+class NumberedJunction:
+    """A junction of the scene with its number in OpenDRIVE, and its connecting roads."""
+
+    id: int
+    name: str
+    junction: SceneJunction
+    roads: tuple[ConnectingRoad, ...]
+
+    def road(self, connection: int) -> ConnectingRoad:
+        """That of a connection of the scene."""
+        return next(road for road in self.roads if road.connection.id == connection)
+
+
+def numbered_junctions(scene: Scene, parts: Sequence[RoadPart]) -> tuple[NumberedJunction, ...]:
+    """Junctions have numbers after those of all roads, so that none is the number of both."""
+    by_road: dict[str, RoadPart] = {part.road.name: part for part in parts}
+    lane = 1 if scene.world.get("traffic") == "left" else -1
+    found: list[NumberedJunction] = []
+    built = [
+        (network.name, junction)
+        for network in scene.networks
+        for junction in network.junctions
+        # Of a network that was perturbed on, only the last is built.
+        if junction.connections and {arm.road for arm in junction.arms} <= by_road.keys()
+    ]
+    number = len(parts)
+    first = number + sum(len(junction.connections) for _, junction in built) + 1
+    for id, (network, junction) in enumerate(built, start=first):
+        roads = []
+        for connection in junction.connections:
+            number += 1
+            source, target = (_end(at, by_road) for at in (connection.source, connection.target))
+            roads.append(ConnectingRoad(number, id, connection, source, target, lane))
+        name = f"{network}/junction {junction.id}"
+        found.append(NumberedJunction(id, name, junction, tuple(roads)))
+    return tuple(found)
+
+
+def _end(at: SceneLaneEnd, by_road: Mapping[str, RoadPart]) -> RoadEnd:
+    part = by_road[at.road]
+    return RoadEnd(part, at.end, part.numbers.ids[at.lane])
+
+
+def put_junction(root: Element, junction: NumberedJunction, controllers: Sequence[int]) -> None:
+    """A `junction` element."""
+    found = put(root, "junction", id=junction.id, name=junction.name, type="default")
+    for place, road in enumerate(junction.roads):
+        connection = put(
+            found,
+            "connection",
+            id=place,
+            incomingRoad=road.source.part.id,
+            connectingRoad=road.id,
+            contactPoint="start",
+        )
+        put(connection, "laneLink", from_=road.source.lane, to=road.lane)
+    for low, high in sorted({
+        (junction.road(low).id, junction.road(high).id) for low, high in junction.junction.yields
+    }):  # fmt: skip
+        put(found, "priority", high=high, low=low)
+    for sequence, id in enumerate(controllers):
+        put(found, "controller", id=id, sequence=sequence)
+
+
+def end_roads(junctions: Sequence[NumberedJunction]) -> dict[tuple[str, str], int]:
+    """The numbers of junctions by the roads, and their ends, that lead to them."""
+    return {
+        (arm.road, arm.end): junction.id for junction in junctions for arm in junction.junction.arms
+    }

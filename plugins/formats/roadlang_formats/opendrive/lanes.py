@@ -1,0 +1,98 @@
+"""The lanes of a road: their kinds, widths, speed limits and markings."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from .elements import linear_pieces, put
+
+if TYPE_CHECKING:
+    from roadlang.geometry import Lane
+
+    from .road_parts import RoadPart
+
+_FLAT = 1e-3
+"""Meters by which widths and offsets may be off."""
+_TYPES = {
+    "drive": "driving",
+    "bus": "bus",
+    "bike": "biking",
+    "parking": "parking",
+    "shoulder": "shoulder",
+    "sidewalk": "sidewalk",
+    "median": "median",
+}
+_MARKS = {
+    "solid": "solid",
+    "broken": "broken",
+    "double": "solid solid",
+    "none": "none",
+    "curb": "curb",
+}
+_MARK_WIDTH = 0.12
+
+
+def lane_type(lane: Lane) -> str:
+    """What OpenDRIVE calls a kind of lane; one of a plugin goes by who drives or walks there."""
+    if lane.drivable and lane.direction == "both":
+        return "bidirectional"
+    if lane.kind in _TYPES:
+        return _TYPES[lane.kind]
+    if lane.drivable:
+        return "driving"
+    return "sidewalk" if "pedestrian" in lane.users else "none"
+
+
+def put_lanes(parent: Element, part: RoadPart, version: str) -> None:
+    """The `lanes` of a road."""
+    section, numbers = part.section, part.numbers
+    s = part.arc_lengths.tolist()
+    lanes = put(parent, "lanes")
+    offsets = section.border_offsets(part.stations)[numbers.left]
+    for start, value, slope in linear_pieces(s, offsets.tolist(), _FLAT):
+        put(lanes, "laneOffset", s=start, a=value, b=slope, c=0.0, d=0.0)
+    inside = put(lanes, "laneSection", s=0.0)
+    marks = section.markings
+    sides = {
+        "left": range(numbers.left),
+        "center": (),
+        "right": range(numbers.left, len(section.lanes)),
+    }
+    for side, places in sides.items():
+        if side == "center":
+            center = put(put(inside, side), "lane", id=0, type="none", level="false")
+            _put_mark(center, marks[numbers.left])
+        elif places:
+            group = put(inside, side)
+            for place in places:
+                lane = section.lanes[place]
+                found = _put_lane(group, part, lane, version)
+                widths = section.lane_width(lane.id, part.stations)
+                widths = np.broadcast_to(widths, part.stations.shape).tolist()
+                for start, value, slope in linear_pieces(s, widths, _FLAT):
+                    put(found, "width", sOffset=start, a=value, b=slope, c=0.0, d=0.0)
+                _put_mark(found, marks[place if side == "left" else place + 1])
+                if lane.speed_limit is not None:
+                    put(found, "speed", sOffset=0.0, max=lane.speed_limit, unit="m/s")
+
+
+def _put_lane(group: Element, part: RoadPart, lane: Lane, version: str) -> Element:
+    id = part.numbers.ids[lane.id]
+    found = put(group, "lane", id=id, type=lane_type(lane), level="false")
+    if version == "1.8" and lane.id in part.numbers.contrary:
+        found.set("direction", "reversed")
+    if part.previous is not None and part.next is not None:
+        link = put(found, "link")
+        put(link, "predecessor", id=id)
+        put(link, "successor", id=id)
+    return found
+
+
+def _put_mark(lane: Element, marking: str) -> None:
+    mark = put(lane, "roadMark", sOffset=0.0, type=_MARKS[marking], weight="standard")
+    mark.set("color", "standard")
+    mark.set("width", f"{_MARK_WIDTH if marking != 'none' else 0.0:g}")
+    mark.set("laneChange", "none" if marking in ("solid", "double", "curb") else "both")

@@ -1,0 +1,263 @@
+"""`emit opendrive`, read again by a reader that is written from the standard alone."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+from shapely import LineString, MultiLineString
+
+import roadlang
+from roadlang import testing
+from roadlang.ir.scene import Scene
+from roadlang_formats.emit_opendrive import OpenDriveBackend
+from tests.formats.opendrive_reader import ReadFile, arc_length, number, pose_of
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CLOSE = 0.01
+"""Meters by which lanes may be off."""
+
+CROSSING = '''image plan from """
+...#...
+#######
+...#...
+""" { scale: 30m/px }
+network town from plan { %s }
+'''
+ROADS = {
+    "bend": "road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (110m, 50m)] } }",
+    "pieces": "road main { draw with segments { pieces: [straight(60m), clothoid(40m, 0.02/m), "
+    "arc(50m, 60deg), straight(25m)] }, lanes: 3 }",
+    "loop": "road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (80m, 60m), "
+    "(0m, 60m)] }, closed: true }",
+    "listed": "road main { draw with waypoints { points: [(0m, 0m), (90m, 20m)] }, "
+    "left: [drive, bike(1.5m)], right: [drive, parking(marking: none), sidewalk(2m)] }",
+    "oneway": "road main { draw with waypoints { points: [(0m, 0m), (90m, 20m)] }, lanes: 3, "
+    "oneway: true, speed_limit: 90km/h }",
+    "left-hand": "world { traffic: left } road main { draw with waypoints { points: [(0m, 0m), "
+    "(90m, 20m)] }, lanes: 3 }".replace(" road", "\nroad"),
+    "crossing": CROSSING % "lanes: 2",
+    "avenues": CROSSING % "lanes: 4, sidewalks: 2m, control with signals",
+    "left-hand crossing": CROSSING % "lanes: 2, control with stop" + "world { traffic: left }",
+    "perturbed": CROSSING % "perturb with sine { amplitude: 2m, wavelength: 20m }",
+}
+
+
+def exported(text: str, **options: object) -> tuple[Scene, ReadFile]:
+    scene = testing.sample(text)[0].record
+    return scene, read(scene, **options)
+
+
+def read(scene: Scene, **options: object) -> ReadFile:
+    return ReadFile.of(OpenDriveBackend(**options).files(scene)["xodr"])  # type: ignore[arg-type]
+
+
+def middles_of(scene: Scene) -> list[np.ndarray]:
+    """Points in the middles of all lanes of all roads that are built, between their trims."""
+    found = []
+    for road in scene.roads:
+        if not road.derived:
+            continue
+        section, heading = road.cross_section(), np.array(road.heading)
+        stations = np.array(road.stations)
+        inside = (stations >= road.trim[0]) & (stations <= road.length - road.trim[1])
+        for id in section.ids:
+            offset = np.broadcast_to(section.offset(id, stations), stations.shape)
+            points = np.column_stack(
+                (
+                    np.array(road.x) - offset * np.sin(heading),
+                    np.array(road.y) + offset * np.cos(heading),
+                )
+            )
+            found.append(points[inside & (section.lane_width(id, stations) > 0.1)])
+    return found
+
+
+def read_middles(file: ReadFile) -> MultiLineString:
+    """The same lines of a file."""
+    lines = []
+    for road in file.roads.values():
+        if road.junction == -1:
+            at = np.linspace(0.0, road.length, max(2, math.ceil(road.length / 0.25)))
+            lines += [[road.middle(id, float(s)) for s in at] for id in road.lane_ids() if id]
+    return MultiLineString(lines)
+
+
+def farthest(points: np.ndarray, lines: LineString | MultiLineString) -> float:
+    """How far the farthest of the points is from the nearest line."""
+    return float(shapely.distance(shapely.points(points), lines).max(initial=0.0))
+
+
+@pytest.mark.parametrize("name", ROADS)
+def test_lanes_lie_where_the_scene_has_them(name: str) -> None:
+    scene, file = exported(ROADS[name])
+    lines = read_middles(file)
+    assert max(farthest(points, lines) for points in middles_of(scene)) < CLOSE
+
+
+@pytest.mark.parametrize("name", ROADS)
+def test_pieces_follow_each_other_without_a_gap_and_have_their_lengths(name: str) -> None:
+    _, file = exported(ROADS[name])
+    for road in file.roads.values():
+        pieces = road.pieces()
+        ends = [number(piece, "s") for piece in pieces[1:]] + [road.length]
+        for piece, end in zip(pieces, ends, strict=True):
+            assert number(piece, "s") + number(piece, "length") == pytest.approx(end, abs=1e-6)
+            assert arc_length(piece) == pytest.approx(number(piece, "length"), abs=1e-4)
+        for one, other in itertools.pairwise(pieces):
+            x, y, heading = pose_of(one, number(one, "length"))
+            assert math.hypot(x - number(other, "x"), y - number(other, "y")) < 1e-4
+            assert abs(math.remainder(heading - number(other, "hdg"), math.tau)) < 1e-4
+
+
+@pytest.mark.parametrize("name", ["crossing", "avenues", "left-hand crossing", "perturbed"])
+def test_a_turn_begins_and_ends_in_the_middle_of_its_lanes(name: str) -> None:
+    scene, file = exported(ROADS[name])
+    turns = [road for road in file.roads.values() if road.junction != -1]
+    (junction,) = scene.networks[0].junctions
+    assert len(turns) == len(junction.connections) > 8
+    for turn in turns:
+        (lane,) = (id for id in turn.lane_ids() if id)
+        for tag, s in (("predecessor", 0.0), ("successor", turn.length)):
+            link = turn.element.find(f"link/{tag}")
+            assert link is not None
+            other = file.roads[int(link.attrib["elementId"])]
+            at = 0.0 if link.attrib["contactPoint"] == "start" else other.length
+            linked = turn.lane(lane).find(f"link/{tag}")
+            assert linked is not None
+            id = int(linked.attrib["id"])
+            assert turn.middle(lane, s) == pytest.approx(other.middle(id, at), abs=1e-3)
+            assert turn.width(lane, s) == pytest.approx(other.width(id, at), abs=2e-3)
+
+
+@pytest.mark.parametrize("left_hand", [False, True])
+def test_lanes_of_the_right_run_along_the_road_in_right_hand_traffic(left_hand: bool) -> None:
+    """And turns lead from lanes that run to the junction to lanes that run from it."""
+    side = "left" if left_hand else "right"
+    _, file = exported(f"{CROSSING % 'lanes: 2'}world {{ traffic: {side} }}")
+    for road in file.roads.values():
+        assert road.element.attrib["rule"] == ("LHT" if left_hand else "RHT")
+        if road.junction == -1:
+            continue
+        source = road.element.find("link/predecessor")
+        (lane,) = (id for id in road.lane_ids() if id)
+        linked = road.lane(lane).find("link/predecessor")
+        assert source is not None
+        assert linked is not None
+        runs_along = (int(linked.attrib["id"]) > 0) == left_hand
+        assert runs_along == (source.attrib["contactPoint"] == "end")
+
+
+def test_lanes_of_a_one_way_road_all_lie_on_the_side_of_their_traffic() -> None:
+    _, file = exported(
+        "road main { draw with waypoints { points: [(0m, 0m), (90m, 20m)] }, oneway: true, "
+        "left: [drive(3m), bus(4m), sidewalk], right: [sidewalk] }"
+    )
+    (road,) = file.roads.values()
+    types = {id: road.lane(id).attrib["type"] for id in road.lane_ids()}
+    assert types == {1: "sidewalk", 0: "none", -1: "bus", -2: "driving", -3: "sidewalk"}
+    assert [road.width(id, 10.0) for id in (-1, -2)] == pytest.approx([4.0, 3.0])
+
+
+def test_what_is_drawn_of_lines_arcs_and_clothoids_stays_so() -> None:
+    _, file = exported(ROADS["pieces"])
+    (road,) = file.roads.values()
+    shapes = [piece[0].tag for piece in road.pieces()]
+    assert shapes[0] == shapes[-1] == "line"
+    assert {"spiral", "arc"} <= set(shapes)
+    assert len(shapes) <= 8
+
+
+@pytest.mark.parametrize("tolerance", [0.001, 0.005, 0.05])
+def test_a_bent_road_takes_few_pieces_within_the_tolerance(tolerance: float) -> None:
+    text = "road bent from main { perturb with sine { amplitude: 4m, wavelength: 60m } }"
+    scene, file = exported(ROADS["bend"] + "\n" + text, tolerance=tolerance)
+    (road,) = file.roads.values()
+    assert len(road.pieces()) <= road.length / 5.0
+    line = LineString([road.pose(s)[:2] for s in np.linspace(0.0, road.length, 4000)])
+    (bent,) = (road for road in scene.roads if road.derived)
+    assert farthest(np.column_stack((bent.x, bent.y)), line) < tolerance
+
+
+def test_lights_are_switched_together_and_stand_beside_their_lanes() -> None:
+    scene, file = exported(ROADS["avenues"])
+    lights = [signal for signal in file.root.iter("signal") if signal.attrib["dynamic"] == "yes"]
+    assert {signal.attrib["type"] for signal in lights} == {"1000001"}
+    controlled = [
+        control.attrib["signalId"] for control in file.root.iterfind("controller/control")
+    ]
+    assert sorted(controlled) == sorted(signal.attrib["id"] for signal in lights)
+    (junction,) = file.root.iterfind("junction")
+    named = {controller.attrib["id"] for controller in junction.iterfind("controller")}
+    assert named == {controller.attrib["id"] for controller in file.root.iterfind("controller")}
+    assert len(named) == len(scene.networks[0].junctions[0].control.phases)
+
+
+def test_signs_stand_at_the_roads_that_stop() -> None:
+    scene, file = exported(ROADS["left-hand crossing"])
+    minor = scene.networks[0].junctions[0].control.minor
+    signs = {
+        road.element.attrib["name"]: [s.attrib["type"] for s in road.element.iter("signal")]
+        for road in file.roads.values()
+    }
+    assert {name for name, types in signs.items() if types} == set(minor)
+    assert {kind for types in signs.values() for kind in types} == {"206"}
+
+
+def test_objects_stand_where_the_scene_has_them() -> None:
+    scene, file = exported(
+        ROADS["bend"] + "\nobject trees is tree on main at random { count: 9, side: left, "
+        "offset: 2m..20m }\nobject far is building at (-40m, 15m) { heading: 30deg }"
+    )
+    (road,) = file.roads.values()
+    by_name = {element.attrib["name"]: element for element in file.root.iter("object")}
+    assert len(by_name) == len(scene.objects) == 10
+    for thing in scene.objects:
+        element = by_name[thing.name]
+        x, y, heading = road.pose(number(element, "s"))
+        t = number(element, "t")
+        where = np.array([x - t * math.sin(heading), y + t * math.cos(heading)])
+        turned = heading + number(element, "hdg")
+        corners = list(element.iterfind("outline/cornerLocal"))
+        if corners:
+            u, v = (np.mean([number(corner, axis) for corner in corners]) for axis in "uv")
+            where += (u * math.cos(turned) - v * math.sin(turned),
+                      u * math.sin(turned) + v * math.cos(turned))  # fmt: skip
+        assert where == pytest.approx((thing.x, thing.y), abs=CLOSE)
+        assert math.remainder(turned - thing.heading, math.tau) == pytest.approx(0.0, abs=1e-3)
+        assert bool(corners) == (thing.name == "far")
+
+
+def test_a_loop_is_three_roads_one_after_the_other() -> None:
+    _, file = exported(ROADS["loop"])
+    assert len(file.roads) == 3
+    for road in file.roads.values():
+        following = road.element.find("link/successor")
+        assert following is not None
+        other = file.roads[int(following.attrib["elementId"])]
+        for id in (1, -1):
+            ends = road.middle(id, road.length), other.middle(id, 0.0)
+            assert ends[0] == pytest.approx(ends[1], abs=1e-4)
+
+
+@pytest.mark.parametrize("version", ["1.6", "1.7", "1.8"])
+def test_the_header_names_version_and_extent(version: str) -> None:
+    _, file = exported(ROADS["bend"], version=version, geo_reference="+proj=utm +zone=32")
+    header = file.root.find("header")
+    assert header is not None
+    assert f"{header.attrib['revMajor']}.{header.attrib['revMinor']}" == version
+    assert (number(header, "west"), number(header, "east")) == pytest.approx((0.0, 110.0))
+    assert header.findtext("geoReference") == "+proj=utm +zone=32"
+
+
+@pytest.mark.parametrize("name", ["composed", "drawn_town", "on_ramp", "roundabout", "typed_town"])
+def test_examples_keep_their_lanes_and_turns(name: str) -> None:
+    scene = roadlang.load(EXAMPLES / f"{name}.rl").sample(1, seed=0)[0].record
+    file = read(scene)
+    assert read(scene).root.attrib == file.root.attrib
+    lines = read_middles(file)
+    assert max(farthest(points, lines) for points in middles_of(scene)) < CLOSE
