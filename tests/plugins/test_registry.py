@@ -21,7 +21,7 @@ OTHER = Origin("other", "other-plugin", "0.3")
 
 def test_the_standard_kinds_are_listed_before_those_of_other_plugins() -> None:
     plugins = dict.fromkeys(entry.origin.plugin for entry in load_registry().entries)
-    assert list(plugins)[:2] == ["standard", "godot"]
+    assert list(plugins)[:3] == ["standard", "formats", "godot"]
 
 
 def test_a_name_with_its_plugin_is_missing_for_the_reasons_of_that_plugin_alone() -> None:

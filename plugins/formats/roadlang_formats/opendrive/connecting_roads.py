@@ -9,13 +9,13 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from .elements import put
-from .pieces import Piece, along_clothoid
+from .pieces import ReferencePiece, along_clothoid
 from .reference import put_elevation, put_plan_view
 
 if TYPE_CHECKING:
     from roadlang.api import SceneConnection
 
-    from .road_parts import RoadPart
+    from .road_parts import OpenDriveRoad
 
 _SHORTEST = 1e-6
 """Meters of a piece."""
@@ -27,7 +27,7 @@ _STRAIGHT = 1e-9
 class RoadEnd:
     """Where a lane of the scene begins or ends in OpenDRIVE."""
 
-    part: RoadPart
+    part: OpenDriveRoad
     end: str
     lane: int
 
@@ -54,16 +54,16 @@ class ConnectingRoad:
     """the id of its lane, which runs along the road: 1 in left-hand traffic, else -1"""
 
 
-def pieces_of(connection: SceneConnection) -> tuple[Piece, ...]:
+def pieces_of(connection: SceneConnection) -> tuple[ReferencePiece, ...]:
     """Its lines and arcs; an arc that does not turn is a line, for readers divide by curvatures."""
-    found: list[Piece] = []
+    found: list[ReferencePiece] = []
     s, pose = 0.0, np.array(connection.start)
     for length, curvature in _merged(connection):
         x, y, heading = pose.tolist()
         if curvature == 0.0:
-            found.append(Piece(s, x, y, heading, length, "line"))
+            found.append(ReferencePiece(s, x, y, heading, length, "line"))
         else:
-            found.append(Piece(s, x, y, heading, length, "arc", (curvature,)))
+            found.append(ReferencePiece(s, x, y, heading, length, "arc", (curvature,)))
         ends = (curvature, curvature)
         pose = along_clothoid(pose, ends, np.array([0.0, length]))[-1]
         s += length

@@ -13,7 +13,7 @@ from .junctions import end_roads, numbered_junctions, put_junction
 from .lanes import put_lanes
 from .objects import objects_by_part, put_objects
 from .reference import put_elevation, put_plan_view
-from .road_parts import RoadPart, road_parts
+from .road_parts import OpenDriveRoad, road_parts
 from .signals import put_controllers, put_signals, signals
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -
 
 
 def _put_header(
-    root: Element, scene: Scene, parts: tuple[RoadPart, ...], version: str, geo_reference: str
+    root: Element, scene: Scene, parts: tuple[OpenDriveRoad, ...], version: str, geo_reference: str
 ) -> None:
     major, _, minor = version.partition(".")
     poses = [part.pose(part.stations) for part in parts]
@@ -80,11 +80,11 @@ def _put_header(
         put(header, "geoReference").text = geo_reference
 
 
-def _name(part: RoadPart) -> str:
+def _name(part: OpenDriveRoad) -> str:
     return part.road.street or part.road.name
 
 
-def _put_links(road: Element, part: RoadPart, ends: dict[tuple[str, str], int]) -> None:
+def _put_links(road: Element, part: OpenDriveRoad, ends: dict[tuple[str, str], int]) -> None:
     link = put(road, "link")
     if part.previous is not None and part.next is not None:
         put(link, "predecessor", elementType="road", elementId=part.previous, contactPoint="end")
@@ -96,7 +96,7 @@ def _put_links(road: Element, part: RoadPart, ends: dict[tuple[str, str], int]) 
             put(link, tag, elementType="junction", elementId=junction)
 
 
-def _put_types(road: Element, part: RoadPart) -> None:
+def _put_types(road: Element, part: OpenDriveRoad) -> None:
     """The speed limit of the road, zone by zone."""
     first, last = part.stations[0], part.stations[-1]
     for zone, after in zip(part.road.zones(), (*part.road.zones()[1:], None), strict=True):
@@ -108,7 +108,7 @@ def _put_types(road: Element, part: RoadPart) -> None:
             put(kind, "speed", max=zone.speed_limit, unit="m/s")
 
 
-def _heights(part: RoadPart) -> list[tuple[float, ...]]:
+def _heights(part: OpenDriveRoad) -> list[tuple[float, ...]]:
     heights = part.road.elevation
     if not heights:
         return [(0.0, 0.0, 0.0)]

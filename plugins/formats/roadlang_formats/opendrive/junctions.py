@@ -13,7 +13,7 @@ from .elements import put
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneJunction, SceneLaneEnd
 
-    from .road_parts import RoadPart
+    from .road_parts import OpenDriveRoad
 
 
 @dataclass(frozen=True)
@@ -30,9 +30,11 @@ class NumberedJunction:
         return next(road for road in self.roads if road.connection.id == connection)
 
 
-def numbered_junctions(scene: Scene, parts: Sequence[RoadPart]) -> tuple[NumberedJunction, ...]:
+def numbered_junctions(
+    scene: Scene, parts: Sequence[OpenDriveRoad]
+) -> tuple[NumberedJunction, ...]:
     """Junctions have numbers after those of all roads, so that none is the number of both."""
-    by_road: dict[str, RoadPart] = {part.road.name: part for part in parts}
+    by_road: dict[str, OpenDriveRoad] = {part.road.name: part for part in parts}
     lane = 1 if scene.world.get("traffic") == "left" else -1
     found: list[NumberedJunction] = []
     built = [
@@ -55,7 +57,7 @@ def numbered_junctions(scene: Scene, parts: Sequence[RoadPart]) -> tuple[Numbere
     return tuple(found)
 
 
-def _end(at: SceneLaneEnd, by_road: Mapping[str, RoadPart]) -> RoadEnd:
+def _end(at: SceneLaneEnd, by_road: Mapping[str, OpenDriveRoad]) -> RoadEnd:
     part = by_road[at.road]
     return RoadEnd(part, at.end, part.numbers.ids[at.lane])
 

@@ -12,7 +12,7 @@ from .elements import linear_pieces, put
 if TYPE_CHECKING:
     from roadlang.geometry import Lane
 
-    from .road_parts import RoadPart
+    from .road_parts import OpenDriveRoad
 
 _FLAT = 1e-3
 """Meters by which widths and offsets may be off."""
@@ -46,7 +46,7 @@ def lane_type(lane: Lane) -> str:
     return "sidewalk" if "pedestrian" in lane.users else "none"
 
 
-def put_lanes(parent: Element, part: RoadPart, version: str) -> None:
+def put_lanes(parent: Element, part: OpenDriveRoad, version: str) -> None:
     """The `lanes` of a road."""
     section, numbers = part.section, part.numbers
     s = part.arc_lengths.tolist()
@@ -79,7 +79,7 @@ def put_lanes(parent: Element, part: RoadPart, version: str) -> None:
                     put(found, "speed", sOffset=0.0, max=lane.speed_limit, unit="m/s")
 
 
-def _put_lane(group: Element, part: RoadPart, lane: Lane, version: str) -> Element:
+def _put_lane(group: Element, part: OpenDriveRoad, lane: Lane, version: str) -> Element:
     id = part.numbers.ids[lane.id]
     found = put(group, "lane", id=id, type=lane_type(lane), level="false")
     if version == "1.8" and lane.id in part.numbers.contrary:

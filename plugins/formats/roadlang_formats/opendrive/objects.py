@@ -14,7 +14,7 @@ from .elements import put
 if TYPE_CHECKING:
     from roadlang.api import SceneActor
 
-    from .road_parts import RoadPart
+    from .road_parts import OpenDriveRoad
 
 _TYPES = {"tree": "tree", "building": "building", "cone": "obstacle", "barrier": "barrier"}
 _BEYOND = 0.01
@@ -24,7 +24,7 @@ _STEPS = 3
 
 
 def objects_by_part(
-    things: Sequence[SceneActor], parts: Sequence[RoadPart]
+    things: Sequence[SceneActor], parts: Sequence[OpenDriveRoad]
 ) -> dict[int, list[tuple[int, SceneActor]]]:
     """Objects with their numbers, by the number of the nearest road."""
     if not things:
@@ -39,7 +39,9 @@ def objects_by_part(
     return found
 
 
-def put_objects(parent: Element, part: RoadPart, things: Sequence[tuple[int, SceneActor]]) -> None:
+def put_objects(
+    parent: Element, part: OpenDriveRoad, things: Sequence[tuple[int, SceneActor]]
+) -> None:
     """The `objects` of a road."""
     if not things:
         return
@@ -67,7 +69,7 @@ def put_objects(parent: Element, part: RoadPart, things: Sequence[tuple[int, Sce
             _put_corners(element, thing, heading, past)
 
 
-def _place(part: RoadPart, thing: SceneActor) -> tuple[float, float, float, float]:
+def _place(part: OpenDriveRoad, thing: SceneActor) -> tuple[float, float, float, float]:
     """Where a thing is beside a road: s, t, the heading of the road, and how far past its end."""
     (s,) = part.line.at(part.nearest(np.array([[thing.x, thing.y]]))).tolist()
     for _ in range(_STEPS):

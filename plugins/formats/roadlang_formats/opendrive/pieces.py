@@ -16,7 +16,7 @@ _PANEL = 4.0
 
 
 @dataclass(frozen=True)
-class Piece:
+class ReferencePiece:
     """A part of a reference line that begins at arc length `s`, in a pose (x, y, heading).
 
     `numbers`: of an arc its curvature (1/m), of a spiral the curvatures at its ends, of a
@@ -32,7 +32,7 @@ class Piece:
     numbers: tuple[float, ...] = ()
 
 
-def pose_on(piece: Piece, length: float) -> tuple[float, float, float]:
+def pose_on(piece: ReferencePiece, length: float) -> tuple[float, float, float]:
     """x, y and heading `length` meters after the beginning of a piece."""
     if piece.shape == "paramPoly3":
         (point,), (slope,) = along_cubic(piece.numbers, np.array([length / piece.length]))

@@ -11,7 +11,7 @@ import numpy as np
 
 from roadlang.geometry import Floats
 
-from .pieces import Piece, along_clothoid, along_cubic, cubic, cubic_length, pose_on
+from .pieces import ReferencePiece, along_clothoid, along_cubic, cubic, cubic_length, pose_on
 
 if TYPE_CHECKING:
     from roadlang.api import SceneRoad
@@ -89,7 +89,7 @@ def poses_between(table: Floats, stations: Floats) -> Floats:
 class ReferenceLine:
     """Pieces, and how stations of the road become arc lengths of the pieces."""
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[ReferencePiece, ...]
     length: float
     _stations: Floats
     _arc_lengths: Floats
@@ -106,7 +106,7 @@ class ReferenceLine:
 
 def reference_line(line: SampledLine, tolerance: float) -> ReferenceLine:
     """Lines, arcs and clothoids where the curve has them, else cubics within the tolerance."""
-    pieces: list[Piece] = []
+    pieces: list[ReferencePiece] = []
     knots, lengths = [0], [0.0]
     last = len(line.stations) - 1
     while knots[-1] < last:
@@ -121,7 +121,7 @@ def reference_line(line: SampledLine, tolerance: float) -> ReferenceLine:
 
 def _longest(
     line: SampledLine, first: int, tolerance: float
-) -> tuple[int, Callable[[int, float], Piece]]:
+) -> tuple[int, Callable[[int, float], ReferencePiece]]:
     """How far one piece reaches from a station, and what makes it."""
     exact = _reach(line, first, lambda end: _is_clothoid(line, first, end))
     free = max(first + 1, _reach(line, first, lambda end: _is_cubic(line, first, end, tolerance)))
@@ -195,16 +195,16 @@ def _is_straight(poses: Floats) -> bool:
     return bool(np.abs(across).max() < _EXACT and turned.max() < _EXACT)
 
 
-def _clothoid(line: SampledLine, first: int, end: int, s: float) -> Piece:
+def _clothoid(line: SampledLine, first: int, end: int, s: float) -> ReferencePiece:
     before, after, length = _clothoid_through(line, first, end)
     x, y, heading = line.poses[first].tolist()
     if before == after == 0.0:
         # From point to point, so that no gap is left.
         dx, dy = (line.poses[end] - line.poses[first])[:2].tolist()
-        return Piece(s, x, y, float(np.arctan2(dy, dx)), float(np.hypot(dx, dy)), "line")
+        return ReferencePiece(s, x, y, float(np.arctan2(dy, dx)), float(np.hypot(dx, dy)), "line")
     if before == after:
-        return Piece(s, x, y, heading, length, "arc", (before,))
-    return Piece(s, x, y, heading, length, "spiral", (before, after))
+        return ReferencePiece(s, x, y, heading, length, "arc", (before,))
+    return ReferencePiece(s, x, y, heading, length, "spiral", (before, after))
 
 
 def _is_cubic(line: SampledLine, first: int, end: int, tolerance: float) -> bool:
@@ -228,8 +228,8 @@ def _is_cubic(line: SampledLine, first: int, end: int, tolerance: float) -> bool
     )
 
 
-def _cubic(line: SampledLine, first: int, end: int, s: float) -> Piece:
+def _cubic(line: SampledLine, first: int, end: int, s: float) -> ReferencePiece:
     length = float(line.stations[end] - line.stations[first])
     numbers = cubic(line.poses[first], line.poses[end], length)
     x, y, heading = line.poses[first].tolist()
-    return Piece(s, x, y, heading, cubic_length(numbers), "paramPoly3", numbers)
+    return ReferencePiece(s, x, y, heading, cubic_length(numbers), "paramPoly3", numbers)

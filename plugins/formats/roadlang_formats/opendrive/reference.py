@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from xml.etree.ElementTree import Element
 
 from .elements import put
-from .pieces import Piece
+from .pieces import ReferencePiece
 
 _CUBIC = ("aU", "bU", "cU", "dU", "aV", "bV", "cV", "dV")
 
 
-def put_plan_view(parent: Element, pieces: Iterable[Piece]) -> None:
+def put_plan_view(parent: Element, pieces: Iterable[ReferencePiece]) -> None:
     """The `planView` of a road."""
     view = put(parent, "planView")
     for piece in pieces:

@@ -29,7 +29,7 @@ _SAME = 1e-6
 
 
 @dataclass(frozen=True)
-class RoadPart:
+class OpenDriveRoad:
     """A road of OpenDRIVE: a part of a road of the scene, at these of its stations (n,)."""
 
     id: int
@@ -58,7 +58,7 @@ class RoadPart:
         return poses_between(whole_turns(self.road), stations)
 
 
-def road_parts(scene: Scene, tolerance: float) -> tuple[RoadPart, ...]:
+def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
     """All roads that are built, from the first number on; none that junctions have swallowed."""
     left_hand = scene.world.get("traffic") == "left"
     swallowed = {
@@ -67,14 +67,14 @@ def road_parts(scene: Scene, tolerance: float) -> tuple[RoadPart, ...]:
         for junction in network.junctions
         for name in junction.inside
     }
-    parts: list[RoadPart] = []
+    parts: list[OpenDriveRoad] = []
     for road in scene.roads:
         if road.derived and road.name not in swallowed:
             parts += _parts(road, len(parts) + 1, left_hand, tolerance)
     return tuple(parts)
 
 
-def _parts(road: SceneRoad, first: int, left_hand: bool, tolerance: float) -> list[RoadPart]:
+def _parts(road: SceneRoad, first: int, left_hand: bool, tolerance: float) -> list[OpenDriveRoad]:
     points = np.column_stack((road.x, road.y))
     curve = Curve.hermite(points, road.heading, closed=road.closed)
     stations = whole_turns(road)[:, 0]
@@ -83,7 +83,7 @@ def _parts(road: SceneRoad, first: int, left_hand: bool, tolerance: float) -> li
     before, after = road.trim
     is_loop = road.closed and before == after == 0.0
     cuts = np.linspace(before, road.length - after, (_PARTS if is_loop else 1) + 1)
-    found: list[RoadPart] = []
+    found: list[OpenDriveRoad] = []
     for place, (start, stop) in enumerate(pairwise(cuts)):
         at = _between(stations, start, stop)
         if at is None:
@@ -93,7 +93,7 @@ def _parts(road: SceneRoad, first: int, left_hand: bool, tolerance: float) -> li
             previous, following = (first + (place + step) % _PARTS for step in (-1, 1))
         id = first + len(found)
         fitted = reference_line(SampledLine.of(road, at), tolerance)
-        part = RoadPart(id, road, at, curve, fitted, section, numbers, previous, following)
+        part = OpenDriveRoad(id, road, at, curve, fitted, section, numbers, previous, following)
         found.append(part)
     return found
 

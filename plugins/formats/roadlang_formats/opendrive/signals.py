@@ -11,7 +11,7 @@ from .elements import put
 
 if TYPE_CHECKING:
     from .junctions import NumberedJunction
-    from .road_parts import RoadPart
+    from .road_parts import OpenDriveRoad
 
 _SIGNS = {"yield": "205", "stop": "206", "all_way_stop": "206"}
 """Types of the German catalog, which OpenDRIVE takes where a country is given."""
@@ -20,11 +20,11 @@ _BESIDE = 1.0
 
 
 @dataclass(frozen=True)
-class Signal:
+class RoadSignal:
     """A light or sign for some lanes at the end of a road. `phases`: those in which it is green."""
 
     id: int
-    part: RoadPart
+    part: OpenDriveRoad
     end: str
     lanes: tuple[int, ...]
     kind: str
@@ -32,13 +32,13 @@ class Signal:
     junction: int = 0
 
 
-def signals(junctions: Sequence[NumberedJunction]) -> tuple[Signal, ...]:
+def signals(junctions: Sequence[NumberedJunction]) -> tuple[RoadSignal, ...]:
     """One for the lanes of each end of a road that have green in the same phases; signs for all."""
-    found: list[Signal] = []
+    found: list[RoadSignal] = []
     for junction in junctions:
         control = junction.junction.control
         groups: dict[tuple[int, str, tuple[int, ...]], set[int]] = {}
-        ends: dict[tuple[int, str], RoadPart] = {}
+        ends: dict[tuple[int, str], OpenDriveRoad] = {}
         for road in junction.roads:
             at = road.source
             minor = control.kind == "all_way_stop" or at.part.road.name in control.minor
@@ -56,7 +56,7 @@ def signals(junctions: Sequence[NumberedJunction]) -> tuple[Signal, ...]:
             ends[at.part.id, at.end] = at.part
         for (number, end, phases), lanes in sorted(groups.items()):
             found.append(
-                Signal(
+                RoadSignal(
                     len(found) + 1,
                     ends[number, end],
                     end,
@@ -69,7 +69,9 @@ def signals(junctions: Sequence[NumberedJunction]) -> tuple[Signal, ...]:
     return tuple(found)
 
 
-def put_signals(parent: Element, part: RoadPart, found: Sequence[Signal], left_hand: bool) -> None:
+def put_signals(
+    parent: Element, part: OpenDriveRoad, found: Sequence[RoadSignal], left_hand: bool
+) -> None:
     """The `signals` of a road: at its ends, on the side of the traffic that they are for."""
     here = [signal for signal in found if signal.part is part]
     if not here:
@@ -102,7 +104,7 @@ def put_signals(parent: Element, part: RoadPart, found: Sequence[Signal], left_h
             put(element, "validity", fromLane=lane, toLane=lane)
 
 
-def put_controllers(root: Element, found: Sequence[Signal]) -> dict[int, list[int]]:
+def put_controllers(root: Element, found: Sequence[RoadSignal]) -> dict[int, list[int]]:
     """The `controller` elements, one for the lights that are green in the same phases.
 
     Returns their numbers by junction.
