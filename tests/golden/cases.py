@@ -149,6 +149,7 @@ COMMANDS = (
     ("schema", "trace"),
     ("schema", "scene"),
     ("schema", "scenario"),
+    ("check", "--scenario", "grid.rl"),
     ("check", "--json", "bent.rl"),
     ("fmt", "--diff", "bent.rl"),
     ("fmt", "--check", "town.rl", "pieces.rl"),
