@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from roadlang.api import Integer, Sampler, option
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
-
-
-_JITTER = 0.01
 
 
 @dataclass(frozen=True)
@@ -29,6 +26,11 @@ class Guided(Sampler):
     pilot: Integer = option(
         20_000, minimum=100, maximum=10_000_000, help="maximum number of candidates to learn from"
     )
+    fallback: Literal["auto", "never"] = option(
+        "auto",
+        help="`auto` draws evenly, as `random` does, where so many even draws hold that learning "
+        "would not pay; `never` always learns",
+    )
 
     def limit(self) -> int | None:
         """The option `attempts`."""
@@ -38,24 +40,20 @@ class Guided(Sampler):
         """The option `pilot`."""
         return self.pilot
 
+    def falls_back(self) -> bool:
+        """The option `fallback`."""
+        return self.fallback == "auto"
+
     def numbers(self, dimensions: int) -> int:
-        """Five choose and scale a move, the others spread it."""
-        return dimensions + 5
+        """Six choose a region, a point in it, a move and its size; three for each coordinate."""
+        return 3 * dimensions + 6
 
     def steer(self, known: Floats, uniform: Floats) -> Floats:
-        """Proposals (V, d) in the unit cube from `known` (n, d) and `uniform` (V, d + 5).
+        """Proposals (V, d) in the unit cube from `known` (n, d) and `uniform` (V, 3 d + 6).
 
-        The first number chooses a known point. It is moved by a multiple of the difference of two
-        others (differential evolution, Storn and Price 1997), so that moves have the directions in
-        which the known points differ.
+        A mixture of local models: a region, by its size, a known point in it, and a move from
+        there that is drawn with the neighbors of the point (see `local_moves`).
         """
-        import numpy as np
+        from .local_moves import moved
 
-        count = len(known)
-        lead, spread = uniform[:, :5], uniform[:, 5:]
-        parent, first, second = np.minimum((lead[:, :3] * count).astype(int), count - 1).T
-        length = 1.5 * lead[:, 3:4]
-        moved = known[parent] + length * (known[first] - known[second])
-        moved += _JITTER * (spread + np.roll(spread, 1, axis=1) - 1.0)
-        folded: Floats = 1.0 - np.abs(np.mod(moved, 2.0) - 1.0)
-        return np.clip(folded, 0.0, 1.0 - 2.0**-53)
+        return moved(known, uniform)

@@ -62,6 +62,11 @@ class Manifest:
     """scenes requested"""
     candidates: int
     """tried"""
+    diversity: float | None = None
+    """mean distance of each scene's draws to the nearest other, in the unit cube of all draws; null
+    for one scene"""
+    expected_diversity: float | None = None
+    """the same of as many even draws in a cube of the volume that the requirements leave"""
     inputs: Mapping[str, str] = field(default_factory=dict)
     """sha256 by path as written, the scene file and its includes among them"""
     plugins: Mapping[str, str] = field(default_factory=dict)

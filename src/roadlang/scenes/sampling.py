@@ -47,6 +47,8 @@ class SamplingResult:
     """what could not be built as drawn"""
     diversity: float | None = None
     """mean distance of each accepted draw to the nearest other, in the unit cube of the draws"""
+    expected_diversity: float | None = None
+    """the same of as many even draws in a cube of the volume that the requirements leave"""
 
     @property
     def accepted(self) -> int:
@@ -96,6 +98,7 @@ def sample_scenes(
         remarks=tuple(dict.fromkeys(remarks)),
         warnings=tuple(dict.fromkeys(warning for item in concrete for warning in item.warnings)),
         diversity=found.diversity,
+        expected_diversity=found.expected_diversity,
     )
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.indexed_scenario import IndexedScenario
-from .diversity import mean_nearest
+from .diversity import expected_nearest, mean_nearest
 from .rejection_report import RejectionStats
 
 T = TypeVar("T")
@@ -68,4 +68,16 @@ class AcceptedSamples(Generic[T]):
     @property
     def diversity(self) -> float | None:
         """Mean distance of each sample's draws to the nearest other, in the unit cube."""
-        return mean_nearest([sample.coordinates for sample in self.samples])
+        return mean_nearest(self._draws)
+
+    @property
+    def expected_diversity(self) -> float | None:
+        """The same of as many even draws in a cube as large as the part where candidates hold."""
+        share = self.stats.even_share
+        if share is None and self.stats.candidates:
+            share = len(self.samples) / self.stats.candidates
+        return None if share is None else expected_nearest(self._draws, share)
+
+    @property
+    def _draws(self) -> list[Mapping[str, float]]:
+        return [sample.coordinates for sample in self.samples]

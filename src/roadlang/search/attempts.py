@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
+from ..geometry.arrays import Floats
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted
 from .effort import attempts_of, batch_size
 from .rejection_report import RejectionStats
+
+Propose = Callable[[CandidateBatch], Mapping[str, Floats]]
+"""The coordinates, by name, that candidates are to have."""
 
 CROWDED = 40
 """Attempts of a scene that fail only because something finds no room, after which it is given up:
@@ -23,33 +27,50 @@ def accepted_attempts(
     sampler: KindInstance,
     seed: int,
     scenes: Sequence[int],
-    first_attempt: int = 0,
+    attempts: range | None = None,
+    propose: Propose | None = None,
 ) -> tuple[list[Accepted], RejectionStats]:
-    """The first accepted attempt of each scene from `first_attempt` on, and the counts up to it."""
-    attempts, together = attempts_of(sampler, acceptance), batch_size(acceptance)
+    """The first accepted of the `attempts` of each scene (all that it has, unless they are given),
+    and the counts up to it. Attempts draw evenly, or have the coordinates that are proposed."""
+    limit, together = attempts_of(sampler, acceptance), batch_size(acceptance)
+    first, end = (0, limit) if attempts is None else (attempts.start, min(attempts.stop, limit))
     stats = RejectionStats.empty(len(acceptance.requirements))
-    accepted: dict[int, int] = {}
+    accepted: dict[int, Accepted] = {}
     crowded: dict[int, int] = {}
-    pending, start = list(scenes), first_attempt
-    while pending and start < attempts:
+    pending, start = list(scenes), first
+    while pending and start < end:
         width = max(1, together // len(pending))
-        width = min(width, attempts - start, 4 * start + 4)
+        width = min(width, end - start, 4 * start + 4)
         tries = np.arange(start, start + width)
         candidates = CandidateBatch(
             acceptance.scenario, seed, np.repeat(pending, width), np.tile(tries, len(pending))
         )
+        if propose is not None:
+            candidates = CandidateBatch(
+                acceptance.scenario,
+                seed,
+                candidates.scenes,
+                candidates.attempts,
+                propose(candidates),
+            )
         judged = acceptance.judge(candidates, candidates.scenes)
         counted = np.ones(candidates.count, dtype=bool)
         fine = judged.accepted.reshape(len(pending), width)
         for row, scene in enumerate(pending):
             if fine[row].any():
-                first = int(fine[row].argmax())
-                accepted[scene] = start + first
-                counted[row * width + first + 1 : (row + 1) * width] = False
+                place = row * width + int(fine[row].argmax())
+                accepted[scene] = _accepted(candidates, place)
+                counted[place + 1 : (row + 1) * width] = False
         stats.count(judged, counted)
         last = acceptance.rejected_last(judged).reshape(len(pending), width).sum(axis=1)
         for scene, number in zip(pending, last.tolist(), strict=True):
             crowded[scene] = crowded.get(scene, 0) + number
         pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
         start += width
-    return [Accepted(scene, scene, accepted[scene]) for scene in sorted(accepted)], stats
+    return [accepted[scene] for scene in sorted(accepted)], stats
+
+
+def _accepted(candidates: CandidateBatch, row: int) -> Accepted:
+    scene, attempt = int(candidates.scenes[row]), int(candidates.attempts[row])
+    chosen = {name: values[row : row + 1] for name, values in candidates.coordinates.items()}
+    return Accepted(scene, scene, attempt, chosen)

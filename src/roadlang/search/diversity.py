@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from ..geometry.arrays import Floats
+
 _MOST = 2_000
 
 
@@ -15,6 +17,22 @@ def mean_nearest(points: Sequence[Any]) -> float | None:
 
     Points are sequences of numbers, or numbers by name; of more than 2,000 the first count.
     """
+    cube = _in_cube(points)
+    return None if cube is None else _mean_nearest(cube)
+
+
+def expected_nearest(points: Sequence[Any], share: float) -> float | None:
+    """What `mean_nearest` comes to for as many even draws in a cube that is `share` of the unit
+    cube: an estimate for even draws in any part of it that is as large, and not very thin."""
+    cube = _in_cube(points)
+    if cube is None:
+        return None
+    count, dimensions = cube.shape
+    even = np.random.Generator(np.random.Philox(key=count)).random((count, dimensions))
+    return float(share ** (1.0 / dimensions)) * _mean_nearest(even)
+
+
+def _in_cube(points: Sequence[Any]) -> Floats | None:
     if len(points) < 2:
         return None
     rows = points[:_MOST]
@@ -22,8 +40,10 @@ def mean_nearest(points: Sequence[Any]) -> float | None:
         names = sorted(set.intersection(*(set(row) for row in rows)))
         rows = [[row[name] for name in names] for row in rows]
     cube = np.asarray(rows, dtype=float)
-    if cube.shape[1] == 0:
-        return None
+    return None if cube.shape[1] == 0 else cube
+
+
+def _mean_nearest(cube: Floats) -> float:
     square = (cube * cube).sum(axis=1)
     gaps = square[:, None] + square[None, :] - 2.0 * cube @ cube.T
     np.fill_diagonal(gaps, np.inf)

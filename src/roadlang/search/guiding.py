@@ -1,5 +1,10 @@
 """Guided sampling: a pilot learns where the requirements hold; every scene then draws from there.
 
+The pilot climbs by levels of robustness: the better third of its points stays, and others are
+proposed near to those until the level is full again (subset simulation: Au and Beck, Estimation of
+small failure probabilities in high dimensions by subset simulation, 2001). Regions that lie apart
+have levels of their own, so that none crowds out another.
+
 The pilot depends on scenario and seed alone, and a scene on the pilot and its own number, so that
 neither the number of scenes nor that of workers changes any of them.
 """
@@ -8,8 +13,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,36 +22,43 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Floats, read_only
+from ..geometry.clusters import clusters, distances
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
 from .accepted import Accepted
 from .attempts import accepted_attempts
-from .effort import attempts_of
+from .effort import quicker_share
 from .rejection_report import RejectionStats
-from .surrogate import Surrogate
 
-FIRST = 64
+FIRST = 320
 """Candidates of the pilot that are drawn evenly."""
-ROUND = 16
-"""Candidates of each of its further rounds."""
-ENOUGH = 36
-"""Accepted candidates after which the pilot ends."""
-LEADERS = 24
-"""Candidates that others are proposed near to, until enough hold."""
-PROPOSALS = 256
-"""Proposals that are guessed at a time: guesses cost no candidates."""
-TURNS, TURNS_WHERE_RARE = 3, 12
-"""How often more are made, evenly but for the last time, before the likeliest is taken."""
-LIKELY, LIKELY_WHERE_RARE = 0.3, 0.08
-RARE = 0.004
-"""Guessed acceptance below which more proposals are made, and bolder ones taken."""
-STEERED = 64
-"""Attempts of a scene that are proposed. The next are drawn evenly: a surrogate that guessed wrong
-so often is of no use, and a guess costs more than a candidate."""
-HOPELESS = 1e-6
-"""Guessed chance below which no proposal is worth a guess: nothing that was tried holds."""
+ROUND = 64
+"""Candidates that are proposed at a time."""
+KEPT = 0.35
+"""Share of the points of a region that a level keeps."""
+GAP, FEWEST = 4.0, 3
+"""Regions are apart where the way between them is so many times the usual one, and have so many
+points."""
+POPULATION, FULL = 192, 0.75
+"""Points that a level is filled up to; the share of its part that every region must have."""
+ENOUGH, SLIGHT = 128, 3
+"""Points that hold after which the pilot ends, if no region has less than a third of its part."""
+ROUNDS = 5
+"""Rounds after which a level ends, full or not."""
+PATIENCE, GAIN = 8, 0.9
+"""Levels that gain less than a tenth of what is missing, after which a pilot that has found nothing
+ends."""
+MOST_EVEN, TELLING = 960, 4
+"""Even draws after which it is decided whether to learn; those that must hold to do without."""
+LATE = 3
+"""Levels that a pilot goes on for where enough points hold, but too few in some region."""
+MOST_KNOWN = 256
+"""Points that scenes are drawn near to."""
+STEERED = 128
+"""Attempts of a scene that are proposed. The next are drawn evenly: a pilot that is of no use so
+often will not be of any."""
 _PILOT = -1
 _PLACE = "sample/guided"
 
@@ -55,83 +66,16 @@ _PLACE = "sample/guided"
 @dataclass(frozen=True)
 class Pilot:
     """`names` of the steered coordinates (d); `known` (n, d): where to draw near, empty where
-    drawing evenly does as well."""
+    drawing evenly does as well. `share`: the guessed share of even draws that hold."""
 
     names: tuple[str, ...]
     known: Floats
-    surrogate: Surrogate | None
     stats: RejectionStats
+    share: float
 
-    @cached_property
-    def is_rare(self) -> bool:
-        """Whether the surrogate guesses that only few even draws hold."""
-        assert self.surrogate is not None
-        even = np.random.Generator(np.random.Philox(key=0)).random((2048, len(self.names)))
-        return float(self.surrogate.chance(even).mean()) < RARE
-
-    def choose(self, sampler: KindInstance, random: BatchRandom) -> Floats:
-        """(1, d) the first proposal that is likely to hold, even draws before steered ones; if none
-        is, the most likely of all."""
-        assert self.surrogate is not None
-        dimensions = len(self.names)
-        width = _numbers(sampler, dimensions)
-        turns = TURNS_WHERE_RARE if self.is_rare else TURNS
-        bar = LIKELY_WHERE_RARE if self.is_rare else LIKELY
-        best, greatest = np.empty((1, dimensions)), -1.0
-        for turn in range(turns):
-            uniform = random.uniform(PROPOSALS * width, turn).reshape(PROPOSALS, width)
-            steered = turn == turns - 1
-            even = uniform[:, -dimensions:]
-            proposed = _steered(sampler, self.known, uniform) if steered else even
-            chance = self.surrogate.chance(proposed)
-            if (chance >= bar).any():
-                first = int((chance >= bar).argmax())
-                return np.asarray(proposed[first : first + 1])
-            if chance.max() > greatest:
-                greatest = float(chance.max())
-                best = proposed[chance.argmax()][None]
-        return best
-
-    def best_chance(self, sampler: KindInstance, random: BatchRandom) -> float:
-        """The greatest guessed chance among proposals that are steered, and as many even draws."""
-        assert self.surrogate is not None
-        dimensions = len(self.names)
-        width = _numbers(sampler, dimensions)
-        uniform = random.uniform(PROPOSALS * width).reshape(PROPOSALS, width)
-        steered = _steered(sampler, self.known, uniform)
-        even = random.uniform(PROPOSALS * dimensions, 1).reshape(PROPOSALS, dimensions)
-        return float(self.surrogate.chance(np.concatenate([steered, even])).max())
-
-    def round(self, sampler: KindInstance, random: BatchRandom) -> Floats:
-        """(ROUND, d) the likeliest of many proposals, for the pilot to measure."""
-        assert self.surrogate is not None
-        width = _numbers(sampler, len(self.names))
-        uniform = random.uniform(PROPOSALS * width).reshape(-1, width)
-        proposed = _steered(sampler, self.known, uniform)
-        chance = self.surrogate.chance(proposed).reshape(ROUND, -1)
-        groups = proposed.reshape(ROUND, -1, len(self.names))
-        return np.asarray(groups[np.arange(ROUND), chance.argmax(axis=1)])
-
-
-def _numbers(sampler: KindInstance, dimensions: int) -> int:
-    with sampler.guarded:
-        count = operator.index(sampler.kind.numbers(dimensions))
-    if count < dimensions:
-        fault = f"takes {count} random numbers for {dimensions} coordinates"
-        raise wrong_result(sampler.entry, sampler.call.span, fault)
-    return count
-
-
-def _steered(sampler: KindInstance, known: Floats, uniform: Floats) -> Floats:
-    """(V, d) proposals of the sampler. Raises RL474 where they are no points of the unit cube."""
-    with sampler.guarded:
-        result = sampler.kind.steer(read_only(known), read_only(uniform))
-    proposed = real_numbers(result, "proposals", sampler.entry, sampler.call.span)
-    expected = (len(uniform), known.shape[1])
-    if proposed.shape != expected or not ((proposed >= 0.0) & (proposed < 1.0)).all():
-        fault = f"gave proposals of shape {proposed.shape}, not {expected}, or beyond [0, 1)"
-        raise wrong_result(sampler.entry, sampler.call.span, fault)
-    return proposed
+    def propose(self, sampler: KindInstance, random: BatchRandom) -> Mapping[str, Floats]:
+        """A proposal for each of the candidates that `random` is for, by name."""
+        return _by_name(self.names, _steered(sampler, self.known, random))
 
 
 def guided_attempts(
@@ -142,93 +86,182 @@ def guided_attempts(
     stats = RejectionStats.empty(len(acceptance.requirements))
     if 0 in scenes:
         stats.add(pilot.stats)
-    steered = STEERED if len(pilot.known) else 0
-    searched = [first_accepted(acceptance, sampler, pilot, seed, s, stats, steered) for s in scenes]
-    found = {accepted.scene: accepted for accepted in searched if accepted is not None}
+    stats.even_share = pilot.share if len(pilot.known) else None
+    if not len(pilot.known):
+        even, counts = accepted_attempts(acceptance, sampler, seed, scenes)
+        stats.add(counts)
+        return even, stats
+    steered, counts = accepted_attempts(
+        acceptance,
+        sampler,
+        seed,
+        scenes,
+        attempts=range(STEERED),
+        propose=lambda candidates: pilot.propose(sampler, candidates.random(_PLACE)),
+    )
+    stats.add(counts)
+    found = {accepted.scene: accepted for accepted in steered}
     others = [scene for scene in scenes if scene not in found]
-    even, counts = accepted_attempts(acceptance, sampler, seed, others, steered)
+    even, counts = accepted_attempts(
+        acceptance, sampler, seed, others, attempts=range(STEERED, 1 << 62)
+    )
     stats.add(counts)
     found |= {accepted.scene: accepted for accepted in even}
     return [found[scene] for scene in scenes if scene in found], stats
 
 
 def run_pilot(acceptance: Acceptance, sampler: KindInstance, seed: int) -> Pilot:
-    """Learn where the requirements hold: candidates drawn evenly first, then rounds of those that a
-    surrogate of the robustness takes for the likeliest, until enough of them hold."""
-    stats = RejectionStats.empty(len(acceptance.requirements))
-    record = DrawRecord()
-    measured = acceptance.measure(_candidates(acceptance, seed, _PILOT, 0, FIRST, record=record))
-    _count(stats, measured)
-    names = tuple(record.coordinates)
-    points = np.stack([*record.coordinates.values(), np.empty(FIRST)], axis=1)[:, :-1]
-    scale = _scale(measured.rho)
-    values = _scaled(measured.rho, scale)
-    holds = np.asarray(measured.satisfied.all(axis=0))
-    pilot = Pilot(names, np.empty((0, len(names))), None, stats)
-    if not names or holds.sum() >= FIRST // 3:
-        return pilot
-    while True:
-        surrogate = Surrogate.fit(
-            points, values, None if pilot.surrogate is None else pilot.surrogate.lengths
-        )
-        pilot = Pilot(names, _leaders(points, values, holds), surrogate, stats)
-        random = _candidates(acceptance, seed, _PILOT, len(points), 1).random(_PLACE)
-        if holds.sum() >= ENOUGH or len(points) >= sampler.kind.pilot_size():
-            hopeless = not holds.any() and pilot.best_chance(sampler, random) < HOPELESS
-            return replace(pilot, known=pilot.known[:0]) if hopeless else pilot
-        proposed = pilot.round(sampler, random)
-        coordinates = dict(zip(names, proposed.T, strict=True))
-        candidates = _candidates(acceptance, seed, _PILOT, len(points), ROUND, coordinates)
-        measured = acceptance.measure(candidates)
-        _count(stats, measured)
-        points = np.concatenate([points, proposed])
-        values = np.concatenate([values, _scaled(measured.rho, scale)])
-        holds = np.concatenate([holds, measured.satisfied.all(axis=0)])
+    """Learn where the requirements hold: even draws first, then level after level."""
+    with sampler.guarded:
+        most, falls_back = int(sampler.kind.pilot_size()), bool(sampler.kind.falls_back())
+    climb = _Climb(acceptance, sampler, seed, most)
+    if not climb.names or (falls_back and climb.is_quicker_evenly(quicker_share(acceptance))):
+        share = float(climb.holds.mean())
+        return Pilot(climb.names, climb.points[:0], climb.stats, share)
+    share, idle, late, best = 1.0, 0, 0, climb.scores.max()
+    while climb.measured < most and idle < PATIENCE and late < LATE:
+        share *= climb.level()
+        if climb.is_settled():
+            break
+        late += int(climb.holds.sum() >= ENOUGH)
+        gained = climb.scores.max() > GAIN * best or climb.holds.any()
+        idle, best = 0 if gained else idle + 1, max(best, climb.scores.max())
+    known = climb.points[climb.holds]
+    share *= len(known) / len(climb.points)
+    return Pilot(climb.names, known[_some(len(known), MOST_KNOWN)], climb.stats, share)
 
 
-def _leaders(points: Floats, values: Floats, holds: NDArray[np.bool_]) -> Floats:
-    """All points that hold, or the best where those are too few."""
-    if holds.sum() >= LEADERS:
-        return np.asarray(points[holds])
-    score = np.minimum(values, 0.0).sum(axis=1)
-    return np.asarray(points[np.argsort(-score, kind="stable")[:LEADERS]])
+class _Climb:
+    """The points of a pilot that are above its level."""
+
+    def __init__(self, acceptance: Acceptance, sampler: KindInstance, seed: int, most: int) -> None:
+        self.acceptance, self.sampler, self.seed, self.most = acceptance, sampler, seed, most
+        self.stats = RejectionStats.empty(len(acceptance.requirements))
+        self.measured = 0
+        found = self._even(min(FIRST, most))
+        self.scale = _scale(found.rho)
+        self.scores, self.holds = self._scored(found)
+
+    def _even(self, count: int) -> Measurements:
+        """Draw more candidates evenly."""
+        record = DrawRecord()
+        candidates = self._candidates(self.measured, count, record=record)
+        found = self.acceptance.measure(candidates)
+        self.names = tuple(record.coordinates)
+        columns = [*record.coordinates.values(), np.empty(count)]
+        points = np.stack(columns, axis=1)[:, :-1]
+        self.points: Floats = np.concatenate([self.points, points]) if self.measured else points
+        self.measured += count
+        return found
+
+    def is_quicker_evenly(self, share: float) -> bool:
+        """Whether so many even draws hold that a scene is found sooner without learning; where
+        the first ones do not tell, more are drawn."""
+        while self.measured < min(MOST_EVEN, self.most):
+            seen = int(self.holds.sum())
+            if seen >= TELLING or (seen == 0 and self.measured > FIRST):
+                break
+            found = self._even(min(FIRST, self.most - self.measured))
+            scores, holds = self._scored(found)
+            self.scores = np.concatenate([self.scores, scores])
+            self.holds = np.concatenate([self.holds, holds])
+        return int(self.holds.sum()) >= max(TELLING, share * self.measured)
+
+    def level(self) -> float:
+        """Keep the better points of each region, and fill up with proposals that are as good as the
+        worst that was kept near to them. Returns the share of the points that was kept."""
+        regions = clusters(self.points, GAP, FEWEST)
+        bars = np.array([self._bar(regions == region) for region in range(regions.max() + 1)])
+        kept = self.scores >= bars[regions]
+        for region in range(bars.size):
+            crowd = np.flatnonzero(kept & self.holds & (regions == region))
+            kept[crowd] = False
+            kept[crowd[_some(len(crowd), POPULATION // bars.size + FEWEST)]] = True
+        share = float(kept.mean())
+        self._keep(kept)
+        known, regions = self.points, regions[kept]
+        sizes = np.bincount(regions)
+        for _ in range(ROUNDS):
+            if sizes.min() >= FULL * POPULATION / sizes.size or self.measured >= self.most:
+                break
+            count = min(ROUND, self.most - self.measured)
+            random = self._candidates(self.measured, count).random(_PLACE)
+            points = _steered(self.sampler, known, random)
+            coordinates = _by_name(self.names, points)
+            found = self.acceptance.measure(self._candidates(self.measured, count, coordinates))
+            self.measured += count
+            scores, holds = self._scored(found)
+            nearest = distances(np.concatenate([known, points]))[len(known) :, : len(known)]
+            region = regions[nearest.argmin(axis=1)]
+            good = scores >= bars[region]
+            sizes += np.bincount(region[good], minlength=sizes.size)
+            self.points = np.concatenate([self.points, points[good]])
+            self.scores = np.concatenate([self.scores, scores[good]])
+            self.holds = np.concatenate([self.holds, holds[good]])
+        return share
+
+    def _bar(self, members: NDArray[np.bool_]) -> float:
+        """The least score that is kept of the points of a region."""
+        scores = np.sort(self.scores[members])[::-1]
+        return float(scores[min(len(scores) - 1, max(FEWEST, int(KEPT * len(scores))) - 1)])
+
+    def is_settled(self) -> bool:
+        """Whether enough points hold, and not too few of them in any region."""
+        if self.holds.sum() < ENOUGH:
+            return False
+        regions = clusters(self.points, GAP, FEWEST)
+        holding = np.bincount(regions[self.holds], minlength=int(regions.max()) + 1)
+        return int(holding.min()) * SLIGHT * holding.size >= ENOUGH
+
+    def _keep(self, rows: NDArray[np.bool_]) -> None:
+        self.points, self.scores = self.points[rows], self.scores[rows]
+        self.holds = self.holds[rows]
+
+    def _scored(self, found: Measurements) -> tuple[Floats, NDArray[np.bool_]]:
+        """How far each candidate is from holding, in usual violations: 0 for those that hold."""
+        _count(self.stats, found)
+        holds = np.asarray(found.satisfied.all(axis=0))
+        scaled = np.nan_to_num(found.rho, posinf=0.0, neginf=-9.0) / self.scale
+        missing = np.where(found.satisfied, 0.0, np.clip(scaled, -9.0, 0.0)).sum(axis=0)
+        return np.where(holds, 0.0, np.minimum(missing, -1e-12)), holds
+
+    def _candidates(
+        self,
+        start: int,
+        count: int,
+        values: Mapping[str, Floats] | None = None,
+        record: DrawRecord | None = None,
+    ) -> CandidateBatch:
+        attempts, scenes = np.arange(start, start + count), np.full(count, _PILOT)
+        return CandidateBatch(self.acceptance.scenario, self.seed, scenes, attempts, values, record)
 
 
-def first_accepted(
-    acceptance: Acceptance,
-    sampler: KindInstance,
-    pilot: Pilot,
-    seed: int,
-    scene: int,
-    stats: RejectionStats,
-    attempts: int,
-) -> Accepted | None:
-    """The first accepted of the first attempts of a scene, which the pilot proposes."""
-    for attempt in range(min(attempts, attempts_of(sampler, acceptance))):
-        random = _candidates(acceptance, seed, scene, attempt, 1).random(_PLACE)
-        proposed = pilot.choose(sampler, random)
-        coordinates = dict(zip(pilot.names, proposed.T, strict=True))
-        candidates = _candidates(acceptance, seed, scene, attempt, 1, coordinates)
-        judged = acceptance.judge(candidates)
-        stats.count(judged, np.ones(1, dtype=bool))
-        if judged.accepted[0]:
-            return Accepted(scene, scene, attempt, candidates.coordinates)
-    return None
+def _some(count: int, most: int) -> NDArray[np.intp]:
+    """At most so many of the indices below `count`, evenly spread."""
+    return np.arange(count) if count <= most else np.arange(most) * count // most
 
 
-def _candidates(
-    acceptance: Acceptance,
-    seed: int,
-    scene: int,
-    start: int,
-    count: int,
-    values: Mapping[str, Floats] | None = None,
-    record: DrawRecord | None = None,
-) -> CandidateBatch:
-    attempts = np.arange(start, start + count)
-    return CandidateBatch(
-        acceptance.scenario, seed, np.full(count, scene), attempts, values, record
-    )
+def _by_name(names: Sequence[str], points: Floats) -> Mapping[str, Floats]:
+    return dict(zip(names, points.T, strict=True))
+
+
+def _steered(sampler: KindInstance, known: Floats, random: BatchRandom) -> Floats:
+    """(V, d) proposals of the sampler. Raises RL474 where they are no points of the unit cube."""
+    dimensions = known.shape[1]
+    with sampler.guarded:
+        width = operator.index(sampler.kind.numbers(dimensions))
+    if width < dimensions:
+        fault = f"takes {width} random numbers for {dimensions} coordinates"
+        raise wrong_result(sampler.entry, sampler.call.span, fault)
+    uniform = random.uniform(width)
+    with sampler.guarded:
+        result = sampler.kind.steer(read_only(known), read_only(uniform))
+    proposed = real_numbers(result, "proposals", sampler.entry, sampler.call.span)
+    expected = (len(uniform), dimensions)
+    if proposed.shape != expected or not ((proposed >= 0.0) & (proposed < 1.0)).all():
+        fault = f"gave proposals of shape {proposed.shape}, not {expected}, or beyond [0, 1)"
+        raise wrong_result(sampler.entry, sampler.call.span, fault)
+    return proposed
 
 
 def _scale(rho: Floats) -> Floats:
@@ -237,11 +270,6 @@ def _scale(rho: Floats) -> Floats:
     number = np.maximum((wrong > 0.0).sum(axis=1), 1)
     size = wrong.sum(axis=1) / number
     return np.where(size > 0.0, size, 1.0)[:, None]
-
-
-def _scaled(rho: Floats, scale: Floats) -> Floats:
-    """(V, R) robustness in usual violations, cut off where only the sign still matters."""
-    return np.asarray(np.clip(np.nan_to_num(rho, posinf=1.0, neginf=-9.0) / scale, -3.0, 1.0)).T
 
 
 def _count(stats: RejectionStats, measured: Measurements) -> None:

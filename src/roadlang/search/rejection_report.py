@@ -42,6 +42,8 @@ class RejectionStats:
     rejected: list[int] = field(default_factory=list)
     settled: list[int] = field(default_factory=list)
     best: list[float] = field(default_factory=list)
+    even_share: float | None = None
+    """the share of even draws that hold, where it had to be guessed: candidates were not even"""
 
     @classmethod
     def empty(cls, requirements: int) -> RejectionStats:
@@ -69,6 +71,7 @@ class RejectionStats:
     def add(self, other: RejectionStats) -> None:
         """Add the counts of `other` to these."""
         self.candidates += other.candidates
+        self.even_share = self.even_share if other.even_share is None else other.even_share
         for index in range(len(self.tried)):
             self.tried[index] += other.tried[index]
             self.rejected[index] += other.rejected[index]

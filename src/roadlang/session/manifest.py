@@ -43,6 +43,8 @@ def manifest_of(
         scenes=result.accepted,
         requested=result.wanted,
         candidates=result.candidates,
+        diversity=_rounded(result.diversity),
+        expected_diversity=_rounded(result.expected_diversity),
         inputs=dict(sorted(inputs.items())),
         plugins=dict(sorted({**sampled.plugins, **emitting}.items())),
         overrides=dict(sorted(loaded.params.items())),
@@ -61,6 +63,11 @@ def manifest_of(
             for output in sorted(written, key=lambda output: output.path)
         ),
     )
+
+
+def _rounded(value: float | None) -> float | None:
+    """To what every machine computes alike."""
+    return None if value is None else float(f"{value:.6g}")
 
 
 def scene_file_digests(scenario: Scenario) -> dict[str, str]:

@@ -100,7 +100,7 @@ class SceneSet(Sequence[Scene]):
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Warnings of the check, what could not be built as drawn, and why there are fewer scenes
-        than requested (RL600 to RL602)."""
+        than requested, or why they are alike (RL600 to RL603)."""
         return (
             *self.loaded.check(),
             *self.result.warnings,
@@ -169,6 +169,21 @@ def _row(scene: Scene) -> dict[str, Any]:
     }
 
 
+_FEW, _COLLAPSED = 10, 0.3
+
+
+def _collapse(result: SamplingResult, file: str) -> list[Diagnostic]:
+    """Whether scenes are far more like each other than even draws would be."""
+    found, expected = result.diversity, result.expected_diversity
+    if found is None or expected is None or result.accepted < _FEW:
+        return []
+    if found >= _COLLAPSED * expected:
+        return []
+    return [
+        diagnose(Code.DRAWS_COLLAPSED, path=file, found=f"{found:.3g}", expected=f"{expected:.3g}")
+    ]
+
+
 def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
     """Why there are fewer scenes than requested."""
     hint = "the table shows what rejects most"
@@ -176,7 +191,7 @@ def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
         found = f"{result.accepted} of {result.wanted}"
         return [diagnose(Code.TOO_FEW_SCENES, path=file, made=found, help=hint)]
     if result.scenes:
-        return []
+        return _collapse(result, file)
     if result.impossible:
         which = "; ".join(result.impossible)
         return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which)]

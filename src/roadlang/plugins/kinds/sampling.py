@@ -112,6 +112,10 @@ class Sampler(Kind):
         """How many candidates are measured at most before scenes are steered."""
         return 20_000
 
+    def falls_back(self) -> bool:
+        """Whether scenes are drawn evenly instead of steered where that is quicker."""
+        return True
+
     def numbers(self, dimensions: int) -> int:
         """How many random numbers `steer` needs for a proposal, at least `dimensions`."""
         return dimensions
