@@ -8,7 +8,7 @@ import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, Integers
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted
 from .effort import attempts_of, batch_size
@@ -42,17 +42,7 @@ def accepted_attempts(
         width = max(1, together // len(pending))
         width = min(width, end - start, 4 * start + 4)
         tries = np.arange(start, start + width)
-        candidates = CandidateBatch(
-            acceptance.scenario, seed, np.repeat(pending, width), np.tile(tries, len(pending))
-        )
-        if propose is not None:
-            candidates = CandidateBatch(
-                acceptance.scenario,
-                seed,
-                candidates.scenes,
-                candidates.attempts,
-                propose(candidates),
-            )
+        candidates = _candidates(acceptance, seed, pending, tries, propose)
         judged = acceptance.judge(candidates, candidates.scenes)
         counted = np.ones(candidates.count, dtype=bool)
         fine = judged.accepted.reshape(len(pending), width)
@@ -68,6 +58,21 @@ def accepted_attempts(
         pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
         start += width
     return [accepted[scene] for scene in sorted(accepted)], stats
+
+
+def _candidates(
+    acceptance: Acceptance,
+    seed: int,
+    scenes: Sequence[int],
+    tries: Integers,
+    propose: Propose | None,
+) -> CandidateBatch:
+    """The attempts `tries` of each scene."""
+    each = np.repeat(scenes, len(tries)), np.tile(tries, len(scenes))
+    even = CandidateBatch(acceptance.scenario, seed, *each)
+    if propose is None:
+        return even
+    return CandidateBatch(acceptance.scenario, seed, *each, propose(even))
 
 
 def _accepted(candidates: CandidateBatch, row: int) -> Accepted:
