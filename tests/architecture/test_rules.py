@@ -49,7 +49,7 @@ def test_the_table_has_no_circle() -> None:
 
 
 def test_what_the_page_says_is_somewhere_is_there() -> None:
-    section = HOUSE.page.partition("## Where to find what")[2].partition("\n## ")[0]
+    section = HOUSE.page.partition("## Where to find things")[2].partition("\n## ")[0]
     rows = [line.split("|")[2] for line in section.splitlines() if line.startswith("| ")][1:]
     paths = [path for row in rows for path in re.findall(r"`([^`]+)`", row)]
     assert len(paths) > len(rows) >= 20

@@ -14,7 +14,7 @@ def overlaps(first: str, second: str, *, road: str = ROAD) -> list[str]:
     return [found.message for found in testing.check(text) if found.code == "RL616"]
 
 
-ONE_PLACE = ["`b` and `a` stand in one place, or less than they keep apart"]
+ONE_PLACE = ["`b` overlaps `a`, or is too close to it"]
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class AllWayStop(JunctionControl):
-    """Everybody stops, and goes in the order of arrival."""
+    """All-way stop: vehicles go in the order in which they arrive."""
 
     name: ClassVar[str] = "all_way_stop"
 

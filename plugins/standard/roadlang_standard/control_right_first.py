@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RightFirst(JunctionControl):
-    """Who comes from the right goes first; left turns yield to oncoming traffic."""
+    """Priority to the right; left turns yield to oncoming traffic."""
 
     name: ClassVar[str] = "right_first"
 

@@ -17,15 +17,15 @@ class Signals(JunctionControl):
     """Traffic signals: opposite roads have green together, every other road alone."""
 
     name: ClassVar[str] = "signals"
-    green: Duration = option(20.0, above=0, maximum=600, help="time of green in each phase")
-    yellow: Duration = option(3.0, minimum=0, maximum=60, help="time of yellow after it")
+    green: Duration = option(20.0, above=0, maximum=600, help="green time of each phase")
+    yellow: Duration = option(3.0, minimum=0, maximum=60, help="yellow time after each green")
     all_red: Duration = option(
-        2.0, minimum=0, maximum=60, help="time until the next phase in which all have red"
+        2.0, minimum=0, maximum=60, help="time after yellow during which all signals are red"
     )
     offset: Duration = option(
         0.0,
         minimum=0,
-        help="time of the first phase that has passed when the drive begins",
+        help="time into the cycle at which the drive starts",
         example="0s..40s",
     )
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Stop(JunctionControl):
-    """Traffic of minor roads stops, then yields to that of the road that goes on."""
+    """Minor roads stop, then yield to the main road."""
 
     name: ClassVar[str] = "stop"
     roads: tuple[int, ...] | None = option(

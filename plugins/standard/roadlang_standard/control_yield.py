@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Yield(JunctionControl):
-    """Traffic of minor roads yields to that of the road that goes on."""
+    """Minor roads yield to the main road."""
 
     name: ClassVar[str] = "yield"
     roads: tuple[int, ...] | None = option(

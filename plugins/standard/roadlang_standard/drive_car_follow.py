@@ -28,7 +28,7 @@ class CarFollow(Controller):
         None,
         minimum=0,
         maximum=120,
-        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        help="target speed; by default the speed limit, or 50 km/h without one",
         example="40km/h",
     )
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")

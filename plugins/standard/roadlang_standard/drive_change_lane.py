@@ -29,9 +29,9 @@ ABORT_GAP_SHARE = 0.4
 
 @dataclass(frozen=True)
 class ChangeLane(Controller):
-    """Change to another lane as soon as there is room for it, and stay there; the controller before
-    keeps the distance, and steers before and afterwards. It turns back if the room is taken on the
-    first half."""
+    """Change lanes as soon as there is room, and stay in the new lane; the controller before it
+    keeps the distance, and steers otherwise. It returns if the gap closes during the first half
+    of the change."""
 
     name: ClassVar[str] = "change_lane"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -43,7 +43,7 @@ class ChangeLane(Controller):
         "the id of a lane, also of oncoming traffic",
         example="left",
     )
-    duration: Duration = option(4.0, above=0, maximum=60, help="time that the change takes")
+    duration: Duration = option(4.0, above=0, maximum=60, help="duration of the lane change")
     distance: Length = option(
         None,
         above=0,
@@ -52,7 +52,7 @@ class ChangeLane(Controller):
         "`duration`",
         example="50m",
     )
-    force: Flag = option(False, help="change without looking whether there is room")
+    force: Flag = option(False, help="change lanes even if there is no room")
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, offsets of the new and of the old lane, time since the change has

@@ -40,8 +40,8 @@ _PHASE, _TARGET, _CLOCK, _PACE = range(4)
 
 @dataclass(frozen=True)
 class CutIn(Controller):
-    """Pass an agent in a neighboring lane, change in front of it, and end with a gap to it; the
-    controller before drives on from there. Others that are in the way it waits for."""
+    """Pass an agent in an adjacent lane, change lanes in front of it, and end with a gap to it;
+    it waits for other vehicles in the way. Afterwards the controller before it drives on."""
 
     name: ClassVar[str] = "cut_in"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -49,9 +49,9 @@ class CutIn(Controller):
     gap: Length = option(
         8.0, minimum=0, maximum=200, help="gap to the target at the end, from bumper to bumper"
     )
-    duration: Duration = option(3.0, above=0, maximum=60, help="time that the change takes")
+    duration: Duration = option(3.0, above=0, maximum=60, help="duration of the lane change")
     closing: Speed = option(
-        5.0, above=0, maximum=40, help="how much faster than the target it passes, at most"
+        5.0, above=0, maximum=40, help="maximum speed relative to the target while passing"
     )
     acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")

@@ -22,7 +22,7 @@ class LaneFollow(Controller):
         None,
         minimum=0,
         maximum=120,
-        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        help="target speed; by default the speed limit, or 50 km/h without one",
         example="40km/h",
     )
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")

@@ -46,9 +46,9 @@ _PHASE, _BEGAN, _TARGET, _CLOCK = range(4)
 
 @dataclass(frozen=True)
 class Merge(Controller):
-    """Merge into the neighboring lane: adapt the speed to a gap, change where there is room, and
-    stop before the end of the own lane if there is none. The controller before drives on from
-    there."""
+    """Merge into the adjacent lane: adapt the speed to a gap, change lanes where there is room,
+    and stop before the end of its own lane if there is none. Afterwards the controller before
+    it drives on."""
 
     name: ClassVar[str] = "merge"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -64,18 +64,18 @@ class Merge(Controller):
         None,
         above=0,
         maximum=10_000,
-        help="how far from where it takes over it stops, and waits, if there was no room; by "
-        "default where its own lane ends, or after 150m if that goes on",
+        help="distance from where it takes over at which it stops and waits if there was no room; "
+        "by default the end of its lane, or 150m if that goes on",
         example="150m",
     )
     speed: Speed = option(
         None,
         minimum=0,
         maximum=120,
-        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        help="target speed; by default the speed limit, or 50 km/h without one",
         example="80km/h",
     )
-    duration: Duration = option(4.0, above=0, maximum=60, help="time that the change takes")
+    duration: Duration = option(4.0, above=0, maximum=60, help="duration of the lane change")
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(3.0, above=0, maximum=20, help="comfortable deceleration")
 

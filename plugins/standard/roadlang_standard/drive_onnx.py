@@ -29,12 +29,12 @@ class OnnxController(Controller):
     name: ClassVar[str] = "onnx"
     model: File = option(help="ONNX file; needs onnxruntime: `pip install roadlang[onnx]`")
     distances: ListOf[Length] = option(
-        (5.0, 10.0, 20.0, 30.0, 50.0), help="distances ahead at which it sees the path"
+        (5.0, 10.0, 20.0, 30.0, 50.0), help="distances ahead at which it observes the path"
     )
-    agents: Integer = option(4, minimum=0, maximum=100, help="how many other agents it sees")
-    steering: Angle = option(0.61, above=0, maximum=1.5, help="what the output 1 means")
-    acceleration: Acceleration = option(4.0, above=0, maximum=20, help="what the output 1 means")
-    deceleration: Acceleration = option(8.0, above=0, maximum=20, help="what the output -1 means")
+    agents: Integer = option(4, minimum=0, maximum=100, help="number of other agents it observes")
+    steering: Angle = option(0.61, above=0, maximum=1.5, help="value of an output of 1")
+    acceleration: Acceleration = option(4.0, above=0, maximum=20, help="value of an output of 1")
+    deceleration: Acceleration = option(8.0, above=0, maximum=20, help="value of an output of -1")
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

@@ -75,9 +75,9 @@ _PHASE, _ORIGIN, _LANE, _CLOCK, _CLOSE = range(5)
 
 @dataclass(frozen=True)
 class Overtake(Controller):
-    """Pull out, pass an agent or what stands in the lane, and pull in before it. It waits behind
-    until the other lane is free for long enough, looks again until it is beside the target, and
-    falls back if it is not. Before and afterwards the controller before drives."""
+    """Overtake an agent or an object: pull out, pass, and pull in ahead of it. It waits behind
+    until the other lane is free for long enough, keeps checking while it is alongside, and
+    drops back if the lane is no longer free. Otherwise the controller before it drives."""
 
     name: ClassVar[str] = "overtake"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -96,7 +96,7 @@ class Overtake(Controller):
         3.0, above=0, maximum=60, help="time of each of the two lane changes"
     )
     within: Length = option(
-        60.0, above=0, maximum=1000, help="gap to the target from which on it pulls out"
+        60.0, above=0, maximum=1000, help="gap to the target at which it pulls out"
     )
     acceleration: Acceleration = option(2.5, above=0, maximum=20, help="maximum acceleration")
 

@@ -27,15 +27,13 @@ START = 20.0
 
 @dataclass(frozen=True)
 class Process(Controller):
-    """A program of yours, in any language: it reads what the agent sees as one line of JSON on
+    """Run a program in any language: it reads what the agent sees as one line of JSON on
     standard input, and answers with one line. The drive waits for it at every step.
     """
 
     name: ClassVar[str] = "process"
     command: ListOf[String] = option(at_least=1, help="the program and its arguments")
-    timeout: Duration = option(
-        1.0, minimum=0.001, maximum=600, help="time in which it must answer, at each step"
-    )
+    timeout: Duration = option(1.0, minimum=0.001, maximum=600, help="time limit for each answer")
     brake_on_failure: Flag = option(
         False,
         help="when it dies, is late or answers nonsense, the agent brakes to a stop and the drive"

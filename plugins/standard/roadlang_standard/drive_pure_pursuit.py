@@ -22,7 +22,7 @@ class PurePursuit(Controller):
         None,
         minimum=0,
         maximum=120,
-        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        help="target speed; by default the speed limit, or 50 km/h without one",
         example="40km/h",
     )
     lookahead: Length = option(6.0, above=0, maximum=200, help="lookahead distance")

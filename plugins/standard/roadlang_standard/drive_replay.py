@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Replay(Controller):
-    """Go exactly as a recording has it, from the moment it takes over; nothing else moves the
-    agent. After the end of the recording it stands still."""
+    """Follow a recording exactly, from the moment it takes over; the agent does not react to
+    anything. After the end of the recording it stands still."""
 
     name: ClassVar[str] = "replay"
     file: File = option(
@@ -25,9 +25,7 @@ class Replay(Controller):
         "speed (m/s); or a trace of `roadlang run`",
         example='"recorded.csv"',
     )
-    agent: String = option(
-        "", help="the agent in the file; by default the one with the name of this agent"
-    )
+    agent: String = option("", help="agent in the file; by default the one with this agent's name")
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: when it took over, NaN before."""

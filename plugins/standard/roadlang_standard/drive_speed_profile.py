@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SpeedProfile(Controller):
-    """Drive at speeds that depend on the distance since it took over; between two points the
-    acceleration is constant. The controller before steers."""
+    """Drive at speeds given by the distance since it took over; between two points the
+    acceleration is constant. The controller before it steers."""
 
     name: ClassVar[str] = "speed_profile"
     leaves_open: ClassVar[str] = "steering"

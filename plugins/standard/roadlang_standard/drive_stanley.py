@@ -18,15 +18,15 @@ YAW_DAMPING = 0.1
 
 @dataclass(frozen=True)
 class Stanley(Controller):
-    """Steer by heading error and cross-track error at the front axle, and against yaw rates that
-    are not those of the line (Hoffmann et al. 2007)."""
+    """Steer by heading error and cross-track error at the front axle, with damping of the yaw
+    rate (Hoffmann et al. 2007)."""
 
     name: ClassVar[str] = "stanley"
     speed: Speed = option(
         None,
         minimum=0,
         maximum=120,
-        help="target speed; by default the speed limit, and 50 km/h where there is none",
+        help="target speed; by default the speed limit, or 50 km/h without one",
         example="40km/h",
     )
     gain: Annotated[float, quantity(FREQUENCY)] = option(

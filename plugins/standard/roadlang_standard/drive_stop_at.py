@@ -26,21 +26,21 @@ CLOSE = 0.05
 
 @dataclass(frozen=True)
 class StopAt(Controller):
-    """Stop at a place with a constant deceleration, and stay there; until it has to brake, the
-    controller before drives. Without a place it stops where it is."""
+    """Stop at a place with constant deceleration, and stay there; until braking starts, the
+    controller before it drives. Without a place it stops at once."""
 
     name: ClassVar[str] = "stop_at"
     leaves_open: ClassVar[str] = "steering"
     station: Length = option(
         None,
         minimum=0,
-        help="where, as arc length along the road of the agent (`ego.station`)",
+        help="place to stop at: arc length along the agent's road (`ego.station`)",
         example="120m",
     )
     distance: Length = option(
         None,
         minimum=0,
-        help="or how far from where it takes over; if both are said, the nearer counts",
+        help="or the distance from where it takes over; with both, the nearer one counts",
         example="40m",
     )
     deceleration: Acceleration = option(3.0, above=0, maximum=20, help="deceleration")

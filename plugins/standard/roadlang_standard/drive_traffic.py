@@ -37,8 +37,9 @@ FORESIGHT = 2.0
 
 @dataclass(frozen=True)
 class Traffic(Controller):
-    """Drive as traffic does: along its route, by speed limits, signals, stop lines and right of
-    way, at a distance to who is ahead (improved intelligent driver model, Treiber and Kesting)."""
+    """Drive like traffic: along its route, obeying speed limits, signals, stop lines and right
+    of way, and keeping its distance to the vehicle ahead (improved intelligent driver model,
+    Treiber and Kesting)."""
 
     name: ClassVar[str] = "traffic"
     interval: ClassVar[float] = 0.1
@@ -51,11 +52,11 @@ class Traffic(Controller):
     )
     headway: Duration = option(1.0, above=0, maximum=30, help="time gap to the vehicle ahead")
     politeness: float = option(
-        0.5, minimum=0, maximum=1, help="how hard it brakes to let in who waits where lanes merge"
+        0.5, minimum=0, maximum=1, help="how hard it brakes to let others merge"
     )
     aggression: float = option(
         0.5, minimum=0, maximum=1,
-        help="how hard it accelerates, brakes and takes bends, and how small gaps it accepts",
+        help="how hard it accelerates, brakes and corners, and how small a gap it accepts",
     )  # fmt: skip
 
     def initial_speed(self) -> InitialSpeed:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Bump(Perturber):
-    """Push the road aside at one place."""
+    """Displace the road locally, as a smooth bump."""
 
     name: ClassVar[str] = "bump"
     is_random: ClassVar[bool] = False

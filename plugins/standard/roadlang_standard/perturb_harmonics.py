@@ -18,7 +18,7 @@ class Harmonics(Perturber):
 
     name: ClassVar[str] = "harmonics"
     amplitude: Length = option(minimum=0, help="bound of the displacement")
-    modes: Integer = option(6, minimum=1, maximum=64, help="how many waves")
+    modes: Integer = option(6, minimum=1, maximum=64, help="number of waves")
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         """Weights of a sine and a cosine for each wave, those of short waves smaller.

@@ -23,7 +23,7 @@ class RandomWalk(Perturber):
     name: ClassVar[str] = "random_walk"
     amplitude: Length = option(minimum=0, help="bound of the displacement")
     correlation: Length = option(
-        above=0, help="arc length over which the road forgets where it was"
+        above=0, help="correlation length: arc length over which displacements are related"
     )
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:

@@ -22,7 +22,7 @@ class Sine(Perturber):
     wavelength: Length = option(
         above=0, help="arc length of one period; a closed road has a whole number"
     )
-    phase: Angle = option(0.0, help="of the wave where the road begins")
+    phase: Angle = option(0.0, help="phase of the wave at the start of the road")
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         """amplitude * sin(2 pi s / wavelength + phase)."""

@@ -14,13 +14,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RosMap(Reader):
-    """The ways through the free space of a map of the ROS map server (`map.yaml` and its image)."""
+    """The center lines of the free space of a ROS map (`map.yaml` and its image)."""
 
     name: ClassVar[str] = "ros_map"
     suffixes: ClassVar[tuple[str, ...]] = (".yaml", ".yml")
     reads: ClassVar[tuple[str, ...]] = ("network",)
     width: Length = option(None, above=0, help="road width; by default that of the free space")
-    smallest: Length = option(0.5, minimum=0, help="side of the smallest area that is not noise")
+    smallest: Length = option(
+        0.5, minimum=0, help="side of the smallest area that is kept; smaller ones are noise"
+    )
 
     def read(self, path: Path) -> Any:
         """An `Extraction` in the map's frame: meters, the origin as the map has it."""

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 
-COMPARED = "road that is compared, at its stations"
+COMPARED = "road that is measured, at its stations"
 OTHER = "road that it is compared with"
 
 

@@ -18,7 +18,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "run": ("run", "Drive scenes in a simulator and evaluate their expectations."),
     "falsify": ("falsify", "Search for scenes that violate an expectation."),
     "shrink": ("shrink", "Find the simplest scene that still fails."),
-    "report": ("report", "Make one page of the results of `run` or `falsify`."),
+    "report": ("report", "Write an HTML page with the results of `run` or `falsify`."),
     "extract": ("extract", "Extract the roads of an image."),
     "monitor": ("monitor", "Evaluate an STL formula on recorded traces."),
     "mine": ("mine", "Find the tightest parameters with which a formula holds on traces."),

@@ -30,9 +30,9 @@ _SHOWN = 10
     help="An expectation to violate, the most important first; by default all.",
 )
 @click.option("--with", "searcher", metavar="KIND", help="Searcher, in place of the file's.")
-@click.option("--evaluations", type=click.IntRange(min=1), help="Stop after so many candidates.")
+@click.option("--evaluations", type=click.IntRange(min=1), help="Stop after this many candidates.")
 @click.option(
-    "--failures", type=click.IntRange(min=1), help="Stop after so many distinct failures."
+    "--failures", type=click.IntRange(min=1), help="Stop after this many distinct failures."
 )
 @click.option(
     "--seconds", type=click.FloatRange(min=0, min_open=True), help="Stop after this time."
@@ -40,7 +40,7 @@ _SHOWN = 10
 @click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together.")
 @click.option("--islands", type=click.IntRange(min=1), help="Independent searches side by side.")
 @click.option(
-    "--random", type=click.FloatRange(0, 1), help="Share of candidates that are drawn at random."
+    "--random", type=click.FloatRange(0, 1), help="Fraction of candidates drawn at random."
 )
 @shared_options.engine
 @shared_options.duration
@@ -48,7 +48,7 @@ _SHOWN = 10
 @shared_options.jobs
 @shared_options.cluster
 @shared_options.settings
-@click.option("--resume", is_flag=True, help="Go on with the journal in DIR.")
+@click.option("--resume", is_flag=True, help="Continue from the journal in DIR.")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON.")
 def command(
     file: str,
@@ -65,9 +65,9 @@ def command(
 
     DIR/failures has the distinct failures as scenes, worst first, which `roadlang run` drives
     again, with their traces and figures; DIR/failing.csv and safe.csv have a row for every scene
-    that was driven, summary.json the failure rate and what was covered. What is finished is kept in
-    DIR/journal.jsonl: `--resume` goes on after an interruption, or with more evaluations. Options
-    come before those of the file's `falsify`. The exit code is 4 if there is a failure, 3 if no
+    that was driven, summary.json the failure rate and what was covered. Finished work is kept in
+    DIR/journal.jsonl: `--resume` continues after an interruption, or with more evaluations. Options
+    override those of the file's `falsify`. The exit code is 4 if there is a failure, 3 if no
     scene satisfies the requirements.
     """
     from ..session.cluster import cluster as workers_of

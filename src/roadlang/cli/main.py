@@ -26,9 +26,9 @@ from .standard_output import claim_standard_output
 @click.group(
     cls=LazyGroup,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Exit codes: 0 done, 1 the scenario has errors, 2 wrong use, 3 no scene satisfied the"
-    " requirements, 4 an expectation is violated, 5 an outside part (engine, network, plugin,"
-    " memory) failed, 70 a bug of roadlang.",
+    epilog="Exit codes: 0 done, 1 the scenario has errors, 2 usage error, 3 no scene satisfied the"
+    " requirements, 4 an expectation is violated, 5 something else failed: engine, network,"
+    " plugin or memory, 70 a bug of roadlang.",
 )
 @click.version_option(__version__, "-V", "--version", message="roadlang %(version)s")
 @click.option(
@@ -125,7 +125,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 
 def _show(error: click.ClickException) -> None:
-    """Print wrong use to stderr; what was typed may hold control characters."""
+    """Print usage error to stderr; what was typed may hold control characters."""
     from .console import note
 
     text = io.StringIO()

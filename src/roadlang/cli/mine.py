@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 @click.option(
     "--unknown-holds",
     is_flag=True,
-    help="Count a TRACE that could still satisfy FORMULA if it went on as one that does.",
+    help="Count a TRACE that could still satisfy FORMULA, if it continued, as satisfying it.",
 )
 @click.option(
     "--front",

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     type=click.Choice(["sampled", "held", "linear"]),
     default="sampled",
     show_default=True,
-    help="What a signal is between two samples: not looked at, that of the earlier one, or on the "
+    help="The value of a signal between two samples: none, that of the earlier sample, or on the "
     "line between both.",
 )
 @click.option(
@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     "following",
     is_flag=True,
     help="Read one TRACE (`-`: standard input) while it is being written; print a line whenever "
-    "FORMULA begins or ceases to hold.",
+    "FORMULA starts or stops holding.",
 )
 def command(
     formula: str,

@@ -105,7 +105,7 @@ def help_of(candidate: Candidate) -> str | None:
 def failure_of(candidate: Candidate, error: Exception) -> DiagnosticError | None:
     """RL470 for what a plugin's command raised as it ran.
 
-    None for diagnostics, exit codes, wrong use of the command line, a closed pipe and what the
+    None for diagnostics, exit codes, usage error of the command line, a closed pipe and what the
     machine refuses, which are no faults of it, and for our own commands, whose bugs are ours.
     """
     meant = (DiagnosticError, click.ClickException, click.exceptions.Exit, click.Abort)

@@ -15,12 +15,11 @@ from .console import echo, shown
     "-o", "--output", "file", metavar="FILE", help="The page; by default DIR/report.html."
 )
 def command(folder: str, file: str | None) -> None:
-    """Make one HTML page of what `roadlang run` or `roadlang falsify` wrote into DIR.
+    """Write an HTML page with the results of `roadlang run` or `roadlang falsify` in DIR.
 
-    The page needs nothing else and no network. It has the summary, the failing and the safe roads,
-    the drives to step through, robustness over time and along the road, what was covered, a table
-    of all drives, and what they were made from. What `roadlang shrink` and `roadlang explain` found
-    is in it.
+    The page is self-contained and works offline. It shows the summary, the failing and the safe
+    roads, the drives step by step, robustness over time and along the road, the coverage, a table
+    of all drives, their inputs, and the results of `roadlang shrink` and `roadlang explain`.
     """
     from ..session.reports import write_report
 

@@ -32,7 +32,7 @@ _CONCRETE = ".json"
 @shared_options.seed
 @shared_options.jobs
 @shared_options.cluster
-@click.option("--resume", is_flag=True, help="Keep what an earlier run has finished in DIR.")
+@click.option("--resume", is_flag=True, help="Keep the drives that an earlier run finished in DIR.")
 @shared_options.settings
 @shared_options.params
 @shared_options.duration
@@ -57,8 +57,8 @@ def command(  # noqa: PLR0913 - one parameter per option
 
     FILE is a scene file, or one scene that `emit json` or `roadlang falsify` wrote (scene.json),
     which is driven as it is. DIR has a trace and a figure of each drive, and results.csv with a row
-    per scene. What is finished is kept: `--resume` goes on after an interruption. If --params has a
-    list of maps, each is a run with a folder of its own, DIR/run-000, ... The exit code is 4 if an
+    per scene. Finished drives are kept: `--resume` continues after an interruption. If --params has
+    a list of maps, each is a run in its own folder, DIR/run-000, ... The exit code is 4 if an
     expectation is violated, and 5 if the simulator fails.
     """
     from ..session.cluster import cluster as workers_of

@@ -43,6 +43,7 @@ from ..types.expression_types import (
     TypedExpression,
     unknown,
 )
+from .habits import number_of_entity_help
 from .kinds import find_default, verbs_with
 from .unresolved_names import report_unresolved
 
@@ -105,8 +106,9 @@ def infer_arithmetic(
         if not isinstance(side.type, Quantity | SignalType):
             sign = f"`{node.operator}`"
             return checker.report(
-                Code.WRONG_TYPE, side.span, what=sign, expected="a number", found=side.type
-            )
+                Code.WRONG_TYPE, side.span, what=sign, expected="a number", found=side.type,
+                help=number_of_entity_help(side),
+            )  # fmt: skip
     return signal_arithmetic(checker, node, left, right)
 
 

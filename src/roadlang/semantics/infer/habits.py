@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ...diagnostics import Fix, nearest
 from ...plugins.kinds import VERBS
 from ...syntax.tree import nodes as ast
+from ..types.expression_types import DeclaredType, TypedExpression
 
 if TYPE_CHECKING:
     from ..checker import Checker
@@ -63,6 +64,18 @@ _OPTIONS = {
     "at": "the position is written before the block: `at 20m`",
     "on": "the road is written before the block: `on main at 20m`",
 }
+_SETTINGS = {
+    ("falsify", "budget"): "evaluations",
+    ("falsify", "iterations"): "evaluations",
+    ("falsify", "samples"): "evaluations",
+    ("falsify", "timeout"): "seconds",
+    ("simulate", "time"): "duration",
+    ("simulate", "timestep"): "step",
+    ("simulate", "dt"): "step",
+    ("sample", "budget"): "attempts",
+    ("sample", "iterations"): "attempts",
+}
+"""Other tools' names of options, by verb."""
 _NETWORK_WIDTH = (
     "the width of roads from a picture is an option of what reads it: "
     "`extract with auto { width: 7m }`"
@@ -121,10 +134,20 @@ def member_help(name: str) -> tuple[str, ...]:
     return (_MEMBERS[name],) if name in _MEMBERS else ()
 
 
+def number_of_entity_help(typed: TypedExpression) -> tuple[str, ...]:
+    """Help where an agent stands for its position: `at ego + 10m`."""
+    if isinstance(typed.type, DeclaredType) and typed.type.role in ("agent", "object"):
+        return (f"its position along its road is `{typed.span.text}.start`",)
+    return ()
+
+
 def option_help(name: str, owner: str) -> tuple[str, ...]:
     """Help for an option that a statement or kind, the `owner`, does not have."""
     if (owner, name) == ("`network`", "width"):
         return (_NETWORK_WIDTH,)
     if name in VERBS:
         return (f"write `{name} with KIND {{ ... }}`",)
+    verb = owner.strip("`").split(" ")[0]
+    if (verb, name) in _SETTINGS:
+        return (f"it is called `{_SETTINGS[verb, name]}`",)
     return (_OPTIONS[name],) if name in _OPTIONS else ()

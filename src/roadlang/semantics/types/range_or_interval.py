@@ -1,4 +1,4 @@
-"""`[a, b]` where a random value `a..b` is meant, and the other way round."""
+"""`[a, b]` where `a..b` is meant, and the other way round; a value where a list of it is meant."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from ...diagnostics import Fix
 from ...plugins import option_types as opt
 from . import expression_types as ty
 from .expression_types import TypedExpression
+from .matching import matches
 
 
 def other_form(
@@ -22,6 +23,10 @@ def other_form(
         return (f"`..` draws one value between the two; write `{meant}`",), (
             Fix(typed.span, meant),
         )
+    is_point = isinstance(typed.type, ty.CoordinatesType)  # lists of points have several
+    if isinstance(expected, opt.ListType) and not is_point and matches(typed, expected.item):
+        meant = f"[{typed.span.text}]"
+        return (f"write `{meant}`",), (Fix(typed.span, meant),)
     return (), ()
 
 

@@ -126,7 +126,14 @@ def relative_position(place: ErrorPosition) -> Mistake | None:
     """`at 20m ahead of ego`: Scenic's specifier."""
     signs = {"ahead": "+", "behind": "-"}
     other = 2 if place.word(1) == "of" else 1
-    if place.word() not in signs or place.kind(other) != "NAME" or place.kind(-1) != "NUMBER":
+    if place.word() not in signs or place.kind(other) != "NAME":
+        return None
+    if place.kind(-1) == "NAME" and place.first_kind in ("AGENT", "OBJECT"):
+        sign, name = signs[place.word()], place.word(other)
+        distance = place.word(other + 2) if place.word(other + 1) == "by" else "10m"
+        help = f"a position relative to another is written `at {name}.start {sign} {distance}`"
+        return _refused(place, help, hopeless=True)
+    if place.kind(-1) != "NUMBER":
         return None
     meant = f"{place.word(other)}.start {signs[place.word()]} {place.word(-1)}"
     help = f"a position relative to another is written `at {meant}`"

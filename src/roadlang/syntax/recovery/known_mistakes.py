@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...diagnostics import Code, diagnose
+from ...diagnostics import Code, Diagnostic, Fix, diagnose
 from ..words import CLOSERS, OPENERS
 from .copy_habits import count_before_kind
 from .error_position import Edit, ErrorPosition, Mistake
@@ -39,7 +39,7 @@ from .sign_mistakes import (
     turned_comparison,
     wrong_sign,
 )
-from .statement_habits import foreign_pass_help
+from .statement_habits import foreign_pass_help, override_with_role
 from .token_names import expectation, finding
 from .weighted_choice import weights_map
 from .word_mistakes import (
@@ -72,6 +72,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     source_in_parentheses,
     options_in_parentheses,
     relative_position,
+    override_with_role,
     method_call,
     emit_target,
     absolute_value,
@@ -130,9 +131,23 @@ def unexpected(place: ErrorPosition) -> Mistake:
         if kind in expected and place.continues(kind) and _closes_later(place, kind):
             edit = Edit(place.index, place.index, (_token(place, kind, sign),))
             break
-    wanted = f"`{edit.tokens[0][1]}`" if edit else expectation(place)
-    found = diagnose(Code.UNEXPECTED_TOKEN, place.span(), expected=wanted, found=finding(place))
-    return Mistake(found, edit)
+    if edit is not None:
+        return Mistake(_missing(place, edit.tokens[0][1]), edit)
+    wanted, found = expectation(place), finding(place)
+    return Mistake(diagnose(Code.UNEXPECTED_TOKEN, place.span(), expected=wanted, found=found))
+
+
+def _missing(place: ErrorPosition, sign: str) -> Diagnostic:
+    """A sign or word that is left out: the fix puts it in."""
+    glued = sign in (":", "(", "[")
+    at = place.token(-1)[3] if glued and place.index else place.token()[2]
+    return diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(),
+        expected=f"`{sign}`",
+        found=finding(place),
+        fixes=[Fix(place.source.span(at, at), sign if glued else f"{sign} ")],
+    )
 
 
 def _foreign_pass(place: ErrorPosition) -> Mistake:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...diagnostics import Fix, Source
+from ...diagnostics import Code, Fix, Source, diagnose
 from ..parsing.grammar import END
 from ..parsing.tokens import Token
+from .error_position import Edit, ErrorPosition, Mistake
 
 _LOOP = "there are no loops: `count: 5` in the block of an agent or object makes five copies"
 _CONDITION = (
@@ -58,6 +59,24 @@ def statement_help(tokens: Sequence[Token]) -> tuple[str, ...]:
 def foreign_pass_help(word: str) -> str:
     """Help for a word of another language in front of a kind in a block; empty if none is known."""
     return _HELP[word] if word in ("behavior", "monitor", "model") else ""
+
+
+def override_with_role(place: ErrorPosition) -> Mistake | None:
+    """`override agent ego { ... }`: what it is was said where it is declared."""
+    if place.first_kind != "OVERRIDE" or place.index != 2 or place.kind() != "NAME":
+        return None
+    if place.word(-1) not in ("image", "network", "road", "agent", "object", "param"):
+        return None
+    span = place.span(-1)
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected="a declared name",
+        found=f"`{span.text}`",
+        help=f"write `override {place.word()}`",
+        fixes=[Fix(place.source.span(span.start, place.token()[2]), "")],
+    )
+    return Mistake(found, Edit(1, 2))
 
 
 def as_include(source: Source, tokens: Sequence[Token]) -> tuple[Fix, list[Token]] | None:
