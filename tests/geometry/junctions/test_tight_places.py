@@ -108,3 +108,48 @@ def test_a_ring_through_one_junction_still_turns_into_itself() -> None:
     turns = {(c.source.end, c.target.end) for c in only(plan_of(network)).connections
              if c.source.edge == c.target.edge == 1}  # fmt: skip
     assert turns == {("start", "end"), ("end", "start")}
+
+
+def test_the_corner_of_a_bent_road_is_measured_where_it_is_trimmed() -> None:
+    """A road that leaves at a right angle and soon turns away, on a circle of 12 m."""
+    angles = np.linspace(0.0, 2.0, 21)
+    bent = np.column_stack([12.0 * np.sin(angles), 12.0 - 12.0 * np.cos(angles)])
+    lines = [bent, bent * (-1.0, 1.0), np.array([(0.0, 0.0), (0.0, -60.0)])]
+    network = network_of_polylines(lines, 12.0)
+    plan = plan_of(network)
+    assert plan.trims[3][0] > 6.0
+    assert faults(plan, network) == [{}]
+
+
+def test_two_roads_that_nobody_drives_through_do_not_overlap_at_their_joint() -> None:
+    lines = [np.array([(0.0, 0.0), (60.0, 0.0)]), np.array([(0.0, 0.0), (-43.0, 43.0)])]
+    network = network_of_polylines(lines, 11.0)
+    plan = plan_of(network, one_way=[1, 2])
+    assert not plan.problems
+    half_angle = np.radians(45.0 / 2.0)
+    assert plan.trims[1][0] >= 5.5 * np.tan(half_angle) - 1e-6
+
+
+def test_a_narrow_block_at_one_junction_has_a_tighter_curb_in_its_corner() -> None:
+    """Between the two ends of a road round a block, 6 m apart, there is no room for 2 x 4 m."""
+    network = network_of_streets(
+        [(0, 0), (-60, 0)], [(0, 0), (0, -60)],
+        [(0, 0), (60, 0), (60, 20), (0, 20), (0, 0)], width=14, radius=9,
+    )  # fmt: skip
+    plan = plan_of(network, lanes=4)
+    assert max(plan.trims[3]) < 20.0
+    assert faults(plan, network, lanes=4) == [{}]
+
+
+def test_trims_that_help_no_turn_are_not_moved() -> None:
+    """No trim makes room for the turns between two roads side by side, 3 m apart."""
+    lines = [
+        np.array([(0.0, 0.0), (9.0, 0.0)]),
+        np.array([(0.0, 0.0), (0.0, 100.0)]),
+        np.array([(9.0, 0.0), (9.0, 100.0)]),
+        np.array([(0.0, 0.0), (-60.0, 0.0)]),
+    ]
+    network = network_of_polylines(lines, 6.0)
+    plan = plan_of(network)
+    assert max(plan.trims[2][0], plan.trims[3][0]) < 15.0
+    assert faults(plan, network) == [{}]

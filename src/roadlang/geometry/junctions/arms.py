@@ -22,6 +22,7 @@ FARTHEST_TRIM = 90.0
 DEFAULT_TRIM = 60.0
 """Meters: the trim of arms that still touch there, and the farthest that a tight turn pushes."""
 SPACING = 0.5
+_OWN_SHARE = 0.45
 ARM_LENGTH = 120.0
 """Meters of an arm that are looked at."""
 
@@ -66,8 +67,8 @@ class ArmLine:
         return cls(edge, end, section, s, edge.curve.at(along), heading, left, right)
 
     def near_half(self) -> ArmLine:
-        """Up to the middle of the road: what is its own where both its ends enter one place."""
-        near = slice(0, max(3, int(np.searchsorted(self.s, self.length / 2.0, side="right"))))
+        """Nearly to the middle of the road: what is its own where both its ends enter one place."""
+        near = slice(0, max(3, int(np.searchsorted(self.s, _OWN_SHARE * self.length))))
         s, points, heading, left, right = (
             column[near] for column in (self.s, self.points, self.heading, self.left, self.right)
         )

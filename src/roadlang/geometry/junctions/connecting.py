@@ -47,23 +47,28 @@ class Connected:
         """(N,) the curves that can be driven and drive over no arm beyond its face."""
         return np.asarray(self.fits.drivable & ~self.swept.any(axis=1))
 
+    @property
+    def refused(self) -> Booleans:
+        """(N,) the turns that are not too sharp, but have no room."""
+        angles = np.array([pair.angle for pair in self.pairs])
+        return np.asarray(~self.usable & (np.abs(angles) <= SHARPEST))
+
 
 def connected(place: JunctionSite, trims: MutableMapping[ArmKey, float]) -> Connected:
     """The turns of a place. Moves trims in place: 25 % and half a meter a round, up to what the
-    roads leave."""
-    found = _fitted(place, trims)
+    roads leave. Of all rounds the first one counts in which the fewest turns have no room."""
+    best = found = _with_sweeps(_fitted(place, trims), trims)
+    least = {arm.key: trims[arm.key] for arm in found.arms}
     for _ in range(ROUNDS):
-        pushed = _too_tight(found)
-        if not pushed:
-            found = _with_sweeps(found, trims)
-            onward = np.array([not _is_return(found, pair) for pair in found.pairs], dtype=bool)
-            swept = found.swept[onward].any(axis=0)
-            pushed = {found.arms[arm].key for arm in np.flatnonzero(swept)}
+        pushed = _too_tight(found) or _swept_over(found)
         moved = [_push(place, key, trims) for key in sorted(pushed)]
         if not any(moved):
             break
-        found = _fitted(place, trims)
-    return _with_sweeps(found, trims)
+        found = _with_sweeps(_fitted(place, trims), trims)
+        if found.refused.sum() < best.refused.sum():
+            best, least = found, {arm.key: trims[arm.key] for arm in found.arms}
+    trims.update(least)
+    return best
 
 
 def _too_tight(found: Connected) -> set[ArmKey]:
@@ -73,6 +78,11 @@ def _too_tight(found: Connected) -> set[ArmKey]:
         if not drivable and abs(pair.angle) <= SHARPEST and not _is_return(found, pair)
         for arm in (pair.source, pair.target)
     }
+
+
+def _swept_over(found: Connected) -> set[ArmKey]:
+    onward = np.array([not _is_return(found, pair) for pair in found.pairs], dtype=bool)
+    return {found.arms[arm].key for arm in np.flatnonzero(found.swept[onward].any(axis=0))}
 
 
 def _is_return(found: Connected, pair: LanePair) -> bool:

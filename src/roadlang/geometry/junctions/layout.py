@@ -7,15 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Booleans
 from ..cross_section import CrossSection
-from ..network import RoadNetwork
+from ..network import Edge, RoadNetwork
 from .arms import ArmKey
-from .connecting import SHARPEST, Connected, connected
-from .places import LONGEST_INSIDE, SHORTEST_ROAD, JunctionSite, PlaceFinder, all_trims
+from .connecting import Connected, connected
+from .places import SHORTEST_ROAD, JunctionSite, PlaceFinder, all_trims
 
 _MOST_TRIES = 8
-_CLOSE = 0.01
+_LONGEST = 30.0
+"""Meters of a road whose ends are made one place for the sake of turns."""
 
 
 @dataclass(frozen=True)
@@ -32,30 +32,24 @@ class PlaceLayout:
     @property
     def refused(self) -> int:
         """How many turns that are not too sharp have no room."""
-        return sum(int(_refused(turns).sum()) for turns in self.turns)
+        return sum(int(turns.refused.sum()) for turns in self.turns)
 
     @property
     def cramped(self) -> tuple[int, ...]:
-        """The roads between two places of which nothing is left, at which turns have no room."""
+        """The short roads between two places at which turns have no room, the shortest first."""
         found = set()
         for turns in self.turns:
-            for row in np.flatnonzero(_refused(turns)).tolist():
+            for row in np.flatnonzero(turns.refused).tolist():
                 pair = turns.pairs[row]
                 arms = {pair.source, pair.target, *np.flatnonzero(turns.swept[row]).tolist()}
                 found |= {turns.arms[arm].edge for arm in arms}
-        return tuple(sorted(edge.id for edge in found if self._is_used_up(edge.id, edge.length)))
+        lengths = {edge.id: edge.length for edge in found if self._is_short_between(edge)}
+        return tuple(sorted(lengths, key=lambda id: (round(lengths[id], 6), id)))
 
-    def _is_used_up(self, edge: int, length: float) -> bool:
-        start, end = self.trims.get((edge, "start")), self.trims.get((edge, "end"))
-        if start is None or end is None or length > LONGEST_INSIDE:
-            return False
-        ring = any(edge in place.ring for place in self.places)
-        return not ring and length - start - end <= SHORTEST_ROAD + _CLOSE
-
-
-def _refused(turns: Connected) -> Booleans:
-    angles = np.array([pair.angle for pair in turns.pairs])
-    return np.asarray(~turns.usable & (np.abs(angles) <= SHARPEST))
+    def _is_short_between(self, edge: Edge) -> bool:
+        ends: tuple[ArmKey, ArmKey] = (edge.id, "start"), (edge.id, "end")
+        ring = any(edge.id in place.ring for place in self.places)
+        return edge.length <= _LONGEST and not ring and all(end in self.trims for end in ends)
 
 
 def laid_out(

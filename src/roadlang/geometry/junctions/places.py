@@ -16,7 +16,7 @@ SHORTEST_ROAD = 2.0
 """Meters of a road between two places; what would be shorter is swallowed."""
 SHORTEST_STUB = 0.5
 """Meters that a tight turn leaves of a dead end."""
-_LONGEST_STUB, LONGEST_INSIDE = 30.0, 60.0
+_LONGEST_STUB, _LONGEST_INSIDE = 30.0, 60.0
 """Meters: longer dead ends, and roads between two places, are not swallowed. Where no room is left
 of them, the roads of the drawing overlap."""
 
@@ -130,7 +130,7 @@ class PlaceFinder:
                 self._curbs[edge.id] = least
                 changed |= places
             elif edge.id not in self._ring and edge.length <= (
-                _LONGEST_STUB if is_stub else LONGEST_INSIDE
+                _LONGEST_STUB if is_stub else _LONGEST_INSIDE
             ):
                 self._inside.add(edge.id)
                 if is_stub:

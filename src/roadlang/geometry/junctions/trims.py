@@ -17,6 +17,8 @@ LEAST = 1.0
 _CLEAR_FOR = 5.0
 _PARALLEL_TRIM = 30.0
 _FLAT = math.radians(135.0)
+_ROUNDS = 3
+"""Angles between bent arms are measured where these are trimmed, so often."""
 
 
 @dataclass(frozen=True)
@@ -41,12 +43,12 @@ def trimmed(
     trims = {arm.key: min(15.0, float(arm.s[-1])) for arm in arms}
     order: tuple[ArmLine, ...] = ()
     corners: tuple[Corner, ...] = ()
-    for _ in range(3):
+    for _ in range(_ROUNDS):
         following = _ordered(arms, trims)
-        if [arm.key for arm in following] == [arm.key for arm in order]:
+        found = _corners(following, trims, curbs)
+        if order and found == corners:
             break
-        order = following
-        corners = _corners(order, trims, curbs)
+        order, corners = following, found
         trims = _all_trims(order, corners, swallowed)
     return Trimmed(order, trims, corners)
 
@@ -84,10 +86,12 @@ def _all_trims(
 ) -> dict[ArmKey, float]:
     trims = {arm.key: LEAST for arm in order}
     for corner in corners:
-        if corner.radius is None:
-            continue
         first, second = order[corner.arm], order[corner.neighbor]
-        for key, trim in _corner_trims(first, second, corner.radius):
+        if corner.radius is None:
+            touching = _flat_trims(first, second, corner.angle)
+        else:
+            touching = _corner_trims(first, second, corner.radius)
+        for key, trim in touching:
             trims[key] = max(trims[key], trim)
     for i, arm in enumerate(order):
         others = [
@@ -127,20 +131,29 @@ def _leave_apart(arm: ArmLine, other: ArmLine) -> bool:
     return bool(gap >= _FLAT)
 
 
+def _flat_trims(
+    first: ArmLine, second: ArmLine, angle: float
+) -> tuple[tuple[ArmKey, float], tuple[ArmKey, float]]:
+    """The trims of two arms that leave in nearly opposite directions: where the farther of the
+    borders between them meets its mirror image."""
+    half = max(float(first.left[0]), float(second.right[0]))
+    trim = half * math.tan(max(math.pi - angle, 0.0) / 2.0)
+    return (first.key, trim), (second.key, trim)
+
+
 def _corner_trims(
     first: ArmLine, second: ArmLine, radius: float
 ) -> tuple[tuple[ArmKey, float], tuple[ArmKey, float]]:
-    """The trims of two arms at their corner; where arms of different nodes run side by side, the
-    curb is made tighter until both trims are moderate."""
-    tries: tuple[float, ...] = (radius,)
-    if first.node != second.node:
-        tries = (radius, radius / 3.0, 0.25, 0.0)
-    for attempt in tries:
+    """The trims of two arms at their corner; where they run side by side, the curb is made tighter
+    until both trims are moderate. If none is tight enough, arms of one node keep the curb."""
+    found = []
+    for attempt in (radius, radius / 3.0, 0.25, 0.0):
         a = _touching(first, second, attempt, left=True)
         b = _touching(second, first, attempt, left=False)
+        found.append(((first.key, a), (second.key, b)))
         if max(a, b) <= _PARALLEL_TRIM:
-            break
-    return (first.key, a), (second.key, b)
+            return found[-1]
+    return found[-1] if first.node != second.node else found[0]
 
 
 def _touching(arm: ArmLine, other: ArmLine, radius: float, *, left: bool) -> float:
@@ -169,10 +182,11 @@ def _first_clear(arm: ArmLine, other: ArmLine, strict: Floats, gap: Floats) -> f
     """The least trim that keeps two arms apart.
 
     Arms of different nodes, which may lean towards each other and cross where no node is, must be
-    clear as far as trims go; if they are not, and for all others, for a few meters.
+    clear as far as trims go; if they are not, and for all others, for a few meters. The two ends of
+    one road come together anyway.
     """
     within_limit = arm.s <= FARTHEST_TRIM
-    if arm.node != other.node:
+    if arm.node != other.node and arm.edge is not other.edge:
         bad = np.flatnonzero((gap < 0.0) & within_limit)
         if len(bad) and bad[-1] + 1 < within_limit.sum():
             return _between(arm.s, gap, int(bad[-1]) + 1)
