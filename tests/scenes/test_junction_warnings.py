@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import pytest
+
 from roadlang.geometry import network_of_polylines
 from roadlang.geometry.junctions.plan import plan_junctions
 from roadlang.scenes.sampling import SamplingResult
@@ -36,6 +38,16 @@ def test_a_dead_end_inside_a_junction_is_named_once_for_all_networks_and_scenes(
     (found,) = said(sample, STUB)
     assert found[:2] == ("RL437", "warning")
     assert found[2] == "road 1 of `town`, 4.0m long, lies inside junction 1"
+
+
+def test_where_all_roads_lie_inside_a_junction_they_are_named_and_nothing_else_is_printed(
+    sample: Sample, recwarn: pytest.WarningsRecorder
+) -> None:
+    rows = "#...#\n.#.#.\n..#..\n.#.#.\n#...#"
+    text = PLAN.replace("ROWS", rows).replace("4m/px", "1m/px").split("network bent")[0]
+    text = text.replace("from plan", "from plan { extract with auto { width: 9m } }")
+    assert {warning.code for warning in sample(text).warnings} == {"RL437"}
+    assert not recwarn.list
 
 
 def test_a_warning_is_at_the_network(sample: Sample) -> None:

@@ -55,6 +55,8 @@ def trimmed(
 
 def _ordered(arms: Sequence[ArmLine], trims: Mapping[ArmKey, float]) -> tuple[ArmLine, ...]:
     """By the angle of the trimmed ends about the middle of the nodes."""
+    if not arms:
+        return ()
     middle = np.mean([arm.points[0] for arm in arms], axis=0)
 
     def angle(arm: ArmLine) -> tuple[float, ArmKey]:
