@@ -121,7 +121,10 @@ def test_the_last_pass_counts_and_that_of_a_network_before_one_made_from_it(
 def test_a_junction_that_is_not_there_is_named_with_those_that_are(sample: Sample) -> None:
     found = fault(sample, "control with stop { junctions: [4] }")
     assert found.code == "RL429"
-    assert found.help == ("its junctions are 1, 3", "did you mean `3`?")
+    assert found.help == (
+        "its junctions are 1 at (70m, 50m), 3 at (250m, 50m)",
+        "did you mean `3`?",
+    )
 
 
 def test_a_road_that_does_not_end_at_the_junction_is_refused(sample: Sample) -> None:

@@ -74,6 +74,7 @@ def test_every_trim_is_a_station_where_the_face_of_the_junction_is(sample: Sampl
 
 def test_a_road_between_junctions_that_touch_lies_inside_one(sample: Sample) -> None:
     close = TOWN.replace("....#.......#....", "....#.#..........")
+    close = close.replace("pixels", "pixels { thickness: 1.5px }")
     (network,) = sample(close).scenes[0].networks
     (junction,) = network.junctions
     assert len(junction.nodes) == 2
