@@ -2,6 +2,7 @@ extends "res://build/thing.gd"
 ## Something that moves: a body, the path it should follow, and what drives it.
 
 const Protocol := preload("res://net/protocol.gd")
+const Agent := preload("res://agents/agent.gd")
 const PathLine := preload("res://agents/path_line.gd")
 const Vehicle := preload("res://agents/vehicle.gd")
 const Walker := preload("res://agents/walker.gd")
@@ -42,6 +43,10 @@ var cross_track_error := 0.0
 var traveled := 0.0
 ## How many agents and objects it has touched.
 var contacts := 0
+## How often an edit has changed its start.
+var placed := 0
+## Whether it goes on as one that it has replaced.
+var goes_on := false
 ## At the end of its path: nobody sees it or touches it any more.
 var has_left := false
 
@@ -66,6 +71,7 @@ func build(reader: Reader) -> String:
 	_start_heading = number(spec, "heading", 0.0)
 	_start_speed = number(spec, "speed", 0.0)
 	_start_station = number(spec, "start", 0.0)
+	placed = int(number(spec, "placed", 0.0))
 	driver = Driver.new()
 	var wrong := driver.take(spec.get("drives", []))
 	if wrong.is_empty():
@@ -99,6 +105,26 @@ func reset(friction: float) -> void:
 	_segment = -1
 	if path != null:
 		_segment = path.segment_at(_start_station)
+
+
+## Goes on as an agent that it replaces, at its pose and speed, unless it was placed anew. Both are
+## in the scene tree.
+func go_on(earlier: Agent) -> void:
+	if earlier.placed != placed:
+		return
+	goes_on = true
+	body.go_on(earlier.body)
+	driver.go_on(earlier.driver)
+	x = earlier.x
+	y = earlier.y
+	heading = earlier.heading
+	speed = earlier.speed
+	acceleration = earlier.acceleration
+	traveled = earlier.traveled
+	contacts = earlier.contacts
+	station = earlier.station
+	has_left = earlier.has_left
+	body.visible = earlier.body.visible
 
 
 ## Reads where the body has got to.

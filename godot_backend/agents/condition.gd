@@ -13,6 +13,7 @@ const COMPARISONS: Array[String] = ["<", "<=", ">", ">=", "==", "!="]
 const ARITHMETIC: Array[String] = ["+", "-", "*", "/", "abs", "min", "max", "negate"]
 
 var wrong := false
+var tree: Variant
 
 var _head := ""
 var _value := 0.0
@@ -24,7 +25,8 @@ var _latched := false
 var _history: Array[Array] = []
 
 
-func _init(tree: Variant, depth: int = 0) -> void:
+func _init(of: Variant, depth: int = 0) -> void:
+	tree = of
 	if tree is bool:
 		_head = "number"
 		_value = 1.0 if tree else 0.0

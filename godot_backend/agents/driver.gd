@@ -1,6 +1,7 @@
 extends RefCounted
 ## Chooses who drives: the last controller whose `when` has come true and whose `while` holds.
 
+const Driver := preload("res://agents/driver.gd")
 const Condition := preload("res://agents/condition.gd")
 const Controller := preload("res://agents/controllers/controller.gd")
 
@@ -52,6 +53,17 @@ func reset() -> void:
 				condition.reset()
 
 
+## Controllers and conditions that an edit left in their places remember what they did.
+func go_on(earlier: RefCounted) -> void:
+	var other := earlier as Driver
+	in_charge = other.in_charge
+	for i in mini(_controllers.size(), other._controllers.size()):
+		if _controllers[i].get_script() == other._controllers[i].get_script():
+			_controllers[i].go_on(other._controllers[i])
+			_conditions[i] = _kept(_conditions[i], other._conditions[i])
+			_limits[i] = _kept(_limits[i], other._limits[i])
+
+
 ## Steering angle and acceleration of this step; `signals` looks up what conditions speak of.
 func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vector2:
 	in_charge = -1
@@ -67,6 +79,12 @@ func controls(agent: Node3D, signals: Callable, time: float, dt: float) -> Vecto
 	if is_nan(wanted.x):
 		wanted.x = _kept_steering(agent, signals, dt)
 	return wanted
+
+
+## A condition that has not changed, with what it has seen, else the new one.
+static func _kept(now: Condition, before: Condition) -> Condition:
+	var same: bool = now != null and before != null and now.tree == before.tree
+	return before if same else now
 
 
 static func _condition(tree: Variant) -> Condition:

@@ -81,16 +81,14 @@ func start(settings: Dictionary) -> String:
 	return ""
 
 
-## Takes agents that came or changed while the run goes on.
+## Takes agents that came or changed while the run goes on. Those that were not placed anew go on.
 func refresh() -> void:
 	if mode == Mode.IDLE:
 		return
-	var known: Dictionary = {}
-	for member in _members:
-		known[member.agent] = member
+	var known := _members.duplicate()
 	_gather()
 	for member in _members:
-		if known.has(member.agent):
+		if known.has(member):
 			member.agent.body.set_friction(member.friction)
 		else:
 			member.reset()
@@ -220,7 +218,9 @@ func _gather() -> void:
 		for one in agents:
 			var key := world << 16 | one.id
 			var member: Member = known.get(key)
-			if member == null or member.agent != one or mode == Mode.IDLE:
+			if member != null and mode != Mode.IDLE and one.goes_on:
+				member.agent = one
+			elif member == null or member.agent != one or mode == Mode.IDLE:
 				member = Member.new(world, one, stage)
 			member.signals = signals
 			member.friction = friction

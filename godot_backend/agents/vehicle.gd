@@ -3,6 +3,7 @@ extends RigidBody3D
 ##
 ## What it weighs, and how it steers, accelerates and grips, the client says.
 
+const Vehicle := preload("res://agents/vehicle.gd")
 const Tires := preload("res://agents/tires.gd")
 const Wheels := preload("res://agents/wheels.gd")
 const CarBody := preload("res://agents/car_body.gd")
@@ -144,6 +145,22 @@ func place(at: Vector3, toward: float, forward_speed: float) -> void:
 	global_transform = Transform3D(turned, at)
 	linear_velocity = turned.z * forward_speed
 	angular_velocity = Vector3.ZERO
+
+
+## Goes on as another body, which may be that of a walker.
+func go_on(other: PhysicsBody3D) -> void:
+	place(other.global_position, other.call("heading"), other.call("speed"))
+	collision_layer = other.collision_layer
+	if not other is Vehicle:
+		return
+	var car := other as Vehicle
+	collision_mask = car.collision_mask
+	global_transform = car.global_transform
+	linear_velocity = car.linear_velocity
+	angular_velocity = car.angular_velocity
+	gravity_scale = car.gravity_scale
+	freeze = car.freeze
+	_tangent = car._tangent
 
 
 ## Moves it so that it is at a place after the next physics step, unless it is hit.

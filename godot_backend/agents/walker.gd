@@ -40,6 +40,12 @@ func place(at: Vector3, toward: float, forward_speed: float) -> void:
 	global_transform = Transform3D(Basis(Vector3.UP, toward + PI / 2), ground)
 
 
+## Goes on as another body, which may be that of a vehicle.
+func go_on(other: PhysicsBody3D) -> void:
+	collision_layer = other.collision_layer
+	place(other.global_position, other.call("heading"), other.call("speed"))
+
+
 ## Moves it to a place, in the time of one step.
 func carry(at: Vector3, toward: float, dt: float) -> void:
 	place(at, toward, (at - global_position).slide(Vector3.UP).length() / dt)

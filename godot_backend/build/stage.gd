@@ -55,10 +55,12 @@ func put(kind: int, thing_id: int, revision: int, reader: Reader) -> String:
 	if not wrong.is_empty():
 		made.free()
 		return wrong
-	if old != null:
-		_drop(old)
 	_things[key] = made
 	add_child(made)
+	if made is Agent and old is Agent:
+		(made as Agent).go_on(old as Agent)
+	if old != null:
+		_drop(old)
 	builds += 1
 	_note_path(made)
 	return ""

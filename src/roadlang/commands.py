@@ -17,6 +17,7 @@ from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 if TYPE_CHECKING:
     from .drive.controllers import python_controllers
     from .files.writing import replace_file, write_all, write_file
+    from .ir.edited_starts import edited_starts
     from .judging.drives import judge
     from .session.params import parse_overrides
     from .session.scene_files import read_scene_file
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 _LATER = {
     ".files.writing": "replace_file write_all write_file",
     ".drive.controllers": "python_controllers",
+    ".ir.edited_starts": "edited_starts",
     ".judging.drives": "judge",
     ".session.params": "parse_overrides",
     ".session.scene_files": "read_scene_file",
@@ -38,6 +40,7 @@ __all__ = [
     "DiagnosticError",
     "diagnose",
     "echo",
+    "edited_starts",
     "exit_codes",
     "judge",
     "note",

@@ -11,7 +11,7 @@ import roadlang
 from roadlang.cli.main import run
 from roadlang_godot.commands.watch import Watcher, _lines
 from roadlang_godot.engine import Engine
-from roadlang_godot.live import LiveScene, Move
+from roadlang_godot.live import Move
 from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot
@@ -42,11 +42,12 @@ class Watched:
         self.scenes = loaded.sample(1, seed=0)
         self.watcher = Watcher(loaded, 0, "mesh", save)
         self.session = engine.connect("watched")
-        self.live = LiveScene(self.session, self.scenes[0].record, "mesh")
+        self.live = self.watcher.start(self.session, self.scenes[0].record)
 
     def take(self, what: str, name: str, end: tuple[float, float], done: bool = True) -> None:
         start = (80.0, 0.0) if what == "road" else (20.0, 30.0)
-        self.watcher._take(Move(what, name, start, end, done), self.live)
+        self.watcher.take(Move(what, name, start, end, done))
+        self.watcher.settle(self.live)
 
 
 @pytest.mark.parametrize("save", [False, True])
@@ -77,17 +78,17 @@ def test_a_save_is_seen_once_and_a_moment_without_a_file_is_none(
 ) -> None:
     watched = Watched(engine, tmp_path / "scene.rl", save=False)
     with watched.session:
-        watched.watcher._look(watched.live)
+        watched.watcher.settle(watched.live)
         assert "changes" not in capsys.readouterr().out
         watched.file.write_text(TEXT % 5)
         for _ in range(3):
-            watched.watcher._look(watched.live)
+            watched.watcher.settle(watched.live)
         assert watched.live.scene.roads[0].y[-1] == pytest.approx(5.0)
         assert capsys.readouterr().out.count(" changes in ") == 1
         watched.file.unlink()
-        watched.watcher._look(watched.live)
+        watched.watcher.settle(watched.live)
         watched.file.write_text("raod main\n")
-        watched.watcher._look(watched.live)
+        watched.watcher.settle(watched.live)
         assert "raod" in capsys.readouterr().err
         assert watched.live.scene.roads[0].y[-1] == pytest.approx(5.0)
 

@@ -39,6 +39,11 @@ func reset() -> void:
 	pass
 
 
+## Remembers what another controller of this kind does.
+func go_on(_earlier: RefCounted) -> void:
+	pass
+
+
 ## Steering angle (left positive; NAN leaves it to another controller) and acceleration.
 func command(_agent: Agent, _signals: Callable, _dt: float) -> Vector2:
 	return Vector2(NAN, 0.0)

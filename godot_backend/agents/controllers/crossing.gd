@@ -1,6 +1,7 @@
 extends "res://agents/controllers/controller.gd"
 ## Walks across the road, at right angles to it, and stands still on the other side.
 
+const Crossing := preload("res://agents/controllers/crossing.gd")
 const Walker := preload("res://agents/walker.gd")
 
 var _speed := 1.4
@@ -19,6 +20,13 @@ func reset() -> void:
 	_walked = 0.0
 	_distance = 0.0
 	_toward = NAN
+
+
+func go_on(earlier: RefCounted) -> void:
+	var other := earlier as Crossing
+	_walked = other._walked
+	_distance = other._distance
+	_toward = other._toward
 
 
 func command(agent: Agent, _signals: Callable, dt: float) -> Vector2:

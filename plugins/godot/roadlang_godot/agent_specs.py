@@ -74,6 +74,19 @@ def agent_spec(
     return spec
 
 
+START_MEMBERS = ("x", "y", "heading", "speed", "placed")
+"""Of a specification: the pose and speed at the start, and how often an edit has changed it."""
+
+
+def kept_start(spec: dict[str, Any], earlier: Mapping[str, Any], restarted: bool) -> dict[str, Any]:
+    """The specification after an edit of the scene: an agent that goes on keeps its start, for the
+    engine begins anew with those whose `placed` has changed."""
+    if restarted:
+        return {**spec, "placed": int(earlier.get("placed", 0)) + 1}
+    start = {key: earlier[key] for key in START_MEMBERS if key in earlier}
+    return {**spec, **start}
+
+
 def line_offset(actor: SceneActor, line: RoadSamples) -> float:
     """How far left of the center line the line lies that an agent should follow.
 

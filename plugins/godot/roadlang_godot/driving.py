@@ -95,6 +95,15 @@ def _gather(session: Session, parts: Mapping[np.dtype[np.void], list[Records]]) 
             parts[dtype].append(records(part, dtype))
 
 
+def step_payload(tick: int, ticks: int, controls: Controls, world: int = 0) -> bytes:
+    """The STEP that holds controls for some ticks."""
+    packed = b"".join(
+        _CONTROL.pack(world, agent, control.form, *control.numbers)
+        for agent, control in controls.items()
+    )
+    return _STEP.pack(tick, ticks, len(controls)) + packed
+
+
 class LockStep:
     """A drive that waits for Python at every step. Use as a context manager."""
 
@@ -124,11 +133,7 @@ class LockStep:
 
         Agents without controls go on as their own controllers want.
         """
-        packed = b"".join(
-            _CONTROL.pack(world, agent, control.form, *control.numbers)
-            for agent, control in controls.items()
-        )
-        payload = _STEP.pack(self.tick, ticks, len(controls)) + packed
+        payload = step_payload(self.tick, ticks, controls, world)
         self.state = self._await(self.tick + ticks, payload)
         return self.state
 

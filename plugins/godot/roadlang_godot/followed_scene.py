@@ -41,7 +41,18 @@ class FollowedScene:
         self._walks = [BODIES[actor.kind].walks if actor.kind in BODIES else False
                        for actor in scene.agents]  # fmt: skip
         self._numbers = [layout.agents[name] for name in self._names]
+        # The engine reports agents in the order of their numbers.
+        self._place = np.argsort(np.argsort(self._numbers))
         self._tick = -1
+
+    def carry_on(self, before: FollowedScene, restarted: frozenset[str]) -> None:
+        """Go on with the drive of the scene before an edit, but for agents that are `restarted`."""
+        self._mirror.carry_on(before._mirror, restarted)
+        self._tick = before._tick
+
+    def forget(self) -> None:
+        """The trace begins now."""
+        self._mirror.forget()
 
     @property
     def finished(self) -> bool:
@@ -53,7 +64,7 @@ class FollowedScene:
         self._look(state.tick, state.poses, state.contacts)
 
     def look_at_records(self, rows: Records, contacts: Records) -> None:
-        """The same of the records of one tick, in the order of the agents."""
+        """The same of the records of one tick, in the order of the numbers of agents."""
         self._look(int(rows["tick"][0]), rows, contacts)
 
     def controls(self) -> dict[int, EngineControl]:
@@ -78,6 +89,7 @@ class FollowedScene:
 
     def _look(self, tick: int, rows: Records, contacts: Records) -> None:
         frame = self._layout.frame
+        rows = rows[self._place]
         pose = np.empty((len(rows), 4))
         pose[:, 0] = rows["x"]
         pose[:, 1] = rows["y"]

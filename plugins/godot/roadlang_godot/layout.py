@@ -10,7 +10,7 @@ import numpy as np
 
 from roadlang.api import Code
 
-from .agent_specs import agent_spec, followed_lines
+from .agent_specs import agent_spec, followed_lines, kept_start
 from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, frame_around
@@ -45,6 +45,8 @@ class Layout:
     paths: Mapping[str, int]
     objects: Mapping[int, tuple[str, ...]]
     """names of the objects that a thing holds, by its id"""
+    specs: Mapping[str, Mapping[str, Any]]
+    """of the agents, as sent"""
     undriven: tuple[str, ...]
     """agents whose controllers the engine does not have, and that Python does not drive"""
 
@@ -57,13 +59,15 @@ class Layout:
 def layout_of(
     scene: Scene,
     road: str = "mesh",
-    frame: SceneOrigin | None = None,
     python_driven: Collection[str] = (),
+    earlier: Layout | None = None,
+    restarted: Collection[str] = (),
 ) -> Layout:
     """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
 
-    A `frame` that is given stays: what did not move is then not sent again. Of agents that are
-    `python_driven`, no controllers are sent.
+    Of agents that are `python_driven`, no controllers are sent. `earlier`: the layout before an
+    edit, whose frame and numbers stay, so that what did not move is not sent again; of its agents,
+    those begin anew that are `restarted`, by their names or groups.
 
     Raises `EngineError` RL509 where there is no road, RL514 where tiles have no pixels.
     """
@@ -76,7 +80,7 @@ def layout_of(
     if placed:
         everything.append(np.array(placed, dtype=float))
     middle, extent = frame_around(np.vstack(everything))
-    frame = frame or middle
+    frame = earlier.frame if earlier is not None else middle
     tiled = road == "tiles"
     parts = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
     followed = followed_lines(scene, lines)
@@ -85,15 +89,28 @@ def layout_of(
         parts += path_parts(followed[name], number, frame)
     undriven = undriven_agents(scene, python_driven)
     silent = {*python_driven, *undriven}
-    agents = {actor.name: i + 1 for i, actor in enumerate(scene.agents)}
+    agents = _numbers(scene, {} if earlier is None else earlier.agents)
+    known = {} if earlier is None else earlier.specs
+    specs = {}
     for actor in scene.agents:
         driven = replace(actor, drive=()) if actor.name in silent else actor
         spec = agent_spec(driven, scene, paths, followed, frame)
+        if actor.name in known:
+            anew = actor.name in restarted or actor.group in restarted
+            spec = kept_start(spec, known[actor.name], anew)
+        specs[actor.name] = spec
         parts.append(agent_part(agents[actor.name], spec))
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
     parts.append(world_part(world_settings(scene.world)))
-    return Layout(scene.name, tuple(parts), frame, extent, agents, paths, names, undriven)
+    return Layout(scene.name, tuple(parts), frame, extent, agents, paths, names, specs, undriven)
+
+
+def _numbers(scene: Scene, known: Mapping[str, int]) -> dict[str, int]:
+    """A number for each agent, which it keeps through edits of the scene."""
+    names = [actor.name for actor in scene.agents]
+    free = iter(sorted(set(range(1, len(names) + len(known) + 1)) - set(known.values())))
+    return {name: known[name] if name in known else next(free) for name in names}
 
 
 def built_roads(scene: Scene, lines: Mapping[str, RoadSamples]) -> list[str]:

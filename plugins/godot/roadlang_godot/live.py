@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import json
+import time
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from .followed_scene import FollowedScene
 from .layout import Layout, layout_of
+from .paced_drive import PacedDrive
 from .protocol import Message
 from .session import Session
-from .telemetry import CONTACT, Records, records
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, Trace
+    from roadlang.api import Controller, Scene, Trace
 
 RATE = 60
 EVERY = 2
-"""Ticks from one record to the next."""
+"""Ticks from one decision to the next."""
 MEMORY = 120.0
 """Seconds of driving that are kept for judging, at most."""
 
@@ -36,26 +36,54 @@ class Move:
 
 
 class LiveScene:
-    """Keeps the engine's world equal to the scene, and collects what is driven in it."""
+    """Keeps the engine's world equal to the scene, drives in it, and collects what is driven.
 
-    def __init__(self, session: Session, scene: Scene, road: str = "mesh") -> None:
+    `controllers`: of the agents that Python drives; the engine drives the others by itself.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        scene: Scene,
+        controllers: Mapping[str, Controller] | None = None,
+        road: str = "mesh",
+    ) -> None:
         self._session = session
         self._road = road
+        controllers = controllers or {}
         self.scene = scene
-        self.layout: Layout = layout_of(scene, road)
-        self._forget()
+        self.layout: Layout = layout_of(scene, road, controllers)
+        self._drive: PacedDrive | None = None
+        self._begin(scene, controllers)
         session.begin(self.layout.settings(RATE), clear=True)
         session.update(self.layout.parts)
         session.prove()
-        session.send_json(Message.RUN, {"mode": "free", "every": EVERY})
-        session.flush()
+        self._run()
 
-    def change(self, scene: Scene) -> int:
-        """Send what differs; everything else drives on. Returns how many messages it took."""
-        layout = layout_of(scene, self._road, self.layout.frame)
+    def change(
+        self,
+        scene: Scene,
+        controllers: Mapping[str, Controller] | None = None,
+        restarted: frozenset[str] = frozenset(),
+    ) -> int:
+        """Send what differs; everything else drives on. Returns how many messages it took.
+
+        Agents keep pose, speed and what their controllers remember, wherever their roads are now,
+        but for agents or groups that are `restarted`.
+        """
+        controllers = controllers or {}
+        layout = layout_of(scene, self._road, controllers, self.layout, restarted)
+        followed, was_driven = self._followed, self._drive is not None
         count = self._session.update(layout.parts)
         self.scene, self.layout = scene, layout
-        self._forget()
+        self._begin(scene, controllers)
+        if self._drive is not None and layout.agents:
+            assert self._followed is not None
+            assert followed is not None
+            self._followed.carry_on(followed, restarted)
+            self._drive.look_again()
+        elif was_driven or layout.agents:
+            self._run()
         return count
 
     def show(self, lines: list[str]) -> None:
@@ -64,9 +92,14 @@ class LiveScene:
         self._session.send_json(Message.NOTE, {"lines": ascii})
 
     def listen(self, timeout: float) -> list[Move]:
-        """Wait a moment; take what was driven and what a human moved meanwhile."""
-        self._session.pump(timeout)
-        self._record()
+        """Drive on for some seconds; take what a human moved meanwhile.
+
+        Raises RL470, RL474 of controllers, RL513 of conditions: the drive then waits for a change.
+        """
+        end = time.monotonic() + timeout
+        while (left := end - time.monotonic()) > 0.0:
+            self._session.pump(left)
+            self._drive_on()
         changes = []
         while (edit := self._session.take(Message.EDIT)) is not None:
             changes += self._move(edit)
@@ -74,36 +107,44 @@ class LiveScene:
 
     def trace(self) -> Trace | None:
         """What was driven lately; None where nothing was."""
-        return self._followed.trace("Godot") if self._samples > 1 else None
+        driven = self._followed is not None and self._samples > 1
+        return self._followed.trace("Godot") if driven and self._followed is not None else None
 
-    def _forget(self) -> None:
+    def _begin(self, scene: Scene, controllers: Mapping[str, Controller]) -> None:
         """What is driven from now on is judged."""
-        self._followed = FollowedScene(self.scene, self.layout, EVERY / RATE, RATE)
-        self._rows: dict[int, list[Records]] = {}
-        self._contacts: list[Records] = []
+        step = EVERY / RATE
+        self._followed = (
+            FollowedScene(scene, self.layout, step, RATE, controllers) if scene.agents else None
+        )
         self._samples = 0
+        self._waits = False
 
-    def _record(self) -> None:
-        """Make samples of the ticks of which the records of all agents are here."""
-        numbers = set(self.layout.agents.values())
-        while (part := self._session.take(Message.CONTACTS)) is not None:
-            self._contacts += list(records(part, CONTACT))
-        while (part := self._session.take(Message.TRACE)) is not None:
-            for row in records(part):
-                if int(row["agent"]) in numbers:
-                    self._rows.setdefault(int(row["tick"]), []).append(row)
-        for tick in sorted(self._rows):
-            rows = self._rows[tick]
-            if len(rows) < len(numbers):
-                continue
-            if self._samples * EVERY > MEMORY * RATE:
-                self._forget()
-                return
-            rows.sort(key=lambda row: int(row["agent"]))
-            self._followed.look_at_records(np.array(rows), np.array(self._contacts, dtype=CONTACT))
-            self._samples += 1
-            self._contacts = []
-            self._rows = {late: some for late, some in self._rows.items() if late > tick}
+    def _run(self) -> None:
+        """Start the drive; without agents there are only the lights to run."""
+        if self._drive is not None:
+            self._drive.stop()
+        if self.layout.agents:
+            self._drive = PacedDrive(self._session)
+        else:
+            self._drive = None
+            self._session.send_json(Message.RUN, {"mode": "free", "every": EVERY})
+        self._session.flush()
+
+    def _drive_on(self) -> None:
+        """Look at the newest state, and decide."""
+        if self._drive is None or self._followed is None or self._waits:
+            return
+        state = self._drive.state(len(self.layout.agents))
+        if state is None:
+            return
+        if self._samples * EVERY > MEMORY * RATE:
+            self._followed.forget()
+            self._samples = 0
+        self._followed.look(state)
+        self._samples += 1
+        self._waits = True  # for a change, should a controller fail
+        self._drive.answer(state, self._followed.controls(), EVERY)
+        self._waits = False
 
     def _move(self, payload: bytes) -> list[Move]:
         edit = json.loads(payload)

@@ -39,6 +39,17 @@ class ControllerCondition:
 
         return self._truth(self.formula, (), time, value)
 
+    def carry_on(self, agent: int, before: ControllerCondition, at: int) -> None:
+        """What was true of one agent of the same formula was true of this one."""
+        for place, past in before._past.items():
+            times = [time for time, _, _ in past]
+            mine = self._past.get(place)
+            if mine is None or [time for time, _, _ in mine] != times:
+                false = np.zeros(self._count, dtype=bool)
+                mine = self._past[place] = deque((t, false.copy(), false.copy()) for t in times)
+            for (_, first, last), (_, was_first, was_last) in zip(mine, past, strict=True):
+                first[agent], last[agent] = was_first[at], was_last[at]
+
     def take(self, rows: Integers) -> None:
         """From now on it is about these of its agents alone."""
         self._count = len(rows)

@@ -36,6 +36,18 @@ class GuardedController(Controller):
         """The same controller, which remembers nothing."""
         return GuardedController(self.kind, self.options, self.entry)
 
+    def carry_on(self, before: GuardedController) -> None:
+        """Remember what another controller of this kind, with perhaps other options, does. Raises
+        RL470."""
+        if before._single is None:
+            return
+        self._state, self._single = before._state, before._single
+        if self.options != before.options:
+            self._single = self.built(self.options)
+            for name, value in getattr(before._single, "__dict__", {}).items():
+                if name not in self.options:  # kinds are frozen, what they remember is not
+                    object.__setattr__(self._single, name, value)
+
     @property
     def in_batches(self) -> bool:
         """Whether it decides for many agents at once."""

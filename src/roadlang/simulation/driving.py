@@ -2,73 +2,26 @@
 
 from __future__ import annotations
 
-import json
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
-from ..geometry.arrays import Booleans, Floats, Integers, inverse_index
+from ..geometry.arrays import Booleans, Integers, inverse_index
 from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
-from .controllers import Driver, GuardedController
+from .carried_state import Continued
+from .controller_groups import Group, grouped, options_of
+from .controllers import Driver
 from .decision import Decision
 from .line_steering import line_steering
 from .observing import Surroundings, View
 from .poses import Poses
 from .single_agents import OthersSeen, observations
-from .triggers import PlacedCall, Triggers
+from .triggers import Triggers
 from .world import World
-
-
-@dataclass
-class Group:
-    """Agents whose controller at one place of their list is of one kind."""
-
-    place: int
-    controller: GuardedController
-    rows: Integers
-    columns: dict[str, Any]
-    state: Any
-    singles: list[GuardedController]
-    """one for each agent, where the kind decides for one alone"""
-    since: Floats
-    """when each decided last"""
-    held: Floats
-    """(2, N) steering and acceleration then"""
-    built: Controller | None = None
-    """the controller with the options of all its agents, once there is one"""
-
-    @property
-    def of_all(self) -> Controller:
-        """The controller with the options of all its agents."""
-        if self.built is None:
-            self.built = self.controller.built(self.columns)
-        return self.built
-
-    def restart(self, agents: Integers) -> None:
-        """Controllers of some agents remember nothing."""
-        if self.state is None and not self.singles:
-            return
-        again = np.flatnonzero(np.isin(self.rows, agents))
-        if self.state is not None:
-            first = self.controller.first_state(self.of_all, len(self.rows))
-            self.state[again] = first[again]
-        for row in again if self.singles else ():
-            self.singles[row] = self.singles[row].anew()
-
-    def take(self, place: Integers) -> None:
-        """Agents are at other places of the world now; at -1, no more."""
-        remaining = np.flatnonzero(place[self.rows] >= 0)
-        self.rows = place[self.rows[remaining]]
-        self.columns, self.built = _part(self.columns, remaining), None
-        self.state = None if self.state is None else self.state[remaining]
-        self.singles = [self.singles[row] for row in remaining] if self.singles else []
-        self.since, self.held = self.since[remaining], self.held[:, remaining]
 
 
 class DriverGroup:
@@ -83,7 +36,7 @@ class DriverGroup:
         self._step = step
         self._surroundings = Surroundings(world)
         self._slots = world.slots
-        self._groups, calls = _grouped(world, controllers)
+        self._groups, calls = grouped(world, controllers)
         self._triggers = Triggers(world, calls, signals_of(controllers))
         self._in_charge = np.zeros(0, dtype=np.int64)
         self._chosen: list[Integers] = []
@@ -117,6 +70,34 @@ class DriverGroup:
         """Some agents are back at the start. Conditions are not: none of theirs may have any."""
         for group in self._groups:
             group.restart(agents)
+
+    def carry_on(self, before: DriverGroup, rows: Continued, same_network: bool) -> None:
+        """Controllers and conditions of the agents that go on after an edit remember what they did
+        before it. Of several of a kind, the first goes on as the first."""
+        column = dict(zip(rows.after.tolist(), rows.before.tolist(), strict=True))
+        known = before._members()
+        places: dict[tuple[int, int], tuple[int, int]] = {}
+        for (row, kind, number), (group, agent) in self._members().items():
+            key = (column.get(row, -1), kind, number)
+            if key in known:
+                earlier, at = known[key]
+                group.carry_on(agent, earlier, at)
+                places[row, group.place] = key[0], earlier.place
+        self._triggers.carry_on(before._triggers, places, rows.is_everyone)
+        if same_network:
+            self._surroundings.carry_on(before._surroundings)
+
+    def _members(self) -> dict[tuple[int, type[Controller], int], tuple[Group, int]]:
+        """By agent, kind of controller, and how many of the kind the agent has before: its group,
+        and its place there."""
+        found: dict[tuple[int, type[Controller], int], tuple[Group, int]] = {}
+        counts: Counter[tuple[int, type[Controller]]] = Counter()
+        for group in self._groups:
+            for agent, row in enumerate(group.rows.tolist()):
+                kind = group.controller.kind
+                found[row, kind, counts[row, kind]] = group, agent
+                counts[row, kind] += 1
+        return found
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
@@ -195,7 +176,7 @@ def _decided_now(
     rows = group.rows[chosen]
     guarded = group.controller
     everyone = len(chosen) == len(group.rows)
-    built = group.of_all if everyone else guarded.built(_part(group.columns, chosen))
+    built = group.of_all if everyone else guarded.built(options_of(group.columns, chosen))
     state = None if group.state is None else group.state[chosen]
     decided = guarded.decide(built, view.of(rows), state)
     if state is not None:
@@ -218,71 +199,3 @@ def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
         found += [group.singles[index].control(observation)
                   for index, observation in zip(chosen[of_scene], seen, strict=True)]  # fmt: skip
     return ControlBatch.of(found)
-
-
-def _grouped(
-    world: World, controllers: Sequence[Mapping[str, Controller]]
-) -> tuple[list[Group], list[PlacedCall]]:
-    """Groups by place in the list, kind, and options that are no numbers; all calls."""
-    members: dict[Any, list[tuple[int, GuardedController]]] = {}
-    calls = []
-    for row, actor in enumerate(world.actors):
-        driver = controllers[row // world.slots].get(actor.name) if actor is not None else None
-        for place, call in enumerate(actor.drive if actor is not None else ()):
-            controller = driver.each[place] if isinstance(driver, Driver) else None
-            if controller is None:
-                engine = "the embedded engine"
-                found = diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine)
-                raise DiagnosticError(found)
-            calls.append((place, row, call))
-            key = (place, controller.kind, _words(controller.options))
-            members.setdefault(key, []).append((row, controller))
-    groups = [_group(place, found) for (place, *_), found in members.items()]
-    return sorted(groups, key=lambda group: group.place), calls
-
-
-def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
-    rows = np.array([row for row, _ in members], dtype=np.int64)
-    first = members[0][1]
-    if not first.in_batches:
-        singles = [controller for _, controller in members]
-        return Group(place, first, rows, {}, None, singles, *_never_decided(len(rows)))
-    columns = {
-        name: value
-        if _shape(value) is None
-        else np.array([controller.options[name] for _, controller in members], dtype=np.float64)
-        for name, value in first.options.items()
-    }
-    state = first.first_state(first.built(columns), len(rows))
-    return Group(place, first, rows, columns, state, [], *_never_decided(len(rows)))
-
-
-def _never_decided(count: int) -> tuple[Floats, Floats]:
-    return np.full(count, -math.inf), np.zeros((2, count))
-
-
-def _words(options: Mapping[str, Any]) -> str:
-    """The options that are not numbers, as one text; of numbers their shape."""
-    shapes = {name: _shape(value) for name, value in options.items()}
-    words = {
-        name: options[name] if shape is None else shape
-        for name, shape in shapes.items()
-        if shape != ()
-    }
-    return json.dumps(words, sort_keys=True) if words else ""
-
-
-def _shape(value: Any) -> tuple[int, ...] | None:
-    """() of a number, (2,) of a pair, (3, 2) of three pairs; None of what is not numbers alone."""
-    if isinstance(value, list | tuple):
-        parts = {_shape(item) for item in value}
-        part = parts.pop() if len(parts) == 1 else None
-        return None if part is None else (len(value), *part)
-    return () if isinstance(value, int | float) and not isinstance(value, bool) else None
-
-
-def _part(columns: Mapping[str, Any], rows: Integers) -> dict[str, Any]:
-    return {
-        name: value[rows] if isinstance(value, np.ndarray) else value
-        for name, value in columns.items()
-    }

@@ -13,6 +13,7 @@ from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
 from .bodies import Body
+from .carried_state import Continued, carry_world, same_network
 from .contacts import Contact
 from .controllers import Driver
 from .decision import Decision
@@ -78,6 +79,21 @@ class Mirror:
         """Where all agents are: `pose` (N, 4) x, y, heading, speed; `steering` (N,). `passed`:
         whether a step has passed since the last call."""
         self._world.follow(pose, steering, passed=passed)
+
+    def carry_on(self, before: Mirror, restarted: frozenset[str] = frozenset()) -> None:
+        """Go on with a drive that another mirror has followed, of the scene before an edit.
+
+        Agents of both keep pose, speed and counts, projected onto their lines; their conditions and
+        controllers remember what they did. Agents or groups that are `restarted` begin anew.
+        """
+        rows = Continued.of(before._world, self._world, restarted)
+        carry_world(before._world, self._world, rows)
+        self._drivers.carry_on(before._drivers, rows, same_network(before._world, self._world))
+        self.forget()
+
+    def forget(self) -> None:
+        """The trace begins now."""
+        self._recorder = Recorder(self._world)
 
     def touch(self, contact: Contact) -> None:
         """An agent has touched something for the first time."""

@@ -53,6 +53,10 @@ class Surroundings:
         if self._right_of_way is not None:
             self._right_of_way.take(agents, scenes)
 
+    def carry_on(self, before: Surroundings) -> None:
+        """Junctions are granted as they were: nothing has changed that they depend on."""
+        self._right_of_way = before._right_of_way
+
     def obstacles(self, world: World) -> Obstacles:
         """Objects in the lanes of agents."""
         if self._obstacles is None:

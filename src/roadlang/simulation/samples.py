@@ -64,6 +64,13 @@ class Samples:
         """Members of `AgentTrace` that the sample of now was asked for."""
         return frozenset(self._now)
 
+    def carry_on(self, before: Samples) -> None:
+        """Go on after the samples of another, of the same agents and at least as deep."""
+        if before._depth >= self._depth > 0:
+            self._times.extend(before._times)
+            self._past.extend(before._past)
+            self._now = before._now
+
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         for number, past in enumerate(self._past):

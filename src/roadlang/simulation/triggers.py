@@ -71,6 +71,12 @@ class Trigger:
         self.latched |= now
         return self.latched
 
+    def carry_on(self, agent: int, before: Trigger, at: int) -> None:
+        """One of the agents goes on with what one of another trigger has seen."""
+        if self.latched is not None and before.latched is not None:
+            self.latched[agent] = before.latched[at]
+        self.condition.carry_on(agent, before.condition, at)
+
     def take(self, place: Integers, agents: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
         remaining = np.flatnonzero(place[self.rows] >= 0)
@@ -119,6 +125,29 @@ class Triggers:
     def _last(self, active: Booleans) -> Integers:
         """(N,) the last place that is active, -1 for none."""
         return np.asarray(np.where(active, self._number, -1).max(axis=0))
+
+    def carry_on(
+        self,
+        before: Triggers,
+        places: Mapping[tuple[int, int], tuple[int, int]],
+        is_everyone: bool,
+    ) -> None:
+        """Conditions that an edit left as they were remember what has been. `places`: agent and
+        place in its list now, and before; `is_everyone`: whether all agents are in their columns.
+        """
+        known = {
+            (row, trigger.place, trigger.latched is None): (trigger, at)
+            for trigger in before._triggers
+            for at, row in enumerate(trigger.rows.tolist())
+        }
+        for trigger in self._triggers:
+            for agent, row in enumerate(trigger.rows.tolist()):
+                earlier = places.get((row, trigger.place))
+                found = earlier and known.get((*earlier, trigger.latched is None))
+                if found and found[0].condition.formula == trigger.condition.formula:
+                    trigger.carry_on(agent, *found)
+        if is_everyone:
+            self._samples.carry_on(before._samples)
 
     def take(self, place: Integers, agents: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""

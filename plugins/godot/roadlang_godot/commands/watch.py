@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import click
 
 from roadlang.commands import DiagnosticError, echo, report
+from roadlang_godot.faults import EngineError
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
+    from roadlang.api import Controller
+    from roadlang.api import Scene as SceneRecord
     from roadlang_godot.live import LiveScene, Move
     from roadlang_godot.session import Session
 
@@ -72,8 +78,22 @@ def command(  # noqa: PLR0913 - one parameter per option
         watcher.run(session, scenes, deadline)
 
 
+@dataclass(frozen=True)
+class Edit:
+    """What an edit of the text makes of the scene, with what drives its agents."""
+
+    loaded: LoadedScenario
+    scene: SceneRecord
+    controllers: Mapping[str, Controller]
+    seconds: float
+    """that compiling took"""
+
+
 class Watcher:
-    """Looks after one file and one simulator."""
+    """Looks after one file and one simulator. Edits are compiled beside the drive, which goes on.
+
+    After an edit, the agents go on where they are; one whose own start was edited starts anew.
+    """
 
     def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
         self._loaded = loaded
@@ -81,49 +101,86 @@ class Watcher:
         self._seed = seed
         self._road = road
         self._save = save
-        self._text = loaded.text
+        self._text = self._saved = self._compiled = loaded.text
+        self._compiler = ThreadPoolExecutor(1, "compiler")
+        self._compiling: Future[Edit] | None = None
 
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
-        from roadlang_godot.live import LiveScene
-
-        live = LiveScene(session, scenes[0].record, self._road)
+        live = self.start(session, scenes[0].record)
         echo(f"{self._file} is driven; save it to change it, Ctrl-C to leave")
         judged = 0.0
-        while time.monotonic() < deadline:
-            for move in live.listen(LISTEN):
-                self._take(move, live)
-            self._look(live)
-            if time.monotonic() - judged > JUDGE_EVERY:
-                judged = time.monotonic()
-                live.show(_lines(live, scenes))
+        with self._compiler:
+            while time.monotonic() < deadline:
+                self.listen(live)
+                self.look(live)
+                if time.monotonic() - judged > JUDGE_EVERY:
+                    judged = time.monotonic()
+                    live.show(_lines(live, scenes))
 
-    def _look(self, live: LiveScene) -> None:
+    def start(self, session: Session, scene: SceneRecord) -> LiveScene:
+        """Build the scene, and start to drive in it."""
+        from roadlang.commands import python_controllers
+        from roadlang_godot.live import LiveScene
+
+        controllers = python_controllers(scene, self._loaded.registry)
+        return LiveScene(session, scene, controllers, self._road)
+
+    def listen(self, live: LiveScene) -> None:
+        """Drive on for a moment, and do what a human moved."""
+        try:
+            for move in live.listen(LISTEN):
+                self.take(move)
+        except DiagnosticError as error:  # of a controller: the drive waits for an edit
+            if isinstance(error, EngineError):
+                raise
+            report(error.diagnostics)
+
+    def look(self, live: LiveScene) -> None:
+        """See whether the file has changed, and change the scene once that is compiled."""
+        if self._compiling is not None and self._compiling.done():
+            compiling, self._compiling = self._compiling, None
+            self._change(live, compiling)
+        text = self._read()
+        if text not in (None, self._saved):
+            self._text = self._saved = str(text)
+        if self._compiling is None and self._text != self._compiled:
+            self._compiled = self._text
+            loaded = self._loaded.with_text(self._text)
+            self._compiling = self._compiler.submit(compiled, loaded, self._seed)
+
+    def settle(self, live: LiveScene) -> None:
+        """Drive on until what has changed so far is in the simulator."""
+        self.look(live)
+        while self._compiling is not None:
+            self.listen(live)
+            self.look(live)
+
+    def _read(self) -> str | None:
         from roadlang.commands import read_scene_file
 
         try:
-            text = read_scene_file(self._file)
+            return read_scene_file(self._file)
         except DiagnosticError:
-            # Editors that save by renaming leave a moment without a file.
-            return
-        if text != self._text:
-            self._text = text
-            self._change(live)
+            return None  # Editors that save by renaming leave a moment without a file.
 
-    def _change(self, live: LiveScene) -> None:
+    def _change(self, live: LiveScene, compiling: Future[Edit]) -> None:
+        from roadlang.commands import edited_starts
+
         try:
+            edit = compiling.result()
             began = time.monotonic()
-            (scene,) = self._loaded.with_text(self._text).sample(1, seed=self._seed)
-            compiled = time.monotonic()
-            count = live.change(scene.record)
+            restarted = edited_starts(self._loaded.scenario, edit.loaded.scenario)
+            count = live.change(edit.scene, edit.controllers, restarted)
         except DiagnosticError as error:
             report(error.diagnostics)
             return
-        sent = 1000 * (time.monotonic() - compiled)
-        compiling = 1000 * (compiled - began)
-        echo(f"{count} changes in {sent:.0f} ms, after {compiling:.0f} ms of compiling")
+        self._loaded = edit.loaded
+        sent, took = 1000 * (time.monotonic() - began), 1000 * edit.seconds
+        echo(f"{count} changes in {sent:.0f} ms, after {took:.0f} ms of compiling")
 
-    def _take(self, move: Move, live: LiveScene) -> None:
+    def take(self, move: Move) -> None:
+        """Change the text as a human has changed the scene."""
         from roadlang.commands import object_moved, replace_file, waypoint_moved
 
         if not move.done:
@@ -138,7 +195,17 @@ class Watcher:
         self._text = text
         if self._save:
             replace_file(self._loaded.path, text)
-        self._change(live)
+            self._saved = text
+
+
+def compiled(loaded: LoadedScenario, seed: int) -> Edit:
+    """The scene of a text."""
+    from roadlang.commands import python_controllers
+
+    began = time.monotonic()
+    (scene,) = loaded.sample(1, seed=seed)
+    controllers = python_controllers(scene.record, loaded.registry)
+    return Edit(loaded, scene.record, controllers, time.monotonic() - began)
 
 
 def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:

@@ -1,0 +1,141 @@
+"""Agents of a world whose controllers are of one kind, called together."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..geometry.arrays import Floats, Integers
+from ..plugins.kinds import Controller
+from .controllers import Driver, GuardedController
+from .triggers import PlacedCall
+from .world import World
+
+
+@dataclass
+class Group:
+    """Agents whose controller at one place of their list is of one kind."""
+
+    place: int
+    controller: GuardedController
+    rows: Integers
+    columns: dict[str, Any]
+    state: Any
+    singles: list[GuardedController]
+    """one for each agent, where the kind decides for one alone"""
+    since: Floats
+    """when each decided last"""
+    held: Floats
+    """(2, N) steering and acceleration then"""
+    built: Controller | None = None
+    """the controller with the options of all its agents, once there is one"""
+
+    @property
+    def of_all(self) -> Controller:
+        """The controller with the options of all its agents."""
+        if self.built is None:
+            self.built = self.controller.built(self.columns)
+        return self.built
+
+    def restart(self, agents: Integers) -> None:
+        """Controllers of some agents remember nothing."""
+        if self.state is None and not self.singles:
+            return
+        again = np.flatnonzero(np.isin(self.rows, agents))
+        if self.state is not None:
+            first = self.controller.first_state(self.of_all, len(self.rows))
+            self.state[again] = first[again]
+        for row in again if self.singles else ():
+            self.singles[row] = self.singles[row].anew()
+
+    def carry_on(self, agent: int, before: Group, place: int) -> None:
+        """One of the agents goes on with what one of another group of the kind remembers."""
+        if self.state is not None and self.state.shape[1:] == before.state.shape[1:]:
+            self.state[agent] = before.state[place]
+        if self.singles and before.singles:
+            self.singles[agent].carry_on(before.singles[place])
+        self.since[agent], self.held[:, agent] = before.since[place], before.held[:, place]
+
+    def take(self, place: Integers) -> None:
+        """Agents are at other places of the world now; at -1, no more."""
+        remaining = np.flatnonzero(place[self.rows] >= 0)
+        self.rows = place[self.rows[remaining]]
+        self.columns, self.built = options_of(self.columns, remaining), None
+        self.state = None if self.state is None else self.state[remaining]
+        self.singles = [self.singles[row] for row in remaining] if self.singles else []
+        self.since, self.held = self.since[remaining], self.held[:, remaining]
+
+
+def grouped(
+    world: World, controllers: Sequence[Mapping[str, Controller]]
+) -> tuple[list[Group], list[PlacedCall]]:
+    """Groups by place in the list, kind, and options that are no numbers; all calls."""
+    members: dict[Any, list[tuple[int, GuardedController]]] = {}
+    calls = []
+    for row, actor in enumerate(world.actors):
+        driver = controllers[row // world.slots].get(actor.name) if actor is not None else None
+        for place, call in enumerate(actor.drive if actor is not None else ()):
+            controller = driver.each[place] if isinstance(driver, Driver) else None
+            if controller is None:
+                engine = "the embedded engine"
+                found = diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine)
+                raise DiagnosticError(found)
+            calls.append((place, row, call))
+            key = (place, controller.kind, _words(controller.options))
+            members.setdefault(key, []).append((row, controller))
+    groups = [_group(place, found) for (place, *_), found in members.items()]
+    return sorted(groups, key=lambda group: group.place), calls
+
+
+def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
+    rows = np.array([row for row, _ in members], dtype=np.int64)
+    first = members[0][1]
+    if not first.in_batches:
+        singles = [controller for _, controller in members]
+        return Group(place, first, rows, {}, None, singles, *_never_decided(len(rows)))
+    columns = {
+        name: value
+        if _shape(value) is None
+        else np.array([controller.options[name] for _, controller in members], dtype=np.float64)
+        for name, value in first.options.items()
+    }
+    state = first.first_state(first.built(columns), len(rows))
+    return Group(place, first, rows, columns, state, [], *_never_decided(len(rows)))
+
+
+def _never_decided(count: int) -> tuple[Floats, Floats]:
+    return np.full(count, -math.inf), np.zeros((2, count))
+
+
+def _words(options: Mapping[str, Any]) -> str:
+    """The options that are not numbers, as one text; of numbers their shape."""
+    shapes = {name: _shape(value) for name, value in options.items()}
+    words = {
+        name: options[name] if shape is None else shape
+        for name, shape in shapes.items()
+        if shape != ()
+    }
+    return json.dumps(words, sort_keys=True) if words else ""
+
+
+def _shape(value: Any) -> tuple[int, ...] | None:
+    """() of a number, (2,) of a pair, (3, 2) of three pairs; None of what is not numbers alone."""
+    if isinstance(value, list | tuple):
+        parts = {_shape(item) for item in value}
+        part = parts.pop() if len(parts) == 1 else None
+        return None if part is None else (len(value), *part)
+    return () if isinstance(value, int | float) and not isinstance(value, bool) else None
+
+
+def options_of(columns: Mapping[str, Any], rows: Integers) -> dict[str, Any]:
+    """The options of some agents of a group."""
+    return {
+        name: value[rows] if isinstance(value, np.ndarray) else value
+        for name, value in columns.items()
+    }
