@@ -79,7 +79,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 
 
 @dataclass(frozen=True)
-class Edit:
+class CompiledEdit:
     """What an edit of the text makes of the scene, with what drives its agents."""
 
     loaded: LoadedScenario
@@ -103,7 +103,7 @@ class Watcher:
         self._save = save
         self._text = self._saved = self._compiled = loaded.text
         self._compiler = ThreadPoolExecutor(1, "compiler")
-        self._compiling: Future[Edit] | None = None
+        self._compiling: Future[CompiledEdit] | None = None
 
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
@@ -164,7 +164,7 @@ class Watcher:
         except DiagnosticError:
             return None  # Editors that save by renaming leave a moment without a file.
 
-    def _change(self, live: LiveScene, compiling: Future[Edit]) -> None:
+    def _change(self, live: LiveScene, compiling: Future[CompiledEdit]) -> None:
         from roadlang.commands import edited_starts
 
         try:
@@ -198,14 +198,14 @@ class Watcher:
             self._saved = text
 
 
-def compiled(loaded: LoadedScenario, seed: int) -> Edit:
+def compiled(loaded: LoadedScenario, seed: int) -> CompiledEdit:
     """The scene of a text."""
     from roadlang.commands import python_controllers
 
     began = time.monotonic()
     (scene,) = loaded.sample(1, seed=seed)
     controllers = python_controllers(scene.record, loaded.registry)
-    return Edit(loaded, scene.record, controllers, time.monotonic() - began)
+    return CompiledEdit(loaded, scene.record, controllers, time.monotonic() - began)
 
 
 def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
