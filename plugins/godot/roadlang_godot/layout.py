@@ -90,20 +90,32 @@ def layout_of(
     undriven = undriven_agents(scene, python_driven)
     silent = {*python_driven, *undriven}
     agents = _numbers(scene, {} if earlier is None else earlier.agents)
-    known = {} if earlier is None else earlier.specs
     specs = {}
     for actor in scene.agents:
         driven = replace(actor, drive=()) if actor.name in silent else actor
-        spec = agent_spec(driven, scene, paths, followed, frame)
-        if actor.name in known:
-            anew = actor.name in restarted or actor.group in restarted
-            spec = kept_start(spec, known[actor.name], anew)
-        specs[actor.name] = spec
-        parts.append(agent_part(agents[actor.name], spec))
+        specs[actor.name] = agent_spec(driven, scene, paths, followed, frame)
+    if earlier is not None:
+        specs = _kept_starts(scene, specs, earlier.specs, restarted)
+    parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
     parts.append(world_part(world_settings(scene.world)))
     return Layout(scene.name, tuple(parts), frame, extent, agents, paths, names, specs, undriven)
+
+
+def _kept_starts(
+    scene: Scene,
+    specs: Mapping[str, dict[str, Any]],
+    known: Mapping[str, Mapping[str, Any]],
+    restarted: Collection[str],
+) -> dict[str, dict[str, Any]]:
+    """The specifications with the starts of those that were there before an edit."""
+    out = dict(specs)
+    for actor in scene.agents:
+        if actor.name in known:
+            anew = actor.name in restarted or actor.group in restarted
+            out[actor.name] = kept_start(specs[actor.name], known[actor.name], anew)
+    return out
 
 
 def _numbers(scene: Scene, known: Mapping[str, int]) -> dict[str, int]:
