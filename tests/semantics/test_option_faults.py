@@ -75,7 +75,6 @@ FAULTS = [
     (PLACES, "on main at 130%", "RL615", "130%", None),
     (IN_TOWN, "rndom", "RL101", "rndom", "random"),
     (IN_TOWN, "junction(1.5)", "RL230", "1.5", None),
-    (IN_TOWN, "junction()", "RL221", "junction()", None),
     (IN_TOWN, "junction(1, rod: 3)", "RL220", "rod", "road"),
     (IN_TOWN, "20m", "RL251", "20m", None),
     (ROUTES, "route: randm", "RL223", "randm", "random"),

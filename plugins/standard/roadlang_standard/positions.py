@@ -105,10 +105,10 @@ class AtJunction(Position):
         if not leading:
             known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
             names = ", ".join(map(str, known)) or "none"
-            wanted = "a junction needs its id, or `near`" if id is None else f"junction {id}"
-            raise geometry.GeometryError(
-                f"no lane leads to {wanted}; the ids of the junctions are: {names}"
+            fault = (
+                f"no lane leads to junction {id}" if id is not None else "it needs `id` or `near`"
             )
+            raise geometry.GeometryError(f"{fault}; the ids of the junctions are: {names}")
         chosen = [lane for lane in leading if self.road in (None, lanes.lanes[lane].edge)]
         if not chosen:
             roads = ", ".join(map(str, sorted({lanes.lanes[lane].edge for lane in leading})))

@@ -115,16 +115,21 @@ def _same_stem(word: str, candidates: list[str]) -> str | None:
     """The only name that starts as the word does and has another ending: `bended`, `bent`."""
     found = []
     for name in candidates:
-        pairs = zip(word, name, strict=False)
-        shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+        shared = _shared_start(word, name)
         most, least = max(len(word), len(name)), min(len(word), len(name))
         if shared >= 3 and least > 3 and most - least <= 2 and most - shared <= 3:
             found.append(name)
     return found[0] if len(found) == 1 else None
 
 
-def _likeness_to(word: str) -> Callable[[str], float]:
-    return lambda name: SequenceMatcher(None, word, name).ratio()
+def _likeness_to(word: str) -> Callable[[str], tuple[float, int]]:
+    """How alike a name is, and how many first letters they share: `tre` is `tree`, not `tire`."""
+    return lambda name: (SequenceMatcher(None, word, name).ratio(), _shared_start(word, name))
+
+
+def _shared_start(a: str, b: str) -> int:
+    """How many first letters two words share."""
+    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(a, b, strict=False)))
 
 
 def edits(a: str, b: str, most: int) -> int:

@@ -133,6 +133,8 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
     meant = meant_name(name, qualified if "." in name else known)
+    if {verb, *verbs_with(checker, ("agent", "object"), name)} == {"agent", "object"}:
+        meant = None  # `object b is car` means the agent, not an object with a similar name
     help_ = [] if meant else _of_other_verbs(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
