@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..evaluate.axis import IntArray
 from ..evaluate.kernels import Extreme
 from ..evaluate.trace import FloatArray
+from ..evaluate.windows import IntArray
 
 
 @dataclass(frozen=True)

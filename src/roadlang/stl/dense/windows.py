@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..evaluate.axis import BoolArray, IntArray
 from ..evaluate.kernels import GREATEST, LEAST, Extreme, slide_between, unbounded_until
 from ..evaluate.trace import FloatArray
+from ..evaluate.windows import BoolArray, IntArray
 from ..formula.interval import Interval
 from .piecewise import PiecewiseLinear, extreme_of, merged, together
 

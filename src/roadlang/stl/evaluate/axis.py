@@ -1,83 +1,26 @@
-"""Positions of the samples, and which of them each window of a temporal operator holds."""
+"""Positions of the samples, and where the windows of temporal operators begin and end on them."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..formula.interval import UNBOUNDED, Interval, NeighborWindow, Reach
 from .trace import FloatArray
-
-IntArray = NDArray[np.intp]
-BoolArray = NDArray[np.bool_]
+from .windows import BoolArray, IntArray, Windows
 
 TOLERANCE = 1e-6
 """A sample belongs to a window if it misses it by at most this share of the median step."""
 
 
 @dataclass(frozen=True)
-class Windows:
-    """Samples `starts[k]..ends[k]` of the operand for each sample that is evaluated; end < start:
-    none.
+class EvenPitch:
+    """An even grid: the distance of neighbors, and how far a sample is from its place at most."""
 
-    Past operators look at time backwards (`flipped`), closed roads repeat the operand (`laps`);
-    `starts`, `ends` and `first` count from the beginning of the operand's `span` seen that way.
-    `span` is the samples of the operand that are needed, in their own order.
-    """
-
-    starts: IntArray
-    ends: IntArray
-    first: int
-    span: tuple[int, int]
-    flipped: bool
-    laps: int
-
-    @property
-    def count(self) -> int:
-        """Number of windows."""
-        return int(self.starts.size)
-
-    def samples(self, window: int) -> IntArray:
-        """The samples of one window as indices on the axis, from its near end to its far end."""
-        return self._on_axis(np.arange(self.starts[window], self.ends[window] + 1))
-
-    def before(self, window: int, sample: int) -> IntArray:
-        """For until: the samples from the one that is evaluated to the `sample`-th of its
-        window."""
-        return self._on_axis(np.arange(self.first + window, self.starts[window] + sample))
-
-    def reached(self, chosen: BoolArray, *, path: bool) -> BoolArray:
-        """(span,) which samples of the span the `chosen` windows (count,) hold; `path`: and those
-        on the way to them."""
-        held = chosen & (self.ends >= self.starts)
-        starts = self.first + np.flatnonzero(held) if path else self.starts[held]
-        samples = self.span[1] - self.span[0] + 1
-        edges = np.zeros(samples * self.laps + 1, dtype=np.intp)
-        np.add.at(edges, starts, 1)
-        np.add.at(edges, self.ends[held] + 1, -1)
-        covered = (np.cumsum(edges[:-1]) > 0).reshape(self.laps, samples)
-        reached: BoolArray = np.asarray(covered.any(axis=0))
-        return reached[::-1] if self.flipped else reached
-
-    def _on_axis(self, counted: IntArray) -> IntArray:
-        low, high = self.span
-        counted = counted % (high - low + 1)
-        return high - counted if self.flipped else low + counted
-
-    @cached_property
-    def even(self) -> tuple[int, int] | None:
-        """(offset, width) if window k is [k + offset, k + offset + width), clipped at the end."""
-        last = (self.span[1] - self.span[0] + 1) * self.laps - 1
-        steps = np.arange(self.count)
-        offset = int(self.starts[0])
-        width = int((self.ends - steps).max()) - offset + 1
-        regular = (self.starts == np.minimum(offset + steps, last + 1)).all()
-        clipped = np.minimum(offset + width - 1 + steps, last)
-        return (offset, width) if regular and (self.ends == clipped).all() else None
+    step: float
+    unevenness: float
 
 
 @dataclass(frozen=True)
@@ -94,6 +37,7 @@ class SamplePositions:
     tolerance: float
     wrap: float | None = None
     ends: FloatArray | None = None
+    pitch: EvenPitch | None = None
     seen: int | None = None
 
     @classmethod
@@ -103,10 +47,14 @@ class SamplePositions:
         Counted from the first sample, windows of time stamps since 1970 are as exact as those
         that start at 0. The tolerance covers what the stamps themselves cannot resolve.
         """
-        steps = np.diff(positions)
-        step = float(np.median(steps)) if steps.size else 0.0
+        counted = positions - positions[0]
+        pitch = _pitch(counted)
+        if pitch is not None:
+            step = pitch.step
+        else:
+            step = float(np.median(np.diff(positions))) if positions.size > 1 else 0.0
         furthest = max(abs(float(positions[0])), abs(float(positions[-1])))
-        return cls(positions - positions[0], TOLERANCE * step + 2 * math.ulp(furthest), wrap)
+        return cls(counted, TOLERANCE * step + 2 * math.ulp(furthest), wrap, pitch=pitch)
 
     @property
     def size(self) -> int:
@@ -125,8 +73,56 @@ class SamplePositions:
 
         `path` extends the operand's span to the samples that are evaluated, as until needs.
         """
+        shifts = self._shifts(reach)
+        if shifts is not None:
+            return self._even_windows(*shifts, targets, past=past, path=path)
         counted = self._counted(reach, targets, past=past, path=path)
         return None if (counted.ends < counted.starts).all() else self._relative(counted, path)
+
+    def _shifts(self, reach: Reach) -> tuple[int, int] | None:
+        """By how many samples the ends of each window are ahead, where all of them are alike.
+
+        That is so on an even grid if no sample is near to the end of a window: nearer than the
+        grid is uneven.
+        """
+        if self.pitch is None or self.wrap is not None or self.ends is not None:
+            return None
+        if isinstance(reach, NeighborWindow):
+            return None
+        interval, step = reach or UNBOUNDED, self.pitch.step
+        near = 2 * self.pitch.unevenness + 16 * math.ulp(float(self.positions[-1]) + interval.lo)
+        first = math.ceil((interval.lo - self.tolerance) / step) if interval.lo else 0
+        if interval.lo and _is_near(first, interval.lo - self.tolerance, step, near):
+            return None
+        if math.isinf(interval.hi) or interval.hi > self.positions[-1] + step:
+            return first, self.size
+        last = math.floor((interval.hi + self.tolerance) / step)
+        is_near = _is_near(last, interval.hi + self.tolerance, step, near)
+        return None if is_near else (first, last)
+
+    def _even_windows(
+        self, first: int, last: int, targets: tuple[int, int], *, past: bool, path: bool
+    ) -> Windows | None:
+        """Windows [k + first, k + last], clipped at the end."""
+        if past:
+            targets = (self.size - 1 - targets[1], self.size - 1 - targets[0])
+        start, end = targets[0] + first, min(targets[1] + last, self.size - 1)
+        if last < first or start > self.size - 1:
+            return None
+        low = targets[0] if path else start
+        limit, count = end - low + 1, targets[1] - targets[0] + 1
+        starts = np.arange(start - low, start - low + count, dtype=np.intp)
+        ends = starts + (last - first)
+        width = min(int(ends[0]), limit - 1) - (start - low) + 1
+        return Windows(
+            starts=np.minimum(starts, limit, out=starts),
+            ends=np.minimum(ends, limit - 1, out=ends),
+            first=targets[0] - low,
+            span=(self.size - 1 - end, self.size - 1 - low) if past else (low, end),
+            flipped=past,
+            laps=1,
+            known_even=(start - low, width),
+        )
 
     def between_samples(self, reach: Reach, targets: tuple[int, int], *, past: bool) -> BoolArray:
         """Which of the samples `targets` have a window that falls between two samples.
@@ -205,6 +201,24 @@ class _CountedWindows:
     targets: tuple[int, int]
     laps: int
     flipped: bool
+
+
+def _pitch(positions: FloatArray) -> EvenPitch | None:
+    """Of positions that begin with 0; None where they are not even to a thousandth of the
+    tolerance."""
+    if positions.size < 2:
+        return None
+    step = float(positions[-1]) / (positions.size - 1)
+    places = np.arange(positions.size, dtype=np.float64)
+    places *= step
+    places -= positions
+    unevenness = max(float(places.max()), -float(places.min()))
+    return EvenPitch(step, unevenness) if unevenness <= 1e-3 * TOLERANCE * step else None
+
+
+def _is_near(samples: int, bound: float, step: float, near: float) -> bool:
+    """Whether so many steps, or one more or less, end at a bound as far as can be told."""
+    return any(abs((samples + k) * step - bound) <= near for k in (-1, 0, 1))
 
 
 def _bounds(

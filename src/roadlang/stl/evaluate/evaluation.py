@@ -18,6 +18,9 @@ from .trace import FloatArray, InfiniteSignal, Positions, SampledSignals, Signal
 
 Result = TypeVar("Result")
 
+KEPT_SAMPLES = 20_000
+"""Samples of the longest traces whose plans are kept: windows are two numbers for each of them."""
+
 CHUNK_SAMPLES = 1 << 16
 """Samples of one signal worked on at a time: 512 KiB, so that a few of them fit the cache."""
 
@@ -114,18 +117,41 @@ def everywhere(
     formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at every sample of each variant, (V, S)."""
-    axis = SamplePositions.of(trace.positions, trace.wrap)
+    kept = (leaves is ROBUST or leaves is BOOLEAN) and trace.samples <= KEPT_SAMPLES
 
     def value(infinite: bool) -> FloatArray:
-        plan = EvaluationPlan.of(
-            FormulaGraph.of(formula, leaves, infinite), axis, (0, trace.samples - 1)
-        )
+        if kept:
+            content = trace.positions.tobytes()
+            plan = _plan_everywhere(formula, leaves is BOOLEAN, content, trace.wrap, infinite)
+        else:
+            plan = _everywhere(formula, leaves, trace.positions, trace.wrap, infinite)
         result = np.empty((trace.variants, trace.samples))
         for first, last in _chunks(trace, plan):
             result[first:last] = plan.run(trace, first, last).T
         return result
 
     return finite_first(value)
+
+
+@lru_cache(maxsize=32)
+def _plan_everywhere(
+    formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
+) -> EvaluationPlan:
+    """Kept, as trace after trace of one clock is evaluated."""
+    leaves = BOOLEAN if boolean else ROBUST
+    return _everywhere(formula, leaves, np.frombuffer(positions), wrap, infinite)
+
+
+def _everywhere(
+    formula: f.Formula,
+    leaves: Mapping[str, Function],
+    positions: FloatArray,
+    wrap: float | None,
+    infinite: bool,
+) -> EvaluationPlan:
+    axis = SamplePositions.of(positions, wrap)
+    graph = FormulaGraph.of(formula, leaves, infinite)
+    return EvaluationPlan.of(graph, axis, (0, len(positions) - 1))
 
 
 def _chunks(trace: SampledSignals, plan: EvaluationPlan) -> Iterator[tuple[int, int]]:

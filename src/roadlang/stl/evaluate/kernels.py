@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .axis import IntArray, Windows
 from .trace import FloatArray
+from .windows import IntArray, Windows
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .axis import BoolArray, SamplePositions, Windows
+from .axis import SamplePositions
 from .graph import FormulaGraph, FormulaNode
 from .kernels import slide, until
 from .operations import (
@@ -20,6 +20,7 @@ from .operations import (
     Sliding,
 )
 from .trace import FloatArray, InfiniteSignal, SampledSignals
+from .windows import BoolArray, Windows
 
 Span = tuple[int, int]
 

@@ -18,12 +18,13 @@ from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
 from . import operations as o
-from .axis import IntArray, SamplePositions, Windows
+from .axis import SamplePositions
 from .evaluation import finite_first
 from .graph import FormulaGraph
 from .kernels import LEAST
 from .schedule import EvaluationPlan, ScheduledStep
 from .trace import FloatArray, Positions, SampledSignals, Signals
+from .windows import IntArray, Windows
 
 Backward = Callable[[FloatArray], tuple[FloatArray, ...]]
 """From the gradient by a node to the gradients by its inputs."""
