@@ -1,0 +1,1 @@
+"""Whether random scenes are placed right, and how long that takes."""
