@@ -33,12 +33,6 @@ AHEAD = 0.5
 """Meters behind the front bumper, at most, from which on something is ahead."""
 
 
-SWUNG_OUT = 0.5
-"""Meters by which the corners of cars leave the corridor in turns: no matter."""
-MOST_SWUNG_OUT = 3.0
-"""Meters by which those of long vehicles do, at most."""
-
-
 @dataclass(frozen=True)
 class Window:
     """The lines ahead of some agents I, sampled at M places: arrays (M, I)."""
@@ -52,8 +46,8 @@ class Window:
     y: Floats
     cosine: Floats
     sine: Floats
-    swung: Floats
-    """meters by which corners of the agent swing out there, positive to its left"""
+    swept: tuple[Floats, Floats]
+    """meters that the agent covers there beyond its width, to its left and right"""
 
     @classmethod
     def of(cls, world: World, agents: Integers) -> Window:
@@ -69,17 +63,8 @@ class Window:
         cosine, sine = np.cos(heading), np.sin(heading)
         offset = world.line_offset[agents]
         x, y = x - sine * offset, y + cosine * offset
-        length = world.bodies.length[agents]
-        swung = swung_out(length, -track.lines.curvature[cell])
-        return cls(agents, s, view, x, y, cosine, sine, swung)
-
-
-def swung_out(length: Floats, bend: Floats) -> Floats:
-    """Meters by which the corners of a vehicle of a length are outside the circle, of curvature
-    `bend`, that its middle is on: about `l^2 bend / 8`, with its sign."""
-    out = 0.125 * length * length * np.abs(bend) - SWUNG_OUT
-    out = np.minimum(np.maximum(out, 0.0), MOST_SWUNG_OUT)
-    return np.asarray(np.where(bend < 0.0, -out, out))
+        swept = world.sweeps.at(agents, cell - track.first)
+        return cls(agents, s, view, x, y, cosine, sine, swept)
 
 
 def looks_ahead(world: World) -> Floats:
@@ -117,11 +102,11 @@ def _may_overlap(
     off_y = outlines.y[target] - window.y[:, column]
     square = off_x * off_x + off_y * off_y
     seen = window.s[:, None] <= window.view[column]
-    swung = np.abs(window.swung).max(axis=0)[column]
+    swept = np.maximum(*window.swept).max(axis=0)[column]
     around = (
         np.maximum(outlines.half_length - outlines.half_width, 0.0)[target] + half + SAMPLE_SPACING
     )
-    around = around + swung
+    around = around + swept
     return np.asarray(np.where(seen, square, math.inf).min(axis=0) < around * around)
 
 
@@ -145,8 +130,8 @@ def _circles(
     left = cosine * dy - sine * dx
     begins = s - np.minimum(outlines.half_width, outlines.half_length)
     is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > half_width - AHEAD)
-    swung = window.swung[place, column]
-    free = np.where(left * swung > 0.0, half + np.abs(swung), half)
+    to_left, to_right = window.swept
+    free = half + np.where(left > 0.0, to_left[place, column], to_right[place, column])
     fits = is_ahead & (np.abs(left) < free) & (s < window.view[column] + SAMPLE_SPACING)
     gaps: Any = np.where(fits, begins - half_width, math.inf)
     nearest = gaps.argmin(axis=0)

@@ -183,6 +183,7 @@ class View:
         sooner = changes[0][rows] < gap
         gap = np.where(sooner, changes[0][rows], gap)
         speed = np.where(sooner, changes[1][rows], speed)
+        stop = np.minimum(stop, changes[2][rows])
         stop = np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows])
         return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
 

@@ -13,6 +13,8 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from .route_lines import RouteConnection, RouteLine
 
 _NO_LANE = 1_000_000
+STAYS = 0.3
+"""Share of the first half of a lane change, its last, in which cars reach into the other lane."""
 STATION_SPACING = 1.0
 """Meters of a leg between two stations of the table, at most."""
 
@@ -175,6 +177,14 @@ class RouteTable:
         least = np.where(meets, lane, _NO_LANE).min(axis=1)
         greatest = np.where(meets, lane, -_NO_LANE).max(axis=1)
         return meets.any(axis=1), least, greatest
+
+    def enters_lane(self, rows: Any, along: Floats) -> Floats:
+        """(N,) arc lengths of the lines where the next lane change begins to reach into the other
+        lane, infinite for none; it lies behind for who is in it with less than its middle."""
+        line = self.line[rows]
+        begin, changed = self.begin[line], self.changed[line]
+        ahead = (changed > 0.0) & (begin > along[:, None])
+        return np.asarray(np.where(ahead, begin - STAYS * changed, math.inf).min(axis=1))
 
     def next_turn(self, rows: Any, along: Floats) -> tuple[Floats, Integers]:
         """(N,) arc length of the line where the next connection begins, infinite for none, and its

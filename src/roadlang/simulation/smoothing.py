@@ -20,16 +20,18 @@ def is_tight(curvature: Floats, offset: Floats) -> bool:
     return bool((np.abs(curvature) > TIGHTEST * left).any())
 
 
-def smoothed(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """(n,) s, x, y and heading of a line through points, each place averaged over
-    `HALF_WINDOW` meters to each side; less near the ends, which stay. `s`: arc length of
-    the original line up to there."""
+def smoothed(
+    x: Floats, y: Floats, half_window: float = HALF_WINDOW
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """(n,) s, x, y and heading of a line through points, each place averaged over `half_window`
+    meters to each side; less near the ends, which stay. `s`: arc length of the original line up to
+    there. Of a right angle remains a radius of 0.7 times as much."""
     s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
     fresh = np.append(True, np.diff(s) > 1e-6)
     s, x, y = s[fresh], x[fresh], y[fresh]
     even = np.linspace(0.0, s[-1], max(3, int(np.ceil(s[-1] / SPACING)) + 1))
-    half_window = np.minimum(HALF_WINDOW, np.minimum(even, s[-1] - even))
-    columns = [_averaged(s, column, even, half_window) for column in (x, y)]
+    half_windows = np.minimum(half_window, np.minimum(even, s[-1] - even))
+    columns = [_averaged(s, column, even, half_windows) for column in (x, y)]
     heading = np.arctan2(*(np.gradient(column, even) for column in columns[::-1]))
     return even, columns[0], columns[1], np.unwrap(heading)
 

@@ -20,6 +20,7 @@ from .placing import Placing
 from .poses import Poses, poses_of
 from .route_table import RoadPosition, RouteTable
 from .stop_lines import StopLines
+from .sweeps import Sweeps
 
 END_BRAKING = 4.0
 """m/s^2, at the end of a road."""
@@ -29,9 +30,9 @@ END_BRAKING = 4.0
 class World:
     """S scenes with at most A agents each, in columns (N,) with N = S A, scene by scene.
 
-    Slots that a scene has no agent for are not `filled`. Who has arrived at the end of its line
-    leaves: it is no longer `present`, and nobody sees or touches it. `reset` puts all agents where
-    their scenes have them, `step` moves them on.
+    Slots that a scene has no agent for are not `filled`. Who has arrived at the end of its line is
+    no longer `present`: nobody sees or touches it. `reset` puts all agents where their scenes have
+    them, `step` moves them on.
     """
 
     scenes: tuple[Scene, ...]
@@ -48,6 +49,7 @@ class World:
     track: Track
     table: RouteTable
     """what the lines lead over"""
+    sweeps: Sweeps
     has_road: Booleans
     has_route: Booleans
     backward: Booleans
@@ -273,15 +275,10 @@ class World:
             self,
             scenes=tuple(self.scenes[row] for row in rows),
             actors=tuple(self.actors[agent] for agent in agents),
-            bodies=self.bodies.take(agents),
             track=self.track.of_rows(agents),
-            table=self.table.take(agents),
-            stop_lines=self.stop_lines.take(agents),
-            start=self.start.take(agents),
-            motion=self.motion.take(agents),
-            lateral=self.lateral.take(agents),
             pace=(self.pace[0][agents], self.pace[1][agents]),
             placing=None,
+            **{name: getattr(self, name).take(agents) for name in _PARTS},
             **{name: getattr(self, name)[agents] for name in _COLUMNS},
         )
 
@@ -294,7 +291,7 @@ class World:
             self.motion.line_heading = self.motion.line_heading - over * turn
 
 
+_PARTS = ("bodies", "table", "sweeps", "stop_lines", "start", "motion", "lateral")
 _COLUMNS = (
     "filled", "present", "end", "names", "has_road", "has_route", "backward", "road", "halted",
-    "contacts", "collision", "red_lights", "traveled", "began",
-)  # fmt: skip
+    "contacts", "collision", "red_lights", "traveled", "began")  # fmt: skip

@@ -13,12 +13,14 @@ from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
 from .lateral_motion import LateralMotion
+from .leaning import leaned
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
 from .route_lines import RouteLine, plain_line, route_line
 from .route_table import RouteTable
 from .starting import LineOffsets, start_of
 from .stop_lines import StopLines, has_signals
+from .sweeps import Sweeps
 from .world import World
 
 DEFAULT_FRICTION = 0.9
@@ -72,7 +74,7 @@ def _slot(
     if placed.route is not None and key not in rows:
         rows[key] = len(sources)
         rows[key, 0] = len(routes)
-        routes.append(route_line(placed.route, scene, roads))
+        routes.append(leaned(route_line(placed.route, scene, roads), placed))
         sources.append(routes[-1].source)
     elif key not in rows:
         rows[key] = len(sources)
@@ -125,6 +127,7 @@ def _started(
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
+        Sweeps.of(bodies, lines, row, present),
         has_road, has_route, backward, road, lateral, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),

@@ -16,6 +16,9 @@ from .road_places import from_root
 _FARTHEST = 400.0
 """Meters ahead that decide how fast an agent may begin"""
 
+_REACHES_OVER = 6.0
+"""Meters before the middle of a lane change from which on one is in both lanes."""
+
 
 def bends_of_route(
     route: PlannedRoute | None,
@@ -26,8 +29,8 @@ def bends_of_route(
 ) -> tuple[Floats, Floats]:
     """Meters ahead (n,), and the curvature there, of a single candidate; of the center lines of
     roads, and of connections at both ends of each piece. It is infinite where a lane ends
-    at a junction, for an agent whose `front` is so many meters ahead: who may have to stop there
-    has to be able to."""
+    at a junction or is changed, for an agent whose `front` is so many meters ahead: who may have to
+    stop there has to be able to."""
     source = candidates.scenario.networks[network]
     lanes = lanes_of_network(source, candidates)
     plan = network_root(source, candidates).junctions.plans[network]
@@ -38,7 +41,8 @@ def bends_of_route(
     }
     kinds = {junction.id: junction.kind for junction in plan.junctions}
     ahead, curvature, driven = [np.zeros(0)], [np.zeros(0)], 0.0
-    for leg in route.legs if route is not None else ():
+    legs = route.legs if route is not None else ()
+    for number, leg in enumerate(legs):
         if driven > _FARTHEST:
             break
         name = f"{network}/{lanes.lanes[leg.lane].edge}"
@@ -47,6 +51,9 @@ def bends_of_route(
         curvature.append(bends)
         driven += length
         turn = None if leg.turn is None else connections.get(_key(leg))
+        if front is not None and leg.turn is None and number + 1 < len(legs):
+            ahead.append(np.array([max(driven - _REACHES_OVER - front, 0.0)]))
+            curvature.append(np.array([np.inf]))
         if turn is not None:
             if front is not None and kinds[_key(leg)[0]] != "joint":
                 ahead.append(np.array([max(driven - front, 0.0)]))

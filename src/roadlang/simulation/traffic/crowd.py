@@ -59,6 +59,8 @@ class Crowd:
     aggression: Floats
     gaps: Floats
     """(N, A) along the line to each other of the scene"""
+    oncoming: Floats
+    """meters to where one waits for who comes toward it in a narrow place, infinite for no need"""
 
     @property
     def held(self) -> Booleans:

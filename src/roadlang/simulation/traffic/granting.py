@@ -90,6 +90,7 @@ def _able(
     stopped = asking.of_crossings(grants.has_stopped) | ~tables.must_stop[number]
     may = asking.asks & asking.of_crossings(near.may_go) & stopped & is_first
     may &= ~_ring_is_full(crowd, number)
+    may &= crowd.oncoming > asking.of_crossings(near.to_leave)
     may_go = rules.let_go(meetings, grants)
     used = rules.space_for_others(meetings, may_go, crowd.length)
     free = meetings.of_agents(_room(crowd, asking) - crowd.length) - used

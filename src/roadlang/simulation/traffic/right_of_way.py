@@ -31,6 +31,7 @@ from .crowd import Crowd, Places
 from .granting import let_go
 from .grants import FIRST, NEVER, Grants
 from .junction_tables import ALL_WAY_STOP
+from .oncoming import Oncoming
 from .pedestrians import Pedestrians
 
 INTERVAL = 0.1
@@ -63,6 +64,7 @@ class RightOfWayGrants:
         self._pedestrians = Pedestrians(world, crossings)
         self._places = Places.of(crossings.junctions, world.scenes)
         count, scenes = len(world.present), len(world.scenes)
+        self._oncoming = Oncoming(count, world.slots)
         self._grants = Grants.none(crossings.stop.shape)
         self._last_grant = np.full((scenes, max(1, len(crossings.junctions))), -math.inf)
         self._looked = np.full(scenes, -math.inf)
@@ -76,6 +78,7 @@ class RightOfWayGrants:
     def take(self, agents: Integers, scenes: Integers) -> None:
         """From now on the world has these of its agents and scenes alone."""
         self._pedestrians.take(agents)
+        self._oncoming.take(agents)
         place = np.full(len(self._has_asked) + 1, -1)
         place[agents] = np.arange(len(agents))
         self._crossings, self._grants = self._crossings.take(agents), self._grants.take(agents)
@@ -101,7 +104,7 @@ class RightOfWayGrants:
         the gap to who goes first where lanes merge, as if it were ahead in the lane already,
         infinite for nobody; and the speed of that one. Who asks obeys from then on. `temper`: their
         politeness and aggression, each from 0 to 1."""
-        if not self._crossings.junctions:
+        if not self._crossings.junctions and world.sweeps.is_empty:
             never = np.full(len(rows), math.inf)
             return never, never.copy(), np.zeros(len(rows))
         if temper is not None:
@@ -130,6 +133,12 @@ class RightOfWayGrants:
         self._asking[rows] = True
 
     def _update(self, world: World, leaders: Leaders, rows: Integers) -> None:
+        may_cross = np.isfinite(self._grants.order).any(axis=1)
+        stop = self._waits.stop - world.traveled
+        oncoming = self._oncoming.ahead(world, stop, leaders, may_cross)
+        if not self._crossings.junctions:
+            self._waits.stop[rows] = (world.traveled + oncoming)[rows]
+            return
         crossings, places = self._crossings.take(rows), self._places
         is_moving = world.present & ~world.halted & ~world.bodies.walks
         crowd = Crowd(
@@ -138,7 +147,7 @@ class RightOfWayGrants:
             self._grants.take(rows), rows // world.slots, world.motion.speed[rows],
             world.bodies.length[rows], world.present[rows], is_moving[rows], self._has_asked[rows],
             self._temper[0, rows], self._temper[1, rows],
-            leaders.gaps.reshape(-1, world.slots)[rows],
+            leaders.gaps.reshape(-1, world.slots)[rows], oncoming[rows],
         )  # fmt: skip
         _remember(crowd)
         let_go(crowd, self._last_grant)
@@ -149,7 +158,7 @@ class RightOfWayGrants:
         """Where agents have to stop, and whom they follow."""
         near, held = crowd.near, crowd.held
         closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
-        stop = closed.min(axis=1)
+        stop = np.minimum(closed.min(axis=1), crowd.oncoming)
         gap = np.full(len(rows), math.inf)
         leader = np.full(len(rows), -1)
         if held.any():

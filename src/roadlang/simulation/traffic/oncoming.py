@@ -1,0 +1,220 @@
+"""Narrow places: where a long vehicle covers a part of the lane of oncoming traffic, in bends.
+
+The lines of two that come toward each other are compared. Where both do not fit side by side, who
+is there already, or cannot stop any more, or arrives first goes; the other waits before the place.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ..leaders import Leaders
+from ..poses import line_points
+from ..world import World
+from .approaches import braking_to_stop, seconds_for
+
+VIEW = 40.0
+"""Meters ahead in which such places are looked for."""
+SPACING = 2.0
+"""Meters between two samples of a line."""
+COARSE = 3
+"""Of so many samples, one is looked at first."""
+LEAST_SWEPT = 0.2
+"""Meters: who covers less beyond its width fits everywhere."""
+MARGIN = 0.3
+"""Meters between two that pass each other."""
+OPPOSED = -0.5
+"""Cosine of the angle between the lines of two that come toward each other, at most."""
+WIDEST = 8.0
+"""Meters: lines farther apart have room for two."""
+BEFORE = 1.0
+"""Meters before such a place at which one waits."""
+EAGER, EAGER_SPEED = 2.6, 8.0
+"""m/s^2 and m/s: how fast both are expected to come there."""
+UNSTOPPABLE = 3.0
+"""m/s^2: who would have to brake harder goes first."""
+DECIDED = 4.0
+"""Seconds: who will be there sooner, and was to go first, does."""
+
+
+class Oncoming:
+    """Who waits for whom in narrow places. Who was to go first stays so until both have passed,
+    unless it does not come."""
+
+    def __init__(self, count: int, slots: int) -> None:
+        self._first = np.zeros((count, slots), dtype=bool)
+        """(N, A) who goes before which other of its scene"""
+
+    def take(self, agents: Integers) -> None:
+        """From now on the world has these of its agents alone."""
+        self._first = self._first[agents]
+
+    def ahead(self, world: World, stop: Floats, leaders: Leaders, on_junction: Booleans) -> Floats:
+        """(N,) meters from the fronts of agents to where they have to wait for somebody who comes
+        toward them, infinite for no need. `stop`: (N,) meters to where they have to stop anyway.
+        Who does not get to such a place lets others go; who may cross a junction (N,), which it
+        would block, goes before those that are not there yet."""
+        out = np.full(len(world.present), math.inf)
+        pairs = None if world.sweeps.is_empty else _pairs(world)
+        if pairs is None:
+            return out
+        pairs = _close(*pairs)
+        enter, leave = _places(*pairs)
+        meets = np.isfinite(enter).all(axis=0)
+        rows = np.stack([pairs[0].agents[place][meets] for place in pairs[1:]])
+        enter, leave = enter[:, meets], leave[:, meets]
+        inside = (enter <= 0.0) & (leave > 0.0)
+        comes = (inside | (_free(world, rows, stop, leaders) > enter)) & (leave > 0.0)
+        rank = np.where(inside, -2.0, np.where(on_junction[rows], -1.5, 0.0))
+        yields = self._yields(world, rows, enter, rank, comes)
+        waits = comes[::-1] & yields & (enter > 0.0)
+        np.minimum.at(out, rows[waits], enter[waits] - SPACING - BEFORE)
+        return out
+
+    def _yields(
+        self, world: World, rows: Integers, enter: Floats, rank: Floats, comes: Booleans
+    ) -> Booleans:
+        """(2, P) which one of each pair lets the other go first. That is remembered. `rank`: lower
+        ones go first, those of 0 by arrival."""
+        speed, mates = world.motion.speed[rows], rows[::-1] % world.slots
+        late = braking_to_stop(speed, enter - SPACING - BEFORE) > UNSTOPPABLE
+        arrival = np.where(late, 0.0, seconds_for(enter, speed, EAGER, EAGER_SPEED))
+        before = self._first[rows, mates] & comes
+        rank = np.where(rank < 0.0, rank, np.where(before, -1.0, arrival))
+        yields = (rank > rank[::-1]) | ((rank == rank[::-1]) & (rows > rows[::-1]))
+        scenes = np.unique(rows // world.slots)
+        known = (scenes[:, None] * world.slots + np.arange(world.slots)).ravel()
+        self._first[known] = False
+        first = ~yields & comes & (arrival < DECIDED)
+        self._first[rows[first], mates[first]] = True
+        return np.asarray(yields)
+
+
+def _free(world: World, rows: Integers, stop: Floats, leaders: Leaders) -> Floats:
+    """(2, P) meters that each of a pair may drive until it has to stop, or is behind a third."""
+    ahead = leaders.gaps.reshape(-1, world.slots)[rows]
+    ahead = np.where(np.arange(world.slots) == (rows[::-1] % world.slots)[..., None], np.inf, ahead)
+    return np.asarray(np.minimum(stop[rows], ahead.min(axis=2)))
+
+
+@dataclass(frozen=True)
+class _Samples:
+    """The lines of some agents I around them, at M places: arrays (M, I)."""
+
+    agents: Integers
+    s: Floats
+    """meters ahead of the middle of the agent, NaN beyond the end of its line"""
+    x: Floats
+    y: Floats
+    cosine: Floats
+    sine: Floats
+    to_left: Floats
+    """what the agent covers of the ground to the left of its line there"""
+    to_right: Floats
+
+    @classmethod
+    def of(cls, world: World, agents: Integers) -> _Samples:
+        """Of some agents, from their rears to `VIEW` ahead."""
+        half = 0.5 * world.bodies.length[agents]
+        count = math.ceil((VIEW + 2.0 * float(half.max(initial=0.0))) / SPACING) + 1
+        s = np.arange(count, dtype=np.float64)[:, None] * SPACING - half
+        track = world.track.of_rows(agents)
+        along = world.motion.along[agents] + s
+        cell, rest = track.cell(track.wrapped(along))
+        x, y = line_points(track, cell, rest)
+        heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
+        cosine, sine = np.cos(heading), np.sin(heading)
+        offset, width = world.line_offset[agents], 0.5 * world.bodies.width[agents]
+        left, right = world.sweeps.at(agents, cell - track.first)
+        over = ~world.closed[agents] & (along > world.end[agents] + half)
+        return cls(
+            agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
+            cosine, sine, left + width, right + width,
+        )  # fmt: skip
+
+    def take(self, places: Integers) -> _Samples:
+        """Those of some of the agents, which may be the same."""
+        columns = (self.s, self.x, self.y, self.cosine, self.sine, self.to_left, self.to_right)
+        return _Samples(self.agents[places], *(column[:, places] for column in columns))
+
+
+def _pairs(world: World) -> tuple[_Samples, Integers, Integers] | None:
+    """The lines of agents, and the places among these of pairs that may meet where the first, or
+    both, cover more than their width; None for nobody."""
+    moves = world.present & world.has_road & ~world.bodies.walks
+    long = np.flatnonzero(moves & (world.sweeps.table > 0))
+    if not len(long):
+        return None
+    lines = _Samples.of(world, long)
+    wide = np.maximum(lines.to_left, lines.to_right) - 0.5 * world.bodies.width[long] > LEAST_SWEPT
+    bends = (wide & np.isfinite(lines.s)).any(axis=0)
+    if not bends.any():
+        return None
+    in_bend = np.zeros(len(moves), dtype=bool)
+    in_bend[long[bends]] = True
+    scene = np.flatnonzero(in_bend) // world.slots
+    others = (scene[:, None] * world.slots + np.arange(world.slots)).ravel()
+    first, second = np.repeat(np.flatnonzero(in_bend), world.slots), others
+    once = (first < second) | ~in_bend[second]
+    keep = moves[second] & (first != second) & once
+    keep &= _near(world, lines.take(np.flatnonzero(bends)), wide[:, bends], keep)
+    if not keep.any():
+        return None
+    first, second = first[keep], second[keep]
+    agents = np.unique(np.concatenate([first, second]))
+    return (
+        _Samples.of(world, agents), np.searchsorted(agents, first), np.searchsorted(agents, second)
+    )  # fmt: skip
+
+
+def _near(world: World, lines: _Samples, wide: Booleans, keep: Booleans) -> Booleans:
+    """(P,) of the pairs of `lines` and all others of their scenes: who can come to the bends."""
+    low, high = (
+        np.stack([edge(np.where(wide, c, fill), axis=0) for c in (lines.x, lines.y)])
+        for edge, fill in ((np.min, math.inf), (np.max, -math.inf))
+    )
+    poses = world.poses
+    others = (lines.agents // world.slots)[:, None] * world.slots + np.arange(world.slots)
+    place = np.stack([poses.x[others], poses.y[others]])
+    away = np.maximum(low[:, :, None] - place, place - high[:, :, None])
+    return np.asarray(keep & (away < VIEW).all(axis=0).ravel())
+
+
+def _close(
+    lines: _Samples, first: Integers, second: Integers
+) -> tuple[_Samples, Integers, Integers]:
+    """The pairs whose lines come close to each other somewhere."""
+    x, y = lines.x[::COARSE], lines.y[::COARSE]
+    dx = x[None, :, second] - x[:, None, first]
+    dy = y[None, :, second] - y[:, None, first]
+    near = WIDEST + COARSE * SPACING
+    close = (dx * dx + dy * dy < near * near).any(axis=(0, 1))
+    return lines, first[close], second[close]
+
+
+def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats, Floats]:
+    """(2, P) meters from the front of each of a pair to the first sample in the place where both do
+    not fit side by side, infinite for none, and until its rear has left it."""
+    one, two = lines.take(first), lines.take(second)
+    dx, dy = two.x[None] - one.x[:, None], two.y[None] - one.y[:, None]
+    square = dx * dx + dy * dy
+    opposed = one.cosine[:, None] * two.cosine[None] + one.sine[:, None] * two.sine[None] < OPPOSED
+    near = opposed & (square < WIDEST * WIDEST)
+    left = one.cosine[:, None] * dy - one.sine[:, None] * dx
+    seen = -two.cosine[None] * dy + two.sine[None] * dx
+    room = np.where(left > 0.0, one.to_left[:, None], one.to_right[:, None])
+    room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + MARGIN
+    meets = near & (square < room * room)
+    found = []
+    for samples, axis in ((one, 1), (two, 0)):
+        there = meets.any(axis=axis) & np.isfinite(samples.s)
+        half = -samples.s[0]
+        enter = np.where(there, samples.s, math.inf).min(axis=0) - half
+        leave = np.where(there, samples.s, -math.inf).max(axis=0) + half + SPACING
+        found.append((enter, leave))
+    enter, leave = (np.stack(part) for part in zip(*found, strict=True))
+    return enter, leave

@@ -1,0 +1,128 @@
+"""Long vehicles in bends: where they drive, what they cover, and who waits for whom."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.ir.scene import SceneActor
+from roadlang.simulation.leaning import leaned
+from roadlang.simulation.lines import LineSource
+from roadlang.simulation.route_lines import LineLeg, RouteLine
+from roadlang.simulation.world_building import world_of
+
+from .crossing_traffic import contacts
+
+RADIUS = 20.0
+
+
+def circle(count: int = 400) -> RouteLine:
+    """A circle to the left, driven once around."""
+    angle = np.linspace(0.0, 2.0 * math.pi, count)
+    s, x, y = RADIUS * angle, RADIUS * np.sin(angle), RADIUS * (1.0 - np.cos(angle))
+    source = LineSource(s, x, y, angle, 3.5, closed=True)
+    half = float(s[-1]) / 2.0
+    legs = (
+        LineLeg(0, 0, -1, 0.0, np.array([0.0, half]), np.array([0.0, half]), math.inf),
+        LineLeg(1, 1, -1, half, np.array([half, 2.0 * half]), np.array([0.0, half]), math.inf),
+    )
+    return RouteLine(source, legs)
+
+
+def vehicle(length: float) -> SceneActor:
+    return SceneActor("one", "bus", "", 0.0, 0.0, 0.0, length, 2.55, 3.0)
+
+
+@pytest.mark.parametrize("length", [9.0, 12.0])
+def test_a_long_vehicle_covers_as_much_ground_outside_of_its_lane_as_inside(length: float) -> None:
+    source = leaned(circle(), vehicle(length)).source
+    base, front = 0.3 * length, 0.8 * length  # the wheelbase is 0.6 of the length
+    middle = np.hypot(source.x, source.y - RADIUS)
+    assert np.ptp(middle) < 0.01
+    rear_axle = math.sqrt(middle[0] ** 2 - base**2)
+    outside = math.hypot(rear_axle, front) - RADIUS
+    inside = RADIUS - rear_axle
+    assert outside == pytest.approx(inside, rel=0.2)
+    assert outside < 0.7 * (math.hypot(math.sqrt(RADIUS**2 - base**2), front) - RADIUS)
+
+
+def test_a_car_keeps_to_the_middle_of_its_lane() -> None:
+    line = circle()
+    assert leaned(line, vehicle(4.5)) is line
+
+
+def test_what_a_line_leads_over_moves_with_it() -> None:
+    line = circle()
+    moved = leaned(line, vehicle(12.0))
+    assert moved.source.length < line.source.length - 1.0
+    assert moved.legs[1].begin == pytest.approx(0.5 * moved.source.length, abs=0.1)
+    assert moved.legs[1].along[-1] == pytest.approx(moved.source.length)
+
+
+CORNER = """
+image plan from \"\"\"
+..........
+.########.
+.#......#.
+.#......#.
+.#......#.
+.########.
+..........
+\"\"\" { scale: 12m/px }
+network town from plan { lanes: 2 }
+"""
+
+
+def test_the_ground_that_a_bus_covers_is_that_of_its_corners() -> None:
+    text = CORNER + "agent bus is bus on town { route: random, drive with traffic }"
+    scene = testing.sample(text, 1, seed=2)
+    (driven,) = scene.run("builtin", duration=11.0)
+    world = world_of([scene[0].record], {}, 0.02, 0.1)
+    trace = driven.trace.agents["bus"]
+    lines, row = world.track.lines, int(world.track.row[0])
+    nodes = slice(row * lines.cells, row * lines.cells + 180)  # before it comes around again
+    heading = lines.heading[nodes]
+    swept = [side[world.sweeps.table[0]] for side in (world.sweeps.left, world.sweeps.right)]
+    assert max(side.max() for side in swept) > 0.5
+    for ahead in (6.0, -6.0):
+        for side, left in ((0, 1.275), (1, -1.275)):
+            x = trace.x + np.cos(trace.heading) * ahead - np.sin(trace.heading) * left
+            y = trace.y + np.sin(trace.heading) * ahead + np.cos(trace.heading) * left
+            off_x, off_y = x[:, None] - lines.x[nodes], y[:, None] - lines.y[nodes]
+            foot = (off_x * off_x + off_y * off_y).argmin(axis=1)
+            each = np.arange(len(foot))
+            across = np.cos(heading[foot]) * off_y[each, foot]
+            across = across - np.sin(heading[foot]) * off_x[each, foot]
+            beyond = np.abs(across) - 1.275 - swept[side][foot]
+            inner = (foot > 2) & (foot < 170)
+            assert beyond[inner].max() < 0.35
+
+
+def buses(seed: int) -> Any:
+    text = (
+        CORNER
+        + """
+    agent buses is bus on town at random { count: 8, drive with traffic }
+    """
+    )
+    (driven,) = testing.sample(text, 1, seed=seed).run("builtin", duration=60.0)
+    return driven.trace
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_buses_that_meet_in_narrow_bends_wait_for_each_other(seed: int) -> None:
+    trace = buses(seed)
+    assert contacts(trace) == []
+    for bus in trace.agents.values():
+        standing = (bus.speed < 0.1) & (bus.present > 0.0) & (bus.time > 1.0)
+        longest = max((len(run) for run in _runs(standing)), default=0)
+        assert longest * (bus.time[1] - bus.time[0]) < 30.0
+
+
+def _runs(flags: Any) -> list[Any]:
+    edges = np.flatnonzero(np.diff(np.r_[False, flags, False]))
+    return [range(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
