@@ -24,7 +24,7 @@ LONG = 5.0
 """Meters: shorter vehicles have room enough in their lanes."""
 SPACING = 0.5
 """Meters between two points of the line."""
-SPARE = 1.05
+SPARE = 1.2
 """Times its least radius, at least, is that of the bends that a vehicle follows."""
 
 

@@ -65,13 +65,13 @@ class Oncoming:
         pairs = _close(*pairs)
         enter, leave = _places(*pairs)
         meets = np.isfinite(enter).all(axis=0)
-        rows = np.stack([pairs[0].agents[place][meets] for place in pairs[1:]])
+        rows = np.stack([np.tile(pairs[0].agents[place], 2)[meets] for place in pairs[1:]])
         enter, leave = enter[:, meets], leave[:, meets]
-        inside = (enter <= 0.0) & (leave > 0.0)
+        inside = (enter <= -SPACING) & (leave > 0.0)
         comes = (inside | (_free(world, rows, stop, leaders) > enter)) & (leave > 0.0)
         rank = np.where(inside, -2.0, np.where(on_junction[rows], -1.5, 0.0))
         yields = self._yields(world, rows, enter, rank, comes)
-        waits = comes[::-1] & yields & (enter > 0.0)
+        waits = comes[::-1] & yields & (enter > -SPACING)
         np.minimum.at(out, rows[waits], enter[waits] - SPACING - BEFORE)
         return out
 
@@ -197,8 +197,9 @@ def _close(
 
 
 def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats, Floats]:
-    """(2, P) meters from the front of each of a pair to the first sample in the place where both do
-    not fit side by side, infinite for none, and until its rear has left it."""
+    """(2, 2 P) meters from the front of each of a pair to the first sample in a place where both do
+    not fit side by side, infinite for none, and until its rear has left it: in the next such place
+    of the first, and in all others together."""
     one, two = lines.take(first), lines.take(second)
     dx, dy = two.x[None] - one.x[:, None], two.y[None] - one.y[:, None]
     square = dx * dx + dy * dy
@@ -208,13 +209,29 @@ def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats,
     seen = -two.cosine[None] * dy + two.sine[None] * dx
     room = np.where(left > 0.0, one.to_left[:, None], one.to_right[:, None])
     room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + MARGIN
-    meets = near & (square < room * room)
+    meets = near & (square < room * room) & np.isfinite(one.s)[:, None] & np.isfinite(two.s)[None]
+    there: Booleans = np.asarray(meets.any(axis=1))
+    begins = there.copy()
+    begins[1:] &= ~there[:-1]
+    begins[2:] &= ~there[:-2]
+    number = np.cumsum(begins, axis=0)
     found = []
-    for samples, axis in ((one, 1), (two, 0)):
-        there = meets.any(axis=axis) & np.isfinite(samples.s)
-        half = -samples.s[0]
-        enter = np.where(there, samples.s, math.inf).min(axis=0) - half
-        leave = np.where(there, samples.s, -math.inf).max(axis=0) + half + SPACING
-        found.append((enter, leave))
-    enter, leave = (np.stack(part) for part in zip(*found, strict=True))
+    for place in (number == 1, number > 1):
+        in_place = meets & place[:, None]
+        found.append(
+            [
+                _ends(line, np.asarray(in_place.any(axis=axis)))
+                for line, axis in ((one, 1), (two, 0))
+            ]
+        )
+    ends = np.array(found)  # (place, of the pair, enter or leave, P)
+    enter, leave = (np.concatenate(list(ends[:, :, which]), axis=1) for which in (0, 1))
     return enter, leave
+
+
+def _ends(samples: _Samples, there: Booleans) -> tuple[Floats, Floats]:
+    """(P,) meters from the front to the first sample that is `there` (M, P), infinite for none, and
+    until the rear has left the last."""
+    half = -samples.s[0]
+    enter = np.where(there, samples.s, math.inf).min(axis=0) - half
+    return enter, np.where(there, samples.s, -math.inf).max(axis=0) + half + SPACING

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...geometry.arrays import Floats, Integers
+from ...geometry.arrays import Booleans, Floats, Integers
 from ..crossed_junctions import crossings_of
 from ..crossings import STOP_GAP
 from ..leaders import Leaders
@@ -133,7 +133,7 @@ class RightOfWayGrants:
         self._asking[rows] = True
 
     def _update(self, world: World, leaders: Leaders, rows: Integers) -> None:
-        may_cross = np.isfinite(self._grants.order).any(axis=1)
+        may_cross: Booleans = np.asarray(np.isfinite(self._grants.order).any(axis=1))
         stop = self._waits.stop - world.traveled
         oncoming = self._oncoming.ahead(world, stop, leaders, may_cross)
         if not self._crossings.junctions:
