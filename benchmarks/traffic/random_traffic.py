@@ -25,7 +25,10 @@ KINDS = (
     "car",
     "choice(car, van, weights: [4, 1])",
     "choice(car, van, truck, bus, motorcycle, weights: [6, 2, 1, 1, 1])",
+    "choice(car, truck, bus, bicycle, motorcycle, weights: [3, 2, 2, 2, 1])",
 )
+SECTION = "[drive(3.5m), parking(2.4m), sidewalk(2m)]"
+"""One side of a street with parked cars."""
 DRIVES = (
     "drive with traffic { speed_factor: 0.7..1.2, aggression: 0..1, politeness: 0..1, "
     "headway: 0.6s..1.8s }"
@@ -62,19 +65,25 @@ def random_scene(seed: int, folder: Path) -> TrafficScene:
         green=draw.randint(4, 24), yellow=draw.choice((0, 1, 2, 3, 4)),
         red=draw.choice((0, 1, 2)), start=draw.randint(0, 60),
     )  # fmt: skip
-    oneway = name in ("star", "ramp", "close_pair", "crossing") and draw.random() < 0.15
+    is_street = lanes == 2 and draw.random() < 0.25
+    oneway = (
+        not is_street
+        and name in ("star", "ramp", "close_pair", "crossing")
+        and draw.random() < 0.15
+    )
     options = (
         "extract with pixels" if drawn else "",
-        f"lanes: {lanes}",
+        f"left: {SECTION}, right: {SECTION}" if is_street else f"lanes: {lanes}",
         f"speed_limit: {draw.choice((30, 50, 50, 60, 70))}km/h",
         "oneway: true" if oneway else "",
-        "sidewalks: 2m" if draw.random() < 0.3 else "",
+        "sidewalks: 2m" if not is_street and draw.random() < 0.3 else "",
         control,
     )
     network = "\n".join(("network town from plan {", *filter(None, options), "}"))
     side = "world { traffic: left }" if draw.random() < 0.3 else ""
     roads = "\n".join((source, network, side))
-    text = "\n".join((roads, *_agents(draw, _junctions(roads, folder)), ""))
+    agents = _agents(draw, _junctions(roads, folder))
+    text = "\n".join((roads, *agents, *_beside(draw, is_street), ""))
     rule = control.split()[2] if control else "right_first"
     return TrafficScene(text, f"{name} of {lanes} lanes", rule)
 
@@ -106,4 +115,28 @@ def _agents(draw: Random, junctions: list[int]) -> list[str]:
     if slow:
         drives = "drive with traffic { speed: 4m/s..7m/s }"
         rows.append(f"agent slow is bicycle on town at random {{ count: {slow}, {drives} }}")
+    return rows
+
+
+def _beside(draw: Random, is_street: bool) -> list[str]:
+    """Long trucks, parked cars, things beside the road, people who cross it somewhere."""
+    rows = []
+    if draw.random() < 0.3:
+        long = f"length: {draw.choice(('7m', '10m', '14m'))}, {DRIVES}"
+        rows.append(f"agent long is truck on town at random {{ count: 2, {long} }}")
+    if is_street:
+        rows.append(
+            "object parked is choice(parked_car, parked_van) on town at random "
+            f"{{ lane: parking, count: {draw.randint(2, 12)} }}"
+        )
+    elif draw.random() < 0.4:
+        side = draw.choice(("left", "right"))
+        rows.append(f"object cones is cone on town at random {{ count: 4, side: {side} }}")
+    if draw.random() < 0.4:
+        when = f"when: time > {draw.randint(2, 20)}s"
+        walks = f"drive with crossing {{ speed: 0.8m/s..1.8m/s, {when} }}"
+        rows.append(
+            f"agent people is pedestrian on town at random {{ side: right, offset: 1m, "
+            f"count: {draw.randint(1, 4)}, {walks} }}"
+        )
     return rows
