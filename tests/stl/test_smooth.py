@@ -54,5 +54,16 @@ def test_one_number_has_one_derivative() -> None:
 def test_what_has_no_rule_is_refused() -> None:
     with pytest.raises(DiagnosticError, match="RL343"):
         stl.smooth_rho(stl.parse("x ^ 2 < 4"), [0], {"x": [1.0]})
-    with pytest.raises(DiagnosticError, match="RL303"):
-        stl.smooth_rho(stl.parse("x < 4"), [0], {"x": [[1.0]]})
+
+
+def test_a_batch_has_the_gradients_of_its_rows() -> None:
+    rng = np.random.default_rng(2)
+    signals = {"x": rng.normal(0, 1, (3, 7)), "limit": rng.normal(1, 0.1, 7)}
+    formula = stl.parse("always[0, 3] (x < limit) or eventually (x > 1)")
+    batch = stl.smooth_rho(formula, np.arange(7), signals)
+    assert batch.rho.shape == (3,)
+    for row in range(3):
+        alone = stl.smooth_rho(formula, np.arange(7), {**signals, "x": signals["x"][row]})
+        assert batch.rho[row] == alone.rho
+        for name in signals:
+            np.testing.assert_array_equal(batch.gradient[name][row], alone.gradient[name])

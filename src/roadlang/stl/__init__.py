@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .evaluate.online import OnlineMonitor
     from .evaluate.smooth import smooth_rho
     from .evaluate.streaming import DecidedSample, StreamMonitor
+    from .evaluate.time_robustness import time_robustness
     from .evaluate.verdicts import Range, Verdict
     from .explain.causes import ViolationInterval
     from .explain.explanation import Explanation, Link
@@ -78,6 +79,7 @@ _HOMES = {
     "evaluate.online": "OnlineMonitor",
     "evaluate.smooth": "smooth_rho",
     "evaluate.streaming": "DecidedSample StreamMonitor",
+    "evaluate.time_robustness": "time_robustness",
     "formula.terms": "Apply Arithmetic Constant Negate Term Variable",
     "formats.staliro": "read_staliro",
     "formats.text": "parse",
@@ -147,6 +149,7 @@ __all__ = [
     "read_trace",
     "sampling_error",
     "smooth_rho",
+    "time_robustness",
     "to_json",
 ]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,9 +31,10 @@ Backward = Callable[[FloatArray], tuple[FloatArray, ...]]
 
 
 class Smooth(NamedTuple):
-    """The smooth robustness at the first sample, and its derivative by each signal's samples."""
+    """The smooth robustness at the first sample, a scalar or (V,), and its derivative by each
+    signal's samples."""
 
-    rho: float
+    rho: Any
     gradient: dict[str, FloatArray]
 
 
@@ -45,28 +46,26 @@ def smooth_rho(
     sharpness: float = 10.0,
     wrap: float | None = None,
 ) -> Smooth:
-    """Smooth robustness of one trace; `sharpness` is 1 / (units of the robustness).
+    """Smooth robustness; `sharpness` is 1 / (units of the robustness).
 
-    Gradients have shape (S,), or (1,) for a signal that is one number. Raises DiagnosticError as
-    `rho` does, RL303 for a batch, and RL343 for terms without a derivative rule (`^`).
+    Gradients have shape (S,), or (1,) for a signal that is one number; of a batch, (V, S) or
+    (V, 1), also for a signal that all variants share. Raises DiagnosticError as `rho` does, and
+    RL343 for terms without a derivative rule (`^`).
     """
     trace = SampledSignals.of(positions, signals, formula.variables, wrap)
-    if trace.batched:
-        shape = "has a variant axis"
-        raise stl_error(
-            Code.WRONG_SIGNAL_SHAPE,
-            what="the trace",
-            expected="be a single one",
-            found=f"it {shape}",
-        )
+    axis = SamplePositions.of(trace.positions, wrap)
 
-    def value(infinite: bool) -> Smooth:
+    def value(infinite: bool) -> list[Smooth]:
         graph = FormulaGraph.of(formula, infinite_signals=infinite)
-        return _Tape(trace, sharpness).run(
-            EvaluationPlan.of(graph, SamplePositions.of(trace.positions, wrap), (0, 0))
-        )
+        plan = EvaluationPlan.of(graph, axis, (0, 0))
+        return [_Tape(trace.alone(row), sharpness).run(plan) for row in range(trace.variants)]
 
-    return finite_first(value)
+    found = finite_first(value)
+    if not trace.batched:
+        return found[0]
+    names = found[0].gradient
+    gradient = {name: np.stack([each.gradient[name] for each in found]) for name in names}
+    return Smooth(np.array([each.rho for each in found]), gradient)
 
 
 @dataclass
