@@ -22,7 +22,6 @@ class SpeedProfile(Controller):
     acceleration is constant. The controller before it steers."""
 
     name: ClassVar[str] = "speed_profile"
-    leaves_open: ClassVar[str] = "steering"
     points: ListOf[Annotated[tuple[float, float], pair_of(LENGTH, SPEED)]] = option(
         at_least=1,
         help="distances and speeds, in any order; before the first and beyond the last the speed "

@@ -30,7 +30,6 @@ class StopAt(Controller):
     controller before it drives. Without a place it stops at once."""
 
     name: ClassVar[str] = "stop_at"
-    leaves_open: ClassVar[str] = "steering"
     station: Length = option(
         None,
         minimum=0,
