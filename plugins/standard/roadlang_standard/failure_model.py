@@ -12,8 +12,9 @@ if TYPE_CHECKING:
 
 _MOST = 600
 """Candidates that values are predicted from: those with the least values."""
-_LENGTH = 0.2
-"""Length scale of the kernel, in parts of the diagonal of the cube."""
+_LENGTH = 0.5
+"""Length scale of the kernel, in root mean square distances of two random points."""
+_LEAST_DISTANCE = 1e-9
 _NOISE = 0.05
 _DEVIATIONS = 6.0
 """Of the ranks of safe candidates, in the values from 0 to 1."""
@@ -24,7 +25,9 @@ _UNKNOWN = 1.0
 
 class FailureModel:
     """Values by the mean of a Gaussian process with a Matern kernel of order 3/2 (Rasmussen
-    and Williams 2006, algorithm 2.1 and equation 4.17), descriptors by linear regression."""
+    and Williams 2006, algorithm 2.1 and equation 4.17), descriptors by linear regression. The
+    process compares candidates and the descriptors that they should have: alike are those that
+    make like roads."""
 
     def __init__(self) -> None:
         self._vectors: list[Floats] = []
@@ -41,7 +44,21 @@ class FailureModel:
         """(n,) values and (n, D) descriptors of candidates (n, columns)."""
         import numpy as np
 
-        known, values = np.concatenate(self._vectors), np.concatenate(self._values)
+        known, values = np.concatenate(self._vectors), graded(np.concatenate(self._values))
+        best = np.argsort(values, kind="stable")[:_MOST]
+        weights = self._regression()
+        found, of_known = (_compared(some, weights) for some in (vectors, known[best]))
+        return _mean(found, of_known, values[best]), _applied(weights, vectors)
+
+    def described(self, vectors: Floats) -> Floats:
+        """(n, D) descriptors of candidates (n, columns)."""
+        return _applied(self._regression(), vectors)
+
+    def _regression(self) -> Floats:
+        """(1 + columns, D) weights of a constant and of each number of a vector."""
+        import numpy as np
+
+        known = np.concatenate(self._vectors)
         found = np.concatenate([part for part in self._descriptors if part.shape[1]])
         driven = np.concatenate(
             [
@@ -49,21 +66,34 @@ class FailureModel:
                 for part in self._descriptors
             ]
         )
+        base = _with_constant(known[driven])
+        square = base.T @ base + _RIDGE * np.eye(base.shape[1])
         described = found[np.isfinite(found).all(axis=1)]
-        values = graded(values)
-        best = np.argsort(values, kind="stable")[:_MOST]
-        return self._value(vectors, known[best], values[best]), _linear(
-            known[driven], described, vectors
-        )
+        return np.asarray(np.linalg.solve(square, base.T @ described))
 
-    def _value(self, vectors: Floats, known: Floats, values: Floats) -> Floats:
-        import numpy as np
-        from scipy.linalg import cho_factor, cho_solve
 
-        scale = _LENGTH * np.sqrt(vectors.shape[1])
-        kernel = _kernel(known, known, scale) + _NOISE * np.eye(len(known))
-        weights = cho_solve(cho_factor(kernel, overwrite_a=True), values - _UNKNOWN)
-        return np.asarray(_UNKNOWN + _kernel(vectors, known, scale) @ weights)
+def _compared(vectors: Floats, weights: Floats) -> Floats:
+    """Vectors and their descriptors side by side, each in root mean square distances of two random
+    points of the cube."""
+    import numpy as np
+
+    slopes = weights[1:]
+    usual = np.sqrt(vectors.shape[1] / 6.0)
+    usual_of_descriptors = np.sqrt((slopes * slopes).sum() / 6.0)
+    if usual_of_descriptors < _LEAST_DISTANCE:
+        return vectors / usual
+    parts = (vectors / usual, _applied(weights, vectors) / usual_of_descriptors)
+    return np.concatenate(parts, axis=1) / np.sqrt(2.0)
+
+
+def _mean(found: Floats, known: Floats, values: Floats) -> Floats:
+    """(n,) of the process, at `found` (n, d) where `known` (m, d) have these values."""
+    import numpy as np
+    from scipy.linalg import cho_factor, cho_solve
+
+    kernel = _kernel(known, known) + _NOISE * np.eye(len(known))
+    weights = cho_solve(cho_factor(kernel, overwrite_a=True), values - _UNKNOWN)
+    return np.asarray(_UNKNOWN + _kernel(found, known) @ weights)
 
 
 def graded(values: Floats) -> Floats:
@@ -81,10 +111,10 @@ def graded(values: Floats) -> Floats:
     return np.asarray(found)
 
 
-def _kernel(a: Floats, b: Floats, scale: float) -> Floats:
+def _kernel(a: Floats, b: Floats) -> Floats:
     import numpy as np
 
-    apart = np.sqrt(squares_apart(a, b) * (3.0 / scale**2))
+    apart = np.sqrt(squares_apart(a, b) * (3.0 / _LENGTH**2))
     return np.asarray((1.0 + apart) * np.exp(-apart))
 
 
@@ -96,10 +126,13 @@ def squares_apart(a: Floats, b: Floats) -> Floats:
     return np.asarray(np.maximum(square, 0.0))
 
 
-def _linear(known: Floats, found: Floats, vectors: Floats) -> Floats:
+def _with_constant(vectors: Floats) -> Floats:
     import numpy as np
 
-    base = np.column_stack([np.ones(len(known)), known])
-    square = base.T @ base + _RIDGE * np.eye(base.shape[1])
-    weights = np.linalg.solve(square, base.T @ found)
-    return np.asarray(np.column_stack([np.ones(len(vectors)), vectors]) @ weights)
+    return np.column_stack([np.ones(len(vectors)), vectors])
+
+
+def _applied(weights: Floats, vectors: Floats) -> Floats:
+    import numpy as np
+
+    return np.asarray(_with_constant(vectors) @ weights)

@@ -27,7 +27,7 @@ _DIFFERENT = 0.3
 """Share of the children that lie off a failure by the difference of two others."""
 _MOST_DIFFERENCE, _NEIGHBORS, _NOISE = 2.5, 30, 0.02
 """The greatest multiple of the difference, how many neighbors it is of, normal steps beside it."""
-_UNLIKE = (1.3, 3.0)
+_UNLIKE = (1.0, 2.5)
 """How far from all failures a child should be (further than 1 is distinct), and what it loses in
 value for what it lacks; the best value is below 0, the worst 1."""
 _UNLIKE_AT_FIRST = (0.5, 0.3)
@@ -87,7 +87,10 @@ class FailureSpread:
         descriptors = np.column_stack([predicted, self._choices(children)])
         nearest, unlike = np.full(len(children), np.inf), _UNLIKE_AT_FIRST
         if len(self) > 1:
-            nearest = squares_apart(descriptors, np.stack(self._descriptors)).min(axis=1)
+            # As the model has them too: what it cannot tell makes nothing unlike.
+            failures = np.stack(self._distinct)
+            known = np.column_stack([self._model.described(failures), self._choices(failures)])
+            nearest = squares_apart(descriptors, known).min(axis=1)
             unlike = _UNLIKE
         best = np.argsort(values + _loss(nearest, unlike), kind="stable")[: _SHORTLIST * count]
         chosen = _spread(values[best], descriptors[best], nearest[best], unlike, count)

@@ -36,7 +36,7 @@ class Cma(Searcher):
         help="share of failures in a generation at which the search starts somewhere else",
     )
     spread: Number = option(
-        0.9,
+        1.0,
         minimum=0,
         maximum=1,
         help="share of candidates near those that failed or came nearest to failing, chosen by a "

@@ -6,6 +6,7 @@ import importlib
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from operator import attrgetter
 from typing import Any
 
@@ -41,12 +42,7 @@ class KindEntry:
         caller attributes it to `origin`."""
         if not isinstance(self.target, str):
             return self.target
-        module, _, attribute = self.target.partition(":")
-        loaded = check_kind(attrgetter(attribute)(importlib.import_module(module)))
-        if (loaded.verb, loaded.name) != (self.verb, self.name):
-            found = f"`{loaded.verb} {loaded.name}`"
-            raise KindFault(f"it is {found}, not `{self.verb} {self.name}`", loaded)
-        return loaded
+        return _imported(self.target, self.verb, self.name)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # By its name: a process imports only what it uses, and what nobody uses may be anything.
@@ -65,6 +61,16 @@ class KindEntry:
         """The first paragraph of the docstring of the kind, which is imported for it."""
         first = inspect.cleandoc(self.load().__doc__ or "").split("\n\n")[0]
         return " ".join(first.split())
+
+
+@cache
+def _imported(target: str, verb: str, name: str) -> type[Kind]:
+    """The kind at `module:Class`, which calls itself so."""
+    module, _, attribute = target.partition(":")
+    loaded = check_kind(attrgetter(attribute)(importlib.import_module(module)))
+    if (loaded.verb, loaded.name) != (verb, name):
+        raise KindFault(f"it is `{loaded.verb} {loaded.name}`, not `{verb} {name}`", loaded)
+    return loaded
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ import numpy as np
 from ..geometry.arrays import Floats, Integers
 from ..geometry.bend_speeds import squares_before, squares_in_bends
 from .lines import Lines
+from .motion import Track
 from .world import World
 
 
@@ -20,6 +21,9 @@ class BendSpeeds:
         self._agents = np.arange(count)
         self._limits = np.zeros((2, count))
         self._plans = np.zeros((count, cells))
+        self._first = self._agents * cells - world.track.first
+        self._latest: tuple[Any, ...] = ()
+        """agents and limits whose plans were last seen to be there: controllers look twice"""
 
     def at(
         self,
@@ -32,20 +36,34 @@ class BendSpeeds:
         """(N,) the greatest speeds a distance on, m/s, with `braking` before bends that are driven
         with a lateral acceleration of at most `lateral`."""
         track = world.track.of_rows(rows)
+        if not self._was_latest(rows, lateral, braking):
+            self._plan(track, rows, lateral, braking)
+            self._latest = (rows, lateral, braking)
+        cell, _ = track.cell(track.wrapped(world.motion.along[rows] + distance))
+        return np.asarray(self._plans.ravel()[cell + self._first[rows]])
+
+    def _was_latest(self, *wanted: Any) -> bool:
+        latest = self._latest
+        return len(latest) == 3 and all(latest[i] is wanted[i] for i in range(3))
+
+    def _plan(
+        self, track: Track, rows: Any, lateral: Floats | float, braking: Floats | float
+    ) -> None:
+        """Make the plans that are new."""
         limits = np.empty((2, len(track.row)))
         limits[0], limits[1] = lateral, braking
-        agents = self._agents[rows]
         new = (limits != self._limits[:, rows]).any(axis=0)
         if new.any():
             self._limits[:, rows] = limits
-            self._plans[agents[new]] = planned(track.lines, track.row[new], *limits[:, new])
-        cell, _ = track.cell(track.wrapped(world.motion.along[rows] + distance))
-        return np.asarray(self._plans.ravel()[agents * track.lines.cells + (cell - track.first)])
+            agents = self._agents[rows][new]
+            self._plans[agents] = planned(track.lines, track.row[new], *limits[:, new])
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         self._agents = np.arange(len(agents))
         self._limits, self._plans = self._limits[:, agents], self._plans[agents]
+        moved = (self._agents - agents) * self._plans.shape[1]
+        self._first, self._latest = self._first[agents] + moved, ()
 
 
 def planned(lines: Lines, row: Integers, lateral: Floats, braking: Floats) -> Floats:

@@ -35,6 +35,8 @@ class Recorder:
         }
         self._rows = np.arange(len(scenes))
         self._over = np.zeros(len(scenes), dtype=bool)
+        self.going_on: Integers = np.arange(len(scenes))
+        """which scenes of the world have not ended yet"""
         self._axis = np.zeros(0)
         self._ends: dict[int, int] = {}
         self._events: dict[int, list[dict[str, Any]]] = {}
@@ -50,11 +52,7 @@ class Recorder:
         if ended.any():
             self._over |= ended
             self._ends |= dict.fromkeys(self._rows[ended].tolist(), len(self._times))
-
-    @property
-    def going_on(self) -> Integers:
-        """Which scenes of the world have not ended yet."""
-        return np.flatnonzero(~self._over)
+            self.going_on = np.flatnonzero(~self._over)
 
     def note(self, world: World, contacts: list[Contact]) -> None:
         """Contacts, as events of their scenes."""
@@ -76,6 +74,7 @@ class Recorder:
         if self._watch is not None:
             self._watch.take(rows, inverse_index(agents, count), agents)
         self._rows, self._over = self._rows[rows], self._over[rows]
+        self.going_on = np.flatnonzero(~self._over)
 
     def traces(self) -> list[Trace]:
         """The trace of each scene."""

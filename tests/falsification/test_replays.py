@@ -1,0 +1,33 @@
+"""Failures on disk, driven again one by one: the same verdicts, the same bytes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import roadlang
+from benchmarks.falsification.bent_road import lane_keeper
+from benchmarks.falsification.rare import FAILS
+
+SLIPPERY = {
+    "medium": lane_keeper(0.5),
+    "hard": lane_keeper(0.54),
+    "rare": FAILS.replace("choice(0.8, 0.9, 1, 1.1, 1.2)", "choice(0.5, 0.52, 0.55)"),
+}
+
+
+@pytest.mark.parametrize("problem", SLIPPERY)
+def test_a_failure_driven_alone_is_the_drive_of_the_search(problem: str, tmp_path: Path) -> None:
+    found = roadlang.loads(SLIPPERY[problem]).falsify(evaluations=120, seed=1)
+    found.write(tmp_path)
+    index = json.loads((tmp_path / "failures/index.json").read_text())
+    assert len(index["failures"]) >= 3
+    for failure in index["failures"][:5]:
+        file = tmp_path / "failures" / failure["scene"]
+        again = roadlang.Scene.from_json(file.read_bytes()).run()
+        assert failure["replays"]
+        assert not again.satisfied
+        assert again.verdicts["in_lane"].robustness == failure["robustness"]["in_lane"]
+        assert again.to_csv() == file.with_suffix(".trace.csv").read_text()
