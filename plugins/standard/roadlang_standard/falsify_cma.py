@@ -50,8 +50,8 @@ class Cma(Searcher):
 class CmaSearch(Search):
     """Runs of the strategy, each with half of a batch as its generation; the first begins in the
     middle of the cube, all others at random points, and what is over is replaced. As soon as some
-    candidates could be driven, a share of each batch, by default all, is spread around failures, and
-    around the safe candidates that came nearest to failing; the runs get the rest."""
+    candidates could be driven, a share of each batch (by default all) is spread around failures
+    and the safe candidates that came nearest to failing; the runs get the rest."""
 
     def __init__(self, axes: Sequence[Axis], seed: int, options: Cma) -> None:
         import numpy as np
