@@ -81,9 +81,9 @@ def _compared(vectors: Floats, weights: Floats) -> Floats:
     usual = np.sqrt(vectors.shape[1] / 6.0)
     usual_of_descriptors = np.sqrt((slopes * slopes).sum() / 6.0)
     if usual_of_descriptors < _LEAST_DISTANCE:
-        return vectors / usual
+        return np.asarray(vectors / usual)
     parts = (vectors / usual, _applied(weights, vectors) / usual_of_descriptors)
-    return np.concatenate(parts, axis=1) / np.sqrt(2.0)
+    return np.asarray(np.concatenate(parts, axis=1) / np.sqrt(2.0))
 
 
 def _mean(found: Floats, known: Floats, values: Floats) -> Floats:
