@@ -9,7 +9,8 @@ import numpy as np
 from benchmarks.junctions.checks import check_junction
 from roadlang.geometry import Curve, Edge, Node, RoadNetwork, filleted, network_of_polylines
 from roadlang.geometry.junctions.folds import folded_spans, past
-from roadlang.geometry.junctions.model import JunctionPlan
+from roadlang.geometry.junctions.model import Arm, Junction, JunctionPlan
+from roadlang.geometry.junctions.overlaps import junction_overlaps
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of
 
 
@@ -153,3 +154,15 @@ def test_trims_that_help_no_turn_are_not_moved() -> None:
     plan = plan_of(network)
     assert max(plan.trims[2][0], plan.trims[3][0]) < 15.0
     assert faults(plan, network) == [{}]
+
+
+def test_two_junctions_that_overlap_are_reported_with_a_road_of_each() -> None:
+    def square(id: int, x: float) -> Junction:
+        area = ((x, 0.0), (x + 10.0, 0.0), (x + 10.0, 10.0), (x, 10.0))
+        arms = (Arm(3, "start", 5.0, 0, 3), Arm(4 + id, "end", 5.0, 2, 1))
+        return Junction(id, (id,), "junction", area, arms, (), (), ())
+
+    (problem,) = junction_overlaps([square(0, 0.0), square(1, 9.0), square(2, 30.0)])
+    assert (problem.kind, problem.junction, set(problem.edges)) == ("overlap", 0, {3, 4})
+    assert np.isclose(problem.amount, np.hypot(1.0, 10.0), atol=0.02)
+    assert junction_overlaps([square(0, 0.0), square(1, 10.0)]) == ()

@@ -1,15 +1,16 @@
-"""Roads whose surfaces overlap where no junction is: a fault of the drawing."""
+"""Roads whose surfaces overlap where no junction is, and junctions that overlap: faults of the
+drawing."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ..cross_section import CrossSection
 from ..network import Edge, RoadNetwork
-from .model import Problem
+from .model import Junction, Problem
 from .sweeping import TOLERANCE, valid
 
 NO_JUNCTION = -1
@@ -45,6 +46,40 @@ def overlaps(
             continue
         problems.append(Problem("overlap", NO_JUNCTION, ids, along))
     return tuple(problems)
+
+
+def junction_overlaps(junctions: Sequence[Junction]) -> tuple[Problem, ...]:
+    """Pairs of junctions whose areas overlap, each by the roads of both that are nearest to it."""
+    import shapely
+
+    if len(junctions) < 2:
+        return ()
+    areas = valid(shapely.polygons([shapely.linearrings(j.area) for j in junctions]))
+    areas = shapely.buffer(areas, -TOLERANCE)
+    tree = shapely.STRtree(areas)
+    problems = []
+    first, second = tree.query(areas, predicate="intersects")
+    for i, j in sorted(zip(first.tolist(), second.tolist(), strict=True)):
+        if i >= j:
+            continue
+        common = shapely.intersection(areas[i], areas[j])
+        box = shapely.bounds(common)
+        along = float(np.hypot(box[2] - box[0], box[3] - box[1]))
+        edge = _nearest_road(junctions[i], common)
+        edges = edge, _nearest_road(junctions[j], common, other_than=edge)
+        problems.append(Problem("overlap", junctions[i].id, edges, along))
+    return tuple(problems)
+
+
+def _nearest_road(junction: Junction, place: Any, other_than: int | None = None) -> int:
+    """The road of a junction whose face is nearest to a place; another one than that, if any."""
+    import shapely
+
+    arms = [arm for arm in junction.arms if arm.edge != other_than] or junction.arms
+    faces = [
+        shapely.linestrings([junction.area[arm.left], junction.area[arm.right]]) for arm in arms
+    ]
+    return arms[int(np.argmin(shapely.distance(faces, place)))].edge
 
 
 def _surface(edge: Edge, section: CrossSection, trims: tuple[float, float]) -> Any:

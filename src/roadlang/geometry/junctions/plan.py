@@ -15,7 +15,7 @@ from .layout import laid_out
 from .mirroring import mirrored
 from .model import Junction, JunctionPlan
 from .one_way import sections_with_rings
-from .overlaps import overlaps
+from .overlaps import junction_overlaps, overlaps
 from .roundabouts import ring_directions
 
 
@@ -52,6 +52,7 @@ def plan_junctions(
         junctions.append(built.junction)
         found += built.problems
     inside = {edge for place in layout.places for edge in place.inside}
+    found += junction_overlaps(junctions)
     by_edge = _trims_by_edge(network, layout.trims, inside)
     known = {frozenset(problem.edges) for problem in found if problem.kind == "overlap"}
     found += overlaps(network, sections, by_edge, known)
