@@ -54,6 +54,25 @@ def test_lines_along_a_road() -> None:
     assert ribbon.half[0] == pytest.approx(40)
 
 
+def test_a_tight_bend_is_drawn_round() -> None:
+    """A quarter of a circle of 4 m with a station every meter: the line stays on the circle."""
+    angles = np.linspace(0.0, np.pi / 2.0, 8)
+    stations = 4.0 * angles
+    x, y = 50.0 + 4.0 * np.sin(angles), 29.0 - 4.0 * np.cos(angles)
+    road = replace(
+        through("bend", list(zip(x.tolist(), y.tolist(), strict=True))),
+        stations=tuple(stations), reference_stations=tuple(stations), x=tuple(x), y=tuple(y),
+        heading=tuple(angles), curvature=(0.25,) * 8, width=(3.0,) * 8, length=float(stations[-1]),
+    )  # fmt: skip
+    ribbon = ribbon_of(road, PAGE)
+    middle = PAGE.place(np.array([[50.0, 29.0]]))[0]
+    away = np.hypot(*(ribbon.center - middle).T) / PAGE.pixels_per_meter
+    assert np.abs(away - 4.0).max() < 1e-9
+    turns = np.diff(np.arctan2(*(ribbon.center - middle).T))
+    assert np.abs(turns).max() < 0.1
+    assert len(ribbon.center) > 20
+
+
 def test_the_outline_of_a_road_may_leave_its_casing() -> None:
     outline = straight_ribbon().outline(3.0)
     count = len(outline) // 2

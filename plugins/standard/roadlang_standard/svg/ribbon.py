@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _CLOSEST_POINTS = 1.2
 _NARROWEST = 3.5
+_FINEST_TURN, _MOST_PARTS = 0.06, 8
 
 
 @dataclass(frozen=True)
@@ -106,13 +107,13 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
     """
     import numpy as np
 
-    center = viewport.place(np.column_stack([road.x, road.y]))
-    heading = np.asarray(road.heading)
+    stations, points, heading = _finer(road)
+    center = viewport.place(points)
     columns = np.column_stack([-np.sin(heading), -np.cos(heading)])
-    half = np.asarray(road.width) / 2 * viewport.pixels_per_meter
+    half = np.interp(stations, road.stations, road.width) / 2 * viewport.pixels_per_meter
     section = road.cross_section()
-    borders = section.border_offsets(road.stations).T * viewport.pixels_per_meter
-    stations, reference = np.asarray(road.stations), np.asarray(road.reference_stations)
+    borders = section.border_offsets(stations).T * viewport.pixels_per_meter
+    reference = np.interp(stations, road.stations, road.reference_stations)
     keep = _spaced(center)
     center, columns, half, borders = center[keep], columns[keep], half[keep], borders[keep]
     stations, reference = stations[keep], reference[keep]
@@ -134,6 +135,34 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
         markings=section.markings,
         closed=road.closed,
         widened=bool(half.max() < _NARROWEST / 2),
+    )
+
+
+def _finer(road: SceneRoad) -> tuple[Floats, Floats, Floats]:
+    """Stations (n,), points (n, 2) and headings (n,) of a road, with more of them in tight bends:
+    arcs between its own stations, so that no corner is seen."""
+    import numpy as np
+
+    s, heading = np.asarray(road.stations), np.unwrap(road.heading)
+    points = np.column_stack([road.x, road.y])
+    turn, chord = np.diff(heading), np.diff(points, axis=0)
+    parts = np.clip(np.ceil(np.abs(turn) / _FINEST_TURN), 1, _MOST_PARTS).astype(int)
+    if not len(turn) or parts.max() == 1:
+        return s, points, heading
+    step = np.append(np.repeat(np.arange(len(parts)), parts), len(parts) - 1)
+    place = np.arange(len(step)) - np.append(0, np.cumsum(parts))[step]
+    share = place / parts[step]
+    # The chord of a part of an arc, turned back from that of the whole and as much shorter.
+    half = turn[step] / 2.0
+    length = share * np.sinc(share * half / np.pi) / np.sinc(half / np.pi)
+    angle = (share - 1.0) * half
+    along = chord[step]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    moved = np.cos(angle)[:, None] * along + np.sin(angle)[:, None] * across
+    return (
+        s[step] + share * np.diff(s)[step],
+        points[step] + length[:, None] * moved,
+        heading[step] + share * turn[step],
     )
 
 
