@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from roadlang import testing
+from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.trace import AgentTrace, Trace
 
 from .random_traffic import random_scene
@@ -34,9 +35,10 @@ class Outcome:
     meters: float
 
     @classmethod
-    def of(cls, trace: Trace, rule: str) -> Outcome:
-        """Of a drive."""
-        cars = list(trace.agents.values())
+    def of(cls, trace: Trace, scene: Scene, rule: str) -> Outcome:
+        """Of a drive of a scene, as far as those are concerned who drive with `traffic`."""
+        drivers = [one.name for one in scene.agents if _is_traffic(one)]
+        cars = [trace.agents[name] for name in drivers]
         return cls(
             [(event["agent"], event["other"]) for event in trace.events],
             [car.name for car in cars if car.red_light[-1] > 0],
@@ -68,7 +70,7 @@ def main() -> int:
             begin = time.process_time()
             (driven,) = scenes.run("builtin", duration=options.duration)
             spent += time.process_time() - begin
-            outcomes.append(Outcome.of(driven.trace, scene.rule))
+            outcomes.append(Outcome.of(driven.trace, scenes[0].record, scene.rule))
             if outcomes[-1].words:
                 print(f"{seed}: {scene.roads}, {scene.rule}: {outcomes[-1].words}", flush=True)
     agents = sum(one.agents for one in outcomes)
@@ -80,6 +82,10 @@ def main() -> int:
     print(f"scenes with somebody stuck: {sum(bool(one.stuck) for one in outcomes)}")
     print(f"{len(outcomes) * options.duration / spent:.0f} simulated seconds for each CPU second")
     return 1 if touched or ran else 0
+
+
+def _is_traffic(agent: SceneActor) -> bool:
+    return bool(agent.drive) and agent.drive[0].kind.split(".")[-1] == "traffic"
 
 
 def _is_stuck(car: AgentTrace) -> bool:
