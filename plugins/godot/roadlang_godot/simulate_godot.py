@@ -28,15 +28,10 @@ class GodotSimulator(Simulator):
         help="build the road as a mesh along the curve, or as pixel tiles",
     )
 
-    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
-        """Start an engine, build the scene, drive it, and end the engine."""
-        (trace,) = self.drive_all([scene], [controllers])
-        return trace
-
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
     ) -> Iterable[Trace]:
-        """The same with one engine for all scenes; each has a world without a past."""
+        """Drive the scenes with one engine, each in a world without a past."""
         from .simulate import Settings, drive_scenes
 
         settings = Settings(self.duration, self.step, self.headless, self.road)

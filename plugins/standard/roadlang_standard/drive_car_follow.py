@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
 
+from .driving_options import lateral_acceleration_option, target_speed_option
 from .steering import ahead_in_lane, along_line, bend_speed
 
 if TYPE_CHECKING:
@@ -24,20 +25,12 @@ class CarFollow(Controller):
     driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
-    speed: Speed = option(
-        None,
-        minimum=0,
-        maximum=120,
-        help="target speed; by default the speed limit, or 50 km/h without one",
-        example="40km/h",
-    )
+    speed: Speed = target_speed_option()
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")
     gap: Length = option(2.0, minimum=0, help="desired gap at standstill")
     acceleration: Acceleration = option(1.5, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(2.0, above=0, maximum=20, help="comfortable deceleration")
-    lateral_acceleration: Acceleration = option(
-        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
-    )
+    lateral_acceleration: Acceleration = lateral_acceleration_option()
 
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, InitialSpeed, Speed, option
 
+from .driving_options import lateral_acceleration_option, target_speed_option
 from .steering import along_line, bend_speed, toward
 
 if TYPE_CHECKING:
@@ -18,18 +19,10 @@ class LaneFollow(Controller):
     """Follow the center of the lane exactly, at a given speed."""
 
     name: ClassVar[str] = "lane_follow"
-    speed: Speed = option(
-        None,
-        minimum=0,
-        maximum=120,
-        help="target speed; by default the speed limit, or 50 km/h without one",
-        example="40km/h",
-    )
+    speed: Speed = target_speed_option()
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")
-    lateral_acceleration: Acceleration = option(
-        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
-    )
+    lateral_acceleration: Acceleration = lateral_acceleration_option()
 
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
 
+from .driving_options import lateral_acceleration_option, target_speed_option
 from .steering import bend_speed, pursuit, toward
 
 if TYPE_CHECKING:
@@ -18,22 +19,14 @@ class PurePursuit(Controller):
     """Steer along the arc to a point ahead in the lane (Coulter 1992)."""
 
     name: ClassVar[str] = "pure_pursuit"
-    speed: Speed = option(
-        None,
-        minimum=0,
-        maximum=120,
-        help="target speed; by default the speed limit, or 50 km/h without one",
-        example="40km/h",
-    )
+    speed: Speed = target_speed_option()
     lookahead: Length = option(6.0, above=0, maximum=200, help="lookahead distance")
     lookahead_time: Duration = option(
         0.0, minimum=0, maximum=10, help="adds this time multiplied by the speed to `lookahead`"
     )
     acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")
-    lateral_acceleration: Acceleration = option(
-        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
-    )
+    lateral_acceleration: Acceleration = lateral_acceleration_option()
 
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)

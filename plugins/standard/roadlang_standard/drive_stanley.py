@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from roadlang.api import FREQUENCY, Acceleration, Controller, InitialSpeed, Speed, option, quantity
 
+from .driving_options import lateral_acceleration_option, target_speed_option
 from .steering import bend_speed, difference, toward
 
 if TYPE_CHECKING:
@@ -22,22 +23,14 @@ class Stanley(Controller):
     rate (Hoffmann et al. 2007)."""
 
     name: ClassVar[str] = "stanley"
-    speed: Speed = option(
-        None,
-        minimum=0,
-        maximum=120,
-        help="target speed; by default the speed limit, or 50 km/h without one",
-        example="40km/h",
-    )
+    speed: Speed = target_speed_option()
     gain: Annotated[float, quantity(FREQUENCY)] = option(
         2.5, above=0, help="gain of the cross-track error"
     )
     softening: Speed = option(1.0, above=0, help="softens the steering at low speed")
     acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")
-    lateral_acceleration: Acceleration = option(
-        4.5, above=0, maximum=100, help="maximum lateral acceleration; it slows down before bends"
-    )
+    lateral_acceleration: Acceleration = lateral_acceleration_option()
 
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)

@@ -37,10 +37,6 @@ class Builtin(Simulator):
         example="2s",
     )
 
-    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
-        (trace,) = self.drive_all([scene], [controllers])
-        return trace
-
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
     ) -> Iterable[Trace]:

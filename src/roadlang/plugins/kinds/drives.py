@@ -95,8 +95,10 @@ class Simulator(Kind):
         `controllers` holds, by agent, what is written in Python, the standard controllers among
         it; what else steers is in `scene.agents[i].drive`. Returns a `Trace`; anything else is
         RL474. Raise `DiagnosticError` where the engine cannot be reached or cannot drive the scene.
+        By default `drive_all` is called with one scene; a simulator implements one of the two.
         """
-        raise NotImplementedError
+        (trace,) = self.drive_all([scene], [controllers])
+        return trace
 
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
