@@ -185,12 +185,12 @@ def _cases() -> Iterable[Case]:
     for name in DRIVEN:
         yield Case("drives", f"{name}.scene", partial(_scenes, name, 1))
         yield Case("drives", f"{name}.drive", partial(_drive, name))
-    for first in range(0, 20, 5):
+    for first in range(0, 15, 5):
         seeds = range(first, first + 5)
         yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 16.0))
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
-    for first in range(0, 120, 24):
+    for first in range(0, 96, 24):
         yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 24)))
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)

@@ -149,6 +149,8 @@ def _said(text: str) -> Iterator[str]:
             pass
         else:
             yield head
+            if isinstance(document, dict):
+                document.pop("time_s", None)
             yield from of_json(document)
             yield from of_text(rest[end:].strip())
             return
