@@ -19,7 +19,7 @@ from .infer.rule_table import RULES
 from .lower.scenario import lower
 from .lower.written_size import report_oversized
 from .names.formula_size import drop_large_formulas
-from .names.loading import load
+from .names.including import load
 from .names.nesting import report_nesting
 from .names.program import Program
 from .outputs import add_outputs, select_outputs, with_advice
