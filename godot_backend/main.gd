@@ -2,7 +2,7 @@ extends Node3D
 ## The whole program: listens, builds what it is sent, drives it, shows it.
 ##
 ## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still,
-## --quit-idle SECONDS without a client.
+## --quit-idle SECONDS without a client, --quit-with-parent when standard input ends.
 
 const Protocol := preload("res://net/protocol.gd")
 const Server := preload("res://net/server.gd")
@@ -24,11 +24,15 @@ var view: View
 var _messages: Messages
 var _settings: Dictionary = {}
 var _last_client := 0
+var _parent: Thread
 
 
 func _ready() -> void:
 	_settings = read_arguments(OS.get_cmdline_user_args())
 	_last_client = Time.get_ticks_msec()
+	if _settings["quit-with-parent"]:
+		_parent = Thread.new()
+		_parent.start(_follow_parent)
 	var link: RefCounted = (
 		WebSocketLink.new() if _settings["transport"] == "websocket" else UdpLink.new()
 	)
@@ -64,6 +68,14 @@ func _process(_dt: float) -> void:
 		OS.delay_msec(IDLE_MSEC)
 
 
+## Standard input ends with the process that started this one, however that ended. Nothing is saved
+## here, so that nothing is lost.
+func _follow_parent() -> void:
+	while not OS.read_string_from_stdin().is_empty():
+		pass
+	OS.kill(OS.get_process_id())
+
+
 ## Whoever started this engine may be gone without a goodbye.
 func _quit_when_forgotten() -> void:
 	var now := Time.get_ticks_msec()
@@ -83,11 +95,12 @@ static func read_arguments(given: PackedStringArray) -> Dictionary:
 	var settings := {
 		"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false, "quit-idle": "0"
 	}
+	settings["quit-with-parent"] = false
 	var i := 0
 	while i < given.size():
 		var key := given[i].trim_prefix("--")
-		if key == "still":
-			settings["still"] = true
+		if settings.get(key) is bool:
+			settings[key] = true
 		elif settings.has(key) and i + 1 < given.size():
 			i += 1
 			settings[key] = given[i]

@@ -160,6 +160,8 @@ func take_step(payload: PackedByteArray) -> String:
 	if mode != Mode.LOCKSTEP:
 		return "" if at < tick else "no run in lock-step"
 	if at != tick or _hold_until > tick:
+		# It is on its way: the client is not to take this engine for dead.
+		_server.send_once(Protocol.PING, PackedByteArray())
 		return ""
 	for i in count:
 		var key := reader.u16() << 16 | reader.u16()

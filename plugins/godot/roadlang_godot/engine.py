@@ -17,7 +17,7 @@ from pathlib import Path
 
 from roadlang.api import Code
 
-from .faults import fault
+from .faults import EngineError, fault
 from .link import DatagramLink
 from .link_udp import UdpLink
 from .session import Session
@@ -46,6 +46,8 @@ _PLACES = (
     "C:/Program Files/Godot",
 )
 _LISTENING = re.compile(r"roadlang: listening on (\S+):(\d+)")
+_LOG_FOLDER = "roadlang-godot-"
+_NO_PORT = "roadlang: cannot listen on"
 _HELP = (
     "get Godot 4.3 or newer: your system's package `godot`, or the download page of the Godot "
     "project; on Debian, `sh godot_backend/install_godot.sh`",
@@ -100,7 +102,11 @@ def version_of(engine: Path) -> str:
     """What `--version` prints. Raises `EngineError` RL501, or RL511 where it is too old."""
     try:
         finished = subprocess.run(
-            [str(engine), "--version"], capture_output=True, text=True, timeout=START_SECONDS
+            [str(engine), "--version"],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=START_SECONDS,
         )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise fault(Code.GODOT_NOT_STARTED, engine=engine, reason=str(error)) from error
@@ -158,6 +164,8 @@ class Engine:
             except subprocess.TimeoutExpired:
                 self._signal(_KILL)
                 self.process.wait()
+        if self.process.stdin is not None:
+            self.process.stdin.close()
         shutil.rmtree(self.log.parent, ignore_errors=True)
 
     def _signal(self, number: int) -> None:
@@ -223,14 +231,37 @@ def start(
     if fixed_fps is not None:
         command += ["--fixed-fps", str(fixed_fps)]
     command += [*extra, "--", "--host", host, "--port", str(port), "--transport", transport]
+    command.append("--quit-with-parent")
     if draw and not window:
         command.append("--still")
     if quit_idle is not None:
         command += ["--quit-idle", str(quit_idle)]
-    log = Path(tempfile.mkdtemp(prefix="roadlang-godot-")) / "engine.log"
+    _remove_abandoned_logs()
+    prefix = f"{_LOG_FOLDER}{os.getpid()}-"
+    log = Path(tempfile.mkdtemp(prefix=prefix)) / "engine.log"
     engine = Engine(_spawn(command, log), host, port, transport, log, draws)
     engine.port = _await_port(engine, command[0])
     return engine
+
+
+def _remove_abandoned_logs() -> None:
+    """Those of processes that ended before they could."""
+    for folder in Path(tempfile.gettempdir()).glob(f"{_LOG_FOLDER}[0-9]*-*"):
+        number = folder.name.removeprefix(_LOG_FOLDER).partition("-")[0]
+        if number.isdigit() and not _exists(int(number)):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _exists(process: int) -> bool:
+    if os.name == "nt":  # there a signal ends a process
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        pass
+    return True
 
 
 def _spawn(command: list[str], log: Path) -> subprocess.Popen[bytes]:
@@ -242,7 +273,8 @@ def _spawn(command: list[str], log: Path) -> subprocess.Popen[bytes]:
                 command,
                 stdout=out,
                 stderr=subprocess.STDOUT,
-                stdin=subprocess.DEVNULL,
+                # Ends with this process, however that ends; then the engine ends too.
+                stdin=subprocess.PIPE,
                 start_new_session=True,
             )
     except OSError as error:
@@ -261,9 +293,32 @@ def _await_port(engine: Engine, name: str) -> int:
         if engine.process.poll() is not None or "SCRIPT ERROR" in engine.output():
             break
         time.sleep(0.02)
-    last = engine.output().strip().splitlines()[-3:]
+    printed = engine.output()
     engine.stop()
-    raise fault(Code.GODOT_NOT_STARTED, last, engine=name, reason="it did not start listening")
+    raise _not_started(name, printed, engine)
+
+
+def _not_started(name: str, printed: str, engine: Engine) -> EngineError:
+    """Why an engine does not listen, by what it has printed."""
+    if _NO_PORT in printed:
+        return fault(
+            Code.GODOT_NOT_STARTED,
+            "end the program that listens there, or take another port with `--port`",
+            engine=name,
+            reason=f"port {engine.port} of {engine.host} is in use or not allowed",
+        )
+    if engine.process.returncode == -_KILL:
+        reason = "its process was killed while it started"
+        return fault(Code.GODOT_DISCONNECTED, reason=reason)
+    try:
+        version_of(find())
+    except EngineError as error:  # what is too old fails in many ways
+        if error.diagnostics[0].code == Code.GODOT_TOO_OLD:
+            return error
+    errors = [line for line in printed.splitlines() if "ERROR" in line]
+    shown = errors[:3] or printed.strip().splitlines()[-3:]
+    reason = "it did not start listening"
+    return fault(Code.GODOT_NOT_STARTED, shown, engine=name, reason=reason)
 
 
 def _candidates() -> Iterator[str]:

@@ -13,7 +13,7 @@ from roadlang.api import Code
 
 from . import driving, engine
 from .drives import decided_in_python
-from .faults import fault
+from .faults import EngineError, fault
 from .followed_scene import FollowedScene
 from .layout import layout_of
 from .session import Session
@@ -22,6 +22,9 @@ from .telemetry import of_agent
 if TYPE_CHECKING:
     from roadlang.api import Controller, Scene, Trace
 
+MOST_LOSSES = 3
+"""Engines that one scene may lose before it counts as their cause."""
+_LOST = frozenset({Code.GODOT_DISCONNECTED, Code.GODOT_NOT_ANSWERING})
 LEAST_RATE = 60.0
 """Ticks a second below which wheeled bodies are not stable in Godot."""
 
@@ -58,14 +61,62 @@ Controllers = Mapping[str, "Controller"]
 def drive_scenes(
     scenes: Sequence[Scene], settings: Settings, controllers: Sequence[Controllers]
 ) -> Iterator[Trace]:
-    """Drive scenes one after the other in one engine, each in a fresh world."""
-    fixed = settings.rate if settings.headless else None
-    with (
-        engine.start(fixed_fps=fixed, window=not settings.headless) as running,
-        running.connect(scenes[0].name) as session,
-    ):
+    """Drive scenes one after the other in one engine, each in a fresh world.
+
+    An engine that is lost is started again, and drives the same scene from its start: the trace is
+    the same. Raises RL505 with the name of a scene with which `MOST_LOSSES` engines were lost.
+    """
+    engines = RestartedEngine(settings)
+    try:
         for scene, of_scene in zip(scenes, controllers, strict=True):
-            yield drive_in(session, scene, settings, of_scene)
+            yield engines.drive(scene, of_scene)
+    finally:
+        engines.stop()
+
+
+class RestartedEngine:
+    """An engine with a session, started when it is needed, and again when it is lost."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._engine: engine.Engine | None = None
+        self._session: Session | None = None
+
+    def drive(self, scene: Scene, controllers: Controllers) -> Trace:
+        """Drive a scene, again where the engine is lost on the way."""
+        for attempt in range(MOST_LOSSES):
+            try:
+                return drive_in(self._connected(scene), scene, self._settings, controllers)
+            except EngineError as error:
+                lost = {found.code for found in error.diagnostics} & _LOST
+                if not lost:
+                    raise
+                self.stop()
+                if attempt + 1 == MOST_LOSSES:
+                    raise _lost_with(scene, error) from error
+        raise AssertionError("unreachable")
+
+    def stop(self) -> None:
+        """End the session and the engine."""
+        session, running = self._session, self._engine
+        self._session = self._engine = None
+        if session is not None:
+            session.close()
+        if running is not None:
+            running.stop()
+
+    def _connected(self, scene: Scene) -> Session:
+        if self._session is None:
+            fixed = self._settings.rate if self._settings.headless else None
+            self._engine = engine.start(fixed_fps=fixed, window=not self._settings.headless)
+            self._session = self._engine.connect(scene.name)
+        return self._session
+
+
+def _lost_with(scene: Scene, error: EngineError) -> EngineError:
+    reason = f"{MOST_LOSSES} engines were lost in scene {scene.index} of `{scene.name}`"
+    last = [found.message for found in error.diagnostics]
+    return fault(Code.GODOT_DISCONNECTED, [f"the last one: {text}" for text in last], reason=reason)
 
 
 def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Controllers) -> Trace:
