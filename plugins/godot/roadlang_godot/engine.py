@@ -8,7 +8,6 @@ import re
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ from pathlib import Path
 
 from roadlang.api import Code
 
+from .engine_log import new_log
 from .faults import EngineError, fault
 from .link import DatagramLink
 from .link_udp import UdpLink
@@ -46,7 +46,6 @@ _PLACES = (
     "C:/Program Files/Godot",
 )
 _LISTENING = re.compile(r"roadlang: listening on (\S+):(\d+)")
-_LOG_FOLDER = "roadlang-godot-"
 _NO_PORT = "roadlang: cannot listen on"
 _HELP = (
     "get Godot 4.3 or newer: your system's package `godot`, or the download page of the Godot "
@@ -236,32 +235,10 @@ def start(
         command.append("--still")
     if quit_idle is not None:
         command += ["--quit-idle", str(quit_idle)]
-    _remove_abandoned_logs()
-    prefix = f"{_LOG_FOLDER}{os.getpid()}-"
-    log = Path(tempfile.mkdtemp(prefix=prefix)) / "engine.log"
+    log = new_log()
     engine = Engine(_spawn(command, log), host, port, transport, log, draws)
     engine.port = _await_port(engine, command[0])
     return engine
-
-
-def _remove_abandoned_logs() -> None:
-    """Those of processes that ended before they could."""
-    for folder in Path(tempfile.gettempdir()).glob(f"{_LOG_FOLDER}[0-9]*-*"):
-        number = folder.name.removeprefix(_LOG_FOLDER).partition("-")[0]
-        if number.isdigit() and not _exists(int(number)):
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-def _exists(process: int) -> bool:
-    if os.name == "nt":  # there a signal ends a process
-        return True
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:
-        pass
-    return True
 
 
 def _spawn(command: list[str], log: Path) -> subprocess.Popen[bytes]:
