@@ -21,6 +21,7 @@ from .faults import EngineError, fault
 from .link import DatagramLink
 from .link_udp import UdpLink
 from .session import Session
+from .transports import websocket_link
 
 OLDEST = (4, 3)
 START_SECONDS = 180.0
@@ -190,21 +191,13 @@ def connect(
     """
     try:
         link: DatagramLink = (
-            _websocket(host, port) if transport == "websocket" else UdpLink(host, port)
+            websocket_link(host, port) if transport == "websocket" else UdpLink(host, port)
         )
     except OSError as error:
         raise fault(
             Code.UNREACHABLE_ADDRESS, host=host, port=port, reason=error.strerror or error
         ) from error
     return Session(link, patience=patience, name=name, is_running=is_running)
-
-
-def _websocket(host: str, port: int) -> DatagramLink:
-    try:
-        from .link_websocket import WebSocketLink
-    except ImportError as error:
-        raise fault(Code.WEBSOCKETS_MISSING, help='pip install "roadlang[websocket]"') from error
-    return WebSocketLink(host, port)
 
 
 def start(

@@ -1,4 +1,4 @@
-"""Files for what engines print: each in a folder named after the process that started the engine."""
+"""Files for what engines print, each in a folder named after the process that started it."""
 
 from __future__ import annotations
 
