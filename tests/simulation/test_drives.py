@@ -149,6 +149,18 @@ def test_what_begins_inside_one_another_never_touches() -> None:
     assert trace.agents["ego"].station[-1] > 20.0
 
 
+def test_car_follow_enters_a_lower_speed_limit_at_that_speed() -> None:
+    (trace,) = drive("""
+    road town { draw with segments { pieces: [straight(150m)] }, lanes: 2, speed_limit: 50km/h }
+    road school { draw with segments { pieces: [straight(150m)] }, lanes: 2, speed_limit: 30km/h }
+    road street from town { then: school }
+    agent ego is car on street at 10m { drive with car_follow }
+    """, duration=25)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert ego.speed.max() > 13.5
+    assert (ego.speed - ego.speed_limit).max() < 0.3
+
+
 def test_car_following_keeps_its_gap() -> None:
     text = """
     road main { draw with waypoints { points: [(0m, 0m), (600m, 0m)] }, width: 8m }

@@ -20,7 +20,8 @@ func read() -> void:
 func command(agent: Agent, signals: Callable, _dt: float) -> Vector2:
 	var names: Array[String] = [agent.agent_name]
 	var gap: float = signals.call("gap_ahead", names)
-	var free := 1.0 - pow(maxf(agent.speed, 0.0) / maxf(bend_speed(agent, _speed), 0.1), 4.0)
+	var target := bend_speed(agent, _speed)
+	var free := 1.0 - pow(maxf(agent.speed, 0.0) / maxf(target, 0.1), 4.0)
 	var pull := 0.0
 	if is_finite(gap):
 		var closing: float = agent.speed - signals.call("speed_ahead", names)
@@ -28,4 +29,7 @@ func command(agent: Agent, signals: Callable, _dt: float) -> Vector2:
 		var wanted := _gap + maxf(0.0, agent.speed * _headway + braking)
 		pull = pow(wanted / maxf(gap, 0.1), 2.0)
 	var acceleration := clampf(max_acceleration * (free - pull), -HARDEST, max_acceleration)
+	# The model brakes too little where the target falls: before bends.
+	if agent.speed > target:
+		acceleration = minf(acceleration, toward(agent, target))
 	return Vector2(along_line(agent), acceleration)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
 
 from .driving_options import lateral_acceleration_option, target_speed_option
-from .steering import ahead_in_lane, along_line, bend_speed
+from .steering import ahead_in_lane, along_line, bend_speed, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
@@ -51,4 +51,7 @@ class CarFollow(Controller):
         free = 1.0 - share * share * share * share
         acceleration = self.acceleration * (free - pull * pull)
         acceleration = np.minimum(np.maximum(acceleration, -HARDEST), self.acceleration)
+        # The model brakes too little where the target falls: before bends and lower limits.
+        slower = toward(speed, target, self.acceleration, self.deceleration)
+        acceleration = np.where(speed > target, np.minimum(acceleration, slower), acceleration)
         return ControlBatch(along_line(seen), acceleration)
