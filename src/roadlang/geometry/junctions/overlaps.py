@@ -54,7 +54,7 @@ def junction_overlaps(junctions: Sequence[Junction]) -> tuple[Problem, ...]:
 
     if len(junctions) < 2:
         return ()
-    areas = valid(shapely.polygons([shapely.linearrings(j.area) for j in junctions]))
+    areas = valid(np.array([shapely.Polygon(j.area) for j in junctions]))
     areas = shapely.buffer(areas, -TOLERANCE)
     tree = shapely.STRtree(areas)
     problems = []
