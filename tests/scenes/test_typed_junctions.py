@@ -93,3 +93,22 @@ def test_a_dead_end_right_behind_a_junction_stays_off_it_when_the_roads_are_bent
     """2 m are left of dead ends of one cell; a full displacement would turn their ends round."""
     for scene in sample(STUBS, 5):
         assert deepest_overlap(scene.record) < 0.01
+
+
+def test_two_junctions_side_by_side_under_another_road() -> None:
+    """Turns between ends that lie at one point have no curve."""
+    text = """
+  ..................v............
+  ..................v............
+  ...............#>>#............
+  ################..v............
+  ...............################
+  ..................v............
+  ..................v............
+"""
+    legend = '"#": road, ">": eastbound, "v": southbound'
+    scenes = sample(
+        f'image plan from """{text}""" {{ scale: 7.27m/px, legend: {{ {legend} }} }}\n'
+        "network town from plan { lanes: 2 }"
+    )
+    assert len(scenes[0].record.networks[0].junctions) == 3

@@ -27,7 +27,8 @@ def swept_arms(
 
     points, headings = sampled(fits, _COARSE)
     half = (widths[:, :1] + (widths[:, 1:] - widths[:, :1]) * _COARSE) / 2.0 - TOLERANCE
-    rings = _ring(points, headings, half)
+    # Curves between ends at one point have no place; none of them can be driven.
+    rings = np.nan_to_num(_ring(points, headings, half))
     strips = valid(shapely.polygons(rings))
     found = np.zeros((len(rings), len(arms)), dtype=bool)
     for place, arm in enumerate(arms):
