@@ -30,9 +30,6 @@ var _parent: Thread
 func _ready() -> void:
 	_settings = read_arguments(OS.get_cmdline_user_args())
 	_last_client = Time.get_ticks_msec()
-	if _settings["quit-with-parent"]:
-		_parent = Thread.new()
-		_parent.start(_follow_parent)
 	var link: RefCounted = (
 		WebSocketLink.new() if _settings["transport"] == "websocket" else UdpLink.new()
 	)
@@ -40,6 +37,9 @@ func _ready() -> void:
 		printerr("roadlang: cannot listen on %s:%s" % [_settings["host"], _settings["port"]])
 		get_tree().quit(5)
 		return
+	if _settings["quit-with-parent"]:
+		_parent = Thread.new()
+		_parent.start(_follow_parent)
 	worlds = Worlds.new()
 	add_child(worlds)
 	server = Server.new(link)
@@ -83,7 +83,11 @@ func _quit_when_forgotten() -> void:
 	if server.connected():
 		_last_client = now
 	elif patience > 0.0 and now - _last_client > patience * 1000.0:
-		get_tree().quit()
+		if _parent == null:
+			get_tree().quit()
+		else:
+			# A thread that waits for standard input holds up a quit until it has read.
+			OS.kill(OS.get_process_id())
 
 
 func _physics_process(dt: float) -> void:

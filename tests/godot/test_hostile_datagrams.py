@@ -63,7 +63,10 @@ def bombard(engine: Engine, count: int, seed: int) -> None:
 def test_hostile_datagrams_harm_nothing(fresh_engine: Engine, count: int) -> None:
     bombard(fresh_engine, count, seed=count)
     assert fresh_engine.process.poll() is None
-    assert len(fresh_engine.output().splitlines()) < MOST_LOG_LINES, fresh_engine.output()[-3000:]
+    printed = fresh_engine.output().splitlines()
+    # Godot itself says so, with a backtrace, where a sender outruns it; the rest is ours.
+    ours = [line for line in printed if not line.startswith((" ", "WARNING: Buffer full"))]
+    assert len(ours) < MOST_LOG_LINES, "\n".join(ours[-60:])
     things = everything()
     with fresh_engine.connect("after") as session:
         begin(session, things)

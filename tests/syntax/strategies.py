@@ -26,7 +26,7 @@ _DEEPEST = 3
 
 
 def _free(name: str) -> bool:
-    taken = name in RESERVED or name in _ANY_WORD or name in _LETTERS_OF_THE_LITERATURE
+    taken = name in RESERVED or name in (*_ANY_WORD, "as") or name in _LETTERS_OF_THE_LITERATURE
     return not taken and meant_temporal(name) is None
 
 

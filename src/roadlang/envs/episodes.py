@@ -14,6 +14,7 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..simulation.contacts import ContactDetector
 from ..simulation.decision import Decision
 from ..simulation.driving import DriverGroup
+from ..simulation.leaning import LONG
 from ..simulation.observing import Surroundings, View
 from ..simulation.samples import Samples
 from ..simulation.world import World
@@ -174,13 +175,17 @@ class Episodes:
 
 def can_restart(pool: ScenePool) -> bool:
     """Whether scenes can begin again while others go on: where no controller waits for a condition
-    and no junction gives way."""
-    return not any(
-        call.when is not None or call.during is not None
-        for scene in pool.scenes
-        for actor in scene.agents
-        for call in actor.drive
-    ) and not any(network.junctions for scene in pool.scenes for network in scene.networks)
+    and nobody gives way, at a junction or to a long vehicle in a bend."""
+    return (
+        not any(
+            call.when is not None or call.during is not None
+            for scene in pool.scenes
+            for actor in scene.agents
+            for call in actor.drive
+        )
+        and not any(bool(network.junctions) for scene in pool.scenes for network in scene.networks)
+        and not any(actor.length > LONG for scene in pool.scenes for actor in scene.agents)
+    )
 
 
 def _drivers(world: World, pool: ScenePool, settings: EnvSettings) -> DriverGroup | None:

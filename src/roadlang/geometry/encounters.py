@@ -38,7 +38,8 @@ def _overlap(place: Floats, speed: Floats, half: Floats) -> tuple[Floats, Floats
     """The interval of time in which |place + speed t| <= half; of no such time, it is reversed."""
     moving = speed != 0.0
     divisor = np.where(moving, speed, 1.0)
-    entry, leaving = (-half - place) / divisor, (half - place) / divisor
+    with np.errstate(over="ignore"):  # what hardly moves needs longer than there are numbers for
+        entry, leaving = (-half - place) / divisor, (half - place) / divisor
     inside = np.abs(place) <= half
     begin = np.where(moving, np.minimum(entry, leaving), np.where(inside, -np.inf, np.inf))
     end = np.where(moving, np.maximum(entry, leaving), np.where(inside, np.inf, -np.inf))

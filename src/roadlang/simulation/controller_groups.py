@@ -45,9 +45,8 @@ class Group:
 
     def restart(self, agents: Integers) -> None:
         """Controllers of some agents remember nothing."""
-        if self.state is None and not self.singles:
-            return
         again = np.flatnonzero(np.isin(self.rows, agents))
+        self.since[again], self.held[:, again] = -np.inf, 0.0
         if self.state is not None:
             first = self.controller.first_state(self.of_all, len(self.rows))
             self.state[again] = first[again]

@@ -24,8 +24,6 @@ LONG = 5.0
 """Meters: shorter vehicles have room enough in their lanes."""
 SPACING = 0.5
 """Meters between two points of the line."""
-SPARE = 1.2
-"""Times its least radius, at least, is that of the bends that a vehicle follows."""
 
 
 def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
@@ -36,7 +34,7 @@ def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
     car = vehicle_parameters(actor)
     base = 0.5 * car.wheelbase
     front = base + 0.5 * actor.length
-    least = SPARE * math.hypot(car.wheelbase / math.tan(car.max_steering), base)
+    least = math.hypot(car.wheelbase / math.tan(car.max_steering), base)
     gain = max(0.0, 0.25 * front * front - 0.5 * base * base)
     source = line.source
     s = np.linspace(0.0, source.length, max(2, math.ceil(source.length / SPACING)) + 1)
@@ -58,7 +56,7 @@ def _cut(source: LineSource, s: Floats, least: float) -> tuple[Floats, Floats, F
     """x, y and heading at arc lengths, with a radius of at least about `least` everywhere."""
     x, y, heading = (np.interp(s, source.s, c) for c in (source.x, source.y, source.heading))
     bend = np.gradient(heading, s)
-    tight = s[np.abs(np.convolve(bend, np.full(5, 0.2), mode="same")) > 1.0 / least]
+    tight = s[np.abs(np.convolve(bend, np.full(5, 0.2))[2:-2]) > 1.0 / least]
     if not len(tight):
         return x, y, heading
     reach = math.sqrt(2.0) * least

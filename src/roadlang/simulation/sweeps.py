@@ -70,7 +70,8 @@ def _swept(lines: Lines, row: int, length: float, width: float, base: float) -> 
     spacing = float(lines.spacing[row])
     around = math.ceil((0.5 * length + SPREAD) / spacing)
     is_bend = np.abs(lines.seen_curvature[nodes]) > STRAIGHT
-    near = np.convolve(is_bend, np.ones(2 * around + 1), mode="same")[: last + 1] > 0.0
+    wide = np.convolve(is_bend, np.ones(2 * around + 1))
+    near = wide[around : around + last + 1] > 0.0
     if not is_bend.any():
         return None
     x, y, heading = (column[nodes] for column in (lines.x, lines.y, lines.heading))

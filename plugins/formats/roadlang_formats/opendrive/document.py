@@ -112,7 +112,8 @@ def _heights(part: OpenDriveRoad) -> list[tuple[float, ...]]:
     heights = part.road.elevation
     if not heights:
         return [(0.0, 0.0, 0.0)]
-    at = np.interp(part.stations, part.road.stations, heights)
+    period = part.road.length if part.road.closed else None
+    at = np.interp(part.stations, part.road.stations, heights, period=period)
     return linear_pieces(part.arc_lengths.tolist(), at.tolist(), _LEVEL)
 
 

@@ -53,42 +53,55 @@ class Oncoming:
         """From now on the world has these of its agents alone."""
         self._first = self._first[agents]
 
-    def ahead(self, world: World, stop: Floats, leaders: Leaders, on_junction: Booleans) -> Floats:
+    def ahead(
+        self,
+        world: World,
+        stop: Floats,
+        leaders: Leaders,
+        on_junction: Booleans,
+        due: Integers,
+    ) -> Floats:
         """(N,) meters from the fronts of agents to where they have to wait for somebody who comes
         toward them, infinite for no need. `stop`: (N,) meters to where they have to stop anyway.
         Who does not get to such a place lets others go; who may cross a junction (N,), which it
-        would block, goes before those that are not there yet."""
+        would block, goes before those that are not there yet. Only for the agents `due`, which are
+        all of some scenes."""
         out = np.full(len(world.present), math.inf)
+        before = self._first.copy()
+        self._first[due] = False
         pairs = None if world.sweeps.is_empty else _pairs(world)
         if pairs is None:
             return out
         pairs = _close(*pairs)
         enter, leave = _places(*pairs)
-        meets = np.isfinite(enter).all(axis=0)
+        meets = np.isfinite(enter).all(axis=0) & np.tile(np.isin(pairs[0].agents[pairs[1]], due), 2)
         rows = np.stack([np.tile(pairs[0].agents[place], 2)[meets] for place in pairs[1:]])
         enter, leave = enter[:, meets], leave[:, meets]
         inside = (enter <= -SPACING) & (leave > 0.0)
-        comes = (inside | (_free(world, rows, stop, leaders) > enter)) & (leave > 0.0)
+        free = _free(world, rows, stop, leaders) > enter
+        comes = (inside | (free & ~world.halted[rows])) & (leave > 0.0)
         rank = np.where(inside, -2.0, np.where(on_junction[rows], -1.5, 0.0))
-        yields = self._yields(world, rows, enter, rank, comes)
+        yields = self._yields(world, rows, enter, rank, comes, before)
         waits = comes[::-1] & yields & (enter > -SPACING)
         np.minimum.at(out, rows[waits], enter[waits] - SPACING - BEFORE)
         return out
 
     def _yields(
-        self, world: World, rows: Integers, enter: Floats, rank: Floats, comes: Booleans
+        self,
+        world: World,
+        rows: Integers,
+        enter: Floats,
+        rank: Floats,
+        comes: Booleans,
+        before: Booleans,
     ) -> Booleans:
         """(2, P) which one of each pair lets the other go first. That is remembered. `rank`: lower
         ones go first, those of 0 by arrival."""
         speed, mates = world.motion.speed[rows], rows[::-1] % world.slots
         late = braking_to_stop(speed, enter - SPACING - BEFORE) > UNSTOPPABLE
         arrival = np.where(late, 0.0, seconds_for(enter, speed, EAGER, EAGER_SPEED))
-        before = self._first[rows, mates] & comes
-        rank = np.where(rank < 0.0, rank, np.where(before, -1.0, arrival))
+        rank = np.where(rank < 0.0, rank, np.where(before[rows, mates] & comes, -1.0, arrival))
         yields = (rank > rank[::-1]) | ((rank == rank[::-1]) & (rows > rows[::-1]))
-        scenes = np.unique(rows // world.slots)
-        known = (scenes[:, None] * world.slots + np.arange(world.slots)).ravel()
-        self._first[known] = False
         first = ~yields & comes & (arrival < DECIDED)
         self._first[rows[first], mates[first]] = True
         return np.asarray(yields)
@@ -131,6 +144,8 @@ class _Samples:
         offset, width = world.line_offset[agents], 0.5 * world.bodies.width[agents]
         left, right = world.sweeps.at(agents, cell - track.first)
         over = ~world.closed[agents] & (along > world.end[agents] + half)
+        # Others that are longer have more samples, which may not change what this one sees.
+        over |= s > VIEW + half
         return cls(
             agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
             cosine, sine, left + width, right + width,

@@ -135,7 +135,7 @@ class RightOfWayGrants:
     def _update(self, world: World, leaders: Leaders, rows: Integers) -> None:
         may_cross: Booleans = np.asarray(np.isfinite(self._grants.order).any(axis=1))
         stop = self._waits.stop - world.traveled
-        oncoming = self._oncoming.ahead(world, stop, leaders, may_cross)
+        oncoming = self._oncoming.ahead(world, stop, leaders, may_cross, rows)
         if not self._crossings.junctions:
             self._waits.stop[rows] = (world.traveled + oncoming)[rows]
             return
