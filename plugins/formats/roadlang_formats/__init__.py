@@ -1,1 +1,1 @@
-"""Formats of other tools: scenes as they read them."""
+"""Writers of scenes in the formats of other tools."""

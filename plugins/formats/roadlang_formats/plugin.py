@@ -1,4 +1,4 @@
-"""The kinds that this plugin brings; each is imported when it is used."""
+"""The kinds that this plugin provides; each is imported when it is used."""
 
 from __future__ import annotations
 

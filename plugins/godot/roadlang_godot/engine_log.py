@@ -1,4 +1,4 @@
-"""Files for what engines print, each in a folder named after the process that started it."""
+"""Log files of engines, each in a folder named after the process that started the engine."""
 
 from __future__ import annotations
 

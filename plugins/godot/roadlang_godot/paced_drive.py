@@ -1,4 +1,4 @@
-"""A drive in lock-step at the pace of the engine: its states are answered as they come."""
+"""A drive in lock-step at the pace of the engine: each state is answered when it arrives."""
 
 from __future__ import annotations
 

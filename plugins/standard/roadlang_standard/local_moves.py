@@ -1,4 +1,4 @@
-"""Proposals near known points: regions that lie apart, and moves within them."""
+"""Proposals near known points: separate regions, and moves within them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Points that lie together, apart from others."""
+"""Clusters: points that lie together, apart from others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which agents start elsewhere after an edit of a scenario, by what is written of them."""
+"""Which agents start elsewhere after an edit of a scenario: what is written of them is compared."""
 
 from __future__ import annotations
 

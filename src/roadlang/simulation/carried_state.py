@@ -1,4 +1,4 @@
-"""The state of agents on the way, carried over to the world of an edited scene."""
+"""The state of agents in the middle of a drive, carried over to the world of an edited scene."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 A vehicle whose middle follows a circle of curvature `k` covers, with half of its wheelbase `b` and
 `f` meters from its rear axle to its front bumper, `(f^2 - b^2) k / 2` more than its width outside
 of the circle and `b^2 k / 2` inside, to the first order. Drivers of long vehicles steer so that
-both sides are alike: the middle is `(f^2 - 2 b^2) k / 4` inside of the middle of the lane.
+the two are equal: their middle is `(f^2 - 2 b^2) k / 4` to the inside of the middle of the lane.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What long vehicles cover of the ground beside their lines in bends, beyond their width."""
+"""The ground that long vehicles cover in bends, beside their lines and beyond their width."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which drives have violated all that is expected of them, whatever comes."""
+"""Which drives have violated all that is expected of them, whatever happens next."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Elements of XML, with numbers that are written the same way everywhere."""
+"""XML elements, with numbers that are written the same way on every machine."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Junctions: who is connected with whom, who goes first, and the signals."""
+"""Junctions: their connections, right of way and signals."""
 
 from __future__ import annotations
 

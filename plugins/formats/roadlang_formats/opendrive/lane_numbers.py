@@ -1,4 +1,4 @@
-"""Which lanes lie left of the reference line: in OpenDRIVE the side says which way they run."""
+"""Which lanes lie left of the reference line: in OpenDRIVE the side of a lane is its direction."""
 
 from __future__ import annotations
 

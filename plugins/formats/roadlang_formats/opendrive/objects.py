@@ -1,4 +1,4 @@
-"""Things that stand beside or on roads, each by the nearest road."""
+"""Objects on roads and beside them, each written with the road nearest to it."""
 
 from __future__ import annotations
 

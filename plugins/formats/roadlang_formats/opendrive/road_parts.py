@@ -1,4 +1,4 @@
-"""The roads of a scene as OpenDRIVE numbers them: between their junctions, loops in three parts."""
+"""The roads of a scene as OpenDRIVE has them: cut at junctions, and loops in three parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The places of a network with their turns; places so close that turns have no room are one."""
+"""The places of a network with their turns; places too close to have room for turns are merged."""
 
 from __future__ import annotations
 

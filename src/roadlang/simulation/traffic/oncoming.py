@@ -1,7 +1,8 @@
-"""Narrow places: where a long vehicle covers a part of the lane of oncoming traffic, in bends.
+"""Narrow places: bends in which a long vehicle covers a part of the oncoming lane.
 
-The lines of two that come toward each other are compared. Where both do not fit side by side, who
-is there already, or cannot stop any more, or arrives first goes; the other waits before the place.
+The lines of two agents that come toward each other are compared. Where the two do not fit side by
+side, the one that is there already, cannot stop any more, or arrives first goes; the other waits
+before the place.
 """
 
 from __future__ import annotations

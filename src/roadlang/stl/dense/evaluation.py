@@ -1,4 +1,4 @@
-"""Robustness of a formula over dense time: signals are held until the next sample, or linear."""
+"""Robustness of a formula over dense time: signals are held, or linear between samples."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Temporal operators on functions that are linear between breakpoints.
 
-Windows are clipped to the time that the function is known for. Of an interval that a function does
-not attain its extreme on, the limit counts: robustness is an infimum and a supremum.
+Windows are clipped to the time for which the function is known. Where a function does not attain
+its extreme on an interval, the limit counts: robustness is an infimum or a supremum.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""By how much time a verdict may come early or late before it changes."""
+"""How far signals may shift in time before a verdict changes."""
 
 from __future__ import annotations
 

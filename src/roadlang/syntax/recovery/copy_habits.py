@@ -1,4 +1,4 @@
-"""How many of an agent or object there are, written in front of its kind: `is 300 car on main`."""
+"""The number of agents or objects, written in front of their kind: `is 300 car on main`."""
 
 from __future__ import annotations
 
