@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ import roadlang
 from roadlang import testing
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_opendrive import OpenDriveBackend
-from tests.formats.opendrive_reader import ReadFile, arc_length, number, pose_of
+from tests.formats.opendrive_reader import ReadFile, arc_length, number, polynomial, pose_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CLOSE = 0.01
@@ -242,6 +243,20 @@ def test_a_loop_is_three_roads_one_after_the_other() -> None:
         for id in (1, -1):
             ends = road.middle(id, road.length), other.middle(id, 0.0)
             assert ends[0] == pytest.approx(ends[1], abs=1e-4)
+
+
+def test_heights_of_a_loop_close() -> None:
+    scene = testing.sample(ROADS["loop"])[0].record
+    (road,) = scene.roads
+    heights = tuple(2.0 * math.sin(2.0 * math.pi * s / road.length) for s in road.stations)
+    file = read(replace(scene, roads=(replace(road, elevation=heights),)))
+    ends = [
+        polynomial(part.element.findall("elevationProfile/elevation"), "s", s)
+        for part in file.roads.values()
+        for s in (0.0, part.length)
+    ]
+    assert ends[-1] == pytest.approx(ends[0], abs=2e-3)
+    assert ends[1:-1:2] == pytest.approx(ends[2::2], abs=2e-3)
 
 
 @pytest.mark.parametrize("version", ["1.6", "1.7", "1.8"])

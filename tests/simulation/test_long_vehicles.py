@@ -50,6 +50,16 @@ def test_a_long_vehicle_covers_as_much_ground_outside_of_its_lane_as_inside(leng
     assert outside < 0.7 * (math.hypot(math.sqrt(RADIUS**2 - base**2), front) - RADIUS)
 
 
+@pytest.mark.parametrize("length", [0.3, 1.2, 3.0])
+def test_lines_shorter_than_a_vehicle_are_followed_as_well(length: float) -> None:
+    s = np.linspace(0.0, length, 5)
+    source = LineSource(s, s.copy(), np.zeros(5), np.linspace(0.0, 1.0, 5), 3.5, closed=False)
+    leg = LineLeg(0, 0, -1, 0.0, np.array([0.0, length]), np.array([0.0, length]), math.inf)
+    moved = leaned(RouteLine(source, (leg,)), vehicle(12.0)).source
+    assert np.isfinite(moved.x).all()
+    assert moved.length == pytest.approx(length, rel=0.5)
+
+
 def test_a_car_keeps_to_the_middle_of_its_lane() -> None:
     line = circle()
     assert leaned(line, vehicle(4.5)) is line
