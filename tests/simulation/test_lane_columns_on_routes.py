@@ -69,5 +69,5 @@ def test_who_heeds_no_signals_crosses_stop_lines_at_red_when_they_are(crossing: 
 def test_the_bus_that_cuts_a_corner_is_off_the_road(crossing: Scene) -> None:
     scene = through(crossing, "right")
     (ego,) = scene.agents
-    (trace,) = drive_scenes([replace(scene, agents=(replace(ego, length=20.0),))], duration=20.0)
+    (trace,) = drive_scenes([replace(scene, agents=(replace(ego, length=26.0),))], duration=20.0)
     assert trace.agents["ego"].off_road.max() > 0.3

@@ -27,7 +27,8 @@ _DEEPEST = 3
 
 def _free(name: str) -> bool:
     taken = name in RESERVED or name in (*_ANY_WORD, "as") or name in _LETTERS_OF_THE_LITERATURE
-    return not taken and meant_temporal(name) is None
+    is_letter = len(name) == 1 and name.isupper()  # `X (p)` is `next (p)`
+    return not taken and not is_letter and meant_temporal(name) is None
 
 
 _identifiers = st.from_regex(r"[A-Za-z_][A-Za-z0-9_]{0,7}", fullmatch=True).filter(_free)

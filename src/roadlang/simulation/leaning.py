@@ -20,10 +20,12 @@ from .lines import LineSource
 from .route_lines import LineLeg, RouteLine
 from .smoothing import smoothed
 
-LONG = 5.0
+LONG = 7.0
 """Meters: shorter vehicles have room enough in their lanes."""
 SPACING = 0.5
 """Meters between two points of the line."""
+SPARE = 1.2
+"""Times its least radius, at least, is that of the bends that a vehicle follows."""
 
 
 def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
@@ -34,7 +36,7 @@ def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
     car = vehicle_parameters(actor)
     base = 0.5 * car.wheelbase
     front = base + 0.5 * actor.length
-    least = math.hypot(car.wheelbase / math.tan(car.max_steering), base)
+    least = SPARE * math.hypot(car.wheelbase / math.tan(car.max_steering), base)
     gain = max(0.0, 0.25 * front * front - 0.5 * base * base)
     source = line.source
     s = np.linspace(0.0, source.length, max(2, math.ceil(source.length / SPACING)) + 1)
