@@ -66,11 +66,14 @@ def test_what_is_dragged_changes_the_scene_and_with_save_the_file(
         assert (main.x[-1], main.y[-1]) == pytest.approx((80.0, 6.0))
         assert ("(25m, 31m)" in watched.file.read_text()) is save
         assert ("(80m, 6m)" in watched.file.read_text()) is save
-        printed = capsys.readouterr().out
-        assert printed.count(" changes in ") == 2
+        printed = capsys.readouterr()
+        assert printed.err == ""
+        assert printed.out.count(" changes in ") == 2
         watched.take("object", "tree", (25.0, 31.0))
-        printed = capsys.readouterr().out
-        assert printed == f"`tree` is not placed by numbers in {watched.file}: it stays\n"
+        assert (
+            capsys.readouterr().out
+            == f"`tree` is not placed by numbers in {watched.file}: it stays\n"
+        )
 
 
 def test_a_save_is_seen_once_and_a_moment_without_a_file_is_none(

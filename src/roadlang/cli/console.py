@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, TextIO
 
 import click
 
+from ..plugins.redirection import standard_output
+
 if TYPE_CHECKING:
     from ..diagnostics import Diagnostic
     from ..session.expectations import Expectation
@@ -60,7 +62,8 @@ def _count(number: int, noun: str) -> str:
 
 def echo(text: str) -> None:
     """A result, to stdout, without control characters."""
-    click.echo(_safe(text), color=wants_color(sys.stdout))
+    output = standard_output()
+    click.echo(_safe(text), file=output, color=wants_color(output))
 
 
 def note(text: str) -> None:
@@ -80,7 +83,7 @@ def _safe(text: str) -> str:
 
 def style(text: str, *, fg: str | None = None, bold: bool | None = None) -> str:
     """`text` in a color or bold, as `click.style` has them, where stdout shows colors."""
-    return click.style(text, fg=fg, bold=bold) if wants_color(sys.stdout) else text
+    return click.style(text, fg=fg, bold=bold) if wants_color(standard_output()) else text
 
 
 def violations(expectations: Iterable[Expectation]) -> Iterator[str]:

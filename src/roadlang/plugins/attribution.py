@@ -3,9 +3,9 @@ else."""
 
 from __future__ import annotations
 
-import sys
 from types import TracebackType
 
+from .redirection import begin_redirection, end_redirection
 from .termination import Terminated, raise_if_terminated
 
 
@@ -25,11 +25,10 @@ class attributed:
     for the results of commands.
     """
 
-    __slots__ = ("_output",)
+    __slots__ = ()
 
     def __enter__(self) -> None:
-        self._output = sys.stdout
-        sys.stdout = sys.stderr
+        begin_redirection()
 
     def __exit__(
         self,
@@ -37,7 +36,7 @@ class attributed:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        sys.stdout = self._output
+        end_redirection()
         if isinstance(error, KeyboardInterrupt | Terminated):
             return
         raise_if_terminated()
