@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli import main as cli
-from roadlang_godot import engine
+from roadlang_godot import engine, engine_places
 from roadlang_godot.faults import EngineError
 
 SCENE = """road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] }, width: 8m }
@@ -21,7 +21,7 @@ def nowhere(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """A machine without an engine."""
     monkeypatch.delenv("ROADLANG_GODOT", raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
-    monkeypatch.setattr(engine, "_PLACES", ())
+    monkeypatch.setattr(engine_places, "_PLACES", ())
     return tmp_path
 
 

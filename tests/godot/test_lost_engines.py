@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene, Trace
-from roadlang_godot import driving, simulate
+from roadlang_godot import driving, restarted_engine, simulate
 from roadlang_godot import engine as engines
 from roadlang_godot.faults import EngineError
 from roadlang_godot.session import Session
@@ -37,8 +37,12 @@ def traces() -> list[Trace]:
     return list(simulate.drive_scenes(scenes(), SETTINGS, [{}, {}]))
 
 
-def kills(monkeypatch: pytest.MonkeyPatch, when: Callable[[int], bool]) -> list[int]:
-    """Engines are killed in drives of these numbers. Returns the processes killed so far."""
+def kills(
+    monkeypatch: pytest.MonkeyPatch,
+    when: Callable[[int], bool],
+    by: signal.Signals = signal.SIGKILL,
+) -> list[int]:
+    """Engines end by a signal in drives of these numbers. Returns those that ended so far."""
     killed: list[int] = []
     running: list[engines.Engine] = []
     start, drive = engines.start, driving.run
@@ -53,7 +57,7 @@ def kills(monkeypatch: pytest.MonkeyPatch, when: Callable[[int], bool]) -> list[
         count += 1
         if when(count):
             session.flush()
-            running[-1].process.send_signal(signal.SIGKILL)
+            running[-1].process.send_signal(by)
             killed.append(running[-1].process.pid)
         return drive(session, ticks, **options)  # type: ignore[arg-type]
 
@@ -78,12 +82,63 @@ def test_drives_whose_engines_are_killed_give_the_same_traces(
 
 def test_a_scene_that_loses_every_engine_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     started().stop()
-    killed = kills(monkeypatch, lambda drive: drive > 1)
+    killed = kills(monkeypatch, lambda drive: drive > 1, signal.SIGSEGV)
     driven = simulate.drive_scenes(scenes(), SETTINGS, [{}, {}])
     next(iter(driven))
     with pytest.raises(EngineError, match=r"RL505.*3 engines were lost in scene 0 of `test`"):
         next(iter(driven))
-    assert len(killed) == simulate.MOST_LOSSES
+    assert len(killed) == restarted_engine.MOST_LOSSES
+
+
+def test_a_scene_in_which_all_engines_are_killed_is_named_as_well(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    started().stop()
+    monkeypatch.setattr(restarted_engine, "MOST_KILLS", 4)
+    killed = kills(monkeypatch, lambda drive: True)
+    with pytest.raises(EngineError, match=r"RL505.*4 engines were lost in scene 0 of `test`"):
+        traces()
+    assert len(killed) == 4
+
+
+class Killed:
+    """Starts engines, of which the first `count` are killed before anything is built in them."""
+
+    def __init__(self, count: int) -> None:
+        self.left = count
+        self.start = engines.start
+
+    def __call__(self, **options: object) -> engines.Engine:
+        engine = self.start(**options)  # type: ignore[arg-type]
+        if self.left:
+            self.left -= 1
+            engine.process.kill()
+            engine.process.wait()
+        return engine
+
+
+def test_engines_that_are_killed_while_they_start_count_against_no_scene(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    started().stop()
+    undisturbed = traces()
+    killed = Killed(restarted_engine.MOST_LOSSES + 2)
+    monkeypatch.setattr(engines, "start", killed)
+    again = traces()
+    assert killed.left == 0
+    for one, other in zip(undisturbed, again, strict=True):
+        np.testing.assert_array_equal(one.agents["ego"].x, other.agents["ego"].x)
+
+
+def test_engines_that_never_start_are_no_fault_of_a_scene(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    started().stop()
+    monkeypatch.setattr(restarted_engine, "MOST_KILLS", 2)
+    monkeypatch.setattr(engines, "start", Killed(2))
+    with pytest.raises(EngineError, match="RL505") as found:
+        traces()
+    assert "scene" not in str(found.value)
 
 
 def test_an_engine_ends_with_whoever_started_it() -> None:

@@ -9,7 +9,7 @@ import shutil
 import signal
 import subprocess
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -17,6 +17,7 @@ from pathlib import Path
 from roadlang.api import Code
 
 from .engine_log import new_log
+from .engine_places import usual_executables
 from .faults import EngineError, fault
 from .link import DatagramLink
 from .link_udp import UdpLink
@@ -31,21 +32,9 @@ busy machine it may get little time. Where the process ends, nobody waits that l
 """Drawing in software takes seconds, in which an engine answers nobody."""
 
 _KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
+_KILLED = {code for number in (_KILL, signal.SIGTERM) for code in (-number, 128 + number)}
+"""Exit codes of a process that was killed, and of a virtual screen's whose engine was."""
 _VARIABLE = "ROADLANG_GODOT"
-_NAMES = ("godot4", "godot", "Godot", "godot4-bin")
-_PLACES = (
-    "/usr/local/bin",
-    "/usr/bin",
-    "/opt/godot",
-    "/opt/godot4",
-    "~/.local/bin",
-    "~/bin",
-    "/snap/bin",
-    "/var/lib/flatpak/exports/bin",
-    "/Applications/Godot.app/Contents/MacOS",
-    "~/Applications/Godot.app/Contents/MacOS",
-    "C:/Program Files/Godot",
-)
 _LISTENING = re.compile(r"roadlang: listening on (\S+):(\d+)")
 _NO_PORT = "roadlang: cannot listen on"
 _HELP = (
@@ -70,7 +59,7 @@ def find() -> Path:
                 reason=f"{_VARIABLE} is `{configured}`, which cannot be run",
             )
         return Path(found).absolute()
-    for candidate in _candidates():
+    for candidate in usual_executables():
         found = shutil.which(candidate)
         if found is not None:
             return Path(found).absolute()
@@ -150,6 +139,11 @@ class Engine:
 
     def _is_running(self) -> bool:
         return self.process.poll() is None
+
+    @property
+    def was_killed(self) -> bool:
+        """Whether something else has ended the process, not a fault of its own."""
+        return self.process.poll() in _KILLED
 
     def output(self) -> str:
         """What the engine has printed."""
@@ -277,7 +271,7 @@ def _not_started(name: str, printed: str, engine: Engine) -> EngineError:
             engine=name,
             reason=f"port {engine.port} of {engine.host} is in use or not allowed",
         )
-    if engine.process.returncode == -_KILL:
+    if engine.was_killed:
         reason = "its process was killed while it started"
         return fault(Code.GODOT_DISCONNECTED, reason=reason)
     try:
@@ -289,10 +283,3 @@ def _not_started(name: str, printed: str, engine: Engine) -> EngineError:
     shown = errors[:3] or printed.strip().splitlines()[-3:]
     reason = "it did not start listening"
     return fault(Code.GODOT_NOT_STARTED, shown, engine=name, reason=reason)
-
-
-def _candidates() -> Iterator[str]:
-    yield from _NAMES
-    for place in _PLACES:
-        for name in _NAMES:
-            yield str(Path(place).expanduser() / name)

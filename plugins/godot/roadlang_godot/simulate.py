@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,18 +14,16 @@ from roadlang.api import Code
 
 from . import driving, engine
 from .drives import decided_in_python
-from .faults import EngineError, fault
+from .faults import fault
 from .followed_scene import FollowedScene
 from .layout import layout_of
+from .restarted_engine import RestartedEngine
 from .session import Session
 from .telemetry import of_agent
 
 if TYPE_CHECKING:
     from roadlang.api import Controller, Scene, Trace
 
-MOST_LOSSES = 3
-"""Engines that one scene may lose before it counts as their cause."""
-_LOST = frozenset({Code.GODOT_DISCONNECTED, Code.GODOT_NOT_ANSWERING})
 LEAST_RATE = 60.0
 """Ticks a second below which wheeled bodies are not stable in Godot."""
 
@@ -64,59 +63,19 @@ def drive_scenes(
     """Drive scenes one after the other in one engine, each in a fresh world.
 
     An engine that is lost is started again, and drives the same scene from its start: the trace is
-    the same. Raises RL505 with the name of a scene with which `MOST_LOSSES` engines were lost.
+    the same. Raises RL505 with the name of a scene in which too many engines were lost.
     """
-    engines = RestartedEngine(settings)
+    fixed = settings.rate if settings.headless else None
+    engines = RestartedEngine(lambda: engine.start(fixed_fps=fixed, window=not settings.headless))
     try:
         for scene, of_scene in zip(scenes, controllers, strict=True):
-            yield engines.drive(scene, of_scene)
+            yield engines.drive(scene, partial(_drive, scene, settings, of_scene))
     finally:
         engines.stop()
 
 
-class RestartedEngine:
-    """An engine with a session, started when it is needed, and again when it is lost."""
-
-    def __init__(self, settings: Settings) -> None:
-        self._settings = settings
-        self._engine: engine.Engine | None = None
-        self._session: Session | None = None
-
-    def drive(self, scene: Scene, controllers: Controllers) -> Trace:
-        """Drive a scene, again where the engine is lost on the way."""
-        for attempt in range(MOST_LOSSES):
-            try:
-                return drive_in(self._connected(scene), scene, self._settings, controllers)
-            except EngineError as error:
-                lost = {found.code for found in error.diagnostics} & _LOST
-                if not lost:
-                    raise
-                self.stop()
-                if attempt + 1 == MOST_LOSSES:
-                    raise _lost_with(scene, error) from error
-        raise AssertionError("unreachable")
-
-    def stop(self) -> None:
-        """End the session and the engine."""
-        session, running = self._session, self._engine
-        self._session = self._engine = None
-        if session is not None:
-            session.close()
-        if running is not None:
-            running.stop()
-
-    def _connected(self, scene: Scene) -> Session:
-        if self._session is None:
-            fixed = self._settings.rate if self._settings.headless else None
-            self._engine = engine.start(fixed_fps=fixed, window=not self._settings.headless)
-            self._session = self._engine.connect(scene.name)
-        return self._session
-
-
-def _lost_with(scene: Scene, error: EngineError) -> EngineError:
-    reason = f"{MOST_LOSSES} engines were lost in scene {scene.index} of `{scene.name}`"
-    last = [found.message for found in error.diagnostics]
-    return fault(Code.GODOT_DISCONNECTED, [f"the last one: {text}" for text in last], reason=reason)
+def _drive(scene: Scene, settings: Settings, controllers: Controllers, session: Session) -> Trace:
+    return drive_in(session, scene, settings, controllers)
 
 
 def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Controllers) -> Trace:

@@ -18,6 +18,7 @@ class GodotSimulator(Simulator):
     """Godot with its physics engine: wheels, suspension and tire friction."""
 
     name: ClassVar[str] = "godot"
+    at_once: ClassVar[int] = 8
 
     duration: Duration = option(60.0, above=0, maximum=3600, help="maximum duration of a drive")
     step: Duration = option(0.02, minimum=0.001, maximum=1, help="sampling interval of the trace")

@@ -8,10 +8,7 @@ from typing import Any
 
 from ..ir.scene import Scene
 from ..plugins.registry import Registry
-from .simulators import Driven, drive_scenes
-
-AT_ONCE = 64
-"""Scenes that are driven together: a simulator drives many in little more time than one."""
+from .simulators import Driven, drive_scenes, simulator_of
 
 
 @dataclass(frozen=True)
@@ -26,8 +23,12 @@ class DriveTask:
         """Drive some scenes."""
         return drive_scenes(scenes, self.registry, self.engine, self.options)
 
-
-def parts_of(count: int, workers: int) -> list[range]:
-    """The numbers of `count` scenes in parts, each driven together."""
-    size = max(1, min(AT_ONCE, -(-count // max(workers, 1))))
-    return [range(start, min(start + size, count)) for start in range(0, count, size)]
+    def parts(self, scenes: Sequence[Scene], workers: int) -> list[range]:
+        """The places of scenes in parts, each of which a worker drives together."""
+        if not scenes:
+            return []
+        _, simulator = simulator_of(scenes[0], self.registry, self.engine, self.options)
+        share = -(-len(scenes) // max(workers, 1))
+        size = max(1, min(simulator.at_once, share))
+        starts = range(0, len(scenes), size)
+        return [range(start, min(start + size, len(scenes))) for start in starts]

@@ -9,7 +9,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
-from ..drive.batches import DriveTask, parts_of
+from ..drive.batches import DriveTask
 from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.standing import without_objects
@@ -55,8 +55,9 @@ def drive_in_parts(
 ) -> Iterator[DriveSet]:
     """The drives of parts of the scenes, in order, each part as soon as it and those before it are
     done."""
-    parts = parts_of(len(scenes), workers.jobs)
-    records = [[scenes[number].record for number in part] for part in parts]
+    each = [scene.record for scene in scenes]
+    parts = task.parts(each, workers.jobs)
+    records = [[each[number] for number in part] for part in parts]
     with WorkerPool(task, workers) as pool:
         for part, driven in zip(parts, pool.map(DriveTask.drive, records), strict=True):
             pairs = zip(part, driven, strict=True)

@@ -1,0 +1,81 @@
+"""`roadlang run` with engines that something kills: the files are those of an undisturbed run."""
+
+from __future__ import annotations
+
+import subprocess
+import threading
+from pathlib import Path
+
+import pytest
+
+from roadlang.cli import main as cli
+from roadlang_godot import engine as engines
+from tests.godot.godot_engines import started
+
+pytestmark = pytest.mark.godot
+
+SCENE = """param bend = choice(10m, 20m, 30m)
+road main {
+  draw with waypoints { points: [(0m, 0m), (40m, 0m), (70m, 10m)] }
+  width: 8m
+}
+agent ego is car on main at uniform(4m, 8m) { drive with pure_pursuit { speed: 8m/s } }
+expect calm: always (ego.speed < 9m/s)
+"""
+
+
+def files(folder: Path, *words: str) -> dict[str, bytes]:
+    file = folder.parent / "scene.rl"
+    file.write_text(SCENE, encoding="utf-8")
+    command = ["run", str(file), "--engine", "godot", "--duration", "5", "-o", str(folder)]
+    assert cli.run([*command, *words]) == 0
+    names = ("*.csv", "*.json")
+    found = {path.name: path.read_bytes() for name in names for path in folder.glob(name)}
+    return {name: data for name, data in found.items() if name != "provenance.json"}
+
+
+def test_more_engines_give_the_same_files(tmp_path: Path) -> None:
+    started().stop()
+    alone = files(tmp_path / "alone", "-n", "4")
+    assert len(alone) > 4
+    assert files(tmp_path / "both", "-n", "4", "--jobs", "2") == alone
+
+
+class Killer:
+    """Kills the engine that runs, again and again, whatever it does just then."""
+
+    def __init__(self, pauses: list[float]) -> None:
+        self._pauses = iter(pauses)
+        self._start = engines._spawn
+        self.killed: list[int] = []
+        self._timers: list[threading.Timer] = []
+
+    def spawn(self, command: list[str], log: Path) -> subprocess.Popen[bytes]:
+        process = self._start(command, log)
+        pause = next(self._pauses, None)
+        if pause is not None:
+            timer = threading.Timer(pause, self._kill, [process])
+            self._timers.append(timer)
+            timer.start()
+        return process
+
+    def _kill(self, process: subprocess.Popen[bytes]) -> None:
+        if process.poll() is None:
+            process.kill()
+            self.killed.append(process.pid)
+
+    def end(self) -> None:
+        for timer in self._timers:
+            timer.join()
+
+
+def test_engines_killed_at_any_moment_change_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started().stop()
+    undisturbed = files(tmp_path / "alone", "-n", "6")
+    killer = Killer([0.05, 0.2, 0.4, 0.6, 0.8])
+    monkeypatch.setattr(engines, "_spawn", killer.spawn)
+    assert files(tmp_path / "disturbed", "-n", "6") == undisturbed
+    killer.end()
+    assert len(killer.killed) >= 2
