@@ -65,12 +65,16 @@ class Acceptance:
         return any(self._is_varying(requirement) for requirement in self.requirements)
 
     def judge(
-        self, candidates: CandidateBatch, scenes: Sequence[int] | NDArray[np.int64] | None = None
+        self,
+        candidates: CandidateBatch,
+        scenes: NDArray[np.int64] | None = None,
+        most: NDArray[np.int64] | None = None,
     ) -> AcceptanceResult:
         """Each requirement is tried on the survivors of those before it.
 
-        With `scenes` (V,) the last requirements are tried on the survivors of each scene only until
-        one passes: those after it count as accepted.
+        With `scenes` (V,) the last requirements are tried on the survivors of each scene in order,
+        only until one passes or as many as `most` (V,) of its scene have failed: those after it
+        count as accepted.
         """
         count = candidates.count
         rho = np.full((len(self.requirements), count), np.nan)
@@ -88,7 +92,9 @@ class Acceptance:
         elif last and scenes is None:
             self._sift(candidates.take(rows), rows, last, result)
         elif last and scenes is not None:
-            self._sift_wanted(candidates, rows, np.asarray(scenes)[rows], last, result)
+            if most is not None:
+                rows = rows[_rank_in_group(scenes[rows]) < most[rows]]
+            self._sift_wanted(candidates, rows, scenes[rows], last, result)
         return result
 
     def rejected_last(self, result: AcceptanceResult) -> Booleans:
@@ -182,3 +188,12 @@ class Acceptance:
         scenario = self.scenario
         geometric = (n for n in requirement.names if n in scenario.roads or n in scenario.networks)
         return any(scenario.is_varying(name) for name in geometric)
+
+
+def _rank_in_group(groups: NDArray[np.int64]) -> NDArray[np.intp]:
+    """(V,) how many before it are of the same group."""
+    order = np.argsort(groups, kind="stable")
+    _, first, sizes = np.unique(groups[order], return_index=True, return_counts=True)
+    rank = np.empty(len(groups), np.intp)
+    rank[order] = np.arange(len(groups)) - np.repeat(first, sizes)
+    return rank

@@ -18,8 +18,9 @@ Propose = Callable[[CandidateBatch], Mapping[str, Floats]]
 """The coordinates, by name, that candidates are to have."""
 
 CROWDED = 40
-"""Attempts of a scene that fail only because something finds no room, after which it is given up:
-each has been arranged many times."""
+"""Attempts of a scene that fail only because something finds no room, at the last of which it is
+given up: each has been arranged many times. Counted attempt by attempt, so that the size of batches
+does not decide it."""
 
 
 def accepted_attempts(
@@ -29,32 +30,35 @@ def accepted_attempts(
     scenes: Sequence[int],
     attempts: range | None = None,
     propose: Propose | None = None,
+    crowded: dict[int, int] | None = None,
 ) -> tuple[list[Accepted], RejectionStats]:
     """The first accepted of the `attempts` of each scene (all that it has, unless they are given),
-    and the counts up to it. Attempts draw evenly, or have the coordinates that are proposed."""
+    and the counts up to it. Attempts draw evenly, or have the coordinates that are proposed.
+
+    `crowded`: the attempts of each scene that failed for want of room before; they are added to.
+    """
     limit, together = attempts_of(sampler, acceptance), batch_size(acceptance)
     first, end = (0, limit) if attempts is None else (attempts.start, min(attempts.stop, limit))
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: dict[int, Accepted] = {}
-    crowded: dict[int, int] = {}
-    pending, start = list(scenes), first
+    crowded = {} if crowded is None else crowded
+    pending, start = [s for s in scenes if crowded.get(s, 0) < CROWDED], first
     while pending and start < end:
         width = max(1, together // len(pending))
         width = min(width, end - start, 4 * start + 4)
         tries = np.arange(start, start + width)
         candidates = _candidates(acceptance, seed, pending, tries, propose)
-        judged = acceptance.judge(candidates, candidates.scenes)
-        counted = np.ones(candidates.count, dtype=bool)
+        left = np.array([CROWDED - crowded.get(scene, 0) for scene in pending])
+        judged = acceptance.judge(candidates, candidates.scenes, np.repeat(left, width))
         fine = judged.accepted.reshape(len(pending), width)
+        failed = np.cumsum(acceptance.rejected_last(judged).reshape(fine.shape), axis=1)
+        ended = fine | (failed >= left[:, None])
+        last = np.where(ended.any(axis=1), ended.argmax(axis=1), width - 1)
+        stats.count(judged, (np.arange(width) <= last[:, None]).reshape(-1))
         for row, scene in enumerate(pending):
-            if fine[row].any():
-                place = row * width + int(fine[row].argmax())
-                accepted[scene] = _accepted(candidates, place)
-                counted[place + 1 : (row + 1) * width] = False
-        stats.count(judged, counted)
-        last = acceptance.rejected_last(judged).reshape(len(pending), width).sum(axis=1)
-        for scene, number in zip(pending, last.tolist(), strict=True):
-            crowded[scene] = crowded.get(scene, 0) + number
+            crowded[scene] = crowded.get(scene, 0) + int(failed[row, last[row]])
+            if fine[row, last[row]]:
+                accepted[scene] = _accepted(candidates, row * width + int(last[row]))
         pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
         start += width
     return [accepted[scene] for scene in sorted(accepted)], stats

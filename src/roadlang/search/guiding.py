@@ -91,6 +91,7 @@ def guided_attempts(
         even, counts = accepted_attempts(acceptance, sampler, seed, scenes)
         stats.add(counts)
         return even, stats
+    crowded: dict[int, int] = {}
     steered, counts = accepted_attempts(
         acceptance,
         sampler,
@@ -98,12 +99,13 @@ def guided_attempts(
         scenes,
         attempts=range(STEERED),
         propose=lambda candidates: pilot.propose(sampler, candidates.random(_PLACE)),
+        crowded=crowded,
     )
     stats.add(counts)
     found = {accepted.scene: accepted for accepted in steered}
     others = [scene for scene in scenes if scene not in found]
     even, counts = accepted_attempts(
-        acceptance, sampler, seed, others, attempts=range(STEERED, 1 << 62)
+        acceptance, sampler, seed, others, attempts=range(STEERED, 1 << 62), crowded=crowded
     )
     stats.add(counts)
     found |= {accepted.scene: accepted for accepted in even}
