@@ -8,11 +8,12 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 
+from ..diagnostics import DiagnosticError
 from ..geometry.arrays import Floats, Integers, inverse_index
 from ..ir.scene import Scene
 from ..ir.trace import AgentTrace, Trace
@@ -70,6 +71,11 @@ class _Part:
     objects: Mapping[int, tuple[AgentTrace, ...]]
     """by place: that of each scene"""
 
+    def chosen(self, index: Integers) -> _Part:
+        """Some of its rows."""
+        objects = {at: tuple(some[i] for i in index) for at, some in self.objects.items()}
+        return replace(self, rows=self.rows[index], scenes=self.scenes[index], objects=objects)
+
 
 class SignalCall:
     """One signal of a condition for R agents, which may be in different scenes.
@@ -91,6 +97,7 @@ class SignalCall:
         self._entry = signals[kind]
         self._slots = world.slots
         self._count = len(calls)
+        self.failed = np.zeros(len(calls), dtype=bool)
         found: dict[str, list[int]] = {}
         places = [
             self._places(call, world.scenes[scene])
@@ -131,23 +138,46 @@ class SignalCall:
                 out[part.rows] = self._together(part, samples, int(self.looks_back))
         return out
 
+    def known_values(self, samples: Samples) -> Floats:
+        """(R,) the same, but NaN for agents in whose scenes the kind has failed, now or before: see
+        `failed` (R,). A failure in one scene says nothing of the others."""
+        out = np.full(self._count, math.nan)
+        parts, self._parts = self._parts, []
+        for part in parts:
+            try:
+                out[part.rows] = self._together(part, samples, int(self.looks_back))
+            except DiagnosticError:
+                part = self._without_failures(part, samples, out)
+            if len(part.rows):
+                self._parts.append(part)
+        return out
+
+    def _without_failures(self, part: _Part, samples: Samples, out: Floats) -> _Part:
+        """The rows of a part that can be evaluated by themselves; their values go to `out`."""
+        for index, row in enumerate(part.rows.tolist()):
+            alone = part.chosen(np.array([index]))
+            try:
+                out[row] = self._together(alone, samples, int(self.looks_back))[0]
+            except DiagnosticError:
+                self.failed[row] = True
+        return part.chosen(np.flatnonzero(~self.failed[part.rows]))
+
     def take(self, rows: Integers, agents: Integers, count: int) -> None:
         """From now on it is about `rows` of its agents alone; of the `count` agents of the world
         there are those that are `agents`."""
         place = inverse_index(agents, count)
         number = inverse_index(rows, self._count)
+        chosen = [part.chosen(np.flatnonzero(number[part.rows] >= 0)) for part in self._parts]
         self._parts = [
-            _Part(
-                number[part.rows[remaining]],
-                place[part.scenes[remaining] * self._slots] // self._slots,
-                part.places,
-                part.options,
-                {at: tuple(some[i] for i in remaining) for at, some in part.objects.items()},
+            replace(
+                part,
+                rows=number[part.rows],
+                scenes=place[part.scenes * self._slots] // self._slots,
             )
-            for part in self._parts
-            if len(remaining := np.flatnonzero(number[part.rows] >= 0))
+            for part in chosen
+            if len(part.rows)
         ]
-        self._count = len(rows)
+        self._count, self.failed = len(rows), self.failed[rows]
 
     def _places(self, call: Mapping[str, Any], scene: Scene) -> dict[str, tuple[int, ...]]:
         """Where in the lists of a scene the things are that the options name."""

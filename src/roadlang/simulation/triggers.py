@@ -63,6 +63,12 @@ class Trigger:
         past = np.zeros(len(rows), dtype=bool) if latched else None
         return cls(form[0][0], rows, condition, signals, past)
 
+    def known(self, samples: Samples, time: float) -> tuple[Booleans, Booleans]:
+        """(R,) whose condition holds, and (R,) for whom a signal has failed so far."""
+        now = self.condition.now(time, lambda name: self.signals[name].known_values(samples))
+        failed = [signal.failed for signal in self.signals.values()]
+        return now, np.logical_or.reduce([np.zeros(len(self.rows), dtype=bool), *failed])
+
     def holds(self, samples: Samples, time: float) -> Booleans:
         """(R,) whose condition holds."""
         now = self.condition.now(time, lambda name: self.signals[name].values(samples))

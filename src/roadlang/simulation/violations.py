@@ -73,12 +73,24 @@ class ViolationWatch:
             first = number * world.slots
             found += [(at, first, part) for at, part in enumerate(expected) if part is not None]
         for form in conditions_by_form(found):
-            try:
-                trigger = Trigger.of(form, world, signals, latched=False)
-            except DiagnosticError:  # not known step by step: those scenes go on to their ends
-                continue
-            if not any(signal.looks_back for signal in trigger.signals.values()):
-                self._watched.append(_Watched(trigger, Samples(0), np.zeros(len(form), dtype=bool)))
+            trigger = _trigger(form, world, signals)
+            if trigger and not any(signal.looks_back for signal in trigger.signals.values()):
+                self._watched.append(
+                    _Watched(trigger, Samples(0), np.zeros(len(trigger.rows), bool))
+                )
+
+
+def _trigger(
+    form: list[PlacedCondition], world: World, signals: Mapping[str, KindEntry]
+) -> Trigger | None:
+    """Of those conditions that are known step by step; scenes with others go on to their ends."""
+    try:
+        return Trigger.of(form, world, signals, latched=False)
+    except DiagnosticError:
+        if len(form) == 1:
+            return None
+    known = [one for one in form if _trigger([one], world, signals)]
+    return Trigger.of(known, world, signals, latched=False) if known else None
 
 
 @dataclass
@@ -94,13 +106,15 @@ class _Watched:
         cannot be evaluated step by step."""
         self.samples.add(world, poses)
         try:
-            holds = self.trigger.holds(self.samples, world.time)
-        except DiagnosticError:  # the fault is reported when the trace is judged
+            holds, failed = self.trigger.known(self.samples, world.time)
+        except DiagnosticError:  # of the formula, the same in every scene
             return None
         if _KNOWN_LATER in self.samples.members_read:
             return None
-        new = self.trigger.rows[~holds & ~self.violated]
-        self.violated |= ~holds
+        # A scene whose signal fails goes on to its end; the fault is reported when it is judged.
+        violated = ~holds & ~failed
+        new = self.trigger.rows[violated & ~self.violated]
+        self.violated |= violated
         return new
 
     def take(self, place: Integers, agents: Integers) -> None:
