@@ -59,6 +59,9 @@ func put(kind: int, thing_id: int, revision: int, reader: Reader) -> String:
 	add_child(made)
 	if made is Agent and old is Agent:
 		(made as Agent).go_on(old as Agent)
+	if made is Weather and (made as Weather).extent > extent:
+		extent = (made as Weather).extent
+		_ground.cover(extent)
 	if old != null:
 		_drop(old)
 	builds += 1

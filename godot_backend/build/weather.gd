@@ -4,9 +4,12 @@ extends "res://build/thing.gd"
 const Looks := preload("res://build/looks.gd")
 
 const CLEAR_DAY := 6000.0
+const MOST_EXTENT := 50000.0
 
 ## Tire friction on the road.
 var friction := 0.9
+## How far the ground reaches to each side, where an edit has made the scene larger; else 0.
+var extent := 0.0
 
 var _sun := DirectionalLight3D.new()
 var _environment := Environment.new()
@@ -20,6 +23,7 @@ func build(reader: Reader) -> String:
 	if settings.is_empty():
 		return "bad world"
 	friction = clampf(_number(settings, "friction", 0.9), 0.01, 5.0)
+	extent = clampf(_number(settings, "extent", 0.0), 0.0, MOST_EXTENT)
 	var rain := clampf(_number(settings, "rain", 0.0), 0.0, 1.0)
 	var cloud := clampf(_number(settings, "cloud", rain), 0.0, 1.0)
 	var elevation := _number(settings, "sun_elevation", 0.6)

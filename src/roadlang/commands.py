@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .drive.controllers import python_controllers
     from .files.writing import replace_file, write_all, write_file
     from .ir.edited_starts import edited_starts
-    from .judging.drives import judge
+    from .judging.running_drives import judge_so_far
     from .session.params import parse_overrides
     from .session.scene_files import read_scene_file
     from .syntax.scene_edits import object_moved, waypoint_moved
@@ -27,7 +27,7 @@ _LATER = {
     ".files.writing": "replace_file write_all write_file",
     ".drive.controllers": "python_controllers",
     ".ir.edited_starts": "edited_starts",
-    ".judging.drives": "judge",
+    ".judging.running_drives": "judge_so_far",
     ".session.params": "parse_overrides",
     ".session.scene_files": "read_scene_file",
     ".syntax.scene_edits": "object_moved waypoint_moved",
@@ -42,7 +42,7 @@ __all__ = [
     "echo",
     "edited_starts",
     "exit_codes",
-    "judge",
+    "judge_so_far",
     "note",
     "object_moved",
     "parse_overrides",

@@ -81,6 +81,20 @@ def test_a_car_drives_on_while_its_road_is_moved(live_session: Session) -> None:
     assert live_session.prove().parts == len(live.layout.parts)
 
 
+def test_the_ground_grows_where_an_edit_moves_a_road_beyond_it(live_session: Session) -> None:
+    def of_length(meters: float) -> Scene:
+        return scene(road("main", pieces(straight(meters))), objects=[thing("tree", 30.0, 20.0)])
+
+    live = LiveScene(live_session, of_length(100.0))
+    beside = 820.0 - live.layout.frame.x, 30.0
+    assert live_session.probe(*beside) is None
+    live.change(of_length(800.0))
+    until(lambda: live_session.probe(*beside) is not None)
+    sent = live.change(of_length(810.0))
+    assert sent < 25, "the ground is not sent again"
+    assert live_session.prove().parts == len(live.layout.parts)
+
+
 def test_the_drive_of_a_client_that_left_is_not_reported_to_the_next(fresh_engine: Engine) -> None:
     main = road("main", pieces(straight(120)))
     ego = car("ego", main, 5.0, call("pure_pursuit", speed=7.0, lookahead=5.0))

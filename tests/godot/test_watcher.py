@@ -23,6 +23,8 @@ object tree is tree on main at 30m { side: left, offset: 4m }
 let bend = abs(curvature(main))
 require gentle: always (bend < 0.2/m)
 expect slow: always (ego.speed < 3m/s)
+expect arrives: eventually (ego.progress > 0.95)
+expect moves: eventually (ego.speed > 2m/s)
 """
 
 
@@ -103,9 +105,11 @@ def test_robustness_is_shown_of_requirements_and_of_what_was_driven(
     with watched.session:
         assert _lines(watched.live, watched.scenes) == ["ok  gentle  0.20"]
         until(lambda: bool(watched.live.listen(0.05)) or watched.live.trace() is not None)
-        gentle, slow = _lines(watched.live, watched.scenes)
+        gentle, slow, arrives, moves = _lines(watched.live, watched.scenes)
         assert gentle == "ok  gentle  0.20"
         assert slow.startswith("BROKEN  slow  -")
+        assert arrives.startswith("undecided  arrives  -")
+        assert moves.startswith("ok  moves  ")
 
 
 def test_watching_ends_after_the_time_that_is_said(

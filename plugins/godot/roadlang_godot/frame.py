@@ -35,4 +35,10 @@ def frame_around(points: NDArray[np.float64]) -> tuple[SceneOrigin, float]:
     """The frame in the middle of (n, 2) points, and how far they reach from it, in meters."""
     low, high = points.min(axis=0), points.max(axis=0)
     middle = np.round((low + high) / 2)
-    return SceneOrigin(float(middle[0]), float(middle[1])), float(np.abs(points - middle).max())
+    origin = SceneOrigin(float(middle[0]), float(middle[1]))
+    return origin, extent_from(origin, points)
+
+
+def extent_from(origin: SceneOrigin, points: NDArray[np.float64]) -> float:
+    """How far (n, 2) points reach from an origin to any side, in meters."""
+    return float(np.abs(points - (origin.x, origin.y)).max())

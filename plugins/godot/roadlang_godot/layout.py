@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.api import Code
 
 from .agent_specs import agent_spec, followed_lines, kept_start
 from .drives import undriven_agents
 from .faults import fault
-from .frame import SceneOrigin, frame_around
+from .frame import SceneOrigin, extent_from, frame_around
 from .junction_parts import paint_parts, signal_parts
 from .junctions import RoadArm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 
 BESIDE = 150.0
 """Flat ground around everything, meters."""
+GROWTH = 200.0
+"""Meters by which the ground grows at once where an edit moves a road beyond it."""
 MOSTLY = 0.9
 """Share of a road that lies on a network, from which on it is a way through the network."""
 
@@ -47,6 +51,8 @@ class Layout:
     """names of the objects that a thing holds, by its id"""
     specs: Mapping[str, Mapping[str, Any]]
     """of the agents, as sent"""
+    grown: bool
+    """whether edits have moved roads beyond the ground that the scene began with"""
     undriven: tuple[str, ...]
     """agents whose controllers the engine does not have, and that Python does not drive"""
 
@@ -75,12 +81,10 @@ def layout_of(
     built = built_roads(scene, lines)
     if not built:
         raise fault(Code.NO_ROAD_TO_BUILD, scene=scene.name)
-    everything = [lines[name].points for name in built]
     placed = [(actor.x, actor.y) for actor in (*scene.agents, *scene.objects)]
-    if placed:
-        everything.append(np.array(placed, dtype=float))
-    middle, extent = frame_around(np.vstack(everything))
-    frame = earlier.frame if earlier is not None else middle
+    places = np.array(placed, dtype=float).reshape(-1, 2)
+    everything = np.vstack([*(lines[name].points for name in built), places])
+    frame, extent, grown = _ground(everything, earlier)
     tiled = road == "tiles"
     parts = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
     followed = followed_lines(scene, lines)
@@ -94,13 +98,25 @@ def layout_of(
     for actor in scene.agents:
         driven = replace(actor, drive=()) if actor.name in silent else actor
         specs[actor.name] = agent_spec(driven, scene, paths, followed, frame)
-    if earlier is not None:
-        specs = _kept_starts(scene, specs, earlier.specs, restarted)
+    specs = _kept_starts(scene, specs, {} if earlier is None else earlier.specs, restarted)
     parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
-    parts.append(world_part(world_settings(scene.world)))
-    return Layout(scene.name, tuple(parts), frame, extent, agents, paths, names, specs, undriven)
+    settings = world_settings(scene.world)
+    parts.append(world_part(settings | {"extent": extent + BESIDE} if grown else settings))
+    return Layout(
+        scene.name, tuple(parts), frame, extent, agents, paths, names, specs, grown, undriven
+    )
+
+
+def _ground(points: NDArray[np.float64], earlier: Layout | None) -> tuple[SceneOrigin, float, bool]:
+    """The frame, how far the ground reaches, and whether that is farther than at first."""
+    if earlier is None:
+        return *frame_around(points), False
+    extent = extent_from(earlier.frame, points)
+    if extent <= earlier.extent:
+        return earlier.frame, earlier.extent, earlier.grown
+    return earlier.frame, GROWTH * math.ceil(extent / GROWTH), True
 
 
 def _kept_starts(

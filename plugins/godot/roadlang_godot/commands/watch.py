@@ -210,14 +210,17 @@ def compiled(loaded: LoadedScenario, seed: int) -> CompiledEdit:
 
 def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
     """Robustness of every requirement, and of every expectation on what was driven lately."""
-    from roadlang.commands import judge
+    from roadlang.commands import judge_so_far
 
     verdicts = list(live.scene.requirements)
     trace = live.trace()
     if trace is not None:
-        verdicts += judge(live.scene, trace, scenes.loaded.registry).verdicts
+        verdicts += judge_so_far(live.scene, trace, scenes.loaded.registry)
     return [
-        f"{'ok ' if v.satisfied else 'BROKEN '} {v.name}  {v.robustness:.2f}"
+        f"{_STATES[v.satisfied]}  {v.name}  {v.robustness:.2f}"
         for v in verdicts
         if v.robustness is not None
     ]
+
+
+_STATES = {True: "ok", False: "BROKEN", None: "undecided"}
