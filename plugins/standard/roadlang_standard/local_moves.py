@@ -15,12 +15,8 @@ if TYPE_CHECKING:
 
     from roadlang.geometry import Floats
 
-GAP = 4.0
-"""Regions are apart where the shortest way between them is so many times the usual one."""
 FRESH, BOX, CROSS, REDRAW = 0.05, 0.5, 0.7, 0.8
 """Where the shares of the moves end; the rest are differences."""
-FEWEST = 3
-"""Points that make a region."""
 NEAREST, SHARE = 12, 4
 """A local model is made of so many neighbors at least, or of one in so many of the region."""
 SINGLE = 0.02
@@ -88,7 +84,7 @@ def _moved_within(members: Floats, order: NDArray[np.intp], lead: Floats, spread
 def _regions(content: bytes, shape: tuple[int, int]) -> Regions:
     """The regions of known points. Points that are known twice count once."""
     points = np.unique(np.frombuffer(content).reshape(shape), axis=0)
-    labels = clusters(points, GAP, FEWEST)
+    labels = clusters(points)
     members = tuple(points[labels == label] for label in range(labels.max() + 1))
     order = tuple(_nearest(part) for part in members)
     weights = np.array([_log_weight(part) for part in members])

@@ -86,6 +86,7 @@ if TYPE_CHECKING:
     from .segments import Clothoid as Clothoid
     from .segments import Straight as Straight
     from .segments import chain as chain
+    from .segments import poses_along as poses_along
     from .triangulation import triangulated as triangulated
     from .waypoint_curve import through_waypoints as through_waypoints
     from .width import WidthProfile as WidthProfile
@@ -106,6 +107,7 @@ _HOMES = {
     "Clothoid": "segments",
     "Chain": "segments",
     "chain": "segments",
+    "poses_along": "segments",
     "filleted": "filleting",
     "through_waypoints": "waypoint_curve",
     "CurveFrame": "frame",

@@ -9,6 +9,11 @@ from .arrays import Floats, Integers
 USUAL = 0.9
 """The quantile of the ways in the tree that is taken for the usual one: few lead to elsewhere."""
 
+GAP = 4.0
+"""How many times longer than usual a way is that parts two clusters."""
+FEWEST = 3
+"""Points that make a cluster."""
+
 
 def distances(points: Floats) -> Floats:
     """(n, n) the distances of points (n, d) to each other."""
@@ -18,7 +23,7 @@ def distances(points: Floats) -> Floats:
     return np.asarray(np.sqrt(np.maximum(gaps, 0.0)))
 
 
-def clusters(points: Floats, gap: float, fewest: int) -> Integers:
+def clusters(points: Floats, gap: float = GAP, fewest: int = FEWEST) -> Integers:
     """(n,) the number of the cluster of each of the points (n, d), from 0 on without gaps.
 
     The shortest spanning tree (Prim 1957) is cut where it is `gap` times longer than usual (single

@@ -126,13 +126,33 @@ def _sampled(
         raise GeometryError("a piece is too long, or turns too often, to be sampled")
     stations = np.linspace(0.0, length, int(np.ceil(wanted - 1e-9)) + 1)
     rate = (last - first) / length
-    headings = heading + stations * (first + rate * stations / 2.0)
+    points, headings = _integrated(stations, heading, first, rate)
+    return stations, points, headings, first + rate * stations
+
+
+def poses_along(start: Floats, curvatures: tuple[float, float], stations: Floats) -> Floats:
+    """(n, 3) x, y and heading at `stations` (n,), increasing from 0, of a curve that begins in the
+    pose `start` (3,) and whose curvature (1/m) changes evenly up to the last station."""
+    first, last = curvatures
+    steps = np.diff(stations)
+    turn = float(steps.max(initial=0.0)) * max(abs(first), abs(last))
+    parts = max(1, int(np.ceil(turn / _LARGEST_TURN)))
+    share = np.arange(parts) / parts
+    fine = np.append((stations[:-1, None] + steps[:, None] * share).ravel(), stations[-1])
+    points, headings = _integrated(fine, float(start[2]), first, (last - first) / stations[-1])
+    return np.column_stack((start[:2] + points, headings))[::parts]
+
+
+def _integrated(
+    stations: Floats, heading: float, curvature: float, rate: float
+) -> tuple[Floats, Floats]:
+    """Points (n, 2) from (0, 0) and headings (n,) at stations that are close to each other."""
+    headings = heading + stations * (curvature + rate * stations / 2.0)
     half = np.diff(stations)[:, None] / 2.0
     inner = stations[:-1, None] + half * (1.0 + _NODES)
-    angles = heading + inner * (first + rate * inner / 2.0)
+    angles = heading + inner * (curvature + rate * inner / 2.0)
     steps = np.stack([np.cos(angles) @ _WEIGHTS, np.sin(angles) @ _WEIGHTS], axis=-1) * half
-    points = np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
-    return stations, points, headings, first + rate * stations
+    return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)]), headings
 
 
 def _check(segment: Segment) -> None:

@@ -22,7 +22,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Floats, read_only
-from ..geometry.clusters import clusters, distances
+from ..geometry.clusters import FEWEST, clusters, distances
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result
@@ -38,9 +38,6 @@ ROUND = 64
 """Candidates that are proposed at a time."""
 KEPT = 0.35
 """Share of the points of a region that a level keeps."""
-GAP, FEWEST = 4.0, 3
-"""Regions are apart where the way between them is so many times the usual one, and have so many
-points."""
 POPULATION, FULL = 192, 0.75
 """Points that a level is filled up to; the share of its part that every region must have."""
 ENOUGH, SLIGHT = 128, 3
@@ -172,7 +169,7 @@ class _Climb:
     def level(self) -> float:
         """Keep the better points of each region, and fill up with proposals that are as good as the
         worst that was kept near to them. Returns the share of the points that was kept."""
-        regions = clusters(self.points, GAP, FEWEST)
+        regions = clusters(self.points)
         bars = np.array([self._bar(regions == region) for region in range(regions.max() + 1)])
         kept = self.scores >= bars[regions]
         for region in range(bars.size):
@@ -211,7 +208,7 @@ class _Climb:
         """Whether enough points hold, and not too few of them in any region."""
         if self.holds.sum() < ENOUGH:
             return False
-        regions = clusters(self.points, GAP, FEWEST)
+        regions = clusters(self.points)
         holding = np.bincount(regions[self.holds], minlength=int(regions.max()) + 1)
         return int(holding.min()) * SLIGHT * holding.size >= ENOUGH
 

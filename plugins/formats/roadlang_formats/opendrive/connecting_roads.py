@@ -8,8 +8,10 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from roadlang.geometry import poses_along
+
 from .elements import put
-from .pieces import ReferencePiece, along_clothoid
+from .pieces import ReferencePiece
 from .reference import put_elevation, put_plan_view
 
 if TYPE_CHECKING:
@@ -65,7 +67,7 @@ def pieces_of(connection: SceneConnection) -> tuple[ReferencePiece, ...]:
         else:
             found.append(ReferencePiece(s, x, y, heading, length, "arc", (curvature,)))
         ends = (curvature, curvature)
-        pose = along_clothoid(pose, ends, np.array([0.0, length]))[-1]
+        pose = poses_along(pose, ends, np.array([0.0, length]))[-1]
         s += length
     return tuple(found)
 

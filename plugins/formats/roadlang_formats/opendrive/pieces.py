@@ -8,11 +8,9 @@ from typing import Literal
 
 import numpy as np
 
-from roadlang.geometry import Floats
+from roadlang.geometry import Floats, poses_along
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-_PANEL = 4.0
-"""Meters that one rule of Gauss and Legendre integrates, at most."""
 
 
 @dataclass(frozen=True)
@@ -48,25 +46,8 @@ def pose_on(piece: ReferencePiece, length: float) -> tuple[float, float, float]:
     start = np.array([piece.x, piece.y, piece.heading])
     if length <= 0.0:
         return piece.x, piece.y, piece.heading
-    x, y, heading = along_clothoid(start, ends, np.array([0.0, length]))[-1].tolist()
+    x, y, heading = poses_along(start, ends, np.array([0.0, length]))[-1].tolist()
     return x, y, heading
-
-
-def along_clothoid(start: Floats, curvatures: tuple[float, float], s: Floats) -> Floats:
-    """(n, 3) x, y and heading at arc lengths `s` (n,), increasing from 0, of a curve that begins in
-    the pose `start` (3,) and whose curvature runs linearly to that at the last `s`."""
-    before, after = curvatures
-    slope = (after - before) / s[-1]
-    panels = max(1, int(np.ceil(float(np.diff(s).max()) / _PANEL))) if len(s) > 1 else 1
-    share = np.arange(panels) / panels
-    left = (s[:-1, None] + np.diff(s)[:, None] * share).ravel()
-    width = np.repeat(np.diff(s) / panels, panels)
-    at = left[:, None] + width[:, None] * (_NODES + 1.0) / 2.0
-    heading = start[2] + before * at + 0.5 * slope * at**2
-    steps = [(np.sum(f(heading) * _WEIGHTS, axis=1) * width / 2.0) for f in (np.cos, np.sin)]
-    moved = [np.cumsum(step.reshape(-1, panels).sum(axis=1)) for step in steps]
-    x, y = (np.concatenate(([at0], at0 + by)) for at0, by in zip(start[:2], moved, strict=True))
-    return np.stack((x, y, start[2] + before * s + 0.5 * slope * s**2), axis=1)
 
 
 def cubic(start: Floats, end: Floats, length: float) -> tuple[float, ...]:

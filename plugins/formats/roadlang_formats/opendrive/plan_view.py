@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.geometry import Floats
+from roadlang.geometry import Floats, poses_along
 
-from .pieces import ReferencePiece, along_clothoid, along_cubic, cubic, cubic_length, pose_on
+from .pieces import ReferencePiece, along_cubic, cubic, cubic_length, pose_on
 
 if TYPE_CHECKING:
     from roadlang.api import SceneRoad
@@ -153,7 +153,7 @@ def _is_clothoid(line: SampledLine, first: int, end: int) -> bool:
     span = line.stations[first : end + 1] - line.stations[first]
     if abs(length / span[-1] - 1.0) > _STRETCHED:
         return False
-    found = along_clothoid(poses[0], (before, after), span * (length / span[-1]))
+    found = poses_along(poses[0], (before, after), span * (length / span[-1]))
     off = found[:, :2] - poses[:, :2]
     across = off[:, 1] * np.cos(poses[:, 2]) - off[:, 0] * np.sin(poses[:, 2])
     return bool(
