@@ -23,6 +23,8 @@ from roadlang.plugins.registry import KindEntry
 from roadlang.semantics.statement_reference import REFERENCE
 
 HERE = Path(__file__).parent
+OLD_CODES = {"NO_WAY": "NO_ROUTE"}
+"""Names of codes that were replaced: they work for one more minor version."""
 FAMILIES = {
     "RL0": "Syntax",
     "RL1": "Names",
@@ -180,11 +182,14 @@ def codes_module() -> str:
             "",
             "from typing import Final",
             "",
+            "from .renamed_names import OldName",
+            "",
             "",
             "class Code:",
             '    """`Code.WRONG_TYPE` is "RL206": what a message is filed under in the catalog."""',
             "",
             *(f'    {name}: Final = "{code}"' for name, code in names),
+            *(f'    {old} = OldName("{new}")' for old, new in OLD_CODES.items()),
             "",
         ]
     )

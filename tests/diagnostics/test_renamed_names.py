@@ -7,7 +7,15 @@ from typing import Any
 
 import pytest
 
-from roadlang.api import LaneKind
+from roadlang.api import (
+    AgentTrace,
+    Code,
+    LaneKind,
+    LanePlace,
+    LanePlaces,
+    Neighbors,
+    ObservationBatch,
+)
 
 
 @pytest.mark.parametrize(
@@ -48,3 +56,29 @@ def test_a_kind_may_still_use_the_old_names_of_its_attributes(
     with pytest.warns(DeprecationWarning, match=f"`{old}` is now `{new}`"):
         kind = type("TramLane", (LaneKind,), {old: value})
     assert getattr(kind, new) == value
+
+
+@pytest.mark.parametrize(
+    ("owner", "old", "new"),
+    [
+        (Code, "NO_WAY", "NO_ROUTE"),
+        (AgentTrace, "still", "standing"),
+        (LanePlace, "usual_speed", "default_speed"),
+        (LanePlaces, "usual_speed", "default_speed"),
+        (LanePlaces, "of_one", "of_single"),
+        (Neighbors, "of_one", "of_single"),
+        (ObservationBatch, "of_one", "of_single"),
+    ],
+)
+def test_an_old_name_of_a_member_is_the_new_one_with_a_warning(
+    owner: Any, old: str, new: str
+) -> None:
+    text = f"{owner.__name__}.{old} is now {owner.__name__}.{new}"
+    with pytest.warns(DeprecationWarning, match=text) as caught:
+        assert getattr(owner, old) == getattr(owner, new)
+    assert caught[0].filename == __file__
+
+
+def test_an_old_name_works_on_an_object_too() -> None:
+    with pytest.warns(DeprecationWarning, match="is now LanePlace.default_speed"):
+        assert LanePlace().usual_speed == LanePlace.default_speed

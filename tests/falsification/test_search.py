@@ -62,7 +62,7 @@ def test_each_failure_replays_exactly(search: Falsification, tmp_path: Path) -> 
     for failure in search.failures:
         path = failure.scene.save(tmp_path / "failure.json")
         again = Scene.from_json(path.read_text())
-        drive = Scene(again.record, search.loaded.registry).run()
+        drive = Scene(again.record, search.loaded).run()
         assert drive.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
         assert drive.verdicts["in_lane"].satisfied is False
         assert drive.to_json() == failure.drive.to_json()

@@ -202,3 +202,20 @@ def test_junctions_and_roads_that_a_typed_picture_lacks(option: str, code: str) 
 
 def test_junctions_and_roads_that_a_typed_picture_has() -> None:
     assert faults(CROSSING.format("junctions: [1], roads: [1]")) == []
+
+
+@pytest.mark.parametrize(
+    "weights", ["[1]", "[1, 1, 1]", "[1, -1]", "[0, 0]", "[-1, 1..2]", "[1..2]"]
+)
+@pytest.mark.parametrize("items", ["car, van", "2m, 3m", "'a', 'b'", "1m..2m, 3m"])
+def test_wrong_weights_of_a_choice(items: str, weights: str) -> None:
+    drawn = f"choice({items}, weights: {weights})".replace("'", '"')
+    if "car" in items:
+        text = STRAIGHT.format("") + f"agent a is {drawn} on main at 5m\n"
+    else:
+        text = "\n" + f"param a = {drawn}\n"
+    # Where an item or weight is random, only drawing shows whether the others fit.
+    known = ".." not in items + weights
+    assert faults(text) == ([("RL476", 2)] if known else [])
+    with pytest.raises(roadlang.DiagnosticError, match="RL476"):
+        roadlang.loads(text).sample(1)

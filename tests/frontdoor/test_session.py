@@ -8,10 +8,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 
 import roadlang
+from roadlang.api import Picture
 
 SCENE = """\
 param reach = 6m
@@ -231,6 +233,59 @@ def test_options_of_a_figure_are_checked(file: Path) -> None:
         scene.svg(sizes=800)
     with pytest.raises(roadlang.DiagnosticError, match="RL208"):
         scene.svg(size=-1)
+
+
+PICTURED = """image photo from "photo.png" { scale: 0.5m/px, legend: { "white": road } }
+network town from photo
+road main from town { select: longest }
+road bent from main { perturb with bump { at: 10m, length: 10m, height: 1m } }
+road drawn { draw with segments { pieces: [straight(100m)] } }
+"""
+
+
+@pytest.fixture
+def pictured(tmp_path: Path) -> roadlang.Scene:
+    pixels = np.zeros((40, 60), np.uint8)
+    pixels[15:25] = 255
+    cv2.imwrite(str(tmp_path / "photo.png"), pixels)
+    return roadlang.loads(PICTURED, folder=tmp_path).sample()[0]
+
+
+@pytest.mark.parametrize("name", ["photo", "town", "main", "bent"])
+def test_a_figure_has_the_photo_that_is_named(pictured: roadlang.Scene, name: str) -> None:
+    assert "data:image/jpeg" not in pictured.svg()
+    assert pictured.svg(photo=name) == pictured.svg(photo="photo")
+    assert pictured.svg(photo=name).count("data:image/jpeg") == 1
+
+
+def test_a_figure_may_have_another_picture(pictured: roadlang.Scene) -> None:
+    picture = Picture(np.zeros((30, 30, 3), np.uint8), 1.0)
+    figures = [pictured.svg(photo=picture), pictured.svg(photo="photo"), pictured.svg(photo=None)]
+    assert len(set(figures)) == 3
+    again = roadlang.Scene.from_json(pictured.to_json())
+    assert again.svg(photo=picture) == figures[0]
+
+
+@pytest.mark.parametrize(
+    ("photo", "message"),
+    [
+        ("phot", r"RL101.*`phot` is not defined(.|\n)*did you mean `photo`"),
+        ("elsewhere", r"RL101(.|\n)*its images are `photo`"),
+        ("drawn", "RL206.*`drawn` expects an image, but this is a road or network without one"),
+        (3, "RL206.*`photo` expects the name of an image, or a `roadlang.api.Picture`, but this"),
+    ],
+)
+def test_what_is_no_photo_of_a_figure(
+    pictured: roadlang.Scene, photo: object, message: str
+) -> None:
+    with pytest.raises(roadlang.DiagnosticError, match=message):
+        pictured.svg(photo=photo)
+
+
+def test_a_scene_from_json_has_no_photos(pictured: roadlang.Scene) -> None:
+    again = roadlang.Scene.from_json(pictured.to_json())
+    with pytest.raises(roadlang.DiagnosticError, match=r"RL206(.|\n)*sample it to use names"):
+        again.svg(photo="photo")
 
 
 def test_emit_takes_kinds(file: Path, tmp_path: Path) -> None:

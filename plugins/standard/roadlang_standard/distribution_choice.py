@@ -32,6 +32,16 @@ class Choice(Distribution):
         None, help="relative probability of each value; equal by default"
     )
 
+    def __post_init__(self) -> None:
+        """Raises RL476 for weights that are wrong whatever is drawn."""
+        weights = self.weights
+        if weights is None:
+            return
+        numbers = [weight for weight in weights if isinstance(weight, int | float)]
+        is_zero = len(numbers) == len(weights) and not sum(numbers) > 0
+        if len(weights) != len(self.items) or is_zero or any(weight < 0 for weight in numbers):
+            raise self._invalid_weights()
+
     def quantile(self, uniform: Floats) -> Any:
         """The item whose share of the unit interval holds the number."""
         import numpy as np
@@ -80,9 +90,12 @@ class Choice(Distribution):
             return [1.0 / len(self.items)] * len(self.items)
         total = sum(weights)
         least = min(float(np.min(weight)) for weight in weights)
-        if len(weights) != len(self.items) or least < 0 or not np.all(np.asarray(total) > 0):
-            raise DiagnosticError(diagnose(Code.INVALID_CHOICE_WEIGHTS, items=len(self.items)))
+        if least < 0 or not np.all(np.asarray(total) > 0):
+            raise self._invalid_weights()
         return [weight / total for weight in weights]
+
+    def _invalid_weights(self) -> DiagnosticError:
+        return DiagnosticError(diagnose(Code.INVALID_CHOICE_WEIGHTS, items=len(self.items)))
 
 
 def _pick(columns: list[Floats], index: Any) -> Floats:

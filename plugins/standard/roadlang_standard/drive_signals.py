@@ -58,7 +58,8 @@ class CrossTrack(DriveSignal):
 
 @dataclass(frozen=True)
 class Progress(DriveSignal):
-    """Share of the path that the agent has completed, from 0 to 1."""
+    """Share of the path that the agent has completed, from 0 to 1; `route_progress` is the distance
+    in meters."""
 
     name: ClassVar[str] = "progress"
     unit: ClassVar[str] = ""

@@ -42,7 +42,8 @@ class LaneOffset(DriveSignal):
 
 @dataclass(frozen=True)
 class RouteProgress(DriveSignal):
-    """Distance that the agent has driven along its route or road since the start."""
+    """Distance that the agent has driven along its route or road since the start, in meters;
+    `progress` is the share of its path, from 0 to 1."""
 
     name: ClassVar[str] = "route_progress"
     unit: ClassVar[str] = "m"

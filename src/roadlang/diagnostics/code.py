@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from .renamed_names import OldName
+
 
 class Code:
     """`Code.WRONG_TYPE` is "RL206": what a message is filed under in the catalog."""
@@ -256,3 +258,4 @@ class Code:
     MALFORMED_YAML: Final = "RL936"
     NOT_A_PARAM: Final = "RL937"
     BAD_PLUGIN_NAME: Final = "RL938"
+    NO_WAY = OldName("NO_ROUTE")

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any
 
+from ..diagnostics.renamed_names import OldName
 from .read_only import Frozen
 from .surroundings import (
     LaneChoice,
@@ -189,6 +190,8 @@ class ObservationBatch:
     """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
     nearest: Callable[[int], tuple[Floats, Floats, Floats, Floats]]
     """`nearest(n)`: (N, n) x, y, heading and speed of the nearest others; NaN: no more of them"""
+    of_one = OldName("of_single")
+    """deprecated: now `of_single`"""
 
     @property
     def lane(self) -> Integers:
@@ -279,19 +282,9 @@ class ControlBatch:
         """A batch of what is decided one by one."""
         import numpy as np
 
-        numbers = np.array(
-            [
-                (
-                    control.steering,
-                    control.acceleration,
-                    control.heading,
-                    control.line_offset,
-                    control.line_time,
-                )
-                for control in controls
-            ],
-            dtype=np.float64,
-        ).reshape(len(controls), 5)
+        names = ("steering", "acceleration", "heading", "line_offset", "line_time")
+        rows = [[getattr(control, name) for name in names] for control in controls]
+        numbers = np.array(rows, dtype=np.float64).reshape(len(controls), len(names))
         nowhere = (math.nan,) * 4
         poses = [control.pose or nowhere for control in controls]
         is_placed = any(control.pose is not None for control in controls)

@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Protocol
 
+from ..diagnostics.renamed_names import OldName
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -26,7 +28,7 @@ class LanePlace:
     `Observation.road_offset` is."""
 
     default_speed: ClassVar[float] = DEFAULT_SPEED
-    usual_speed: ClassVar[float] = DEFAULT_SPEED
+    usual_speed = OldName("default_speed")
     """deprecated: now `default_speed`"""
 
     lane: int = 0
@@ -47,7 +49,7 @@ class LanePlaces:
     """Columns (N,) of what `LanePlace` says of one agent."""
 
     default_speed: ClassVar[float] = DEFAULT_SPEED
-    usual_speed: ClassVar[float] = DEFAULT_SPEED
+    usual_speed = OldName("default_speed")
     """deprecated: now `default_speed`"""
 
     lane: Integers
@@ -56,6 +58,9 @@ class LanePlaces:
     speed_limit: Floats
     direction: Floats
     road_direction: Floats
+
+    of_one = OldName("of_single")
+    """deprecated: now `of_single`"""
 
     @classmethod
     def of_single(cls, place: LanePlace) -> LanePlaces:
@@ -117,6 +122,9 @@ class Neighbors:
     left: Floats
     pace: Floats
     drift: Floats
+
+    of_one = OldName("of_single")
+    """deprecated: now `of_single`"""
 
     @classmethod
     def of_single(cls, seen: tuple[Neighbor, ...]) -> Neighbors:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
+from ..diagnostics.renamed_names import OldName
 from .read_only import Frozen
 
 if TYPE_CHECKING:
@@ -95,12 +95,8 @@ class AgentTrace(Frozen):
     def __getstate__(self) -> dict[str, Any]:
         return {field_.name: getattr(self, field_.name) for field_ in fields(self)}
 
-    @classmethod
-    def still(cls, actor: SceneActor, time: Floats) -> AgentTrace:
-        """The old name of `standing`."""
-        text = "AgentTrace.still is now AgentTrace.standing; the old name goes with the next minor"
-        warnings.warn(f"{text} version", DeprecationWarning, stacklevel=2)
-        return cls.standing(actor, time)
+    still = OldName("standing")
+    """deprecated: now `standing`"""
 
     @classmethod
     def standing(cls, actor: SceneActor, time: Floats) -> AgentTrace:

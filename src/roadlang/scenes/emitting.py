@@ -47,20 +47,20 @@ def backends_of(
     fixed = fixed_candidate(scenario)
 
     def resolve(entity: Entity) -> Any:
-        return _picture(entity, scenario) if entity.role == "image" else entity.name
+        return fixed_picture(entity.name, scenario) if entity.role == "image" else entity.name
 
     return [build(call, fixed, single=True, resolve=resolve) for call in calls]
 
 
-def _picture(entity: Entity, scenario: IndexedScenario) -> Picture:
-    """The picture of an image that an `emit` names. Raises RL229 for one that is drawn."""
-    image = scenario.images[entity.name]
+def fixed_picture(name: str, scenario: IndexedScenario) -> Picture:
+    """The picture of an image for a figure. Raises RL229 where it differs between scenes."""
+    image = scenario.images[name]
     if scenario.is_varying(image.name):
         what, expected = f"`{image.name}`", "the same in every scene"
         raise DiagnosticError(
             diagnose(Code.MUST_NOT_BE_RANDOM, image.span, what=what, expected=expected)
         )
-    return load_picture(entity.name, fixed_candidate(scenario)).picture
+    return load_picture(name, fixed_candidate(scenario)).picture
 
 
 def outputs_of(

@@ -156,7 +156,7 @@ class Falsification:
     def _scenes(self, outcomes: Sequence[Outcome]) -> list[Scene]:
         proposals = [Proposal(outcome.index, outcome.point) for outcome in outcomes]
         records = self.evaluator.full_scenes(proposals)
-        return [Scene(record, self.loaded.registry) for record in records]
+        return [Scene(record, self.loaded) for record in records]
 
     def _driven(self, scenes: Sequence[Scene]) -> DriveSet:
         from .drives import drive

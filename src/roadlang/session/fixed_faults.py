@@ -34,6 +34,7 @@ from ..world.interval_faults import interval_off_road
 from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
 from .constant_kinds import constant_kind
+from .fixed_draws import refused_draws
 from .fixed_junctions import fixed_junctions
 from .fixed_overlaps import fixed_overlaps
 from .unsupported import unsupported_parts
@@ -42,14 +43,18 @@ _ROUNDING = 1e-9
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
-    """Images without scale, intervals without length, lanes that are not there, positions beyond
-    their roads, things in one place, junctions that are not there, and what backends and the
-    simulator do not support.
+    """Distributions with wrong options, images without scale, intervals without length, lanes that
+    are not there, positions beyond their roads, things in one place, junctions that are not there,
+    and what backends and the simulator do not support.
 
     Roads from picture files are not checked: they are read when scenes are made.
     """
     scenario = IndexedScenario(source, registry, _nothing_measured)
-    found = [*_missing_scales(scenario), *_intervals_without_length(scenario)]
+    found = [
+        *refused_draws(scenario),
+        *_missing_scales(scenario),
+        *_intervals_without_length(scenario),
+    ]
     for actor in (*source.agents, *source.objects):
         if actor.on in scenario.roads:
             fault = _lane_fault(actor, scenario) or _position_fault(actor, scenario)

@@ -53,7 +53,9 @@ def read_params(name: str) -> ParamFile:
     maps = root.value if isinstance(root, yaml.SequenceNode) else [root]
     sets = tuple(reader.values(node) for node in maps)
     if not sets:
-        reader.report(source.span(0, 0), "the list", "a list of maps, `- reach: 12m`")
+        reader.report(
+            source.span(0, 0), "the list is empty", "write params for each run: `- reach: 12m`"
+        )
     if reader.faults:
         raise DiagnosticError(*reader.faults)
     return ParamFile(name, digest, sets, is_list)
@@ -84,8 +86,8 @@ class _ParamReader:
         self._source = source
         self.faults: list[Diagnostic] = []
 
-    def report(self, span: Span, what: str, expected: str) -> None:
-        self.faults.append(diagnose(Code.NOT_A_PARAM, span, what=what, expected=expected))
+    def report(self, span: Span, reason: str, help_: str) -> None:
+        self.faults.append(diagnose(Code.NOT_A_PARAM, span, reason=reason, help=help_))
 
     def values(self, node: yaml.Node | None) -> dict[str, Source]:
         """The params of a map."""
@@ -93,15 +95,26 @@ class _ParamReader:
 
         if not isinstance(node, yaml.MappingNode):
             start, end = (0, 0) if node is None else _ends(node)
-            self.report(self._source.span(start, end), "this", "a map of params, `reach: 12m`")
+            self.report(
+                self._source.span(start, end),
+                "expected params with their values",
+                "write each on a line of its own: `reach: 12m`",
+            )
             return {}
         found: dict[str, Source] = {}
         for key, value in node.value:
             if not isinstance(key, yaml.ScalarNode) or not key.value.isidentifier():
-                self.report(self._source.span(*_ends(key)), "this key", "the name of a param")
+                self.report(
+                    self._source.span(*_ends(key)),
+                    "this is not the name of a param",
+                    "names have letters, digits and `_`, and begin with a letter",
+                )
             elif key.value in found:
-                what = f"`{key.value}`, which is set before,"
-                self.report(self._source.span(*_ends(key)), what, "set once")
+                self.report(
+                    self._source.span(*_ends(key)),
+                    f"`{key.value}` is set twice",
+                    "keep one of them",
+                )
             else:
                 text = self._text(key.value, value)
                 if text is not None:
@@ -116,8 +129,11 @@ class _ParamReader:
         try:
             text = param_texts({name: _plain(node, iter(range(_MOST_ITEMS)))})[name]
         except (TypeError, ValueError, RecursionError, yaml.YAMLError):
-            what, expected = f"the value of `{name}`", "a number, or a text such as 12m"
-            self.report(self._source.span(start, end), what, expected)
+            self.report(
+                self._source.span(start, end),
+                f"`{name}` cannot have this value",
+                "write a number, a text such as `12m`, true, false, or a list of these",
+            )
             return None
         written = self._source.text[start:end]
         if written == text:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..ir.scene import Scene as SceneRecord
     from ..plugins.registry import Registry
     from .drives import Drive
+    from .loading import LoadedScenario
 
 
 FIGURE = "svg"
@@ -115,9 +116,9 @@ class Scene:
     Notebooks show its figure.
     """
 
-    def __init__(self, record: SceneRecord, registry: Registry | None = None) -> None:
+    def __init__(self, record: SceneRecord, loaded: LoadedScenario | None = None) -> None:
         self.record = record
-        self._registry = registry
+        self._loaded = loaded
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Scene:
@@ -229,11 +230,16 @@ class Scene:
     def svg(self, **options: Any) -> str:
         """The figure that `emit svg` draws; `options` are those of the kind, in pixels and SI.
 
+        `photo` is the name of an image, of a network or road that is made from one, or a `Picture`.
         Raises `DiagnosticError` for an option that `emit svg` does not have.
         """
         from ..plugins.configured import configured
+        from ..plugins.finding import entry_of
         from ..plugins.guard import plugin_guard
+        from .option_pictures import with_pictures
 
+        entry = entry_of(self.registry, "emit", FIGURE)
+        options = with_pictures(options, entry, self._loaded)
         entry, kind = configured(self.registry, "emit", FIGURE, options)
         with plugin_guard(entry, None):
             return str(kind.files(self.record)[FIGURE])
@@ -261,4 +267,4 @@ class Scene:
     @property
     def registry(self) -> Registry:
         """The kinds that figures and drives are made with."""
-        return installed() if self._registry is None else self._registry
+        return installed() if self._loaded is None else self._loaded.registry

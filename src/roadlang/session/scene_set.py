@@ -59,7 +59,7 @@ class SceneSet(Sequence[Scene]):
         self.loaded = loaded
         self.seed = seed
         self.result = result
-        self._scenes = tuple(Scene(record, loaded.registry) for record in result.scenes)
+        self._scenes = tuple(Scene(record, loaded) for record in result.scenes)
 
     def __repr__(self) -> str:
         return f"<{len(self)} scenes of {self.candidates:,} candidates>"

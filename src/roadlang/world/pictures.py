@@ -127,8 +127,8 @@ def _read(source: FileSource, image: ScenarioImage, scenario: IndexedScenario) -
     pixels = np.asarray(content.value, np.uint8)
     if pixels.ndim == 2:
         pixels = np.repeat(pixels[..., None], 3, axis=2)
-    colors = np.ascontiguousarray(pixels[..., :3])
-    return _UnscaledPicture(Picture(colors, 1.0, path=source.path), None, content.inputs)
+    pixels = np.ascontiguousarray(pixels)
+    return _UnscaledPicture(Picture(pixels, 1.0, path=source.path), None, content.inputs)
 
 
 def _after(call: PassCall, before: Picture, candidates: CandidateBatch) -> Picture:

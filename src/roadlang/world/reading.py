@@ -68,7 +68,10 @@ def _check_content(found: Any, reads: str, entry: KindEntry, span: Span | None) 
     elif reads == "network":
         fits, expected = isinstance(found, RoadNetwork | Extraction), "a RoadNetwork"
     else:
-        fits, expected = _is_picture(found), "an array (height, width, 3) of uint8"
+        fits, expected = (
+            _is_picture(found),
+            "an array (height, width, 3) or (height, width) of uint8",
+        )
     if not fits:
         raise wrong_result(entry, span, f"gave {_described(found)}, not {expected}")
 
@@ -76,7 +79,7 @@ def _check_content(found: Any, reads: str, entry: KindEntry, span: Span | None) 
 def _is_picture(found: Any) -> bool:
     if not isinstance(found, np.ndarray) or found.dtype != np.uint8 or 0 in found.shape:
         return False
-    return found.ndim == 2 or (found.ndim == 3 and found.shape[2] >= 3)
+    return found.ndim == 2 or (found.ndim == 3 and found.shape[2] == 3)
 
 
 def _described(found: Any) -> str:

@@ -16,6 +16,7 @@ from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from .expression_types import Quantity, SignalType, TypedExpression, unknown
+from .similar_signals import similar_signals
 
 _parse = cache(parse_unit)
 _DIGITS = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -150,18 +151,23 @@ def common_dimension(
                 found=found,
                 left=short(leader),
                 right=short(part),
-                help=_units_of(leader, part),
+                help=_mismatch_help(checker, leader, part),
             )
         break
     return expected if agreed else None
 
 
-def _units_of(left: TypedExpression, right: TypedExpression) -> tuple[str, ...]:
-    """The units of two things that are in different ones, where both have one."""
+def _mismatch_help(
+    checker: Checker, left: TypedExpression, right: TypedExpression
+) -> tuple[str, ...]:
+    """The units of two things, and signals of similar names that have the unit of the other."""
     units = [(short(part), dimension_of(part).unit) for part in (left, right)]
-    if not all(unit for _, unit in units):
-        return ()
-    return (" and ".join(f"`{text}` is in {unit}" for text, unit in units),)
+    texts = [f"`{text}` {f'is in {unit}' if unit else 'has no unit'}" for text, unit in units]
+    similar = (
+        *similar_signals(checker, left, right, dimension_of(right)),
+        *similar_signals(checker, right, left, dimension_of(left)),
+    )
+    return (" and ".join(texts), *similar)
 
 
 def short(typed: TypedExpression) -> str:
