@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...ir.dimension import Dimension
 from ...ir.units import parse_unit
 from ...plugins.attribution import PluginFault, attributed
+from ...plugins.kinds import Signal
 from ...plugins.registry import KindEntry
 from ..checker import Checker
 from .expression_types import TypedExpression
@@ -32,7 +33,8 @@ def _of_dimension(entries: list[KindEntry], needed: Dimension) -> Iterator[str]:
         try:
             with attributed():
                 kind = entry.load()
-                fits = bool(kind.member) and parse_unit(kind.unit).dimension == needed
+                is_member = issubclass(kind, Signal) and kind.member
+                fits = is_member and parse_unit(kind.unit).dimension == needed
         except PluginFault:  # said where the kind is used
             continue
         if fits:
