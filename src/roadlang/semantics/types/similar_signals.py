@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 
 from ...ir.dimension import Dimension
 from ...ir.units import parse_unit
@@ -29,13 +30,13 @@ def similar_signals(
 
 
 def _of_dimension(entries: list[KindEntry], needed: Dimension) -> Iterator[str]:
+    """The names of those that are members; what is wrong with a kind is said where it is used."""
     for entry in entries:
-        try:
-            with attributed():
-                kind = entry.load()
-                is_member = issubclass(kind, Signal) and kind.member
-                fits = is_member and parse_unit(kind.unit).dimension == needed
-        except PluginFault:  # said where the kind is used
-            continue
-        if fits:
-            yield entry.name
+        with suppress(PluginFault), attributed():
+            kind = entry.load()
+            if issubclass(kind, Signal) and kind.member and _dimension(kind) == needed:
+                yield entry.name
+
+
+def _dimension(kind: type[Signal]) -> Dimension:
+    return parse_unit(kind.unit).dimension
