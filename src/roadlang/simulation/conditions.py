@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Mapping
+from copy import copy
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,19 @@ class ControllerCondition:
             return values[name]
 
         return self._truth(self.formula, (), time, value)
+
+    @property
+    def is_pointwise(self) -> bool:
+        """Whether its truth at a sample depends on that sample alone."""
+        return not _has_memory(self.formula)
+
+    def at_once(self, count: int, signal: Signal) -> Booleans:
+        """(K, R) whether it holds at each of `count` samples, of a formula that is pointwise.
+        `signal` gives (K, R). Raises RL513."""
+        each = copy(self)
+        each._count = count * self._count
+        each.numbers = {name: np.tile(column, count) for name, column in self.numbers.items()}
+        return each.now(0.0, lambda name: signal(name).ravel()).reshape(count, self._count)
 
     def carry_on(self, agent: int, before: ControllerCondition, at: int) -> None:
         """What was true of one agent of the same formula was true of this one."""
@@ -106,6 +120,13 @@ class ControllerCondition:
         inside = [last for moment, _, last in past if moment <= time - low + _SOON]
         join = np.logical_and if formula.least else np.logical_or
         return np.asarray(join.reduce([np.full(self._count, formula.least), *inside]))
+
+
+def _has_memory(formula: stl.Formula) -> bool:
+    if isinstance(formula, (stl.SampleStep, stl.UnaryTemporal, stl.BinaryTemporal)):
+        return True
+    parts = () if isinstance(formula, stl.Comparison) else formula.parts
+    return any(_has_memory(part) for part in parts)
 
 
 def term_values(term: stl.Term, value: Signal, count: int) -> Floats:

@@ -45,8 +45,9 @@ class Recorder:
         """One sample of all scenes; a scene in which all have arrived ends with it, and one that
         has violated all that is expected of it for long enough."""
         self._times.append(world.time)
-        self._samples.append(np.stack([COLUMNS[name](world, poses) for name in RECORDED]))
-        done = None if self._watch is None else self._watch.done(world, poses)
+        sample = np.stack([COLUMNS[name](world, poses) for name in RECORDED])
+        self._samples.append(sample)
+        done = None if self._watch is None else self._watch.done(world.time, sample)
         finished = world.finished if done is None else world.finished | done
         ended = finished & ~self._over
         if ended.any():

@@ -59,11 +59,6 @@ class Samples:
             for values in (*(past[name] for past in self._past), self._now[name]):
                 values[agents] = now[agents]
 
-    @property
-    def members_read(self) -> frozenset[str]:
-        """Members of `AgentTrace` that the sample of now was asked for."""
-        return frozenset(self._now)
-
     def carry_on(self, before: Samples) -> None:
         """Go on after the samples of another, of the same agents and at least as deep."""
         if before._depth >= self._depth > 0:

@@ -21,14 +21,17 @@ from ..plugins.drive_signals import drive_signal_kind, drive_signal_values, name
 from ..plugins.guard import wrong_result
 from ..plugins.registry import KindEntry
 from .conditions import unsupported
+from .pending_samples import PendingSamples
 from .samples import Samples
 from .world import World
+
+AnySamples = Samples | PendingSamples
 
 
 class AgentsNow:
     """R agents of as many scenes, with the members of an `AgentTrace` as columns (K, R)."""
 
-    def __init__(self, samples: Samples, agents: Integers, depth: int) -> None:
+    def __init__(self, samples: AnySamples, agents: Integers, depth: int) -> None:
         self._samples, self._agents, self._depth = samples, agents, depth
         self.time = samples.time(depth)
 
@@ -135,29 +138,37 @@ class SignalCall:
             if math.isinf(self.looks_back):
                 out[part.rows] = [self._alone(part, int(scene), samples) for scene in part.scenes]
             else:
-                out[part.rows] = self._together(part, samples, int(self.looks_back))
+                out[part.rows] = self._together(part, samples, int(self.looks_back))[-1]
         return out
 
-    def known_values(self, samples: Samples) -> Floats:
+    def at_once(self, samples: PendingSamples, count: int) -> Floats:
+        """(K, R) the signal, which looks at one sample alone, at the last `count` samples. Raises
+        RL470, RL474."""
+        out = np.full((count, self._count), math.nan)
+        for part in self._parts:
+            out[:, part.rows] = self._together(part, samples, count - 1)
+        return out
+
+    def known_values(self, samples: PendingSamples) -> Floats:
         """(R,) the same, but NaN for agents in whose scenes the kind has failed, now or before: see
         `failed` (R,). A failure in one scene says nothing of the others."""
         out = np.full(self._count, math.nan)
         parts, self._parts = self._parts, []
         for part in parts:
             try:
-                out[part.rows] = self._together(part, samples, int(self.looks_back))
+                out[part.rows] = self._together(part, samples, 0)[-1]
             except DiagnosticError:
                 part = self._without_failures(part, samples, out)
             if len(part.rows):
                 self._parts.append(part)
         return out
 
-    def _without_failures(self, part: _Part, samples: Samples, out: Floats) -> _Part:
+    def _without_failures(self, part: _Part, samples: PendingSamples, out: Floats) -> _Part:
         """The rows of a part that can be evaluated by themselves; their values go to `out`."""
         for index, row in enumerate(part.rows.tolist()):
             alone = part.chosen(np.array([index]))
             try:
-                out[row] = self._together(alone, samples, int(self.looks_back))[0]
+                out[row] = self._together(alone, samples, 0)[-1, 0]
             except DiagnosticError:
                 self.failed[row] = True
         return part.chosen(np.flatnonzero(~self.failed[part.rows]))
@@ -191,8 +202,8 @@ class SignalCall:
             out[option] = places[:1] if is_member else places
         return out
 
-    def _together(self, part: _Part, samples: Samples, depth: int) -> Floats:
-        """(R,) of rows at once."""
+    def _together(self, part: _Part, samples: AnySamples, depth: int) -> Floats:
+        """(K, R) of rows at once."""
         time = samples.time(depth)
         now = {
             place: ObjectsNow(part.objects[place], time)
@@ -208,12 +219,12 @@ class SignalCall:
         found = drive_signal_values(self._entry, {**part.options, **named}, Trace(time, {}))
         shape = (len(time), len(part.rows))
         if found.shape == time.shape:
-            return np.full(len(part.rows), found[-1])
+            return np.broadcast_to(found[:, None], shape)
         if found.shape != shape:
             raise wrong_result(
                 self._entry, None, f"gave values of shape {found.shape}, not {shape}"
             )
-        return np.asarray(found[-1])
+        return found
 
     def _alone(self, part: _Part, scene: int, samples: Samples) -> float:
         """Of one scene, by all that has happened in it."""

@@ -9,10 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from ..diagnostics import DiagnosticError
 from ..geometry.arrays import Booleans, Integers
 from ..ir.scene import Call
 from ..plugins.registry import KindEntry
 from .conditions import ControllerCondition
+from .pending_samples import PendingSamples
 from .poses import Poses
 from .samples import Samples
 from .signals import SignalCall
@@ -63,12 +65,6 @@ class Trigger:
         past = np.zeros(len(rows), dtype=bool) if latched else None
         return cls(form[0][0], rows, condition, signals, past)
 
-    def known(self, samples: Samples, time: float) -> tuple[Booleans, Booleans]:
-        """(R,) whose condition holds, and (R,) for whom a signal has failed so far."""
-        now = self.condition.now(time, lambda name: self.signals[name].known_values(samples))
-        failed = [signal.failed for signal in self.signals.values()]
-        return now, np.logical_or.reduce([np.zeros(len(self.rows), dtype=bool), *failed])
-
     def holds(self, samples: Samples, time: float) -> Booleans:
         """(R,) whose condition holds."""
         now = self.condition.now(time, lambda name: self.signals[name].values(samples))
@@ -76,6 +72,33 @@ class Trigger:
             return now
         self.latched |= now
         return self.latched
+
+    def held(self, samples: PendingSamples) -> tuple[Booleans, Booleans]:
+        """(K, R) whether the condition, which is not latched, held at each of the samples, and
+        whether a signal had failed until then. To be evaluated of every sample once, in order."""
+        count = len(samples.times)
+        if self.condition.is_pointwise:
+            try:
+                holds = self.condition.at_once(
+                    count, lambda name: self.signals[name].at_once(samples, count)
+                )
+            except DiagnosticError:
+                pass  # in one of the scenes: see which
+            else:
+                return holds, np.broadcast_to(self._failed, holds.shape)
+        found = [self._known(samples.first(number + 1)) for number in range(count)]
+        return np.stack([holds for holds, _ in found]), np.stack([failed for _, failed in found])
+
+    def _known(self, samples: PendingSamples) -> tuple[Booleans, Booleans]:
+        """(R,) the same of the last sample."""
+        time = samples.times[-1]
+        now = self.condition.now(time, lambda name: self.signals[name].known_values(samples))
+        return now, self._failed
+
+    @property
+    def _failed(self) -> Booleans:
+        failed = [signal.failed for signal in self.signals.values()]
+        return np.asarray(np.logical_or.reduce([np.zeros(len(self.rows), dtype=bool), *failed]))
 
     def carry_on(self, agent: int, before: Trigger, at: int) -> None:
         """One of the agents goes on with what one of another trigger has seen."""
