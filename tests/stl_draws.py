@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from typing import TypeVar
+from typing import TypeVar, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +17,13 @@ from roadlang.stl.formula.formulas import (
     Compound,
     Connective,
     LogicalJunction,
+    Measured,
     Pointwise,
     SampleStep,
     TemporalOperator,
     TruthChange,
 )
+from roadlang.stl.formula.measures import MeasureComparison
 from roadlang.stl.formula.terms import ArithmeticOperator
 from roadlang.syntax.operators import BY_WORD
 
@@ -113,6 +115,11 @@ class FormulaDraw:
         if issubclass(kind, BinaryTemporal):
             sides = [self.formula(draw.randint(0, depth)), self.formula(depth)]
             return kind.of(sides, self.interval())
+        if issubclass(kind, Measured):
+            steps = 1.0 if kind.counts else self.step
+            amounts = [steps * amount for amount in (0, 1, 2, 2.5, 3, 6)]
+            op, amount = draw.choice(list(get_args(MeasureComparison))), draw.choice(amounts)
+            return kind(self.interval(), self.formula(depth), op, float(amount))
         if issubclass(kind, SampleStep | TruthChange):
             return kind.of([self.formula(depth)])
         return kind.of([self.formula(depth)], self.interval())

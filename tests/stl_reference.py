@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roadlang import stl
+from roadlang.stl.formula.measures import AtLeast
 
 Row = Mapping[str, Sequence[float]]
 
@@ -116,7 +117,30 @@ class Reference:
                 return min(at(p, k), -at(p, k - 1) if self._is_sample(k - 1) else math.inf)
             case stl.Fall(_, p):
                 return min(-at(p, k), at(p, k - 1) if self._is_sample(k - 1) else math.inf)
+            case stl.Count(interval, p, op, amount):
+                weighed = [(at(p, i), 1.0) for i in self._on_one_lap(k, interval)]
+                return _compared(weighed, op, amount)
+            case AtLeast():
+                return at(formula.measured, k)
+            case stl.Duration(interval, p, op, amount):
+                weighed = [(at(p, i), self._lasts(k, i, interval)) for i in
+                           self._on_one_lap(k, interval)]  # fmt: skip
+                return _compared(weighed, op, amount)
         raise TypeError(formula)
+
+    def _on_one_lap(self, k: int, interval: stl.Interval | None) -> list[int]:
+        """The samples of a window, none of them twice."""
+        return self._ahead(k, interval)[: len(self.positions)]
+
+    def _lasts(self, k: int, i: int, interval: stl.Interval | None) -> float:
+        """From a sample to the next one, the end of the window or that of the trace."""
+        following = self._position(i + 1) if self._is_sample(i + 1) else self._position(i)
+        if interval is not None:
+            longest = (
+                interval.hi if self.wrap is None else min(interval.hi, interval.lo + self.wrap)
+            )
+            following = min(following, self._position(k) + longest)
+        return max(following - self._position(i), 0.0)
 
     def _is_sample(self, k: int) -> bool:
         return self.wrap is not None or 0 <= k < len(self.positions)
@@ -170,6 +194,24 @@ class Reference:
                 }
                 return _number(operators[op]())
         raise TypeError(term)
+
+
+def _compared(weighed: list[tuple[float, float]], op: str, amount: float) -> float:
+    """The greatest level that is held long enough, or minus that."""
+    if op in ("<", "<="):
+        return -_compared(weighed, ">=" if op == "<" else ">", amount)
+    slack = 1e-7
+
+    def is_enough(weight: float) -> bool:
+        return weight > amount + slack if op == ">" else weight >= amount - slack
+
+    if is_enough(0.0):
+        return math.inf
+    levels = {level for level, _ in weighed}
+    return max(
+        (level for level in levels if is_enough(sum(w for v, w in weighed if v >= level))),
+        default=-math.inf,
+    )
 
 
 def _quotient(x: float, y: float) -> float:

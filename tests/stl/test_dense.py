@@ -13,7 +13,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.formula.formulas import COMPOUNDS, SampleStep, TruthChange
+from roadlang.stl.formula.formulas import COMPOUNDS, Measured, SampleStep, TruthChange
 from tests.dense_reference import DenseReference, Grid
 from tests.stl_draws import NAMES, FormulaDraw
 
@@ -29,7 +29,7 @@ class DenseDraw(FormulaDraw):
         return stl.Interval(lo, lo + draw.choice([0, 0.25, 0.5, 1, 1.75, 4, math.inf]))
 
     def _of_shape(self, shape: type[Any]) -> list[type[Any]]:
-        counting = (SampleStep, TruthChange)
+        counting = (SampleStep, TruthChange, Measured)
         return [
             kind
             for kind in COMPOUNDS.values()

@@ -11,7 +11,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.formula.formulas import COMPOUNDS, TemporalOperator, TruthChange
+from roadlang.stl.formula.formulas import COMPOUNDS, Measured, TemporalOperator, TruthChange
 from roadlang.syntax.operators import BY_WORD, OPERATORS, PREFIXES, Operator
 from roadlang.syntax.parsing import tables
 
@@ -20,6 +20,9 @@ P, Q = stl.parse("x > 1"), stl.parse("y < 2")
 
 def example(operator: Operator) -> stl.Formula:
     """The operator over `x > 1` and, if it takes two, `y < 2`."""
+    kind = COMPOUNDS[operator.word]
+    if issubclass(kind, Measured):
+        return kind(stl.Interval(1, 2), P, "<=", 3)
     parts = [P] if operator.form in PREFIXES else [P, Q]
     interval = stl.Interval(1, 2) if operator.form in ("temporal", "binding") else None
     return COMPOUNDS[operator.word].of(parts, interval)
@@ -27,6 +30,8 @@ def example(operator: Operator) -> stl.Formula:
 
 def written(operator: Operator, spelling: str, interval: str = "[1, 2]") -> str:
     """The text of the example with another spelling of the operator."""
+    if operator.form == "measure":
+        return f"{spelling}{interval} (x > 1) <= 3"
     word = spelling + (interval if operator.form in ("temporal", "binding") else "")
     if operator.form in PREFIXES:
         return f"{word} (x > 1)"
@@ -98,7 +103,7 @@ def test_every_operator_survives_text_and_json(operator: Any) -> None:
 @pytest.mark.parametrize("operator", OPERATORS, ids=lambda operator: operator.word)
 def test_a_mirror_looks_the_other_way(operator: Any) -> None:
     kind = COMPOUNDS[operator.word]
-    if not issubclass(kind, TemporalOperator) or issubclass(kind, TruthChange):
+    if not issubclass(kind, TemporalOperator) or issubclass(kind, TruthChange | Measured):
         assert not operator.mirror
         return
     mirror = COMPOUNDS[operator.mirror]

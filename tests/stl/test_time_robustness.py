@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang import stl
+from roadlang.stl.formula.shapes import Compound
 from tests.stl_draws import FormulaDraw, draw_trace
 from tests.stl_reference import Reference
 
@@ -40,8 +41,9 @@ def test_it_is_that_of_the_definitions(seed: int, direction: Any) -> None:
                 way = 1 if direction == "right" else -1
                 columns[str(part)] = _of_comparison(holds, positions, way)  # noqa: B023
                 return stl.Comparison(">", stl.Variable(str(part)), stl.Constant(0.0))
-            window = getattr(part, "window", None)
-            return part.of([replaced(p) for p in part.parts], window) if part.parts else part  # type: ignore[attr-defined]
+            if isinstance(part, Compound):
+                return part.with_parts([replaced(p) for p in part.parts])
+            return part
 
         timed = replaced(formula)
         expected = Reference(positions, columns).rho(timed)

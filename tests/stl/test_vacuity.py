@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.cli.main import main
-from roadlang.stl.formula.formulas import Compound
+from roadlang.stl.formula.formulas import Compound, Measured
 from tests.stl_draws import FormulaDraw, draw_trace
 
 SECONDS = np.arange(5.0)
@@ -105,5 +106,8 @@ def _widened(formula: stl.Formula, least: float) -> stl.Formula:
     window = formula.window
     if window is not None:
         window = stl.Interval(window.lo, max(window.hi, window.lo + least))
+    if isinstance(formula, Measured):
+        (operand,) = parts
+        return replace(formula, operand=operand, interval=window)
     widened: stl.Formula = type(formula).of(parts, window)
     return widened

@@ -7,6 +7,7 @@ import pytest
 from roadlang import stl, testing
 
 WORDS = ["release", "trigger", "weak_until", "weak_since", "next", "prev", "rise", "fall"]
+WORDS += ["count", "duration"]
 
 
 @pytest.mark.parametrize("word", WORDS)

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
         BinaryTemporal,
         Comparison,
         Connective,
+        Count,
+        Duration,
         Eventually,
         Fall,
         Formula,
@@ -63,9 +65,9 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "formula.formulas": (
-        "Always And BinaryTemporal Comparison Connective Eventually Fall Formula Historically "
-        "Iff Implies LogicalJunction Next Not Once Or Prev Release Rise SampleStep Since "
-        "TemporalOperator PastRelease Truth UnaryTemporal Until WeakSince WeakUntil Xor"
+        "Always And BinaryTemporal Comparison Connective Count Duration Eventually Fall Formula "
+        "Historically Iff Implies LogicalJunction Next Not Once Or Prev Release Rise SampleStep "
+        "Since TemporalOperator PastRelease Truth UnaryTemporal Until WeakSince WeakUntil Xor"
     ),
     "dense.evaluation": "dense_function sampling_error",
     "dense.grids": "OwnGrid",
@@ -98,7 +100,9 @@ __all__ = [
     "Comparison",
     "Connective",
     "Constant",
+    "Count",
     "DecidedSample",
+    "Duration",
     "Eventually",
     "Explanation",
     "Fall",

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-Form: TypeAlias = Literal["not", "temporal", "step", "binding", "logic"]
-"""`not p`; `always[a, b] p`; `next p`; `p until[a, b] q`; `p and q`."""
+Form: TypeAlias = Literal["not", "temporal", "step", "binding", "logic", "measure"]
+"""`not p`; `always[a, b] p`; `next p`; `p until[a, b] q`; `p and q`; `count[a, b] (p) < 3`."""
 
 PREFIXES: tuple[Form, ...] = ("not", "temporal", "step")
 """The forms with one operand, which follows the word."""
@@ -127,6 +127,8 @@ OPERATORS: tuple[Operator, ...] = (
     ),
     Operator("rise", "step", PREFIX, PREFIX, "rise", rtamt="rise", contextual=True),
     Operator("fall", "step", PREFIX, PREFIX, "fall", rtamt="fall", contextual=True),
+    Operator("count", "measure", COMPARISON, PREFIX, "count", contextual=True),
+    Operator("duration", "measure", COMPARISON, PREFIX, "duration", contextual=True),
 )  # fmt: skip
 
 BY_WORD: dict[str, Operator] = {operator.word: operator for operator in OPERATORS}

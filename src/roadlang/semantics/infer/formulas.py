@@ -91,7 +91,7 @@ def _formula(
 
 def infer_not(checker: Checker, node: ast.NotExpression, context: Context) -> TypedExpression:
     """`not f` of a formula."""
-    operand = _operand(checker, node.operand, context, "`not`")
+    operand = infer_operand(checker, node.operand, context, "`not`")
     if operand.formula is None:
         return unknown(node.span)
     return replace(operand, span=node.span, formula=Not(operand.formula))
@@ -100,7 +100,7 @@ def infer_not(checker: Checker, node: ast.NotExpression, context: Context) -> Ty
 def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> TypedExpression:
     """`and`, `or`, `implies`, `iff`, `xor`."""
     what = f"`{node.word}`"
-    parts = [_operand(checker, operand, context, what) for operand in node.operands]
+    parts = [infer_operand(checker, operand, context, what) for operand in node.operands]
     formulas = [part.formula for part in parts if part.formula is not None]
     if len(formulas) < len(parts):
         return unknown(node.span)
@@ -119,11 +119,11 @@ def _joined(
 
 def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> TypedExpression:
     """`always[a, b] p` and its kin."""
-    operand = _operand(checker, node.operand, context, f"`{node.word}`")
-    ends = _ends(checker, node.interval, context)
+    operand = infer_operand(checker, node.operand, context, f"`{node.word}`")
+    ends = interval_ends(checker, node.interval, context)
     if operand.formula is None or ends is None:
-        return _without_operand(checker, node, ends)
-    interval = _interval(checker, node, ends, operand.evidence)
+        return without_operand(checker, node, ends)
+    interval = interval_of(checker, node, ends, operand.evidence)
     if isinstance(interval, TypedExpression):
         return interval
     formula = compound(node.word, [operand.formula], interval)
@@ -133,21 +133,21 @@ def infer_temporal(checker: Checker, node: ast.Temporal, context: Context) -> Ty
 def infer_binding(checker: Checker, node: ast.Binding, context: Context) -> TypedExpression:
     """`left until[a, b] right` and `since`."""
     sides = (node.left, node.right)
-    parts = [_operand(checker, side, context, f"`{node.word}`") for side in sides]
-    ends = _ends(checker, node.interval, context)
+    parts = [infer_operand(checker, side, context, f"`{node.word}`") for side in sides]
+    ends = interval_ends(checker, node.interval, context)
     if ends is None or any(part.formula is None for part in parts):
-        return _without_operand(checker, node, ends)
+        return without_operand(checker, node, ends)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, TypedExpression):
         return evidence
-    interval = _interval(checker, node, ends, evidence)
+    interval = interval_of(checker, node, ends, evidence)
     if isinstance(interval, TypedExpression):
         return interval
     sides_read = [part.formula for part in parts if part.formula is not None]
     return _joined(checker, node.span, lambda: compound(node.word, sides_read, interval), parts)
 
 
-def _operand(
+def infer_operand(
     checker: Checker, node: ast.Expression, context: Context, what: str
 ) -> TypedExpression:
     """A formula; anything else is reported and unknown."""
@@ -178,7 +178,7 @@ def _flag(value: Reference) -> dict[str, Any]:
     return {"formula": formula, "numbers": (NumberBinding(value.name, value),)}
 
 
-def _ends(
+def interval_ends(
     checker: Checker, interval: ast.IntervalExpression | None, context: Context
 ) -> tuple[TypedExpression, ...] | None:
     """The two ends of an interval, constant numbers; () without an interval."""
@@ -203,9 +203,9 @@ def _ends(
     return tuple(ends)
 
 
-def _interval(
+def interval_of(
     checker: Checker,
-    node: ast.Temporal | ast.Binding,
+    node: ast.Temporal | ast.MeasureExpression | ast.Binding,
     ends: tuple[TypedExpression, ...],
     evidence: DomainEvidence | None,
 ) -> Interval | TypedExpression | None:
@@ -228,8 +228,10 @@ def _interval(
     return _in_order(checker, ends)
 
 
-def _without_operand(
-    checker: Checker, node: ast.Temporal | ast.Binding, ends: tuple[TypedExpression, ...] | None
+def without_operand(
+    checker: Checker,
+    node: ast.Temporal | ast.MeasureExpression | ast.Binding,
+    ends: tuple[TypedExpression, ...] | None,
 ) -> TypedExpression:
     """What is left where an operand was refused: the interval may be wrong as well."""
     if ends and len({dimension_of(end) for end in ends}) == 1:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from ...syntax.tree import nodes as ast
 from ..checker import Rule
 from ..types.dimensions import infer_number
-from . import calls, expressions, formulas, members
+from . import calls, expressions, formulas, measures, members
 
 RULES: Mapping[type, Rule] = {
     ast.NumberLiteral: infer_number,
@@ -20,9 +20,10 @@ RULES: Mapping[type, Rule] = {
     ast.NegateExpression: expressions.infer_negation,
     ast.ArithmeticExpression: expressions.infer_arithmetic,
     ast.Draw: expressions.infer_draw,
-    ast.ComparisonExpression: formulas.infer_comparison,
+    ast.ComparisonExpression: measures.infer_any_comparison,
     ast.NotExpression: formulas.infer_not,
     ast.Temporal: formulas.infer_temporal,
+    ast.MeasureExpression: measures.infer_measure,
     ast.Binding: formulas.infer_binding,
     ast.Logic: formulas.infer_logic,
     ast.GroupExpression: expressions.infer_group,

@@ -41,7 +41,7 @@ def check_condition(
 def _only_past(checker: Checker, expression: ast.Expression, typed: TypedExpression) -> bool:
     """False, reported, where a formula looks ahead."""
     written = next(filter(_looks_ahead, (node for node, _ in walk(expression))), None)
-    if isinstance(written, ast.Temporal | ast.Binding):
+    if isinstance(written, ast.Temporal | ast.MeasureExpression | ast.Binding):
         _report_future(checker, written.word, written.word_span)
         return False
     # A `let` that the formula names may look ahead as well.
@@ -54,12 +54,13 @@ def _only_past(checker: Checker, expression: ast.Expression, typed: TypedExpress
 
 
 def _looks_ahead(node: ast.SyntaxNode) -> bool:
-    if not isinstance(node, ast.Temporal | ast.Binding):
+    if not isinstance(node, ast.Temporal | ast.MeasureExpression | ast.Binding):
         return False
     operator = COMPOUNDS[node.word]
     return issubclass(operator, TemporalOperator) and not operator.past
 
 
 def _report_future(checker: Checker, word: str, span: Span) -> None:
-    help_ = f"`{BY_WORD[word].mirror}` looks back instead"
+    mirror = BY_WORD[word].mirror
+    help_ = f"`{mirror}` looks back instead" if mirror else "`once` and `historically` look back"
     checker.report(Code.FUTURE_OPERATOR_IN_WHEN, span, word=word, help=help_)

@@ -61,6 +61,12 @@ class SamplePositions:
         """How many samples there are, stand-ins included."""
         return int(self.positions.size)
 
+    def unrolled(self, interval: Interval) -> Interval:
+        """The interval as it is used: on a closed road at most one lap long."""
+        if self.wrap is None:
+            return interval
+        return _unrolled(interval, self.wrap, self.tolerance, keep_lead=False)
+
     def windows(
         self,
         reach: Reach,

@@ -17,6 +17,7 @@ from .operations import (
     ROBUST,
     TERM_FUNCTIONS,
     Function,
+    Measuring,
     NumberOperation,
     Operation,
     PointwiseOperation,
@@ -126,6 +127,8 @@ class FormulaGraph:
                 return self.add(Sliding(extreme, formula.reach, formula.past), *parts)
             case f.SampleStep():
                 return self.add(Sliding(GREATEST, formula.reach, formula.past), *parts)
+            case f.AtLeast(interval, _, amount, strict, counts):
+                return self.add(Measuring(interval, amount, strict, counts), *parts)
             case f.BinaryTemporal(interval):
                 return self.add(Reaching(interval, formula.past), *parts)
         raise TypeError(f"not in normal form: {formula!r}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
-from typing import TypeAlias
+from typing import ClassVar, Literal, TypeAlias
 
 import numpy as np
 
@@ -57,6 +57,19 @@ class Reaching:
 
 
 @dataclass(frozen=True)
+class Measuring:
+    """The greatest level that the input has at `amount` samples of a window (`counts`) or for that
+    long, or (`strict`) more. `side`: as a bound, where samples are yet to come."""
+
+    interval: Interval | None
+    amount: float
+    strict: bool
+    counts: bool
+    side: Literal["lower", "upper"] | None = None
+    past: ClassVar[bool] = False
+
+
+@dataclass(frozen=True)
 class GivenNumbers:
     """Numbers per variant, infinite ones welcome, that are computed with the graph."""
 
@@ -85,6 +98,7 @@ Operation: TypeAlias = (
     | PointwiseOperation
     | Sliding
     | Reaching
+    | Measuring
     | Extend
     | AtUnseen
 )

@@ -28,6 +28,7 @@ from .operations import (
     Extend,
     Function,
     GivenNumbers,
+    Measuring,
     NumberOperation,
     PointwiseOperation,
     Reaching,
@@ -124,6 +125,8 @@ class BoundGraph(FormulaGraph):
                 )
             case f.BinaryTemporal():
                 return self._reach(formula, side, later)
+            case f.AtLeast():
+                return self._measure(formula, side)
             case f.UnaryTemporal():
                 return self._slide(formula, side, later)
             case f.SampleStep():
@@ -145,6 +148,16 @@ class BoundGraph(FormulaGraph):
             join = least if extreme is LEAST else greatest
             return self.add(AtUnseen(self.seen, join), result, operand)
         return result
+
+    def _measure(self, formula: f.AtLeast, side: Side) -> int:
+        """Later samples, and the time that the last one lasts, can only add to what is there."""
+        measuring = Measuring(
+            formula.interval, formula.amount, formula.strict, formula.counts, side
+        )
+        operand = self.bound(formula.operand, side, side == "upper")
+        if side == "lower":
+            operand = self._extended(operand, -np.inf)
+        return self.add(measuring, operand)
 
     def _step(self, formula: f.SampleStep, side: Side, later: bool) -> int:
         """The next sample may not come; of a later sample the previous one may be any of many."""

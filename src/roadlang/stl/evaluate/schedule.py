@@ -8,18 +8,21 @@ import numpy as np
 
 from .axis import SamplePositions
 from .graph import FormulaGraph, FormulaNode
-from .kernels import slide, until
+from .kernels import GREATEST, slide, slide_between, until
 from .operations import (
     AtUnseen,
     Extend,
     GivenNumbers,
+    Measuring,
     NumberOperation,
     PointwiseOperation,
     Reaching,
     Read,
     Sliding,
 )
+from .order_statistics import greatest_level
 from .trace import FloatArray, InfiniteSignal, SampledSignals
+from .weights import UnseenWeights, WeighedWindows, weighed_windows
 from .windows import BoolArray, Windows
 
 Span = tuple[int, int]
@@ -35,6 +38,7 @@ class ScheduledStep:
     windows: Windows | None = None
     reversed_at: BoolArray | None = None
     """The samples of `span` whose empty window counts the other way."""
+    weighed: tuple[WeighedWindows, UnseenWeights | None] | None = None
 
 
 @dataclass(frozen=True)
@@ -164,6 +168,10 @@ def _derived(step: ScheduledStep, inputs: list[FloatArray]) -> FloatArray:
                 return np.full((1, 1), -np.inf)
             left, right = np.broadcast_arrays(*(_unrolled(values, windows) for values in inputs))
             return _turned(until(left, right, windows), windows)
+        case Measuring():
+            if windows is None or step.weighed is None:
+                return np.full((1, 1), -np.inf)
+            return _measured(_unrolled(inputs[0], windows), *step.weighed)
         case Extend():
             filled = [
                 np.broadcast_to(values, (need[1] - need[0] + 1, values.shape[1]))
@@ -187,6 +195,19 @@ def _derived(step: ScheduledStep, inputs: list[FloatArray]) -> FloatArray:
     raise TypeError(f"not an operation: {step.node.operation!r}")
 
 
+def _measured(
+    values: FloatArray, weighed: WeighedWindows, unseen: UnseenWeights | None
+) -> FloatArray:
+    level = greatest_level(values, weighed)
+    if unseen is None:
+        return level
+    beyond = slide_between(values, unseen.starts, unseen.ends, GREATEST)
+    beyond[~unseen.open] = -np.inf
+    rest = replace(weighed, enough=weighed.enough - unseen.more)
+    found: FloatArray = np.maximum(level, np.minimum(beyond, greatest_level(values, rest)))
+    return found
+
+
 def _step(node: FormulaNode, axis: SamplePositions, targets: Span) -> ScheduledStep:
     match node.operation:
         case Sliding(_, interval, past) | Reaching(interval, past):
@@ -194,6 +215,12 @@ def _step(node: FormulaNode, axis: SamplePositions, targets: Span) -> ScheduledS
             windows = axis.windows(interval, targets, past=past, path=path)
             span = None if windows is None else windows.span
             return ScheduledStep(node, targets, (span,) * len(node.inputs), windows)
+        case Measuring(interval) as operation:
+            windows = axis.windows(interval, targets, past=False)
+            if windows is None:
+                return ScheduledStep(node, targets, (None,))
+            weighed = weighed_windows(axis, windows, operation, targets)
+            return ScheduledStep(node, targets, (windows.span,), windows, weighed=weighed)
         case Extend(seen):
             return ScheduledStep(node, targets, (_before(targets, seen), _behind(targets, seen)))
         case AtUnseen(seen):
@@ -205,6 +232,9 @@ def _reversing(step: ScheduledStep, axis: SamplePositions) -> ScheduledStep:
     match step.node.operation:
         case Sliding(_, interval, past) | Reaching(interval, past):
             empty = axis.between_samples(interval, step.span, past=past)
+            return replace(step, reversed_at=empty) if empty.any() else step
+        case Measuring(interval):
+            empty = axis.between_samples(interval, step.span, past=False)
             return replace(step, reversed_at=empty) if empty.any() else step
     return step
 

@@ -22,8 +22,10 @@ from .axis import SamplePositions
 from .evaluation import finite_first
 from .graph import FormulaGraph
 from .kernels import LEAST
+from .order_statistics import greatest_level
 from .schedule import EvaluationPlan, ScheduledStep
 from .trace import FloatArray, Positions, SampledSignals, Signals
+from .weights import WeighedWindows
 from .windows import IntArray, Windows
 
 Backward = Callable[[FloatArray], tuple[FloatArray, ...]]
@@ -136,6 +138,10 @@ class _Tape:
                     return np.full(1, extreme.identity), None
                 sign = -1.0 if extreme is LEAST else 1.0
                 return self._slide(inputs[0], step.windows, sign)
+            case o.Measuring():
+                if step.weighed is None:
+                    return np.full(1, -np.inf), None
+                return _level(inputs[0], step.weighed[0], step.windows)
             case o.Reaching():
                 if step.windows is None:
                     return np.full(1, -np.inf), None
@@ -215,6 +221,28 @@ class _Tape:
             return by_left, by_right
 
         return (value[::-1] if windows.flipped else value), back
+
+
+def _level(
+    operand: FloatArray, weighed: WeighedWindows, windows: Windows | None
+) -> tuple[FloatArray, Backward]:
+    """An order statistic as it is: its derivative is that of the sample that it is the value of."""
+    laps = 1 if windows is None else windows.laps
+    values = np.tile(np.broadcast_to(operand, (weighed.weights.size // laps,)), laps)
+    level = greatest_level(values[:, None], weighed)[:, 0]
+    bounds = zip(weighed.starts, weighed.ends, level, strict=True)
+    chosen = np.array(
+        [first + np.argmax(np.append(values[first : last + 1], at) == at)
+         for first, last, at in bounds]
+    )  # fmt: skip
+    is_sample = np.isfinite(level) & (chosen <= weighed.ends)
+
+    def back(gradient: FloatArray) -> tuple[FloatArray, ...]:
+        spread = np.zeros(values.size)
+        np.add.at(spread, chosen[is_sample], np.broadcast_to(gradient, level.shape)[is_sample])
+        return (spread.reshape(laps, -1).sum(axis=0),)
+
+    return level, back
 
 
 def _shares(witness: NDArray[np.bool_], costs: FloatArray, total: FloatArray) -> FloatArray:

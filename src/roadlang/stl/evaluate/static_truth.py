@@ -51,6 +51,8 @@ def static_truth(formula: f.Formula, variables: Mapping[str, Bounds]) -> StaticT
             case f.LogicalJunction(operands):
                 join = _both if part.least else _either
                 return reduce(join, map(of, operands), StaticTruth(part.least, part.least))
+            case f.AtLeast(_, operand):
+                return _often_enough(of(operand), part)
             case f.SampleStep(_, operand):
                 return StaticTruth(False, of(operand).possible)
             case f.UnaryTemporal(_, operand):
@@ -69,6 +71,12 @@ def _in_window(operand: StaticTruth, formula: f.UnaryTemporal) -> StaticTruth:
     if formula.least:
         return StaticTruth(operand.certain, True)
     return StaticTruth(False, operand.possible)
+
+
+def _often_enough(operand: StaticTruth, formula: f.AtLeast) -> StaticTruth:
+    if formula.is_trivial:
+        return StaticTruth(True, True)
+    return StaticTruth(False, formula.is_possible and operand.possible)
 
 
 def _with_witness(left: StaticTruth, right: StaticTruth, formula: f.BinaryTemporal) -> StaticTruth:

@@ -16,8 +16,9 @@ from ..formula.interval import UNBOUNDED, NeighborWindow
 from . import operations as op
 from .graph import FormulaGraph
 from .kernels import GREATEST
-from .operations import NumberOperation, PointwiseOperation, Reaching, Read, Sliding
+from .operations import Measuring, NumberOperation, PointwiseOperation, Reaching, Read, Sliding
 from .position_text import position_text
+from .stream_measures import StreamMeasure
 from .stream_neighbors import StreamNext, StreamPrevious
 from .stream_nodes import (
     Clock,
@@ -121,6 +122,8 @@ def _node(operation: op.Operation, inputs: int, clock: Clock) -> StreamNode | No
             assert not isinstance(interval, NeighborWindow)
             window = StreamPastWindow if past else StreamFutureWindow
             return window(clock, interval or UNBOUNDED, 1 if extreme is GREATEST else -1)
+        case Measuring():
+            return StreamMeasure(clock, operation)
         case Reaching(interval, past):
             return (StreamSince if past else StreamUntil)(clock, interval or UNBOUNDED)
     raise TypeError(f"not an operation of a formula: {operation!r}")

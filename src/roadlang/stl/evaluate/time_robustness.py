@@ -42,7 +42,7 @@ def time_robustness(
                 margins[name] = _unchanged(holds, trace.positions, direction)
             return f.Comparison(">", t.Variable(name), t.Constant(0.0))
         if isinstance(part, f.Compound):
-            return part.of([timed(inner) for inner in part.parts], part.window)
+            return part.with_parts([timed(inner) for inner in part.parts])
         return part
 
     judged = timed(normal_form(formula))

@@ -70,9 +70,9 @@ class _Blame:
             case f.BinaryTemporal(_, left, right):
                 self.spread(left, self._reached(formula, samples, path=True), holding)
                 self.spread(right, self._reached(formula, samples, path=False), holding)
-            case f.UnaryTemporal() | f.SampleStep():
+            case f.UnaryTemporal() | f.SampleStep() | f.AtLeast():
                 reached = self._reached(formula, samples, path=False)
-                self.spread(formula.operand, reached, holding)
+                self.spread(formula.parts[0], reached, holding)
             case _:
                 for part in formula.parts:
                     self.spread(part, samples, holding)

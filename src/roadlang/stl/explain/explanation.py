@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ...syntax.operators import words
 from ..evaluate.axis import SamplePositions
 from ..evaluate.evaluation import everywhere
 from ..evaluate.position_text import position_text
@@ -16,6 +17,8 @@ from ..evaluate.vacuity import operators_between_samples
 from ..evaluate.verdicts import Verdict, verdicts_of
 from ..formula import formulas as f
 from .causes import ViolationInterval, violated_stretches
+
+MEASURE_WORDS = words("measure")
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,8 @@ class Explanation:
         lines = [f"{self.verdict}: robustness {self.rho:.6g}, range [{lo:.6g}, {hi:.6g}]"]
         place = position_text(self.position)
         if self.window_empty:
-            lines.append(f"decided at {place}: no sample in the window of {self.predicate}")
+            lack = "too few samples" if self.predicate.startswith(MEASURE_WORDS) else "no sample"
+            lines.append(f"decided at {place}: {lack} in the window of {self.predicate}")
         else:
             values = ", ".join(f"{name} = {value:.6g}" for name, value in self.values.items())
             lines.append(
@@ -168,6 +172,8 @@ class _Finder:
 
     def _next(self, formula: f.Formula, sample: int) -> tuple[f.Formula, int] | None:
         match formula:
+            case f.AtLeast():
+                return self._level(formula, sample)
             case f.Pointwise():
                 return self._deciding_part(formula, sample)
             case f.Derived():
@@ -198,6 +204,15 @@ class _Finder:
         least = isinstance(formula, f.UnaryTemporal) and formula.least
         extreme = np.argmin(values) if least else np.argmax(values)
         return formula.operand, int(held[extreme])
+
+    def _level(self, formula: f.AtLeast, sample: int) -> tuple[f.Formula, int] | None:
+        """The sample of the window whose level is that of the formula."""
+        windows = self.axis.windows(formula.interval, (sample, sample), past=False)
+        if windows is None:
+            return None
+        held = windows.samples(0)
+        at_level = held[self.values(formula.operand)[held] == self.value(formula, sample)]
+        return (formula.operand, int(at_level[0])) if at_level.size else None
 
     def _decider(self, formula: f.BinaryTemporal, sample: int) -> tuple[f.Formula, int] | None:
         """The best witness, and whether it or a sample on the way to it decides."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, cast, get_args
 
 from ...diagnostics import (
@@ -20,6 +21,15 @@ from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.interval import Interval, interval_help
 from . import unit_factors as units
+from .measure_comparisons import (
+    all_of,
+    count_with_unit,
+    measure_in,
+    measured_formula,
+    not_a_constant,
+    not_compared,
+    written_measures,
+)
 
 _NUMBER_NODES = (
     ast.NumberLiteral,
@@ -67,6 +77,9 @@ class FormulaReader:
                 return f.compound(word, [before, self.formula(right)], bounds)
             case ast.Logic(word, operands):
                 return f.compound(word, [self.formula(operand) for operand in operands])
+        if isinstance(node, ast.MeasureExpression):
+            self.faults.append(not_compared(node))
+            return _NOTHING
         if isinstance(node, ast.CallExpression) and _dotted(node.function) not in get_args(
             t.FunctionName
         ):
@@ -107,7 +120,9 @@ class FormulaReader:
                 return t.Arithmetic(op, self.term(left), self.term(right))
             case ast.CallExpression():
                 return self._call(node)
-        if isinstance(node, _FORMULA_NODES):
+        if isinstance(node, ast.MeasureExpression):
+            self.faults.append(not_compared(node))
+        elif isinstance(node, _FORMULA_NODES):
             hint = "for two formulas that hold together write `iff`, for exactly one `xor`"
             self._fault(
                 Code.FORMULA_AS_NUMBER, node.span, help=hint, text=" ".join(node.span.text.split())
@@ -118,12 +133,43 @@ class FormulaReader:
 
     def _comparison(self, node: ast.ComparisonExpression) -> f.Formula:
         """`a < b < c` says both, of the same `b`."""
+        if any(measure_in(operand) for operand in node.operands):
+            return self._measured(node)
         terms = [self.term(operand) for operand in node.operands]
         pairs = tuple(
             f.Comparison(cast(f.ComparisonOperator, operator), left, right)
             for operator, left, right in zip(node.operators, terms, terms[1:], strict=False)
         )
         return pairs[0] if len(pairs) == 1 else f.And(pairs)
+
+    def _measured(self, node: ast.ComparisonExpression) -> f.Formula:
+        """`1 <= count[0, 10] (p) <= 3`."""
+        found = written_measures(node)
+        if isinstance(found, Diagnostic):
+            self.faults.append(found)
+            return _NOTHING
+        known: dict[int, tuple[Interval | None, f.Formula]] = {}
+        parts = []
+        for measure, op, number in found:
+            if id(measure) not in known:
+                interval = self._interval(measure.interval)
+                known[id(measure)] = interval, self.formula(measure.operand)
+            amount = self._amount(measure, number)
+            parts.append(measured_formula(measure.word, *known[id(measure)], op, amount))
+        return all_of(parts)
+
+    def _amount(self, measure: ast.MeasureExpression, node: ast.Expression) -> float:
+        """What a count or duration is compared with."""
+        number = self.term(node)
+        if not isinstance(number, t.Constant):
+            self.faults.append(not_a_constant(measure, node.span))
+            return 0.0
+        if isinstance(node, ast.NumberLiteral) and node.unit:
+            if measure.word == "count":
+                self.faults.append(count_with_unit(node))
+            else:
+                self._check_axis((node,))
+        return number.value
 
     def _call(self, node: ast.CallExpression) -> t.Term:
         name = _dotted(node.function)
@@ -166,7 +212,7 @@ class FormulaReader:
         units_of = [getattr(bound, "unit", "") for bound in (node.low, node.high)]
         if not units_of[0] and units.axis_of(units_of[1]):
             low *= units.factor(units_of[1])
-        self._check_axis(node)
+        self._check_axis((node.low, node.high))
         try:
             return Interval(low, high)
         except DiagnosticError:
@@ -186,9 +232,9 @@ class FormulaReader:
         )
         return 0.0
 
-    def _check_axis(self, node: ast.IntervalExpression) -> None:
+    def _check_axis(self, bounds: Sequence[ast.Expression]) -> None:
         """A formula is about one axis: meters along a road, or seconds."""
-        for bound in (node.low, node.high):
+        for bound in bounds:
             if not isinstance(bound, ast.NumberLiteral) or not bound.unit:
                 continue
             axis = units.axis_of(bound.unit)

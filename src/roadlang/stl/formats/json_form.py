@@ -2,7 +2,7 @@
 
 A term is a number, a name, `{"-": [x]}` or `{op or function: [x, y]}`; a comparison is
 `{"<": [x, y]}`; `{"and": [p, q]}`; `{"until": [p, q], "interval": [2, null]}`, where null is
-infinity. Truth values are JSON's own.
+infinity; `{"count": [p, "<=", 3], "interval": [0, 10]}`. Truth values are JSON's own.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.interval import Interval
+from ..formula.measures import MeasureComparison
 
 Json = Any
 
@@ -33,8 +34,11 @@ def to_json(formula: f.Formula) -> Json:
         case f.Comparison(op, left, right):
             return {op: [_term_to_json(left), _term_to_json(right)]}
         case f.Compound():
+            formula = formula.measured if isinstance(formula, f.AtLeast) else formula
             tag, window = formula.notation.json, formula.window
             parts = [to_json(part) for part in formula.parts]
+            if isinstance(formula, f.Measured):
+                parts += [formula.op, formula.amount]
             result: dict[str, Json] = {tag: parts[0] if tag in _UNARY else parts}
             if window is not None:
                 result["interval"] = [window.lo, None if math.isinf(window.hi) else window.hi]
@@ -83,8 +87,20 @@ def _head(value: dict[str, Json]) -> tuple[str, Json]:
 
 
 def _formula(tag: str, operands: Json, interval: Interval | None) -> f.Formula:
+    kind = f.COMPOUNDS[_WORDS[tag]]
+    if issubclass(kind, f.Measured):
+        operand, op, amount = operands
+        if op not in get_args(MeasureComparison):
+            raise ValueError(op)
+        return kind(interval, from_json(operand), op, _amount(amount))
     parts = [from_json(operand) for operand in ([operands] if tag in _UNARY else operands)]
     return f.compound(_WORDS[tag], parts, interval)
+
+
+def _amount(value: Json) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise TypeError(value)
+    return float(value)
 
 
 def _interval(bounds: Json) -> Interval | None:

@@ -7,6 +7,7 @@ from typing import Any, get_args
 from ...syntax.operators import OPERATORS, PREFIXES, Operator
 from ..formula import formulas as f
 from ..formula import terms as t
+from ..formula.measures import MeasureComparison
 
 FORMULA, TERM = {"$ref": "#/$defs/Formula"}, {"$ref": "#/$defs/Term"}
 _INTERVAL = {
@@ -36,11 +37,15 @@ def formula_definitions() -> dict[str, Any]:
 def _operator(operator: Operator) -> dict[str, Any]:
     if operator.form in PREFIXES:
         operands: dict[str, Any] = FORMULA
+    elif operator.form == "measure":
+        sign = {"enum": list(get_args(MeasureComparison))}
+        prefix = [FORMULA, sign, {"type": "number"}]
+        operands = {"type": "array", "prefixItems": prefix, "minItems": 3, "items": False}
     elif operator.form == "binding" or issubclass(f.COMPOUNDS[operator.word], f.Connective):
         operands = _list(FORMULA, 2, 2)
     else:
         operands = _list(FORMULA)
-    has_interval = operator.form in ("temporal", "binding")
+    has_interval = operator.form in ("temporal", "binding", "measure")
     return _single({operator.json: operands}, {"interval": _INTERVAL} if has_interval else {})
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .interval import UNBOUNDED, Interval
+from .measures import AtLeast, Count, Duration, Measured
 from .shapes import (
     BinaryTemporal,
     Comparison,
@@ -30,12 +31,15 @@ __all__ = [
     "COMPOUNDS",
     "Always",
     "And",
+    "AtLeast",
     "BinaryTemporal",
     "Comparison",
     "ComparisonOperator",
     "Compound",
     "Connective",
+    "Count",
     "Derived",
+    "Duration",
     "Eventually",
     "Fall",
     "Formula",
@@ -43,6 +47,7 @@ __all__ = [
     "Iff",
     "Implies",
     "LogicalJunction",
+    "Measured",
     "Next",
     "Not",
     "Once",
@@ -266,6 +271,7 @@ COMPOUNDS: dict[str, type[Compound]] = {
     for kind in (
         Not, And, Or, Implies, Iff, Xor, Always, Eventually, Historically, Once, Until, Since,
         Release, PastRelease, WeakUntil, WeakSince, Next, Prev, Rise, Fall,
+        Count, Duration,
     )
 }  # fmt: skip
 """The operators by their words."""

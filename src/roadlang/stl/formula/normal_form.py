@@ -2,7 +2,7 @@
 
 The rewriting changes neither robustness (to the last bit: x - y and -(y - x) round equally), nor
 Boolean satisfaction. What remains: Truth, Comparison, And, Or, the temporal operators, and Not in
-front of until, since, next and prev, which have no dual here.
+front of until, since, next, prev and "at least so often", which have no dual here.
 """
 
 from __future__ import annotations
@@ -41,14 +41,24 @@ def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = F
         case f.LogicalJunction(operands):
             kind = _DUAL[type(formula)] if negated else type(formula)
             return _joined(kind, (of(operand) for operand in operands))
-        case f.BinaryTemporal() | f.SampleStep():
+        case f.AtLeast() if (simple := _simple(formula)) is not None:
+            return of(simple)
+        case f.BinaryTemporal() | f.SampleStep() | f.AtLeast():
             parts = [normal_form(part, greatest=greatest != negated) for part in formula.parts]
-            plain = formula.of(parts, formula.window)
+            plain = formula.with_parts(parts)
             return f.Not(plain) if negated else plain
         case f.UnaryTemporal(interval, operand):
             kind = _DUAL[type(formula)] if negated else type(formula)
             return kind.of([of(operand)], interval)
     raise TypeError(f"not a formula: {formula!r}")
+
+
+def _simple(formula: f.AtLeast) -> f.Formula | None:
+    """What another operator says as well: nothing is asked for, or one sample."""
+    if formula.is_trivial:
+        return f.Truth(True)
+    once = formula.counts and formula.samples == 1
+    return f.Eventually(formula.interval, formula.operand) if once else None
 
 
 def _joined(kind: type[f.Compound], parts: Iterable[f.Formula]) -> f.Formula:

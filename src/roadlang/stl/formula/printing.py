@@ -41,6 +41,8 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
             operator = formula.notation
             sides = [_side(operand, operator.operand_level) for operand in operands]
             return f" {operator.word} ".join(sides), operator.level
+        case f.AtLeast():
+            return _text_and_level(formula.measured)
         case f.Compound() if formula.notation.form in PREFIXES:
             word = f"{formula.word}{interval_text(formula.window)}"
             return f"{word} {_governed(formula.parts[0])}", formula.notation.level
@@ -49,6 +51,9 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
             word = f"{operator.word}{interval_text(interval)}"
             sides = [_side(side, operator.operand_level) for side in (left, right)]
             return f"{sides[0]} {word} {sides[1]}", operator.level
+        case f.Measured(interval, operand, op, amount):
+            subject = f"{formula.word}{interval_text(interval)} ({_formula(operand, 0)})"
+            return f"{subject} {op} {number_text(amount)}", COMPARISON
         case f.Connective(left, right):
             operator = formula.notation
             before = _side(left, operator.operand_level)
@@ -58,7 +63,9 @@ def _text_and_level(formula: f.Formula) -> tuple[str, int]:
 
 
 def _is_prefixed(formula: f.Formula) -> bool:
-    return isinstance(formula, f.Compound) and formula.notation.form in PREFIXES
+    if isinstance(formula, f.AtLeast) or not isinstance(formula, f.Compound):
+        return False
+    return formula.notation.form in PREFIXES
 
 
 def _governed(operand: f.Formula) -> str:

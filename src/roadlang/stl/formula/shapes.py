@@ -40,12 +40,12 @@ class Formula(Evaluable):
 
     @property
     def looks_ahead(self) -> bool:
-        """Whether an operator that looks ahead occurs anywhere in the formula."""
+        """Whether an operator looks ahead."""
         return any(isinstance(node, TemporalOperator) and not node.past for node in self.walk())
 
     @property
     def looks_back(self) -> bool:
-        """Whether an operator that looks back occurs anywhere in the formula."""
+        """Whether an operator looks back."""
         return any(isinstance(node, TemporalOperator) and node.past for node in self.walk())
 
     def walk(self) -> Iterator[Formula]:
@@ -92,12 +92,16 @@ class Compound(Formula):
         """The formula that the operator makes. Raises TypeError for another number of parts."""
         raise NotImplementedError
 
+    def with_parts(self, parts: Sequence[Formula]) -> Self:
+        """The same operator, with the same interval, of other parts."""
+        return self.of(parts, self.window)
+
 
 class Pointwise(Compound):
     """An operator whose value at a sample is that of its parts at the same sample.
 
-    `trends`, one for each part: +1 where the robustness is that of the part or of another, -1
-    where it is that of the part with the sign turned, 0 where it may be either.
+    `trends` of the parts: +1 where the robustness is that of the part or of another, -1 with the
+    sign turned, 0 where it may be either.
     """
 
     __slots__ = ()
@@ -110,8 +114,7 @@ class Pointwise(Compound):
 
 @dataclass(frozen=True, slots=True)
 class TemporalOperator(Compound):
-    """An operator that looks at the samples in an interval (None: at all of them): ahead, or back
-    if it is `past`."""
+    """An operator that looks at the samples in an interval (None: all): ahead, or back (`past`)."""
 
     interval: Interval | None
     past: ClassVar[bool]
@@ -137,11 +140,8 @@ class Derived(Compound):
     __slots__ = ()
 
     def expanded(self, *, greatest: bool = False) -> Formula:
-        """The same by other operators.
-
-        `greatest`: of two forms with the same robustness the one that is a greatest of leasts. It
-        gives the better upper bound from bounds of the parts, the other the better lower one.
-        """
+        """The same by other operators; with `greatest`, of two equal forms the greatest of leasts,
+        which gives better upper bounds from bounds of the parts, as the other does lower ones."""
         raise NotImplementedError
 
 

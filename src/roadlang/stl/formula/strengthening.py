@@ -23,7 +23,7 @@ def strengthened(formula: f.Formula) -> f.Formula:
             parts = [strengthened(part) for part in operands]
             return type(formula)(_with_shared(parts, type(formula)))
         case f.Compound():
-            return formula.of([strengthened(part) for part in formula.parts], formula.window)
+            return formula.with_parts([strengthened(part) for part in formula.parts])
     return formula
 
 

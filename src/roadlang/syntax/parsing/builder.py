@@ -196,6 +196,19 @@ class Builder:
     def step(self, start: int, end: int, word: Token, operand: ast.Expression) -> ast.Temporal:
         return self.temporal(start, end, word, None, operand)
 
+    def measured(
+        self,
+        start: int,
+        end: int,
+        word: Token,
+        interval: ast.IntervalExpression | None,
+        operand: ast.GroupExpression,
+    ) -> ast.MeasureExpression:
+        span = Span(self.source, start, end)
+        return ast.MeasureExpression(
+            _WORD[word[0]], interval, operand, word_span=self._span(word), span=span
+        )
+
     def interval(
         self, start: int, end: int, low: ast.Expression, high: ast.Expression
     ) -> ast.IntervalExpression:

@@ -83,7 +83,7 @@ def _operation(node: ast.SyntaxNode) -> Doc:
             return _chain(_all(node.operands), [node.word] * (len(node.operands) - 1))
         case ast.NotExpression():
             return ("not ", expression(node.operand))
-        case ast.Temporal():
+        case ast.Temporal() | ast.MeasureExpression():
             return (node.word, *_interval(node.interval), " ", expression(node.operand))
         case ast.Binding():
             left, right = expression(node.left), expression(node.right)

@@ -1,7 +1,6 @@
-"""Words, expressions and blocks of the syntax tree: what was written, where.
+"""Words, expressions and blocks of the syntax tree: what was written, where. Nothing is resolved.
 
-Nothing in it is resolved or checked. Equality ignores spans, so that `parse(format(tree)) == tree`
-can be asserted.
+Equality ignores spans, so that `parse(format(tree)) == tree` can be asserted.
 """
 
 from __future__ import annotations
@@ -17,9 +16,6 @@ class SyntaxNode:
     """Anything written at one place."""
 
     span: Span = field(compare=False, repr=False, kw_only=True)
-
-
-# --- words -------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,8 +72,7 @@ class Boolean(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Name(SyntaxNode):
-    """A reference; the checker knows to what. `acme.mpc` is a `Member`. One that is `quoted` names
-    the column of a trace."""
+    """A reference to what the checker knows; one that is `quoted` names the column of a trace."""
 
     text: str
     quoted: bool = False
@@ -166,6 +161,16 @@ class Temporal(SyntaxNode):
 
 
 @dataclass(frozen=True, slots=True)
+class MeasureExpression(SyntaxNode):
+    """`count[a, b] (p)` and `duration[a, b] (p)`: numbers, to be compared with a number."""
+
+    word: str
+    interval: IntervalExpression | None
+    operand: GroupExpression
+    word_span: Span = field(compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
 class Binding(SyntaxNode):
     """`left until[a, b] right` and its kin; `word` is canonical."""
 
@@ -178,7 +183,7 @@ class Binding(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Logic(SyntaxNode):
-    """`and`, `or` (flattened, two or more operands), `implies`, `iff`, `xor` (two operands)."""
+    """`and`, `or` (two or more operands), `implies`, `iff`, `xor` (two operands)."""
 
     word: str
     operands: tuple[Expression, ...]
@@ -234,6 +239,7 @@ Expression: TypeAlias = (
     | ComparisonExpression
     | NotExpression
     | Temporal
+    | MeasureExpression
     | Binding
     | Logic
     | GroupExpression
