@@ -14,14 +14,13 @@ from pathlib import Path
 import numpy as np
 
 from roadlang.evaluate.candidates import fixed_candidate
-from roadlang.evaluate.draw_record import DrawRecord
 from roadlang.evaluate.evaluation import build
 from roadlang.evaluate.kind_instance import KindInstance
 from roadlang.ir.read_only import FrozenDict
 from roadlang.ir.values import ConstantValue, Options, PassCall
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
-from roadlang.search.accepted import Accepted
+from roadlang.search.accepted import Accepted, candidates_of
 from roadlang.search.attempts import accepted_attempts
 from roadlang.search.diversity import mean_nearest
 from roadlang.search.guiding import guided_attempts, run_pilot
@@ -125,9 +124,11 @@ def coordinates(acceptance: Acceptance, accepted: list[Accepted]) -> list[dict[s
     """The draws of each scene in the unit cube, by name."""
     found = []
     for item in accepted:
-        record = DrawRecord()
-        acceptance.measure(item.candidate(acceptance.scenario, SEED, record))
-        found.append({name: float(values[0]) for name, values in record.coordinates.items()})
+        candidate = candidates_of([item], acceptance.scenario, SEED)
+        acceptance.measure(candidate)
+        assert candidate.record is not None
+        drawn = candidate.record.coordinates.items()
+        found.append({name: float(values[0]) for name, values in drawn})
     return found
 
 

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 import pytest
 
-from roadlang.evaluate.candidates import CandidateBatch, rows_of
+from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.evaluate.draw_record import DrawRecord
+from roadlang.ir.encoding import to_json
 from roadlang.ir.scene import Scene
 from roadlang.scenes.instantiate import driven_scene, instantiate
 from roadlang.scenes.preparing import prepare_scenes
+from roadlang.scenes.sampling import sample_scenes
 from roadlang.testing import scenario
+from roadlang.world import arrangement
 from roadlang.world.index import index_scenario
 
 BASE = """
@@ -55,13 +59,9 @@ def test_a_scene_made_of_prepared_candidates_is_the_scene_made_alone(text: str) 
     first = np.zeros_like(numbers)
     batch = CandidateBatch(indexed, 5, first, numbers, None, DrawRecord())
     prepare_scenes(batch)
-    assert batch.record is not None
     for number in numbers.tolist():
         row = np.array([number])
-        chosen = batch.take(row)
-        values = {name: rows_of(v, row, batch.count) for name, v in batch.record.values.items()}
-        chosen.record = DrawRecord(values=values)
-        prepared = driven_scene(chosen, number, {})
+        prepared = driven_scene(batch.take_recorded(row), number, {})
         alone = CandidateBatch(indexed, 5, first[:1], row, None, DrawRecord())
         assert _driven(prepared) == _driven(instantiate(alone, number, {}).scene)
 
@@ -72,3 +72,35 @@ def _driven(scene: Scene) -> dict[str, object]:
     for name in ("signals", "requirements", "expectations"):
         del members[name]
     return members
+
+
+def places_found(text: str, n: int, monkeypatch: pytest.MonkeyPatch) -> int:
+    """How often anything looked for a place while `n` scenes were sampled and made."""
+    found = 0
+    settle = arrangement._Turn.settle
+
+    def counted(*arguments: Any) -> None:
+        nonlocal found
+        found += 1
+        settle(*arguments)
+
+    monkeypatch.setattr(arrangement._Turn, "settle", counted)
+    loaded = scenario(text)
+    result = sample_scenes(loaded.scenario, loaded.registry, n)
+    assert result.accepted == n
+    return found
+
+
+def test_an_accepted_scene_is_not_placed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert places_found(SEVERAL_PASSES, 1, monkeypatch) == 3
+    assert places_found(SEVERAL_PASSES, 17, monkeypatch) == 6
+
+
+@pytest.mark.parametrize("text", [SEVERAL_PASSES, DRAWN_COUNT, DRAWN_LENGTH])
+def test_sampled_scenes_are_those_of_their_attempts_alone(text: str) -> None:
+    loaded = scenario(text)
+    indexed = index_scenario(loaded.scenario, loaded.registry)
+    for scene in sample_scenes(loaded.scenario, loaded.registry, 12, seed=3).scenes:
+        number, attempt = np.array([scene.index]), np.array([scene.provenance.attempt])
+        alone = CandidateBatch(indexed, 3, number, attempt, None, DrawRecord())
+        assert to_json(scene) == to_json(instantiate(alone, scene.index, {}).scene)

@@ -9,8 +9,9 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry.arrays import Floats
-from ..ir.batch import BatchRandom, RoadBatch, unit_interval
+from ..geometry.arrays import Floats, Integers
+from ..ir.batch import BatchRandom, unit_interval
+from .candidate_rows import rows_of
 from .draw_record import DrawRecord
 from .indexed_scenario import IndexedScenario
 from .randomness import Words, place_keys, variant_keys
@@ -24,7 +25,8 @@ class CandidateBatch:
     `coordinates` are those that a sampler or a search has chosen, (V,) by name; all others are
     hashed of their place. `record`, where one is passed, collects all draws. Whatever is
     computed is kept by `once`, also for the survivors that `take` chooses, so that a later
-    requirement pays only for what is new to it; they have no record.
+    requirement pays only for what is new to it; they have no record. `known_tries`: (V, N) by
+    agent or object at which try each copy was placed, where that is known.
     """
 
     def __init__(
@@ -35,6 +37,7 @@ class CandidateBatch:
         attempts: NDArray[np.int64],
         coordinates: Mapping[str, Floats] | None = None,
         record: DrawRecord | None = None,
+        known_tries: Mapping[str, Integers] | None = None,
     ) -> None:
         self.scenario = scenario
         self.seed = seed
@@ -42,6 +45,8 @@ class CandidateBatch:
         self.attempts = attempts
         self.coordinates = coordinates or {}
         self.record = record
+        self.known_tries = known_tries or {}
+        self._noted_tries: dict[str, dict[int, Integers]] = {}
         self._computed: dict[Hashable, Any] = {}
         self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
 
@@ -61,8 +66,30 @@ class CandidateBatch:
         chosen = CandidateBatch(
             self.scenario, self.seed, self.scenes[rows], self.attempts[rows], coordinates
         )
+        chosen.known_tries = {name: tries[rows] for name, tries in self.known_tries.items()}
         chosen._parent = (self, rows)
         return chosen
+
+    def take_recorded(self, rows: NDArray[np.intp]) -> CandidateBatch:
+        """The candidates at `rows`, with a record of their own of what they have drawn so far."""
+        assert self.record is not None
+        chosen = self.take(rows)
+        chosen.record = self.record.take(rows, self.count)
+        return chosen
+
+    def note_tries(self, name: str, tries: Integers) -> None:
+        """Remember at which try (V, N) each copy of an agent or object was placed."""
+        batch, rows = self, np.arange(self.count)
+        while batch._parent is not None:
+            batch, of_parent = batch._parent
+            rows = of_parent[rows]
+        noted = batch._noted_tries
+        for row, found in zip(rows.tolist(), tries, strict=True):
+            noted.setdefault(name, {})[row] = found
+
+    def noted_tries(self, row: int) -> dict[str, Integers]:
+        """(N,) by agent or object what was noted of the candidate at `row`, or of a survivor."""
+        return {name: rows[row] for name, rows in self._noted_tries.items() if row in rows}
 
     def once(self, key: Hashable, compute: Callable[[], T], *, inherited: bool = True) -> T:
         """What `compute` gives, computed at most once for these candidates.
@@ -150,16 +177,3 @@ def fixed_candidate(scenario: IndexedScenario) -> CandidateBatch:
 def coordinate_name(place: str, element: int) -> str:
     """`bent/perturb 1/amplitude`; with the number of the road or copy where there are several."""
     return f"{place}[{element}]" if element else place
-
-
-def rows_of(value: Any, rows: NDArray[np.intp], count: int) -> Any:
-    """The rows of what was computed for `count` candidates; what is the same for all stays."""
-    if isinstance(value, np.ndarray):
-        return value if value.ndim == 0 or value.shape[0] == 1 else value[rows]
-    if isinstance(value, RoadBatch):
-        return value.take(rows)
-    if isinstance(value, tuple):
-        return tuple(rows_of(item, rows, count) for item in value)
-    if isinstance(value, dict):
-        return {key: rows_of(item, rows, count) for key, item in value.items()}
-    return value

@@ -8,9 +8,10 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.batch import unit_interval
-from .candidates import CandidateBatch, coordinate_name, rows_of
+from .candidate_rows import rows_of
+from .candidates import CandidateBatch, coordinate_name
 from .draw_record import DrawRecord
 from .randomness import place_keys, retried
 
@@ -85,17 +86,25 @@ class CopyBatch(CandidateBatch):
         """The same copies, placed at other tries (R,)."""
         return CopyBatch(self.candidates, self.rows, self.copies, tries)
 
-    def record_in(self, record: DrawRecord) -> None:
-        """Add all that was drawn for each copy of each candidate to a record."""
+    def record_in(self, record: DrawRecord, present: Booleans | None = None) -> None:
+        """Add all that was drawn for each copy of each candidate to a record. `present` (R,): the
+        copies that their candidates have, if not all."""
         order = np.argsort(self.copies, kind="stable")
         copies, first = np.unique(self.copies[order], return_index=True)
         ends = [*first[1:].tolist(), len(order)]
         parts = list(zip(copies.tolist(), first.tolist(), ends, strict=True))
+        absent = None if present is None or present.all() else ~present[order]
         for (place, element), values in self._uniform.items():
             numbers = values[order, 0]
             for copy, start, stop in parts:
-                record.coordinates[coordinate_name(place, element * copy)] = numbers[start:stop]
+                name = coordinate_name(place, element * copy)
+                record.coordinates[name] = numbers[start:stop]
+                if absent is not None and element:
+                    record.absent[name] = absent[start:stop]
         for (place, element), values in self._drawn.items():
             drawn = values[order]
             for copy, start, stop in parts:
-                record.values[coordinate_name(place, element * copy)] = drawn[start:stop]
+                name = coordinate_name(place, element * copy)
+                record.values[name] = drawn[start:stop]
+                if absent is not None and element:
+                    record.absent[name] = absent[start:stop]

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .candidate_rows import rows_of
+
 
 @dataclass(frozen=True)
 class DrawRecord:
@@ -21,3 +23,20 @@ class DrawRecord:
     """(V,) numbers in [0, 1) that draws and passes were made from"""
     values: dict[str, Any] = field(default_factory=dict)
     """(V, 1) what was drawn"""
+    absent: dict[str, NDArray[np.bool_]] = field(default_factory=dict)
+    """(V,) candidates that do not have a draw: those of copies that only others have"""
+
+    def take(self, rows: NDArray[np.intp], count: int) -> DrawRecord:
+        """What the candidates at `rows` of `count` have drawn."""
+        absent = {name: rows_of(value, rows, count) for name, value in self.absent.items()}
+        missing = {name for name, value in absent.items() if value.all()}
+        coordinates, values = (
+            {
+                name: rows_of(value, rows, count)
+                for name, value in found.items()
+                if name not in missing
+            }
+            for found in (self.coordinates, self.values)
+        )
+        partly = {name: absent[name] for name in absent.keys() - missing if absent[name].any()}
+        return DrawRecord(coordinates, values, partly)

@@ -12,9 +12,9 @@ import numpy as np
 
 from ..diagnostics import DiagnosticError
 from ..drive.simulators import Driven, drive_scenes, simulator_call
-from ..evaluate.candidates import CandidateBatch, rows_of
+from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Floats
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
@@ -98,11 +98,11 @@ class Evaluator:
         }
         scenes: dict[int, Scene] = {}
         rows = np.flatnonzero(is_valid)
-        valid = _part(candidates, rows)
+        valid = candidates.take_recorded(rows)
         if len(rows):
             prepare_scenes(valid)
         for place, row in enumerate(rows.tolist()):
-            single = _part(valid, np.array([place]))
+            single = valid.take_recorded(np.array([place]))
             try:
                 scene = driven_scene(single, proposals[row].index, self.task.overrides)
             except DiagnosticError as error:
@@ -128,7 +128,7 @@ class Evaluator:
             return []
         candidates = self._candidates(proposals)
         prepare_scenes(candidates)
-        singles = [_part(candidates, np.array([row])) for row in range(len(proposals))]
+        singles = [candidates.take_recorded(np.array([row])) for row in range(len(proposals))]
         return [
             self._with_simulator(instantiate(single, proposal.index, self.task.overrides).scene)
             for single, proposal in zip(singles, proposals, strict=True)
@@ -214,18 +214,6 @@ class Evaluator:
         lack = np.where(np.isfinite(rho) & (rho < 0.0), -rho, 0.0)
         mean = lack.sum(axis=1) / np.maximum((lack > 0.0).sum(axis=1), 1)
         return np.where(mean > 0.0, mean, 1.0)[:, None]
-
-
-def _part(candidates: CandidateBatch, rows: Integers) -> CandidateBatch:
-    """Some of the candidates, with what was computed of them and their draws."""
-    chosen = candidates.take(rows)
-    assert candidates.record is not None
-    values = {
-        name: rows_of(value, rows, candidates.count)
-        for name, value in candidates.record.values.items()
-    }
-    chosen.record = DrawRecord(values=values)
-    return chosen
 
 
 def _is_of_draws(error: DiagnosticError) -> bool:

@@ -7,7 +7,6 @@ import numpy as np
 from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..ir.batch import RoadBatch
-from ..world.copies import counts
 from ..world.placement import placed
 from ..world.roads import road_batch
 from .roads import share_equal_roads
@@ -27,9 +26,6 @@ def prepare_scenes(candidates: CandidateBatch) -> None:
             _compute(road_batch(name, candidates))
         share_equal_roads(candidates)
         for actor in scenario.actors.values():
-            number = counts(actor, candidates)
-            if (number != number[0]).any():
-                return  # a scene has no draws of copies that others have
             placed(actor, candidates)
     except DiagnosticError:
         return

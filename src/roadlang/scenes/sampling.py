@@ -24,6 +24,7 @@ from ..search.searching import search
 from ..search.worker_pool import ALONE, Workers
 from ..world.index import index_scenario
 from .instantiate import ConcreteScene, fixed_remarks, instantiate
+from .preparing import prepare_scenes
 
 SceneObserver = Callable[[int, PassCall, Any], None]
 """Called with the number of a scene, a pass and what it made; see `PassObserver`."""
@@ -81,7 +82,7 @@ def sample_scenes(
     if observer is not None:
         concretize = partial(_observed, concretize, observer)
         workers = Workers(progress=workers.progress)
-    task = SceneSearch(scenario, seed, concretize)
+    task = SceneSearch(scenario, seed, concretize, prepare_scenes)
     impossible = _impossible(task.acceptance, seed)
     if impossible:
         return _nothing(task.acceptance, impossible, n or 1)

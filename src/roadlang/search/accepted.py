@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
@@ -12,12 +12,15 @@ from numpy.typing import NDArray
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Integers
 from .diversity import expected_nearest, mean_nearest
 from .rejection_report import RejectionStats
 
 T = TypeVar("T")
 Concretize = Callable[[CandidateBatch, int], T]
 """From the one accepted candidate, which has a record, and the number of its scene to the scene."""
+Prepare = Callable[[CandidateBatch], None]
+"""Computes what all scenes of several accepted candidates need; no scene depends on it."""
 
 
 @dataclass(frozen=True)
@@ -25,18 +28,50 @@ class Accepted:
     """A candidate that satisfies every requirement: all that is needed to evaluate it again.
 
     `index` is the number of the scene that it becomes; `coordinates` are those that a sampler
-    chose, (1,) by name.
+    chose, (1,) by name. `tries`: (N,) by agent or object at which try each copy was placed.
     """
 
     index: int
     scene: int
     attempt: int
     coordinates: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    tries: Mapping[str, Integers] = field(default_factory=dict)
 
-    def candidate(self, scenario: IndexedScenario, seed: int, record: DrawRecord) -> CandidateBatch:
-        """The candidate alone: nothing about it depends on the batch that it was found in."""
-        scene, attempt = np.array([self.scene]), np.array([self.attempt])
-        return CandidateBatch(scenario, seed, scene, attempt, self.coordinates, record)
+    @classmethod
+    def of(cls, candidates: CandidateBatch, row: int, index: int) -> Accepted:
+        """The candidate at `row`, which becomes the scene of that number."""
+        chosen = {name: values[row : row + 1] for name, values in candidates.coordinates.items()}
+        scene, attempt = int(candidates.scenes[row]), int(candidates.attempts[row])
+        return cls(index, scene, attempt, chosen, candidates.noted_tries(row))
+
+
+def candidates_of(
+    accepted: Sequence[Accepted], scenario: IndexedScenario, seed: int
+) -> CandidateBatch:
+    """Accepted candidates with a record, of which a sampler chose the same coordinates: nothing
+    about one depends on the others."""
+    names = accepted[0].coordinates
+    return CandidateBatch(
+        scenario,
+        seed,
+        np.array([each.scene for each in accepted]),
+        np.array([each.attempt for each in accepted]),
+        {name: np.concatenate([each.coordinates[name] for each in accepted]) for name in names},
+        DrawRecord(),
+        _tries_of(accepted),
+    )
+
+
+def _tries_of(accepted: Sequence[Accepted]) -> dict[str, Integers]:
+    """(V, N) by agent or object that was placed in all."""
+    tries = {}
+    for name in set.intersection(*(set(each.tries) for each in accepted)):
+        rows = [each.tries[name] for each in accepted]
+        table = np.zeros((len(rows), max(len(row) for row in rows)), np.int64)
+        for into, row in zip(table, rows, strict=True):
+            into[: len(row)] = row
+        tries[name] = table
+    return tries
 
 
 @dataclass(frozen=True)

@@ -58,7 +58,8 @@ def accepted_attempts(
         for row, scene in enumerate(pending):
             crowded[scene] = crowded.get(scene, 0) + int(failed[row, last[row]])
             if fine[row, last[row]]:
-                accepted[scene] = _accepted(candidates, row * width + int(last[row]))
+                place = row * width + int(last[row])
+                accepted[scene] = Accepted.of(candidates, place, scene)
         pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
         start += width
     return [accepted[scene] for scene in sorted(accepted)], stats
@@ -77,9 +78,3 @@ def _candidates(
     if propose is None:
         return even
     return CandidateBatch(acceptance.scenario, seed, *each, propose(even))
-
-
-def _accepted(candidates: CandidateBatch, row: int) -> Accepted:
-    scene, attempt = int(candidates.scenes[row]), int(candidates.attempts[row])
-    chosen = {name: values[row : row + 1] for name, values in candidates.coordinates.items()}
-    return Accepted(scene, scene, attempt, chosen)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import groupby
 from typing import Any, Generic, TypeVar
 
-from ..evaluate.draw_record import DrawRecord
+import numpy as np
+
+from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
 from ..judging.acceptance import Acceptance
-from .accepted import Accepted, Concretize, Sample, SearchedBlock
+from .accepted import Accepted, Concretize, Prepare, Sample, SearchedBlock, candidates_of
 from .attempts import accepted_attempts
 from .guiding import guided_attempts
 from .samplers import is_steering, sampler_of
@@ -19,16 +22,25 @@ T = TypeVar("T")
 
 
 class SceneSearch(Generic[T]):
-    """`concretize` makes the scene of an accepted candidate; it is pickled with the scenario."""
+    """`concretize` makes the scene of an accepted candidate, after `prepare` was called with it
+    and others; both are pickled with the scenario."""
 
-    def __init__(self, scenario: IndexedScenario, seed: int, concretize: Concretize[T]) -> None:
+    def __init__(
+        self,
+        scenario: IndexedScenario,
+        seed: int,
+        concretize: Concretize[T],
+        prepare: Prepare | None = None,
+    ) -> None:
         self.acceptance = Acceptance(scenario)
         self.seed = seed
         self.concretize = concretize
+        self.prepare = prepare
 
     def __reduce__(self) -> tuple[Any, ...]:
         # By its parts: a worker indexes requirements again, which is less than to send them.
-        return SceneSearch, (self.acceptance.scenario, self.seed, self.concretize)
+        parts = (self.acceptance.scenario, self.seed, self.concretize, self.prepare)
+        return SceneSearch, parts
 
     @cached_property
     def sampler(self) -> KindInstance:
@@ -39,7 +51,7 @@ class SceneSearch(Generic[T]):
         """The scenes of a block, each with a stream of attempts."""
         attempts = guided_attempts if is_steering(self.sampler) else accepted_attempts
         accepted, stats = attempts(self.acceptance, self.sampler, self.seed, scenes)
-        samples = tuple(self.sample(item) for item in accepted)
+        samples = tuple(self.samples(accepted))
         found = {item.index for item in accepted}
         missing = tuple(scene for scene in scenes if scene not in found)
         return SearchedBlock(samples, missing, stats)
@@ -50,12 +62,24 @@ class SceneSearch(Generic[T]):
 
     def samples(self, accepted: Sequence[Accepted]) -> list[Sample[T]]:
         """What accepted candidates become."""
-        return [self.sample(each) for each in accepted]
+        return [
+            sample
+            for _, similar in groupby(accepted, key=lambda each: sorted(each.coordinates))
+            for sample in self._samples(tuple(similar))
+        ]
 
-    def sample(self, accepted: Accepted) -> Sample[T]:
-        """What an accepted candidate becomes."""
-        record = DrawRecord()
-        candidate = accepted.candidate(self.acceptance.scenario, self.seed, record)
-        result = self.concretize(candidate, accepted.index)
-        coordinates = {name: float(values[0]) for name, values in record.coordinates.items()}
-        return Sample(result, coordinates)
+    def _samples(self, accepted: Sequence[Accepted]) -> list[Sample[T]]:
+        """Of those of which the same coordinates were chosen."""
+        candidates = candidates_of(accepted, self.acceptance.scenario, self.seed)
+        if self.prepare is not None and len(accepted) > 1:
+            self.prepare(candidates)
+        return [
+            self._sample(candidates.take_recorded(np.array([row])), each.index)
+            for row, each in enumerate(accepted)
+        ]
+
+    def _sample(self, candidate: CandidateBatch, index: int) -> Sample[T]:
+        result = self.concretize(candidate, index)
+        assert candidate.record is not None
+        drawn = candidate.record.coordinates.items()
+        return Sample(result, {name: float(values[0]) for name, values in drawn})

@@ -12,8 +12,9 @@ from .scene_search import SceneSearch
 from .streams import accepted_of_stream
 from .worker_pool import ALONE, WorkerPool, Workers
 
-BLOCK = 16
-"""Scenes searched for together; the blocks are the same however many workers there are."""
+BLOCK, LARGE_BLOCK, MANY = 16, 64, 16
+"""Scenes searched for together: few, or many where more than `MANY` blocks would be needed. No
+scene depends on it, and workers do not change it."""
 _FEWEST_FOR_PROCESSES = 8
 _PARTS = 4
 """Parts of the work for each worker: few, for each costs a message, but all should end together."""
@@ -37,7 +38,8 @@ def _search_scenes(
     """Scene 0 first and alone: if it is given up, so is everything."""
     found = AcceptedSamples[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
-    blocks += [range(start, min(start + BLOCK, n)) for start in range(1, n, BLOCK)]
+    size = BLOCK if n <= MANY * BLOCK else LARGE_BLOCK
+    blocks += [range(start, min(start + size, n)) for start in range(1, n, size)]
     for part in (blocks[:1], blocks[1:]):
         shares = _shares(part, pool.workers, _MOST_BLOCKS)
         for searched in pool.map(SceneSearch.search_blocks, shares):
@@ -62,7 +64,7 @@ def _search_stream(
     stream = accepted_of_stream(task.acceptance, task.sampler, task.seed, n)
     found = AcceptedSamples[T](stream.wanted, stream.stats, missing=list(stream.missing))
     workers = pool.workers if len(stream.accepted) >= _FEWEST_FOR_PROCESSES else 1
-    shares = _shares(stream.accepted, workers, _MOST_SAMPLES)
+    shares = _shares(stream.accepted, workers, _MOST_SAMPLES, alone=BLOCK)
     for samples in pool.map(SceneSearch.samples, shares):
         found.samples.extend(samples)
         if progress is not None:
@@ -70,7 +72,8 @@ def _search_stream(
     return found
 
 
-def _shares(jobs: Sequence[J], workers: int, most: int) -> list[Sequence[J]]:
-    """Jobs in parts that are worth a message each; alone, one by one, to see how it goes."""
-    size = 1 if workers == 1 else max(1, min(most, -(-len(jobs) // (_PARTS * workers))))
+def _shares(jobs: Sequence[J], workers: int, most: int, alone: int = 1) -> list[Sequence[J]]:
+    """Jobs in parts that are worth a message each; without workers in parts of `alone`, to see how
+    it goes."""
+    size = alone if workers == 1 else max(1, min(most, -(-len(jobs) // (_PARTS * workers))))
     return [jobs[start : start + size] for start in range(0, len(jobs), size)]

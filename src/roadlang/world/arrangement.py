@@ -60,18 +60,25 @@ class Arrangement:
         return PlacedBatch(**{field.name: found[field.name] for field in fields(PlacedBatch)})
 
     def _place(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
-        key = ("placed", actor.name)
-        return self.candidates.once(key, lambda: self._found(actor))
+        key, candidates = ("placed", actor.name), self.candidates
+        found = candidates.once(key, lambda: self._found(actor))
+        if candidates.count > 1:
+            return found
+        # Placed with others, there are as many columns as any of them has copies.
+        most = most_copies(actor, candidates)
+        return {name: values[:, :most] for name, values in found.items()}
 
     def _found(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
         count, most = self.candidates.count, most_copies(actor, self.candidates)
         if most == 0:
             names = ("present", *POSE, "length", "width", "apart", "missing", "blocker")
             return dict.fromkeys(names, np.empty((count, 0)))
-        self._note(self.numbers[actor.name])
         present = np.arange(1, most + 1) <= counts(actor, self.candidates)[:, None]
         turn = _Turn.of(actor, self.candidates, present.reshape(-1), self.batch)
-        turn.settle(self._neighbors)
+        if actor.name not in self.candidates.known_tries:
+            self._note(self.numbers[actor.name])
+            turn.settle(self._neighbors)
+            self.candidates.note_tries(actor.name, turn.tries.reshape(count, most))
         if self.candidates.record is not None:
             turn.record()
         parts = turn.columns()
@@ -92,6 +99,8 @@ class _Turn:
 
     actor: ScenarioActor
     candidates: CandidateBatch
+    copies: CopyBatch
+    """as they were tried first"""
     kinds: CopyKinds
     present: NDArray[np.bool_]
     apart: Floats
@@ -109,14 +118,17 @@ class _Turn:
         present: NDArray[np.bool_],
         others: Others,
     ) -> _Turn:
-        copies = CopyBatch.every(candidates, len(present) // candidates.count)
+        most = len(present) // candidates.count
+        known = candidates.known_tries.get(actor.name, np.zeros((candidates.count, most), np.int64))
+        copies = CopyBatch.every(candidates, most, known[:, :most])
         kinds = kinds_of(actor, candidates)
         found = poses_of(actor, copies, kinds.lengths, kinds.widths, others)
         poses = RoadPoses(*(np.array(getattr(found, name)) for name in POSE))
-        tries = np.zeros(copies.count, np.int64)
+        tries = np.array(copies.tries)
         nothing, nobody = np.zeros(copies.count), np.full(copies.count, -1)
-        apart = _apart(actor, copies)
-        return cls(actor, candidates, kinds, present, apart, tries, poses, nothing, nobody, others)
+        apart = _apart(actor, CopyBatch.every(candidates, most))
+        return cls(actor, candidates, copies, kinds, present, apart, tries, poses, nothing, nobody,
+            others)  # fmt: skip
 
     def settle(self, neighbors: PlacedRectangles) -> None:
         """Place copies again until each fits or has been tried as often as `TRIES` says."""
@@ -226,9 +238,11 @@ class _Turn:
     def record(self) -> None:
         """Record the draws of where each copy stands at last."""
         assert self.candidates.record is not None
-        copies = CopyBatch.every(self.candidates, self._most, self.tries)
-        poses_of(self.actor, copies, self.kinds.lengths, self.kinds.widths, self.others)
-        copies.record_in(self.candidates.record)
+        copies = self.copies
+        if not np.array_equal(copies.tries, self.tries):
+            copies = CopyBatch.every(self.candidates, self._most, self.tries)
+            poses_of(self.actor, copies, self.kinds.lengths, self.kinds.widths, self.others)
+        copies.record_in(self.candidates.record, self.present)
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """All arrays (R,) by name."""
