@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from .number_text import floats_text, is_floats
@@ -75,14 +77,20 @@ def _ordered(value: Any, plain: dict[str, Any]) -> dict[str, Any]:
 
 def _written(value: Any, depth: int) -> str:
     """Raises `ValueError` for a number that is not finite."""
+    leaf = _LEAVES.get(type(value))
+    if leaf is not None:
+        return leaf(value)
     if isinstance(value, dict) and value:
         inner = "  " * (depth + 1)
-        members = (
-            f"{inner}{_leaf(key)}: {_written(member, depth + 1)}" for key, member in value.items()
-        )
+        members = [
+            f"{inner}{_name(key)}: {leaf(member)}"
+            if (leaf := _LEAVES.get(type(member))) is not None
+            else f"{inner}{_name(key)}: {_written(member, depth + 1)}"
+            for key, member in value.items()
+        ]
         return "{\n" + ",\n".join(members) + "\n" + "  " * depth + "}"
     if not isinstance(value, list | tuple):
-        return _leaf(value)
+        return _other(value)
     if is_floats(value):
         text = floats_text(value)
         if "null" in text:
@@ -90,9 +98,28 @@ def _written(value: Any, depth: int) -> str:
         return f"[{text}]"
     if any(isinstance(item, dict | list) for item in value):
         inner = "  " * (depth + 1)
-        items = (inner + _written(item, depth + 1) for item in value)
-        return "[\n" + ",\n".join(items) + "\n" + "  " * depth + "]"
-    return _leaf(value)
+        return (
+            "[\n" + ",\n".join([inner + _written(item, depth + 1) for item in value])
+            + "\n" + "  " * depth + "]"
+        )  # fmt: skip
+    return _other(value)
 
 
-_leaf = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
+def _number(value: float) -> str:
+    text = repr(value)
+    if "n" in text:  # nan, inf
+        raise ValueError("a number is not finite")
+    return text
+
+
+_other = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
+_name = lru_cache(maxsize=4096)(_other)
+"""of a member: few names, many members"""
+_LEAVES: Mapping[type, Callable[[Any], str]] = {
+    str: json.encoder.encode_basestring,
+    float: _number,
+    int: repr,
+    bool: {False: "false", True: "true"}.__getitem__,
+    type(None): {None: "null"}.__getitem__,
+}
+"""What `_other` gives, in a fraction of its time"""
