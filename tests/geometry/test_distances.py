@@ -230,3 +230,16 @@ def test_what_cannot_be_compared_is_refused() -> None:
     for call in calls:
         with pytest.raises(GeometryError):
             call()
+
+
+def test_what_cannot_be_compared_is_said_in_the_order_of_the_arguments() -> None:
+    road = line(100.0)
+    s = road.stations(count=11)
+    two, three = (sample(road, s).points.repeat(count, axis=0) for count in (2, 3))
+    one, other = CurveBatch(s, two, closed=False), CurveBatch(s, three, closed=False)
+    with pytest.raises(GeometryError, match="2 variants cannot be compared with 3"):
+        pointwise(one, other)
+    with pytest.raises(GeometryError, match="3 variants cannot be compared with 2"):
+        pointwise(other, one)
+    with pytest.raises(GeometryError, match="only at the same stations"):
+        pointwise(one, sample(road, s[:-1]))

@@ -105,3 +105,17 @@ def test_ways_that_do_not_cross_have_no_encroachment() -> None:
         drive(10 * time, 0 * time, 0.0), drive(10 * time, 0 * time + 3.5, 0.0), time
     )
     assert np.isinf(found).all()
+
+
+@pytest.mark.parametrize(("gap", "touches"), [(0.0, True), (0.25, False)])
+def test_encroachment_counts_what_just_touches(gap: float, touches: bool) -> None:
+    """Side by side, 2 m wide each: all lengths are exact in binary."""
+    time, zero = np.arange(4.0), np.zeros(4)
+    size = np.full(4, 4.0), np.full(4, 2.0)
+    first = Footprints(zero, zero, zero, *size)
+    second = Footprints(zero, zero + 2.0 + gap, zero, *size)
+    assert (encroachment_times(first, second, time) == (0.0 if touches else np.inf)).all()
+    assert (
+        time_to_contact(first, second, np.zeros((4, 2))).tolist()
+        == [0.0 if touches else np.inf] * 4
+    )

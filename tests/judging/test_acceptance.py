@@ -62,3 +62,32 @@ def test_roads_with_stations_of_their_own_are_measured_one_by_one(acceptance: Re
         assert (together.satisfied[:, row] == alone.satisfied[:, 0]).all()
     result = requirements.judge(candidates)
     assert (result.accepted == together.satisfied.all(axis=0)).all()
+
+
+PLACED = (
+    STRAIGHT
+    + """
+let spot = 42m..58m
+agent first is car on main at 50m { lane: -1 }
+agent second is car on main at spot { lane: -1 }
+"""
+)
+
+
+def test_of_each_scene_placements_are_judged_until_one_passes(acceptance: Requirements) -> None:
+    """Placing is judged last: of the candidates of a scene that satisfy all else, up to the first
+    in which everything has room."""
+    requirements = acceptance(PLACED)
+    last = [n for n, requirement in enumerate(requirements.requirements) if requirement.last]
+    scenes = np.repeat(np.arange(6), 8)
+    candidates = CandidateBatch(requirements.scenario, 3, scenes, np.tile(np.arange(8), 6))
+    everything = requirements.judge(candidates)
+    wanted = requirements.judge(candidates, scenes)
+    assert {True, False} == set(everything.accepted.tolist())
+    for scene in range(6):
+        rows = np.flatnonzero(scenes == scene)
+        first = int(np.argmax(everything.accepted[rows]))
+        until, after = rows[: first + 1], rows[first + 1 :]
+        assert (wanted.rejected_by[until] == everything.rejected_by[until]).all()
+        assert wanted.accepted[after].all()
+        assert np.isnan(wanted.rho[last][:, after]).all()

@@ -9,7 +9,18 @@ from typing import Any, ClassVar
 import numpy as np
 
 from roadlang import testing
-from roadlang.api import LaneKind, Length, Number, Reader, Whole, option
+from roadlang.api import (
+    Distribution,
+    DriveSignal,
+    Integer,
+    LaneKind,
+    Length,
+    Number,
+    Piece,
+    Reader,
+    Signal,
+    option,
+)
 from roadlang.geometry import Curve
 from tests.plugins.installed import install
 
@@ -44,7 +55,7 @@ class Shapes(Reader):
     seen: ClassVar[list[dict[str, Any]]] = []
     length: Length = option(30.0, minimum=1)
     share: Number = option(0.5)
-    count: Whole = option(3)
+    count: Integer = option(3)
 
     def read(self, path: Path) -> Any:
         self.seen.append({field.name: getattr(self, field.name) for field in fields(self)})
@@ -82,3 +93,50 @@ def test_kinds_under_test_stand_beside_those_of_installed_plugins(site: Path) ->
     assert found.find("lane", "tram").origin.plugin == "trams"
     assert found.find("lane", "strip").origin.plugin == testing.PLUGIN
     assert found.find("lane", "drive").origin.is_shipped
+
+
+@dataclass(frozen=True)
+class Flat(Signal):
+    """A signal that states nothing."""
+
+    name: ClassVar[str] = "flat"
+
+
+@dataclass(frozen=True)
+class Still(DriveSignal):
+    """A signal of drives that states nothing."""
+
+    name: ClassVar[str] = "still"
+
+
+def test_a_signal_may_have_any_number_without_a_unit() -> None:
+    assert Flat.range({}) == (float("-inf"), float("inf"))
+    assert all(isinstance(end, float) for end in Flat.range({}))
+    assert (Flat.unit, Flat.domain, Flat.member, Flat.on_connections) == ("", "road", False, False)
+    assert Flat.dimension_of({}).is_pure
+
+
+def test_a_drive_signal_is_a_member_that_may_look_at_all_of_the_drive() -> None:
+    assert (Still.domain, Still.member, Still.looks_back) == ("drive", True, float("inf"))
+
+
+@dataclass(frozen=True)
+class Slab(Piece):
+    """A piece that states nothing."""
+
+    name: ClassVar[str] = "slab"
+
+
+@dataclass(frozen=True)
+class Pick(Distribution):
+    """A distribution that states nothing."""
+
+    name: ClassVar[str] = "pick"
+
+
+def test_bounds_that_are_not_stated_leave_everything_open() -> None:
+    assert Slab().least_length() == 0.0
+    assert Pick().support() is None
+    assert Pick().cells() is None
+    assert Pick().simplest() == 0.5
+    assert list(Pick().levels(4)) == [0.125, 0.375, 0.625, 0.875]

@@ -211,15 +211,4 @@ class IndexedScenario:
         options = [value for name, value in declaration.options.items() if name not in across]
         if declaration.options.get("select") == TextValue("any"):
             return True
-        if isinstance(declaration, ScenarioNetwork):
-            options += self._lane_options(declaration)
         return bool(self.dependencies.draws(*shaping, *options))
-
-    def _lane_options(self, network: ScenarioNetwork) -> list[Value]:
-        """What says which lanes a network has, or one made from it: its junctions depend on it."""
-        shaping = [name for name in LANE_OPTIONS if name != "speed_limit"]
-        found: list[Value] = []  # the side of traffic is the same in every scene
-        for other in self.networks.values():
-            if network in self.chain(other):
-                found += [value for name, value in other.options.items() if name in shaping]
-        return found
