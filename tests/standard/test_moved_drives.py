@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import ArrayLike
 
 from roadlang.ir.trace import AgentTrace
 from roadlang_standard import metrics
@@ -21,7 +22,7 @@ from roadlang_standard.drive_signals_conflict import (
 )
 
 TIME = np.linspace(0.0, 8.0, 81)
-Signal = Callable[[AgentTrace, AgentTrace], object]
+Signal = Callable[[AgentTrace, AgentTrace], ArrayLike]
 SIGNALS: dict[str, Signal] = {
     "distance": lambda a, b: DistanceSignal(a, b).values(),
     "gap": lambda a, b: GapSignal(a, b).values(),
@@ -68,7 +69,7 @@ def pair(ahead: float, left: float, pace: float, bend: float) -> tuple[AgentTrac
     return driven("ego", 0.0, 0.0, 9.0, bend), driven("lead", ahead, left, pace, bend)
 
 
-def close(now: object, then: object) -> bool:
+def close(now: ArrayLike, then: ArrayLike) -> bool:
     return bool(np.allclose(now, then, rtol=1e-6, atol=1e-7))
 
 
