@@ -14,6 +14,7 @@ from .console import echo, report
 if TYPE_CHECKING:
     from ..stl import Formula
     from ..stl.dense.evaluation import Semantics
+    from ..stl.evaluate.measured_robustness import Measure
     from ..stl.formats.trace_files import Columns
 
 
@@ -48,6 +49,15 @@ if TYPE_CHECKING:
     "line between both.",
 )
 @click.option(
+    "--robustness",
+    "measure",
+    type=click.Choice(["space", "time", "time-left", "average"]),
+    default="space",
+    show_default=True,
+    help="What robustness measures: how much signals may change, how far they may shift to later "
+    "or (time-left) earlier times, or the change averaged over windows. The range is of the first.",
+)
+@click.option(
     "--follow",
     "following",
     is_flag=True,
@@ -73,13 +83,7 @@ def command(
     positions, trace (the robustness at each position) and explanation; of several it is a list of
     these. Infinities are the strings "inf" and "-inf".
     """
-    dense = how.pop("semantics")
-    if plot and len(traces) > 1:
-        raise click.UsageError("--plot draws one trace; several were given")
-    if dense != "sampled" and (plot or following or how["wrap"]):
-        raise click.UsageError(f"--semantics {dense} goes without --plot, --wrap and --follow")
-    if following and (len(traces) > 1 or plot or as_json or any(how.values())):
-        raise click.UsageError("--follow goes with one TRACE and no other option")
+    _refuse_combinations(traces, following, plot, as_json, how)
     from ..stl import parse, read_trace
 
     parsed = parse(formula)
@@ -89,16 +93,40 @@ def command(
         failed = follow(parsed, traces[0])
         code = exit_codes.EXPECTATION_VIOLATED if failed else exit_codes.DONE
         click.get_current_context().exit(code)
-    agent, wrap = how["agent"], how["wrap"]
-    columns = [(path, read_trace(path, agent)) for path in traces]
-    if dense == "sampled":
-        findings = [_finding(parsed, trace, path, wrap, plot) for path, trace in columns]
-    else:
-        findings = [_dense_finding(parsed, trace, path, dense) for path, trace in columns]
+    columns = [(path, read_trace(path, how["agent"])) for path in traces]
+    findings = [_judged(parsed, trace, path, plot, how) for path, trace in columns]
     _show(parsed, findings, as_json)
     failing = ("violated", "vacuous") if how["strict"] else ("violated",)
     broken = any(finding["verdict"] in failing for finding in findings)
     click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
+
+
+def _refuse_combinations(
+    traces: tuple[str, ...], following: bool, plot: str | None, as_json: bool, how: dict[str, Any]
+) -> None:
+    """UsageError for options that do not go together."""
+    dense, measure = how["semantics"], how["measure"]
+    if plot and len(traces) > 1:
+        raise click.UsageError("--plot draws one trace; several were given")
+    if dense != "sampled" and (plot or following or how["wrap"]):
+        raise click.UsageError(f"--semantics {dense} goes without --plot, --wrap and --follow")
+    if measure != "space" and (dense != "sampled" or plot or following or how["wrap"]):
+        problem = "goes without --semantics, --plot, --wrap and --follow"
+        raise click.UsageError(f"--robustness {measure} {problem}")
+    others = (how["agent"], how["wrap"], how["strict"], plot, as_json)
+    if following and (len(traces) > 1 or any(others)):
+        raise click.UsageError("--follow goes with one TRACE and no other option")
+
+
+def _judged(
+    formula: Formula, columns: Columns, path: str, plot: str | None, how: dict[str, Any]
+) -> dict[str, Any]:
+    if how["semantics"] != "sampled":
+        return _dense_finding(formula, columns, path, how["semantics"])
+    finding = _finding(formula, columns, path, how["wrap"], plot)
+    if how["measure"] != "space":
+        finding |= _measured(formula, columns, how["measure"])
+    return finding
 
 
 def _show(formula: Formula, findings: list[dict[str, Any]], as_json: bool) -> None:
@@ -123,7 +151,7 @@ def _finding(
 
         drawn = plot_svg(formula, positions, signals, axis=axis, wrap=wrap)
         write_file(Path(plot), drawn)
-    trace = formula.robustness(positions, signals, wrap=wrap)
+    trace = _shown(formula.robustness(positions, signals, wrap=wrap).tolist())
     return {
         "file": path,
         "formula": str(formula),
@@ -131,10 +159,24 @@ def _finding(
         "range": explanation["range"],
         "verdict": why.verdict,
         "positions": positions,
-        "trace": [value if abs(value) != float("inf") else str(value) for value in trace.tolist()],
+        "trace": trace,
         "explanation": explanation,
         "lines": why.lines(),
     }
+
+
+def _measured(formula: Formula, columns: Columns, measure: Measure) -> dict[str, Any]:
+    """Robustness by another measure."""
+    from ..stl.evaluate.measured_robustness import measured_robustness
+
+    _, positions, signals = columns
+    shown = _shown(measured_robustness(formula, positions, signals, measure).tolist())
+    return {"measure": measure, "robustness": shown[0], "trace": shown}
+
+
+def _shown(values: list[float]) -> list[float | str]:
+    """As JSON has them: infinities are texts."""
+    return [value if abs(value) != float("inf") else str(value) for value in values]
 
 
 def _dense_finding(
@@ -144,7 +186,7 @@ def _dense_finding(
     _, positions, signals = columns
     trace = formula.robustness(positions, signals, semantics=semantics).tolist()
     rho = trace[0]
-    shown = [value if abs(value) != float("inf") else str(value) for value in trace]
+    shown = _shown(trace)
     return {
         "file": path,
         "formula": str(formula),

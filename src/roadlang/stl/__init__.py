@@ -13,11 +13,13 @@ from ..diagnostics.renamed_names import current_name
 if TYPE_CHECKING:
     from .dense.evaluation import dense_function, sampling_error
     from .dense.grids import OwnGrid
+    from .evaluate.average_robustness import average_robustness
     from .evaluate.online import OnlineMonitor
     from .evaluate.smooth import smooth_rho
     from .evaluate.streaming import DecidedSample, StreamMonitor
     from .evaluate.time_robustness import time_robustness
     from .evaluate.verdicts import Range, Verdict
+    from .evaluate.weighted_robustness import weighted_robustness
     from .explain.causes import ViolationInterval
     from .explain.explanation import Explanation, Link
     from .explain.mining import Mined, Parameter, mine, mine_front
@@ -78,6 +80,8 @@ _HOMES = {
     "formula.normal_form": "normal_form",
     "formats.json_form": "from_json to_json",
     "explain.mining": "Mined Parameter mine mine_front",
+    "evaluate.average_robustness": "average_robustness",
+    "evaluate.weighted_robustness": "weighted_robustness",
     "evaluate.online": "OnlineMonitor",
     "evaluate.smooth": "smooth_rho",
     "evaluate.streaming": "DecidedSample StreamMonitor",
@@ -141,6 +145,7 @@ __all__ = [
     "WeakSince",
     "WeakUntil",
     "Xor",
+    "average_robustness",
     "dense_function",
     "from_json",
     "mine",
@@ -155,6 +160,7 @@ __all__ = [
     "smooth_rho",
     "time_robustness",
     "to_json",
+    "weighted_robustness",
 ]
 
 
