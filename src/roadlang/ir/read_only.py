@@ -67,11 +67,13 @@ def frozen(value: Any) -> Any:
     if isinstance(value, ReadOnlyMapping):
         return value
     if isinstance(value, Mapping):
+        if _READ_ONLY.issuperset(map(type, value.values())):
+            return FrozenDict(value)
         return FrozenDict({key: frozen(item) for key, item in value.items()})
-    if type(value) is list:
-        return FrozenList(frozen(item) for item in value)
-    if type(value) is tuple:
-        return tuple(frozen(item) for item in value)
+    if type(value) is list or type(value) is tuple:
+        plain = _READ_ONLY.issuperset(map(type, value))
+        items = value if plain else [frozen(item) for item in value]
+        return FrozenList(items) if type(value) is list else tuple(items)
     return value
 
 
@@ -82,17 +84,29 @@ def _read_only() -> Callable[[Any], Any]:
     return read_only
 
 
+_PLAIN = frozenset(
+    f"{kind}{rest}" for kind in ("bool", "float", "int", "str") for rest in ("", " | None")
+)
+
+
+@cache
+def _changeable(kind: Any) -> tuple[str, ...]:
+    """The fields of a dataclass whose values may be changeable."""
+    return tuple(f.name for f in kind.__dataclass_fields__.values() if f.type not in _PLAIN)
+
+
 class Frozen:
     """Of a frozen dataclass: its maps, lists and arrays cannot be changed either."""
 
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        for name in self.__dataclass_fields__:  # type: ignore[attr-defined]
+        for name in _changeable(type(self)):
             value = getattr(self, name)
-            unchangeable = frozen(value)
-            if unchangeable is not value:
-                object.__setattr__(self, name, unchangeable)
+            if type(value) not in _READ_ONLY:
+                unchangeable = frozen(value)
+                if unchangeable is not value:
+                    object.__setattr__(self, name, unchangeable)
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -195,6 +196,10 @@ def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str
 
 
 def _plain(value: Any, candidates: CandidateBatch) -> Any:
+    if isinstance(value, np.ndarray) and value.dtype == float and value.size == 1:
+        number: float = value.item()
+        if math.isfinite(number):
+            return number
     if isinstance(value, PassCall):
         return value.kind.rpartition(".")[2]
     if isinstance(value, np.ndarray) and value.dtype == object:

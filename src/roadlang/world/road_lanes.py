@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..evaluate.candidates import CandidateBatch
+from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..ir.scenario import LANE_OPTIONS
 from ..ir.values import ConstantValue
 from .cross_sections import LaneBatch
-from .lane_plan import LanePlan, is_fixed, lane_plan
+from .lane_plan import LanePlan, is_fixed, lane_plan, traffic_side
 from .roads import road_root
 from .root_lanes import lanes_on_root
 
@@ -34,18 +35,28 @@ def lane_parts(name: str, candidates: CandidateBatch) -> tuple[tuple[Rows, LaneB
 
     def make() -> tuple[tuple[Rows, LaneBatch], ...]:
         scenario = candidates.scenario
-        plan, fixed = scenario.once(("lane plan", name), lambda: _plan(name, scenario))
+        plan, fixed, drawn = scenario.once(("lane plan", name), lambda: _plan(name, scenario))
         every = np.arange(candidates.count)
+        if not drawn:
+            return ((every, _lanes_of_all(plan, name, scenario)),)
         parts = ((every, plan),) if fixed else _by_plan(plan, candidates)
         return tuple((rows, _lanes(plan, name, candidates, rows)) for rows, plan in parts)
 
     return candidates.once(("lanes", name), make, inherited=False)
 
 
-def _plan(name: str, scenario: IndexedScenario) -> tuple[LanePlan, bool]:
-    """What is written about the lanes of a road, and whether they are the same everywhere."""
+def _plan(name: str, scenario: IndexedScenario) -> tuple[LanePlan, bool, bool]:
+    """What is written about the lanes of a road, whether they are the same everywhere apart from
+    widths and limits, and whether anything of them is drawn."""
     plan = lane_plan(scenario.roads[name], scenario)
-    return plan, is_fixed(plan, scenario)
+    written = [getattr(plan, option) for option in LANE_OPTIONS]
+    drawn = scenario.dependencies.differ(*written, traffic_side(scenario))
+    return plan, is_fixed(plan, scenario), drawn or scenario.is_varying(name)
+
+
+def _lanes_of_all(plan: LanePlan, name: str, scenario: IndexedScenario) -> LaneBatch:
+    only, first = fixed_candidate(scenario), np.zeros(1, dtype=np.intp)
+    return scenario.once(("lanes of all", name), lambda: _lanes(plan, name, only, first))
 
 
 def _by_plan(plan: LanePlan, candidates: CandidateBatch) -> Iterator[tuple[Rows, LanePlan]]:
