@@ -101,7 +101,8 @@ class Frozen:
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        for name in _changeable(type(self)):
+        kind: Any = type(self)
+        for name in _changeable(kind):
             value = getattr(self, name)
             if type(value) not in _READ_ONLY:
                 unchangeable = frozen(value)
