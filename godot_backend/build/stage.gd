@@ -10,6 +10,7 @@ const Paint := preload("res://build/paint.gd")
 const Signals := preload("res://build/signals.gd")
 const Tiles := preload("res://build/tiles.gd")
 const Objects := preload("res://build/objects.gd")
+const Handles := preload("res://build/handles.gd")
 const PathPiece := preload("res://build/path_piece.gd")
 const PathLine := preload("res://agents/path_line.gd")
 const Agent := preload("res://agents/agent.gd")
@@ -146,6 +147,8 @@ func _make(kind: int) -> Thing:
 			return Objects.new()
 		Protocol.PATH:
 			return PathPiece.new()
+		Protocol.HANDLES:
+			return Handles.new()
 		Protocol.AGENT:
 			return Agent.new()
 		_:

@@ -33,6 +33,7 @@ const WORLD := 0x17
 const REMOVE := 0x18
 const PAINT := 0x19
 const SIGNALS := 0x1A
+const HANDLES := 0x1B
 
 ## Proof.
 const COMMIT := 0x20
@@ -60,4 +61,4 @@ const NOTE := 0x44
 
 
 static func is_thing(type: int) -> bool:
-	return type >= SEGMENT and type <= SIGNALS and type != REMOVE
+	return type >= SEGMENT and type <= HANDLES and type != REMOVE

@@ -1,5 +1,5 @@
 extends Node3D
-## What a human sees and does: cameras, pictures, the overlay, dragging.
+## What a human sees and does: cameras, pictures, the overlay, handles.
 
 const Protocol := preload("res://net/protocol.gd")
 const Server := preload("res://net/server.gd")
@@ -7,7 +7,7 @@ const Worlds := preload("res://build/worlds.gd")
 const Cameras := preload("res://view/cameras.gd")
 const Shots := preload("res://view/shots.gd")
 const Overlay := preload("res://view/overlay.gd")
-const Dragging := preload("res://view/dragging.gd")
+const Hands := preload("res://view/hands.gd")
 const Scenery := preload("res://view/scenery.gd")
 
 var cameras := Cameras.new()
@@ -38,9 +38,9 @@ func setup(worlds: Worlds, server: Server, still: bool) -> void:
 	cameras.make_current()
 	_overlay = Overlay.new()
 	add_child(_overlay)
-	var dragging := Dragging.new()
-	dragging.setup(worlds, cameras, server)
-	add_child(dragging)
+	var hands := Hands.new()
+	hands.setup(worlds, cameras, server)
+	_overlay.add_child(hands)
 
 
 func _ready() -> void:

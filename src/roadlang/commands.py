@@ -17,20 +17,20 @@ from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 if TYPE_CHECKING:
     from .drive.controllers import python_controllers
     from .files.writing import replace_file, write_all, write_file
+    from .handles.handles import Handle, dragged, handles_of, inserted, removed
     from .ir.edited_starts import edited_starts
     from .judging.running_drives import judge_so_far
     from .session.params import parse_overrides
     from .session.scene_files import read_scene_file
-    from .syntax.scene_edits import object_moved, waypoint_moved
 
 _LATER = {
     ".files.writing": "replace_file write_all write_file",
     ".drive.controllers": "python_controllers",
     ".ir.edited_starts": "edited_starts",
     ".judging.running_drives": "judge_so_far",
+    ".handles.handles": "Handle dragged handles_of inserted removed",
     ".session.params": "parse_overrides",
     ".session.scene_files": "read_scene_file",
-    ".syntax.scene_edits": "object_moved waypoint_moved",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -38,20 +38,23 @@ __all__ = [
     "Code",
     "Diagnostic",
     "DiagnosticError",
+    "Handle",
     "diagnose",
+    "dragged",
     "echo",
     "edited_starts",
     "exit_codes",
+    "handles_of",
+    "inserted",
     "judge_so_far",
     "note",
-    "object_moved",
     "parse_overrides",
     "python_controllers",
     "read_scene_file",
+    "removed",
     "replace_file",
     "report",
     "style",
-    "waypoint_moved",
     "write_all",
     "write_file",
 ]

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 import pytest
 
+from roadlang.commands import Handle
 from roadlang.ir.scene import Scene
 from roadlang_godot.engine import Engine
 from roadlang_godot.frame import SceneOrigin
@@ -109,13 +110,22 @@ def test_the_drive_of_a_client_that_left_is_not_reported_to_the_next(fresh_engin
             assert second.take(message) is None, message
 
 
-def test_a_move_in_the_window_is_told_by_name(live_session: Session) -> None:
+def test_what_a_human_does_is_about_a_handle(live_session: Session) -> None:
     main = road("main", pieces(straight(80)))
     made = scene(main, objects=[thing("tree", 30.0, 20.0, name="oak")])
-    live = LiveScene(live_session, made)
-    number = next(t.id for t in live.layout.parts if t.kind == Message.OBJECTS)
-    edit = f'{{"what":"object","id":{number},"index":0,"from":[0,0],"to":[3,4],"done":true}}'
-    live_session._inbox.append((Message.EDIT, edit.encode()))
-    (move,) = live.listen(0.01)
-    assert (move.name, move.done) == ("oak", True)
-    assert move.end == (live.layout.frame.x + 3, live.layout.frame.y + 4)
+    handles = [Handle("waypoint", "main", 0.0, 0.0), Handle("waypoint", "main", 80.0, 0.0, 1)]
+    oak = Handle("object", "oak", 30.0, 20.0)
+    live = LiveScene(live_session, made, handles=[*handles, oak])
+    assert live_session.prove().parts == len(live.layout.parts) + 2
+    for edit in (
+        '{"what":"move","id":2,"index":0,"to":[3,4],"drag":1,"done":true}',
+        '{"what":"remove","id":1,"index":1}',
+        '{"what":"remove","id":1,"index":2}',
+        '{"what":"undo","id":0,"index":0}',
+    ):
+        live_session._inbox.append((Message.EDIT, edit.encode()))
+    moved, gone, undone = live.listen(0.01)
+    assert (moved.handle, moved.drag, moved.done) == (oak, 1, True)
+    assert moved.to == (live.layout.frame.x + 3, live.layout.frame.y + 4)
+    assert (gone.what, gone.handle) == ("remove", handles[1])
+    assert (undone.what, undone.handle) == ("undo", None)

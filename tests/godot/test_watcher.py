@@ -9,9 +9,10 @@ import pytest
 
 import roadlang
 from roadlang.cli.main import run
+from roadlang.commands import Handle, handles_of
 from roadlang_godot.commands.watch import Watcher, _lines
 from roadlang_godot.engine import Engine
-from roadlang_godot.live import Move
+from roadlang_godot.live import HandEdit
 from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot
@@ -37,18 +38,31 @@ def engine() -> Iterator[Engine]:
 class Watched:
     """A watcher of a file, and its scene in a running engine."""
 
-    def __init__(self, engine: Engine, file: Path, save: bool) -> None:
-        file.write_text(TEXT % 0, encoding="utf-8")
+    def __init__(
+        self, engine: Engine, file: Path, save: bool, content: bytes = (TEXT % 0).encode()
+    ) -> None:
+        file.write_bytes(content)
         self.file = file
         loaded = roadlang.load(file)
         self.scenes = loaded.sample(1, seed=0)
         self.watcher = Watcher(loaded, 0, "mesh", save)
         self.session = engine.connect("watched")
         self.live = self.watcher.start(self.session, self.scenes[0].record)
+        self.drags = 0
 
-    def take(self, what: str, name: str, end: tuple[float, float], done: bool = True) -> None:
-        start = (80.0, 0.0) if what == "road" else (20.0, 30.0)
-        self.watcher.take(Move(what, name, start, end, done))
+    def handle(self, name: str, number: int = 0) -> Handle:
+        handles = handles_of(self.watcher._edited.text, self.live.scene)
+        return next(h for h in handles if (h.name, h.number) == (name, number))
+
+    def drag(self, handle: Handle, *places: tuple[float, float], done: bool = True) -> None:
+        """Through some places, at each of which the scene is as the file would be."""
+        self.drags += 1
+        for place in places:
+            last = done and place == places[-1]
+            self.do(HandEdit("move", handle, place, self.drags, last))
+
+    def do(self, edit: HandEdit) -> None:
+        self.watcher.take(self.live, edit)
         self.watcher.settle(self.live)
 
 
@@ -58,12 +72,14 @@ def test_what_is_dragged_changes_the_scene_and_with_save_the_file(
 ) -> None:
     watched = Watched(engine, tmp_path / "scene.rl", save)
     with watched.session:
-        watched.take("object", "kiosk", (25.0, 31.0), done=False)
-        assert watched.live.scene.objects[0].x == 20.0
-        watched.take("object", "kiosk", (25.0, 31.0))
-        kiosk = watched.live.scene.objects[0]
-        assert (kiosk.x, kiosk.y) == (25.0, 31.0)
-        watched.take("road", "main", (80.0, 6.0))
+        kiosk, end = watched.handle("kiosk"), watched.handle("main", 2)
+        watched.drag(kiosk, (22.0, 30.0), (25.0, 31.0), done=False)
+        assert watched.live.scene.objects[0].x == 25.0, "it moves while it is dragged"
+        assert watched.file.read_text() == TEXT % 0
+        watched.drag(kiosk, (30.0, 31.0), (25.0, 31.0))
+        placed = watched.live.scene.objects[0]
+        assert (placed.x, placed.y) == (25.0, 31.0)
+        watched.drag(end, (80.0, 3.0), (80.0, 6.0))
         main = watched.live.scene.roads[0]
         assert (main.x[-1], main.y[-1]) == pytest.approx((80.0, 6.0))
         assert ("(25m, 31m)" in watched.file.read_text()) is save
@@ -71,11 +87,52 @@ def test_what_is_dragged_changes_the_scene_and_with_save_the_file(
         printed = capsys.readouterr()
         assert printed.err == ""
         assert printed.out.count(" changes in ") == 2
-        watched.take("object", "tree", (25.0, 31.0))
-        assert (
-            capsys.readouterr().out
-            == f"`tree` is not placed by numbers in {watched.file}: it stays\n"
-        )
+        watched.drag(watched.handle("tree"), (50.0, 8.0))
+        assert watched.live.scene.objects[1].start == pytest.approx(50.5, abs=0.5)
+
+
+def test_undo_restores_the_file_byte_for_byte(engine: Engine, tmp_path: Path) -> None:
+    before = b"\xef\xbb\xbf" + (TEXT % 0).replace("\n", "\r\n").encode() + b"# end"
+    watched = Watched(engine, tmp_path / "scene.rl", save=True, content=before)
+    with watched.session:
+        watched.drag(watched.handle("kiosk"), (25.0, 31.0))
+        watched.drag(watched.handle("main", 1), (40.0, 4.0))
+        after = watched.file.read_bytes()
+        assert b"(25m, 31m)" in after
+        assert b"(40m, 4m)" in after
+        for _ in range(3):
+            watched.do(HandEdit("undo"))
+        assert watched.file.read_bytes() == before
+        assert watched.live.scene.objects[0].x == 20.0
+        for _ in range(3):
+            watched.do(HandEdit("redo"))
+        assert watched.file.read_bytes() == after
+        assert watched.live.scene.objects[0].x == 25.0
+
+
+def test_a_change_by_hand_that_has_no_scene_is_withdrawn(
+    engine: Engine, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    watched = Watched(engine, tmp_path / "scene.rl", save=True)
+    with watched.session:
+        ego = watched.handle("ego")
+        watched.file.write_text(TEXT % 0 + "expect near: always (distance(ego, tree) < 90m)\n")
+        watched.watcher.settle(watched.live)
+        saved = watched.file.read_text()
+        watched.do(HandEdit("remove", watched.handle("tree")))
+        assert "tree" in capsys.readouterr().err
+        assert watched.file.read_text() == saved
+        watched.drag(ego, (30.0, 0.0))
+        assert "main at 30m" in watched.file.read_text()
+
+
+def test_waypoints_are_inserted_and_removed(engine: Engine, tmp_path: Path) -> None:
+    watched = Watched(engine, tmp_path / "scene.rl", save=True)
+    with watched.session:
+        watched.do(HandEdit("insert", watched.handle("main", 2), (60.0, 5.0)))
+        assert "(40m, 0m), (60m, 5m), (80m, 0m)" in watched.file.read_text()
+        watched.do(HandEdit("remove", watched.handle("main", 1)))
+        assert "(0m, 0m), (60m, 5m), (80m, 0m)" in watched.file.read_text()
 
 
 def test_a_save_is_seen_once_and_a_moment_without_a_file_is_none(

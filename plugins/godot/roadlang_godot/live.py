@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .followed_scene import FollowedScene
+from .handle_parts import handle_parts
 from .layout import Layout, layout_of
 from .paced_drive import PacedDrive
 from .protocol import Message
@@ -16,6 +17,7 @@ from .session import Session
 
 if TYPE_CHECKING:
     from roadlang.api import Controller, Scene, Trace
+    from roadlang.commands import Handle
 
 RATE = 60
 EVERY = 2
@@ -25,14 +27,15 @@ MEMORY = 120.0
 
 
 @dataclass(frozen=True, slots=True)
-class Move:
-    """What a human moved: an object or the point of a road, from where to where."""
+class HandEdit:
+    """What a human does in the window. `what`: `move`, `insert` near a handle, `remove`, `undo`,
+    `redo`. A drag of one number has many moves, of which the last is `done`."""
 
     what: str
-    name: str
-    start: tuple[float, float]
-    end: tuple[float, float]
-    done: bool
+    handle: Handle | None = None
+    to: tuple[float, float] = (0.0, 0.0)
+    drag: int = 0
+    done: bool = True
 
 
 class LiveScene:
@@ -47,16 +50,18 @@ class LiveScene:
         scene: Scene,
         controllers: Mapping[str, Controller] | None = None,
         road: str = "mesh",
+        handles: Sequence[Handle] = (),
     ) -> None:
         self._session = session
         self._road = road
         controllers = controllers or {}
         self.scene = scene
         self.layout: Layout = layout_of(scene, road, controllers)
+        shown, self._handles = handle_parts(handles, self.layout.frame)
         self._drive: PacedDrive | None = None
         self._begin(scene, controllers)
         session.begin(self.layout.settings(RATE), clear=True)
-        session.update(self.layout.parts)
+        session.update([*self.layout.parts, *shown])
         session.prove()
         self._run()
 
@@ -65,6 +70,7 @@ class LiveScene:
         scene: Scene,
         controllers: Mapping[str, Controller] | None = None,
         restarted: frozenset[str] = frozenset(),
+        handles: Sequence[Handle] = (),
     ) -> int:
         """Send what differs; everything else drives on. Returns how many messages it took.
 
@@ -74,7 +80,8 @@ class LiveScene:
         controllers = controllers or {}
         layout = layout_of(scene, self._road, controllers, self.layout, restarted)
         followed, was_driven = self._followed, self._drive is not None
-        count = self._session.update(layout.parts)
+        shown, self._handles = handle_parts(handles, layout.frame)
+        count = self._session.update([*layout.parts, *shown])
         self.scene, self.layout = scene, layout
         self._begin(scene, controllers)
         if self._drive is not None and layout.agents:
@@ -91,8 +98,8 @@ class LiveScene:
         ascii = [line.encode("ascii", "replace").decode() for line in lines]
         self._session.send_json(Message.NOTE, {"lines": ascii})
 
-    def listen(self, timeout: float) -> list[Move]:
-        """Drive on for some seconds; take what a human moved meanwhile.
+    def listen(self, timeout: float) -> list[HandEdit]:
+        """Drive on for some seconds, or until a human does something; returns what that is.
 
         Raises RL470, RL474 of controllers, RL513 of conditions: the drive then waits for a change.
         """
@@ -100,10 +107,9 @@ class LiveScene:
         while (left := end - time.monotonic()) > 0.0:
             self._session.pump(left)
             self._drive_on()
-        changes = []
-        while (edit := self._session.take(Message.EDIT)) is not None:
-            changes += self._move(edit)
-        return changes
+            if edits := self._edits():
+                return edits
+        return self._edits()
 
     def trace(self) -> Trace | None:
         """What was driven lately; None where nothing was."""
@@ -146,22 +152,20 @@ class LiveScene:
         self._drive.answer(state, self._followed.controls(), EVERY)
         self._waits = False
 
-    def _move(self, payload: bytes) -> list[Move]:
-        edit = json.loads(payload)
-        frame = self.layout.frame
-        name = self._name(str(edit["what"]), int(edit["id"]))
-        if name is None:
-            return []
-        start, end = (
-            (float(x) + frame.x, float(y) + frame.y) for x, y in (edit["from"], edit["to"])
-        )
-        return [Move(str(edit["what"]), name, start, end, bool(edit["done"]))]
+    def _edits(self) -> list[HandEdit]:
+        found = []
+        while (payload := self._session.take(Message.EDIT)) is not None:
+            edit = json.loads(payload)
+            handles = self._handles.get(int(edit.get("id", 0)), ())
+            index = int(edit.get("index", 0))
+            handle = handles[index] if 0 <= index < len(handles) else None
+            if handle is not None or edit["what"] in ("undo", "redo"):
+                found.append(self._edit(edit, handle))
+        return found
 
-    def _name(self, what: str, number: int) -> str | None:
-        if what == "road":
-            names = {id: name for name, id in self.layout.paths.items()}
-            return names.get(number >> 16)
-        for part in self.layout.parts:
-            if part.kind == Message.OBJECTS and part.id == number:
-                return part.label
-        return None
+    def _edit(self, edit: Mapping[str, Any], handle: Handle | None) -> HandEdit:
+        frame = self.layout.frame
+        x, y = edit.get("to", (0.0, 0.0))
+        to = (float(x) + frame.x, float(y) + frame.y)
+        done = bool(edit.get("done", True))
+        return HandEdit(str(edit["what"]), handle, to, int(edit.get("drag", 0)), done)

@@ -43,6 +43,7 @@ class Message(IntEnum):
     REMOVE = 0x18
     PAINT = 0x19
     SIGNALS = 0x1A
+    HANDLES = 0x1B
     COMMIT = 0x20
     BUILT = 0x21
     LIST = 0x22

@@ -24,6 +24,7 @@ _KINDS = {
     "perturb harmonics": "perturb_harmonics:Harmonics",
     "perturb random_walk": "perturb_random_walk:RandomWalk",
     "perturb bump": "perturb_bump:Bump",
+    "perturb nudges": "perturb_nudges:Nudges",
     "perturb shift": "perturb_shift:Shift",
     "perturb scale": "perturb_scale:Scale",
     "control right_first": "control_right_first:RightFirst",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -11,17 +11,21 @@ from typing import TYPE_CHECKING
 import click
 
 from roadlang.commands import DiagnosticError, echo, report
+from roadlang_godot.edited_text import EditedText
 from roadlang_godot.faults import EngineError
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
     from roadlang.api import Controller
     from roadlang.api import Scene as SceneRecord
-    from roadlang_godot.live import LiveScene, Move
+    from roadlang.commands import Handle
+    from roadlang_godot.live import HandEdit, LiveScene
     from roadlang_godot.session import Session
 
-LISTEN = 0.05
+LISTEN, BRIEFLY = 0.05, 0.005
+"""Seconds from one look at the file to the next, and at what is compiled."""
 JUDGE_EVERY = 0.5
+BYTE_ORDER_MARK = "\ufeff"
 
 
 @click.command("watch")
@@ -38,7 +42,7 @@ JUDGE_EVERY = 0.5
 @click.option(
     "--road", type=click.Choice(["mesh", "tiles"]), default="mesh", help="How to build the road."
 )
-@click.option("--save", is_flag=True, help="Write what is moved in the window back to FILE.")
+@click.option("--save", is_flag=True, help="Write what is changed in the window back to FILE.")
 @click.option(
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
 )
@@ -59,7 +63,8 @@ def command(  # noqa: PLR0913 - one parameter per option
 ) -> None:
     """Drive FILE in Godot, and update the scene each time FILE is saved.
 
-    In the window, objects and road points can be dragged; robustness is shown live.
+    In the window, roads, objects and the starts of agents can be dragged by their handles;
+    robustness is shown live.
     """
     from roadlang import load
     from roadlang.commands import parse_overrides
@@ -85,6 +90,7 @@ class CompiledEdit:
     loaded: LoadedScenario
     scene: SceneRecord
     controllers: Mapping[str, Controller]
+    handles: Sequence[Handle]
     seconds: float
     """that compiling took"""
 
@@ -93,6 +99,7 @@ class Watcher:
     """Looks after one file and one simulator. Edits are compiled beside the drive, which goes on.
 
     After an edit, the agents go on where they are; one whose own start was edited starts anew.
+    What is dragged in the window is an edit of the text, at each move of the mouse.
     """
 
     def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
@@ -101,7 +108,8 @@ class Watcher:
         self._seed = seed
         self._road = road
         self._save = save
-        self._text = self._saved = self._compiled = loaded.text
+        self._edited = EditedText(loaded.text)
+        self._saved = self._compiled = loaded.text
         self._compiler = ThreadPoolExecutor(1, "compiler")
         self._compiling: Future[CompiledEdit] | None = None
 
@@ -120,17 +128,18 @@ class Watcher:
 
     def start(self, session: Session, scene: SceneRecord) -> LiveScene:
         """Build the scene, and start to drive in it."""
-        from roadlang.commands import python_controllers
+        from roadlang.commands import handles_of, python_controllers
         from roadlang_godot.live import LiveScene
 
         controllers = python_controllers(scene, self._loaded.registry)
-        return LiveScene(session, scene, controllers, self._road)
+        handles = handles_of(self._loaded.text, scene)
+        return LiveScene(session, scene, controllers, self._road, handles)
 
     def listen(self, live: LiveScene) -> None:
-        """Drive on for a moment, and do what a human moved."""
+        """Drive on for a moment, and do what a human did."""
         try:
-            for move in live.listen(LISTEN):
-                self.take(move)
+            for edit in live.listen(LISTEN if self._compiling is None else BRIEFLY):
+                self.take(live, edit)
         except DiagnosticError as error:  # of a controller: the drive waits for an edit
             if isinstance(error, EngineError):
                 raise
@@ -142,12 +151,14 @@ class Watcher:
             compiling, self._compiling = self._compiling, None
             self._change(live, compiling)
         text = self._read()
-        if text not in (None, self._saved):
-            self._text = self._saved = str(text)
-        if self._compiling is None and self._text != self._compiled:
-            self._compiled = self._text
-            loaded = self._loaded.with_text(self._text)
+        if text is not None and text != self._saved:
+            self._saved = text
+            self._edited.replace(text)
+        if self._compiling is None and self._edited.shown != self._compiled:
+            self._compiled = self._edited.shown
+            loaded = self._loaded.with_text(self._compiled)
             self._compiling = self._compiler.submit(compiled, loaded, self._seed)
+        self._keep()
 
     def settle(self, live: LiveScene) -> None:
         """Drive on until what has changed so far is in the simulator."""
@@ -155,6 +166,11 @@ class Watcher:
         while self._compiling is not None:
             self.listen(live)
             self.look(live)
+
+    def take(self, live: LiveScene, edit: HandEdit) -> None:
+        """Change the text as a human has changed the scene."""
+        if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
+            echo(f"`{edit.handle.name}` stays: {self._file} has no place for this change")
 
     def _read(self) -> str | None:
         from roadlang.commands import read_scene_file
@@ -171,41 +187,40 @@ class Watcher:
             edit = compiling.result()
             began = time.monotonic()
             restarted = edited_starts(self._loaded.scenario, edit.loaded.scenario)
-            count = live.change(edit.scene, edit.controllers, restarted)
+            count = live.change(edit.scene, edit.controllers, restarted, edit.handles)
         except DiagnosticError as error:
-            report(error.diagnostics)
+            if self._compiled == self._edited.text:  # no moment of a drag
+                report(error.diagnostics)
+            self._edited.withdraw(self._compiled)
             return
         self._loaded = edit.loaded
+        if edit.loaded.text != self._edited.text:
+            return  # a moment of a drag
         sent, took = 1000 * (time.monotonic() - began), 1000 * edit.seconds
         echo(f"{count} changes in {sent:.0f} ms, after {took:.0f} ms of compiling")
 
-    def take(self, move: Move) -> None:
-        """Change the text as a human has changed the scene."""
-        from roadlang.commands import object_moved, replace_file, waypoint_moved
+    def _keep(self) -> None:
+        """Save what was changed by hand, once it has a scene."""
+        from roadlang.commands import replace_file
 
-        if not move.done:
+        text, path = self._edited.text, self._loaded.path
+        if not self._save or text == self._saved or text != self._loaded.text:
             return
-        if move.what == "object":
-            text = object_moved(self._text, move.name, move.end)
-        else:
-            text = waypoint_moved(self._text, move.name, move.start, move.end)
-        if text is None:
-            echo(f"`{move.name}` is not placed by numbers in {self._file}: it stays")
-            return
-        self._text = text
-        if self._save:
-            replace_file(self._loaded.path, text)
-            self._saved = text
+        assert path is not None
+        mark = BYTE_ORDER_MARK if path.read_bytes().startswith(BYTE_ORDER_MARK.encode()) else ""
+        replace_file(path, mark + text)
+        self._saved = text
 
 
 def compiled(loaded: LoadedScenario, seed: int) -> CompiledEdit:
     """The scene of a text."""
-    from roadlang.commands import python_controllers
+    from roadlang.commands import handles_of, python_controllers
 
     began = time.monotonic()
     (scene,) = loaded.sample(1, seed=seed)
     controllers = python_controllers(scene.record, loaded.registry)
-    return CompiledEdit(loaded, scene.record, controllers, time.monotonic() - began)
+    handles = handles_of(loaded.text, scene.record)
+    return CompiledEdit(loaded, scene.record, controllers, handles, time.monotonic() - began)
 
 
 def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:

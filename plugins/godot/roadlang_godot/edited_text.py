@@ -1,0 +1,97 @@
+"""The text of a watched file and what a human does to it in the window: shown, undone, redone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene
+    from roadlang.commands import Handle
+
+    from .live import HandEdit
+
+
+MOVING_KIND = "nudges"
+"""What roads that are not drawn through points are perturbed with."""
+
+
+@dataclass(frozen=True)
+class _Drag:
+    """What is dragged, and what the text and the scene were when it was taken."""
+
+    number: int
+    handle: Handle
+    text: str
+    scene: Scene
+
+
+class EditedText:
+    """`shown` is the text of the scene that is to be shown: `text`, or during a drag what it would
+    be. Each change of `text` by hand can be undone."""
+
+    def __init__(self, text: str) -> None:
+        self.text = self.shown = text
+        self._past: list[str] = []
+        self._future: list[str] = []
+        self._drag: _Drag | None = None
+
+    def take(self, edit: HandEdit, scene: Scene) -> bool:
+        """Do what a human did, in a scene; whether it can be written."""
+        from roadlang.commands import inserted, removed
+
+        if edit.what in ("undo", "redo"):
+            return self._step(*self._stacks(edit.what))
+        assert edit.handle is not None
+        if edit.what == "move":
+            return self._dragged(edit, edit.handle, scene)
+        if edit.what == "insert":
+            return self._commit(inserted(self.text, scene, edit.handle, edit.to, MOVING_KIND))
+        return self._commit(removed(self.text, edit.handle))
+
+    def replace(self, text: str) -> None:
+        """The file was saved by someone else: there is nothing to undo."""
+        self.text = self.shown = text
+        self._past, self._future, self._drag = [], [], None
+
+    def withdraw(self, failed: str) -> None:
+        """What is shown has no scene: it is as before the last change by hand."""
+        if self.shown != failed:
+            return
+        if self.text == failed and self._past:
+            self.text = self._past.pop()
+        self.shown = self.text
+
+    def _dragged(self, edit: HandEdit, handle: Handle, scene: Scene) -> bool:
+        from roadlang.commands import dragged
+
+        if self._drag is None or self._drag.number != edit.drag:
+            self._drag = _Drag(edit.drag, handle, self.text, scene)
+        drag = self._drag
+        text = dragged(drag.text, drag.scene, drag.handle, edit.to, MOVING_KIND)
+        if edit.done:
+            self._drag = None
+            return self._commit(text)
+        if text is not None:
+            self.shown = text
+        return text is not None
+
+    def _commit(self, text: str | None) -> bool:
+        if text is None:
+            self.shown = self.text
+            return False
+        if text != self.text:
+            self._past.append(self.text)
+            self._future.clear()
+        self.text = self.shown = text
+        return True
+
+    def _stacks(self, what: str) -> tuple[list[str], list[str]]:
+        stacks = self._past, self._future
+        return stacks if what == "undo" else stacks[::-1]
+
+    def _step(self, source: list[str], target: list[str]) -> bool:
+        if source:
+            target.append(self.text)
+            self.text = self.shown = source.pop()
+        return True

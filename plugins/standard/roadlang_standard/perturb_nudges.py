@@ -1,0 +1,50 @@
+"""`perturb with nudges`: a road that was moved by hand, here and there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import Length, ListOf, Perturber, Point, geometry, option
+
+if TYPE_CHECKING:
+    from roadlang.api import BatchRandom, RoadBatch
+    from roadlang.geometry import Floats
+
+
+@dataclass(frozen=True)
+class Nudges(Perturber):
+    """Move places of the road, each with what is around it; `watch` writes what was dragged."""
+
+    name: ClassVar[str] = "nudges"
+    is_random: ClassVar[bool] = False
+    at: ListOf[Length] = option(at_least=1, help="arc lengths of the places that are moved")
+    by: ListOf[Point] = option(
+        at_least=1, help="how far each is moved, east and north", example="[(2m, -1m)]"
+    )
+    length: Length = option(
+        80.0, above=0, help="arc length of road that moves with each, from end to end"
+    )
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        """The sum of by * (1 - x^2)^3 for x in [-1, 1] around each place."""
+        import numpy as np
+
+        if len(self.at) != len(self.by):
+            raise geometry.GeometryError(
+                f"`at` has {len(self.at)} places, `by` has {len(self.by)} displacements"
+            )
+        total = np.zeros((1, len(roads.stations), 2))
+        for place, move in zip(self.at, self.by, strict=True):
+            away = roads.stations - np.asarray(place)
+            if roads.period is not None:
+                away = np.mod(away + roads.period / 2, roads.period) - roads.period / 2
+            x = np.clip(2.0 * away / self.length, -1.0, 1.0)
+            share = np.atleast_2d((1.0 - x * x) ** 3)
+            east, north = (np.atleast_2d(number) for number in move)
+            total = total + np.stack([east * share, north * share], axis=-1)
+        return total
+
+    def shortest_feature(self, length: float, closed: bool) -> Floats | float:
+        """What moves with one place."""
+        return self.length

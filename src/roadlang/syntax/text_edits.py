@@ -1,0 +1,61 @@
+"""Changes of a scene file's text at places of its syntax tree; everything else stays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ..diagnostics import Source, Span
+from .parsing.parser import parse
+from .tree.nodes import Actor, Expression, Geometry, NegateExpression, NumberLiteral, Point
+
+Place = tuple[float, float]
+
+_METERS = {"": 1.0, "m": 1.0, "cm": 0.01, "km": 1000.0}
+
+
+def statements_of(text: str) -> Iterator[Actor | Geometry]:
+    """The declarations that can be changed by hand."""
+    for statement in parse(Source("", text))[0].statements:
+        if isinstance(statement, Actor | Geometry):
+            yield statement
+
+
+def declared(text: str, name: str) -> Actor | Geometry | None:
+    """The declaration of a name in this text; None where it is in another file."""
+    return next((found for found in statements_of(text) if found.name.text == name), None)
+
+
+def meters_of(value: Expression | None) -> float | None:
+    """A length that is written as a number; None of anything else."""
+    if isinstance(value, NegateExpression):
+        inner = meters_of(value.operand)
+        return None if inner is None else -inner
+    if not isinstance(value, NumberLiteral) or value.unit not in _METERS:
+        return None
+    return value.value * _METERS[value.unit]
+
+
+def place_of(value: Expression | None) -> Place | None:
+    """A point that is written as two numbers; None of anything else."""
+    if not isinstance(value, Point) or len(value.items) != 2:
+        return None
+    x, y = (meters_of(item) for item in value.items)
+    return None if x is None or y is None else (x, y)
+
+
+def written_length(meters: float) -> str:
+    """A length to the centimeter, as it is written."""
+    digits = f"{meters:.2f}".rstrip("0").rstrip(".")
+    return "0m" if digits in ("-0", "") else f"{digits}m"
+
+
+def written_place(place: Place) -> str:
+    """A point to the centimeter, as it is written."""
+    return f"({', '.join(map(written_length, place))})"
+
+
+def replaced(text: str, changes: Iterable[tuple[Span, str]]) -> str:
+    """The text with other words at some places, which do not overlap."""
+    for span, words in sorted(changes, key=lambda change: change[0].start, reverse=True):
+        text = f"{text[: span.start]}{words}{text[span.end :]}"
+    return text

@@ -1,0 +1,192 @@
+"""A real mouse on a virtual screen: what is dragged moves meanwhile, and is saved."""
+
+from __future__ import annotations
+
+import math
+import os
+import shutil
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import roadlang
+from roadlang.commands import Handle, handles_of
+from roadlang.ir.scene import Scene
+from roadlang_godot.commands.watch import Watcher
+from roadlang_godot.engine import Engine
+from roadlang_godot.protocol import Message
+from roadlang_godot.session import Session
+from tests.godot.godot_engines import started, until
+
+pytestmark = [
+    pytest.mark.godot,
+    pytest.mark.skipif(
+        not (shutil.which("Xvfb") and shutil.which("xdotool")), reason="needs Xvfb and xdotool"
+    ),
+]
+
+THINGS = """
+# what stands and drives beside it
+object kiosk is building at (40m, 40m) { length: 4m, width: 4m, height: 3m }
+object elm is tree on main at 60m { side: left, offset: 6m }
+agent ego is car on main at 5m { start_speed: 0m/s, drive with pure_pursuit { speed: 1m/s } }
+"""
+PICTURE = """image plan from \"\"\"
+.............
+.###########.
+.............
+\"\"\" { scale: 10m/px, legend: { "#": road } }
+network town from plan
+road base from town { select: longest, width: 7m }
+road main from base { perturb with sine { amplitude: 2m, wavelength: 60m } }
+"""
+SEGMENTS = """road main {
+  draw with segments { pieces: [straight(50m), arc(80m, 40deg), straight(30m)] }  # bends
+}
+"""
+WAYPOINTS = "road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (120m, 9m)] } }\n"
+METERS = 160.0
+"""that the window shows from top to bottom"""
+
+
+@pytest.fixture(scope="module")
+def screen() -> Iterator[str]:
+    read, write = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x720x24"],
+        pass_fds=[write],
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(write)
+    try:
+        with os.fdopen(read) as number:
+            yield f":{number.readline().strip()}"
+    finally:
+        server.terminate()
+        server.wait()
+
+
+@pytest.fixture(scope="module")
+def window(screen: str) -> Iterator[Engine]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("DISPLAY", screen)
+        with started(window=True, extra=["--resolution", "640x360"], quit_idle=900.0) as engine:
+            yield engine
+
+
+class Mouse:
+    """Moves the pointer in the window of an engine."""
+
+    def __init__(self, screen: str, engine: Engine) -> None:
+        self._environment = {**os.environ, "DISPLAY": screen}
+        self._window = ""
+        until(lambda: self._found(engine.process.pid))
+        self.do("windowfocus", self._window)
+
+    def _found(self, process: int) -> bool:
+        search = ["xdotool", "search", "--onlyvisible", "--name", "roadlang"]
+        found = subprocess.run(
+            search, env=self._environment, capture_output=True, text=True, check=False
+        )
+        self._window = found.stdout.strip().splitlines()[-1] if found.stdout.strip() else ""
+        return bool(self._window)
+
+    def do(self, *words: str) -> None:
+        subprocess.run(["xdotool", *words], env=self._environment, check=True)
+
+    def move(self, x: float, y: float) -> None:
+        self.do("mousemove", "--window", self._window, str(round(x)), str(round(y)))
+
+
+class Desk:
+    """A watched file in the window, seen from above, and the hand of a human."""
+
+    def __init__(self, session: Session, mouse: Mouse, file: Path, text: str) -> None:
+        file.write_text(text, encoding="utf-8")
+        self.file, self.mouse = file, mouse
+        loaded = roadlang.load(file)
+        self.watcher = Watcher(loaded, 0, "mesh", save=True)
+        self.live = self.watcher.start(session, loaded.sample(1, seed=0)[0].record)
+        self.center = (60.0, 20.0)
+        frame = self.live.layout.frame
+        x, y = self.center[0] - frame.x, self.center[1] - frame.y
+        session.send_json(Message.VIEW, {"camera": "top", "x": x, "y": y, "size": METERS})
+        session.flush()
+        self.step()
+
+    def step(self) -> None:
+        self.watcher.listen(self.live)
+        self.watcher.look(self.live)
+
+    def wait(self, holds: Callable[[], object]) -> None:
+        def stepped() -> object:
+            self.step()
+            return holds()
+
+        until(stepped)
+
+    def handle(self, name: str, nearest: float = 0.0) -> Handle:
+        """The handle of a road or thing whose x is nearest to a number."""
+        found = handles_of(self.file.read_text(), self.live.scene)
+        return min((h for h in found if h.name == name), key=lambda h: abs(h.x - nearest))
+
+    def pixel(self, x: float, y: float) -> tuple[float, float]:
+        scale = 360.0 / METERS
+        return 320.0 + scale * (x - self.center[0]), 180.0 - scale * (y - self.center[1])
+
+
+def scene_of(file: Path) -> Scene:
+    return roadlang.load(file).sample(1, seed=0)[0].record
+
+
+def farthest(one: Scene, other: Scene) -> float:
+    """Between the roads, agents and objects of two scenes, meters."""
+    away = np.subtract(places(one), places(other))
+    return float(np.hypot(away[:, 0], away[:, 1]).max())
+
+
+def places(scene: Scene) -> np.ndarray:
+    things = [(thing.x, thing.y) for thing in (*scene.agents, *scene.objects)]
+    return np.vstack([things, *(np.column_stack([road.x, road.y]) for road in scene.roads)])
+
+
+@pytest.mark.parametrize(
+    ("road", "name", "near"),
+    [
+        (WAYPOINTS, "main", 60.0),
+        (SEGMENTS, "main", 60.0),
+        (PICTURE, "main", 70.0),
+        (WAYPOINTS, "kiosk", 40.0),
+        (SEGMENTS, "elm", 60.0),
+        (PICTURE, "ego", 5.0),
+    ],
+    ids=["waypoint", "segments", "picture", "object", "object on a road", "agent"],
+)
+def test_what_is_dragged_moves_is_saved_and_is_undone(
+    window: Engine, screen: str, tmp_path: Path, road: str, name: str, near: float
+) -> None:
+    before = road + THINGS
+    with window.connect("desk") as session:
+        desk = Desk(session, Mouse(screen, window), tmp_path / "scene.rl", before)
+        first, handle = desk.live.scene, desk.handle(name, near)
+        x, y = desk.pixel(handle.x, handle.y)
+        desk.mouse.move(x, y)
+        desk.mouse.do("mousedown", "1")
+        for step in range(1, 6):
+            desk.mouse.move(x + 9 * step, y - 3 * step)
+        desk.wait(lambda: farthest(desk.live.scene, first) > 1.0)
+        assert desk.file.read_text() == before, "nothing is saved before the button is released"
+        desk.mouse.do("mouseup", "1")
+        desk.wait(lambda: desk.file.read_text() != before)
+        assert farthest(desk.live.scene, scene_of(desk.file)) < 0.01
+        pixels = math.dist((45.0, -15.0), (0.0, 0.0))
+        moved = desk.handle(name, handle.x + 45 * METERS / 360)
+        assert math.dist((moved.x, moved.y), (handle.x, handle.y)) > 0.5 * pixels * METERS / 360
+        desk.mouse.do("key", "ctrl+z")
+        desk.wait(lambda: desk.file.read_text() == before)
+        desk.wait(lambda: farthest(desk.live.scene, first) == 0.0)
+        desk.mouse.do("key", "ctrl+y")
+        desk.wait(lambda: desk.file.read_text() != before)
