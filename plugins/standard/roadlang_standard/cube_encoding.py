@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 
 from roadlang.api import Axis
 
+from .unit_cube import BELOW_ONE
+
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 
 MOST_COLUMNS = 40
 """One-hot columns; where there would be more, unordered values are searched as if ordered."""
-_LARGEST_BELOW_1 = 1.0 - 2.0**-53
 
 
 class CubeEncoding:
@@ -40,7 +41,7 @@ class CubeEncoding:
             part = vectors[:, start : start + width]
             points[:, axis] = np.asarray(middles)[part.argmax(axis=1)] if middles else part[:, 0]
             start += width
-        return np.clip(points, 0.0, _LARGEST_BELOW_1)
+        return np.clip(points, 0.0, BELOW_ONE)
 
     def choices(self, vectors: Floats) -> Floats:
         """(n, c) which unordered values vectors stand for: 1 for the value that is chosen, 0 for

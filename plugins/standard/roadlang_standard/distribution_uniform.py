@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Distribution, Like, option
 
+from .unit_cube import BELOW_ONE
+
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
-
-
-BELOW_ONE = 1.0 - 2.0**-53
 
 
 @dataclass(frozen=True)

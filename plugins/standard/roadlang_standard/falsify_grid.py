@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Axis, Code, DiagnosticError, Integer, Search, Searcher, diagnose, option
 
+from .unit_cube import MOST_COMBINATIONS
+
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
-
-
-MOST = 10_000_000
 
 
 @dataclass(frozen=True)
@@ -29,8 +28,8 @@ class Grid(Searcher):
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
         """Raises RL614 beyond ten million combinations."""
         levels = [axis.levels(self.steps) for axis in axes]
-        if prod(map(len, levels)) > MOST:
-            raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST:,}"))
+        if prod(map(len, levels)) > MOST_COMBINATIONS:
+            raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST_COMBINATIONS:,}"))
         return _GridSearch(levels)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .unit_cube import BELOW_ONE
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -32,7 +34,7 @@ def _scrambled(indices: NDArray[np.int64], base: int, random: np.random.Generato
         permutation = random.permutation(base)
         inverse += permutation[rest % base] * scale
         rest, scale = rest // base, scale / base
-    return np.minimum(inverse, 1.0 - 2.0**-53)
+    return np.minimum(inverse, BELOW_ONE)
 
 
 def _primes(count: int) -> list[int]:

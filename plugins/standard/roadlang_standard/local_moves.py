@@ -10,6 +10,8 @@ import numpy as np
 
 from roadlang.geometry.clusters import clusters, distances
 
+from .unit_cube import BELOW_ONE
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -45,7 +47,7 @@ def moved(known: Floats, uniform: Floats) -> Floats:
         if rows.size:
             proposed[rows] = _moved_within(members, order, lead[rows, 1:], spread[rows])
     folded: Floats = 1.0 - np.abs(np.mod(proposed, 2.0) - 1.0)
-    return np.clip(folded, 0.0, 1.0 - 2.0**-53)
+    return np.clip(folded, 0.0, BELOW_ONE)
 
 
 def _moved_within(members: Floats, order: NDArray[np.intp], lead: Floats, spread: Floats) -> Floats:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Code, DiagnosticError, Integer, Sampler, diagnose, option
 
+from .unit_cube import MOST_COMBINATIONS
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -15,9 +17,6 @@ if TYPE_CHECKING:
 
     from roadlang.api import DrawnValue
     from roadlang.geometry import Floats
-
-
-MOST = 10_000_000
 
 
 @dataclass(frozen=True)
@@ -34,8 +33,8 @@ class GridSampler(Sampler):
         count = 1
         for draw in draws:
             count *= len(draw.levels(self.steps))
-            if count > MOST:
-                raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST:,}"))
+            if count > MOST_COMBINATIONS:
+                raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST_COMBINATIONS:,}"))
         return count
 
     def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:

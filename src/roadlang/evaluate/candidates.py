@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Hashable, Mapping
 from functools import cached_property
 from typing import Any, TypeVar
@@ -16,6 +17,7 @@ from .draw_record import DrawRecord
 from .indexed_scenario import IndexedScenario
 from .randomness import Words, place_keys, variant_keys
 
+_ELEMENT = re.compile(r"\[\d+\]$")
 T = TypeVar("T")
 
 
@@ -177,3 +179,8 @@ def fixed_candidate(scenario: IndexedScenario) -> CandidateBatch:
 def coordinate_name(place: str, element: int) -> str:
     """`bent/perturb 1/amplitude`; with the number of the road or copy where there are several."""
     return f"{place}[{element}]" if element else place
+
+
+def draw_place(name: str) -> str:
+    """The place of the draw that `coordinate_name` gave this name."""
+    return _ELEMENT.sub("", name)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 import numpy as np
 
 from ..diagnostics import DiagnosticError
-from ..evaluate.candidates import CandidateBatch, fixed_candidate
+from ..evaluate.candidates import CandidateBatch, draw_place, fixed_candidate
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -18,7 +17,6 @@ from ..scenes.instantiate import driven_scene
 
 _LOOKED_AT = 8
 """Candidates that are made to see what is drawn: how many copies a group has may be drawn too."""
-_ELEMENT = re.compile(r"\[\d+\]$")
 
 
 def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
@@ -39,7 +37,7 @@ def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
         finally:
             names |= dict.fromkeys(record.coordinates)
     draws = {draw.place: draw for draw in scenario.draws()}
-    return tuple(_axis(name, draws.get(_ELEMENT.sub("", name)), scenario) for name in names)
+    return tuple(_axis(name, draws.get(draw_place(name)), scenario) for name in names)
 
 
 def _axis(name: str, draw: RandomValue | None, scenario: IndexedScenario) -> Axis:

@@ -10,6 +10,8 @@ from pathlib import Path
 from ..diagnostics import Code, DiagnosticError, diagnose
 
 SCHEMA = "roadlang.journal/1"
+JOURNAL_FILE = "journal.jsonl"
+"""Its name in the folder that `run` or `falsify` writes."""
 
 
 class JournalFile:

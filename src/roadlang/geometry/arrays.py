@@ -44,6 +44,11 @@ def finite_points(points: ArrayLike, what: str = "the points of a curve") -> Flo
     return array
 
 
+def flat(values: ArrayLike) -> Floats:
+    """All of them in one row, (n,)."""
+    return np.asarray(values, dtype=np.float64).reshape(-1)
+
+
 def cross(a: Floats, b: Floats) -> Floats:
     """z of the cross product of (..., 2) vectors: positive when `b` points left of `a`."""
     return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])

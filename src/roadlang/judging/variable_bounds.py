@@ -11,7 +11,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, flat
 from ..ir.road_bounds import RoadBounds
 from ..ir.scenario import ScenarioRoad
 from ..ir.values import Condition, Entity, Measure, PassCall, Value
@@ -52,7 +52,7 @@ class VariableBounds:
         stated = []
         for fields in combinations:
             with plugin_guard(entry, call.span):
-                ends = [_column(end) for end in kind.range(fields)]
+                ends = [flat(end) for end in kind.range(fields)]
             if len(ends) != 2 or not (self._fits(*ends) and (ends[0] <= ends[1]).all()):
                 shown = " to ".join(str(end[:3]) for end in ends)
                 raise wrong_result(entry, call.span, f"gave the range {shown}")
@@ -168,10 +168,6 @@ class ScenarioBounds(VariableBounds):
 def is_geometric(value: Value, scenario: IndexedScenario) -> bool:
     """Whether a value depends on the geometry of roads."""
     return any(isinstance(item, Measure) for item in scenario.dependencies.contents(value))
-
-
-def _column(value: Any) -> Floats:
-    return np.asarray(value, dtype=np.float64).reshape(-1)
 
 
 def _farther(end: Any, share: float) -> Floats:

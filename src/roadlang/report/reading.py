@@ -11,7 +11,7 @@ import msgspec
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..drive.standing import with_objects
 from ..drive.trace_files import from_json
-from ..files.journal import read_lines
+from ..files.journal import JOURNAL_FILE, read_lines
 from ..files.reading import UnreadableFile, read_file
 from ..ir.encoding import scene_from_json
 from ..ir.results_record import RESULTS_FILE, RESULTS_SCHEMA, ResultsRecord
@@ -19,7 +19,6 @@ from ..ir.scene import Scene
 from ..ir.trace import Trace
 
 T = TypeVar("T")
-JOURNAL = "journal.jsonl"
 
 
 def read_record(folder: Path) -> ResultsRecord:
@@ -43,7 +42,7 @@ def read_drive(stem: Path) -> tuple[Scene, Trace]:
 
 def read_journal(folder: Path) -> list[bytes]:
     """The lines of the journal. Raises RL721."""
-    path = folder / JOURNAL
+    path = folder / JOURNAL_FILE
     try:
         return read_lines(path)
     except (OSError, ValueError) as error:

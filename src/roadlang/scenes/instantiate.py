@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -14,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Diagnostic
-from ..evaluate.candidates import CandidateBatch, fixed_candidate
+from ..evaluate.candidates import CandidateBatch, draw_place, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import evaluate, named
@@ -32,8 +31,6 @@ from .junction_warnings import junction_warnings
 from .roads import scene_networks, scene_roads
 from .start_gaps import slowed_behind
 from .start_speeds import keep_distance
-
-_NUMBERED = re.compile(r"\[\d+\]$")
 
 
 @dataclass(frozen=True)
@@ -190,8 +187,7 @@ def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str
     drawn = scenario.once(
         "units of draws", lambda: {draw.place: draw.dimension.unit for draw in scenario.draws()}
     )
-    # Several draws of one place are numbered: `tree/at[2]`.
-    named |= {name: drawn.get(_NUMBERED.sub("", name), "") for name in draws}
+    named |= {name: drawn.get(draw_place(name), "") for name in draws}
     return {name: unit for name, unit in sorted(named.items()) if unit}
 
 

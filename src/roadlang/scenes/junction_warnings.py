@@ -6,8 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
-from ..geometry.junctions.model import JunctionPlan, Problem
-from ..geometry.junctions.overlaps import NO_JUNCTION
+from ..geometry.junctions.model import NO_JUNCTION, JunctionPlan, Problem
 from ..ir.scenario import ScenarioNetwork
 from ..world.networks import network_root
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
-from ..geometry.routes.lane_graph import NO_JUNCTION, LaneGraph
+from ..geometry.junctions.model import NO_JUNCTION
+from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.shortest import Leg, PlannedRoute
 from ..ir.scenario import ScenarioActor
 from ..ir.scene_actor import SceneActor

@@ -30,6 +30,7 @@ from ..falsification.statistics import (
     coverage,
     failure_rate,
 )
+from ..files.journal import JOURNAL_FILE
 from ..search.worker_pool import WorkerPool, Workers
 from ..world.index import index_scenario
 from .scene import Scene
@@ -39,7 +40,6 @@ if TYPE_CHECKING:
     from .drives import Drive, DriveSet
     from .loading import LoadedScenario
 
-JOURNAL = "journal.jsonl"
 SAFE_DRIVES = 12
 """Scenes in which nothing is violated that are written beside the failures, to compare."""
 
@@ -227,7 +227,7 @@ def falsified(
     evaluator = Evaluator(task)
     journal: Journal = NoJournal()
     if folder is not None:
-        journal = SearchJournal(folder / JOURNAL, search_key(task, plan), resume)
+        journal = SearchJournal(folder / JOURNAL_FILE, search_key(task, plan), resume)
     with WorkerPool(evaluator, workers) as pool:
         expired = deadline(plan.seconds)
         result = search_failures(plan, axes, pool, expects, journal, workers.progress, expired)

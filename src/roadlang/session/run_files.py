@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..falsification.descriptors import measures, protagonist
-from ..files.journal import JournalFile
+from ..files.journal import JOURNAL_FILE, JournalFile
 from ..files.writing import write_all, write_file
 from ..ir.results_record import RESULTS_FILE
 from .drives import Drive
@@ -17,7 +17,6 @@ from .falsification_files import FINDINGS
 if TYPE_CHECKING:
     from .drives import DriveSet
 
-JOURNAL = "journal.jsonl"
 _ENDINGS = (".json", ".trace.csv", ".trace.json", ".verdicts.json", ".drive.svg")
 
 
@@ -31,7 +30,7 @@ class RunFolder:
 
     def __init__(self, folder: Path, key: str, provenance: str, resume: bool) -> None:
         self._folder = folder
-        self._journal = JournalFile(folder / JOURNAL, key, resume)
+        self._journal = JournalFile(folder / JOURNAL_FILE, key, resume)
         write_file(folder / RESULTS_FILE, provenance)
         entries = [json.loads(line) for line in self._journal.lines]
         self.finished: dict[int, Mapping[str, Any]] = {

@@ -10,10 +10,8 @@ from ..geometry.arrays import Floats, Integers
 from .conditions import unsupported
 from .lane_columns import LANE_COLUMNS
 from .lane_reader import LaneReader
-from .recorded_columns import RECORDED
+from .recorded_columns import PLACES, RECORDED
 from .world import World
-
-_PLACES = {name: place for place, name in enumerate(RECORDED)}
 
 
 class PendingSamples:
@@ -55,9 +53,9 @@ class PendingSamples:
             return size
         if name in LANE_COLUMNS:
             return self._lane_columns(agents, depth)[name]
-        if name not in _PLACES:
+        if name not in PLACES:
             raise unsupported(name)
-        place = _PLACES[name]
+        place = PLACES[name]
         return np.stack([sample[place, agents] for sample in self._samples[-depth - 1 :]])
 
     def take(self, agents: Integers) -> None:

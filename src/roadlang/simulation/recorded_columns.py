@@ -18,7 +18,8 @@ RECORDED = (
     "offset",
 )  # fmt: skip
 """Those of `COLUMNS` that change, but for the rate of another."""
-_PLACES = {name: place for place, name in enumerate(RECORDED)}
+PLACES = {name: place for place, name in enumerate(RECORDED)}
+"""Where each of them is in an array of all."""
 _LANE_PLACES = {name: place for place, name in enumerate(LANE_COLUMNS)}
 _AT_ONCE = 16
 """Agents whose samples become columns together, so few that they fit into the caches."""
@@ -40,7 +41,7 @@ class RecordedPart:
         """(T,) of one of its N agents."""
         is_of_lanes = name in _LANE_PLACES
         columns = self._lane_columns if is_of_lanes else self._columns
-        values: Floats = columns[agent, (_LANE_PLACES if is_of_lanes else _PLACES)[name]]
+        values: Floats = columns[agent, (_LANE_PLACES if is_of_lanes else PLACES)[name]]
         return values
 
     @cached_property
@@ -57,7 +58,7 @@ class RecordedPart:
     @cached_property
     def _lane_columns(self) -> Floats:
         """(N, Q, T) with the quantities `LANE_COLUMNS`."""
-        known = {name: self._columns[:, place] for name, place in _PLACES.items()}
+        known = {name: self._columns[:, place] for name, place in PLACES.items()}
         found = self._lanes.read(self._agents, known)
         return read_only(np.stack([found[name] for name in LANE_COLUMNS], axis=1))
 

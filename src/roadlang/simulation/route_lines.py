@@ -14,6 +14,7 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
+from ..ir.surroundings import DEFAULT_SPEED
 from .lines import LineSource
 from .smoothing import is_tight, smoothed
 
@@ -23,8 +24,6 @@ LANE_CHANGE_TIME = 3.0
 """Seconds that a lane change of a route takes at the speed limit."""
 LANE_CHANGE_LENGTHS = (20.0, 120.0)
 """Meters, at least and at most, for a lane change of a route."""
-DEFAULT_SPEED = 50 / 3.6
-"""m/s, where a road has no speed limit."""
 COINCIDENT = 1e-6
 """Meters: points so close are the same."""
 

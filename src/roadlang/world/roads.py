@@ -17,6 +17,7 @@ from ..evaluate.kind_instance import scalar
 from ..geometry import Curve, CurveFrame, Path, Road, WidthProfile
 from ..geometry.arrays import Floats
 from ..geometry.path_sections import section_of_path
+from ..geometry.polylines import DEFAULT_WIDTH
 from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall, Value
@@ -34,7 +35,6 @@ from .selection import selected
 from .stations import station_spacing
 from .verified import verified
 
-DEFAULT_WIDTH = 7.0
 _SAME_WIDTH = 1e-3
 """Meters."""
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, flat
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import implements
@@ -47,10 +47,10 @@ def features_of_candidates(
     parts = [_checked(stated, built.entry, call)]
     options = call.common
     if "over" in options:
-        low, high = (_column(end) for end in evaluate(options["over"], candidates, element))
+        low, high = (flat(end) for end in evaluate(options["over"], candidates, element))
         taper = np.zeros(1)
         if "taper" in options:
-            taper = _column(evaluate(options["taper"], candidates, element))
+            taper = flat(evaluate(options["taper"], candidates, element))
         parts.append(_feature_of_window(_size(low, high, length, closed), taper))
     return np.asarray(np.minimum.reduce(np.broadcast_arrays(*parts)))
 
@@ -119,7 +119,3 @@ def _known(feature: float) -> float | None:
 
 def _is_range(value: Any) -> bool:
     return isinstance(value, OptionRange) and math.isfinite(value.low) and math.isfinite(value.high)
-
-
-def _column(value: Any) -> Floats:
-    return np.asarray(value, dtype=np.float64).reshape(-1)

@@ -9,6 +9,8 @@ from typing import Literal, TypeAlias
 Point: TypeAlias = tuple[float, float]
 End: TypeAlias = Literal["start", "end"]
 Turn: TypeAlias = Literal["left", "straight", "right", "u"]
+NO_JUNCTION = -1
+"""The junction of what is beyond all of them"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,10 +10,9 @@ import numpy as np
 
 from ..cross_section import CrossSection
 from ..network import Edge, RoadNetwork
-from .model import Junction, Problem
+from .model import NO_JUNCTION, Junction, Problem
 from .sweeping import TOLERANCE, valid
 
-NO_JUNCTION = -1
 _SPACING = 2.0
 _SHORTEST = 0.1
 

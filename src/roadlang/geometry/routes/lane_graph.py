@@ -8,12 +8,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from ..cross_section import CrossSection
-from ..junctions.model import JunctionPlan, LaneEnd
+from ..junctions.model import NO_JUNCTION, JunctionPlan, LaneEnd
 from ..network import Edge
 
 LANE_CHANGE = 20.0
 """Meters of road that a route leaves for each change of lane"""
-NO_JUNCTION = -1
 
 
 @dataclass(frozen=True, slots=True, order=True)

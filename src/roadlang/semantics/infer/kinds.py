@@ -12,7 +12,8 @@ from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
 from ..checker import Checker, ResolvedKind
 from ..suggestions import meant_name
 
-_MOST_LISTED = 12
+MOST_LISTED = 12
+"""Names in one line of help"""
 _NOUNS = {
     "agent": "kind of agent",
     "object": "kind of object",
@@ -170,7 +171,7 @@ def _listing(verb: str, names: Iterable[str]) -> list[str]:
     known = list(names)
     if not known:
         return [f"no installed plugin provides a kind of `{verb}`"]
-    shown = ", ".join(f"`{name}`" for name in known[:_MOST_LISTED])
+    shown = ", ".join(f"`{name}`" for name in known[:MOST_LISTED])
     if len(known) == 1:
         return [f"the only kind of `{verb}` is {shown}"]
-    return [f"the kinds of `{verb}` are {shown}{', ...' if len(known) > _MOST_LISTED else ''}"]
+    return [f"the kinds of `{verb}` are {shown}{', ...' if len(known) > MOST_LISTED else ''}"]

@@ -8,9 +8,8 @@ from ..checker import Checker
 from ..context import Context
 from ..types.expression_types import TypedExpression, unknown
 from .habits import is_side_as_lane, name_help
-from .kinds import find_kind
+from .kinds import MOST_LISTED, find_kind
 
-_MOST_LISTED = 12
 _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
 
 
@@ -67,8 +66,8 @@ def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
         return (
             (f"this scene declares no other {' or '.join(context.roles)}",) if context.roles else ()
         )
-    shown = ", ".join(f"`{name}`" for name in names[:_MOST_LISTED])
-    more = f" and {len(names) - _MOST_LISTED} more" if len(names) > _MOST_LISTED else ""
+    shown = ", ".join(f"`{name}`" for name in names[:MOST_LISTED])
+    more = f" and {len(names) - MOST_LISTED} more" if len(names) > MOST_LISTED else ""
     return (f"this scene declares {shown}{more}",)
 
 

@@ -8,13 +8,14 @@ from typing import Any
 from ...diagnostics import Code, Label
 from ...ir.dimension import LENGTH
 from ...ir.scenario import LANE_OPTIONS
-from ...ir.values import Flag, Items, PassCall, Reference, Value
+from ...ir.values import Flag, Items, PassCall, Value
 from ...plugins.describing import value_text
 from ...plugins.option_types import QuantityType
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..types.expression_types import TypedExpression
 from .randomness import is_random
+from .references import resolved
 
 _SAME_WIDTH = 1e-3
 """Meters."""
@@ -88,21 +89,15 @@ def _counted_too(
 
 def _calls(checker: Checker, value: Value | None) -> list[PassCall] | None:
     """The lanes of a list, from the middle outwards; None where they are drawn."""
-    value = _resolved(checker, value)
+    value = resolved(checker, value)
     if not isinstance(value, Items):
         return None
-    calls = [_resolved(checker, item) for item in value.items]
+    calls = [resolved(checker, item) for item in value.items]
     return [call for call in calls if isinstance(call, PassCall)] if _are_calls(calls) else None
 
 
 def _are_calls(values: list[Value | None]) -> bool:
     return all(isinstance(value, PassCall) for value in values)
-
-
-def _resolved(checker: Checker, value: Value | None) -> Value | None:
-    while isinstance(value, Reference):
-        value = checker.definition(value.name).value
-    return value
 
 
 def _kind(checker: Checker, call: PassCall) -> Any:

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 from ...diagnostics import Code
 from ...ir.read_only import FrozenDict
-from ...ir.values import Items, Options, PassCall, Reference, TextValue, Value
+from ...ir.values import Items, Options, PassCall, TextValue
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..infer.inherited_roads import named_in_position
 from .actor_places import drawn_share, is_by_another
+from .references import resolved
 
 _NOT_IN_A_LANE = {"side": None, "lane": TextValue("none")}
 
@@ -39,7 +40,7 @@ def with_route(
             option=f"`{written[clash].span.text}`", help="a route leads along lanes",
         )  # fmt: skip
         return None
-    route = _resolved(checker, options.get("route"))
+    route = resolved(checker, options.get("route"))
     follows = named_in_position(checker, statement) is not None
     if route is None and not (drives and network is not None and clash is None and not follows):
         return options
@@ -83,9 +84,3 @@ def _report_without_network(checker: Checker, statement: ast.Actor, option: ast.
 
 def _written(statement: ast.Actor) -> tuple[ast.Option, ...]:
     return statement.block.options if statement.block is not None else ()
-
-
-def _resolved(checker: Checker, value: Value | None) -> Value | None:
-    while isinstance(value, Reference):
-        value = checker.definition(value.name).value
-    return value

@@ -10,7 +10,7 @@ from typing import TypeAlias
 from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
 from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
-from ..tree.strings import ESCAPES
+from ..tree.strings import ESCAPE, ESCAPES
 from ..words import STATEMENTS
 from .expression_habits import CONDITIONAL
 from .foreign_notation import SYMBOLS, from_latex
@@ -19,7 +19,6 @@ _WORD = re.compile(r"\w+")
 _LATEX = re.compile(r"\$[^$\n]*\$|\\[A-Za-z]+|\\")
 _SINGLE = re.compile(r"'([^'\r\n]*)'|[“”„«]([^“”»\"\r\n]*)[“”»]")
 _CLOSED = re.compile(r'"(?:[^"\\\r\n]|\\[^\r\n])*"')
-_ESCAPE = re.compile(r"\\(.)")
 _BARE_STRING = re.compile(r"\"[\w./\\-]*(?=\s*[{,)\]}:])")
 _COLOR = re.compile(r"#(?:[0-9a-fA-F]{8}|[0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![^\s,:)\]}])")
 _KEY = re.compile(r"\s*:")
@@ -87,7 +86,7 @@ def _text(place: UnlexableText) -> Answer:
 def _escape(place: UnlexableText, end: int) -> Answer:
     """A string with an escape that means nothing; the string is read all the same."""
     place.read_as("STRING", place.text[place.start : end], end)
-    match = next(match for match in _ESCAPE.finditer(place.text, place.start, end) if _bad(match))
+    match = next(match for match in ESCAPE.finditer(place.text, place.start, end) if _bad(match))
     span = place.source.span(*match.span())
     meant = "\\" + match[0]
     help = f"a backslash is written `\\\\`: `{meant}`"
@@ -267,7 +266,7 @@ def _faulty_string(lexed: Lexed, text: str, start: int, end: int) -> bool:
     """`\"\"\"` that no other one closes is read as an empty string before a quote."""
     if end - start == 2:
         return text.startswith('"', end)
-    return "\\" in text[start:end] and any(map(_bad, _ESCAPE.finditer(text, start, end)))
+    return "\\" in text[start:end] and any(map(_bad, ESCAPE.finditer(text, start, end)))
 
 
 def _foreign_comment(lexed: Lexed, text: str, start: int, end: int) -> bool:

@@ -6,7 +6,7 @@ import re
 import textwrap
 
 ESCAPES = {'"': '"', "\\": "\\", "n": "\n", "t": "\t"}
-_ESCAPE = re.compile(r"\\(.)")
+ESCAPE = re.compile(r"\\(.)")
 
 
 def unescaped(written: str) -> str:
@@ -14,7 +14,7 @@ def unescaped(written: str) -> str:
     inner = written[1:-1]
     if "\\" not in inner:
         return inner
-    return _ESCAPE.sub(lambda match: ESCAPES.get(match[1], match[0]), inner)
+    return ESCAPE.sub(lambda match: ESCAPES.get(match[1], match[0]), inner)
 
 
 def quoted(value: str) -> str:
