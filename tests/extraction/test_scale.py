@@ -1,12 +1,16 @@
-"""At which size a photo is looked at, and which specks of a mask are noise."""
+"""At which sizes a photo is looked at, and which specks of a mask are noise."""
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction.aerial import Request, roads_of_photo
+from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.masks import without_holes, without_specks
-from roadlang_standard.extraction.scale import resized, start_scale
+from roadlang_standard.extraction.scale import resized, view_scales
+from training.rendering.aerial import render_aerial
 
 
 def photo(height: int = 800, width: int = 1000) -> np.ndarray:
@@ -14,22 +18,43 @@ def photo(height: int = 800, width: int = 1000) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("meters_per_pixel", "scale"),
-    [(0.3, 1 / 3), (0.09, 0.1), (0.01, 0.1), (0.9, 1.0), (0.8, 1.0), (5.0, 1.0)],
+    ("meters_per_pixel", "scales"),
+    [
+        (0.3, (1.0, 1 / 3)),
+        (0.18, (0.6, 0.2)),
+        (0.01, (0.3, 0.1)),
+        (0.7, (1.0,)),
+        (0.9, (1.0,)),
+        (5.0, (1.0,)),
+    ],
 )
-def test_a_fine_photo_is_made_smaller_and_no_photo_larger(
-    meters_per_pixel: float, scale: float
+def test_a_photo_of_high_resolution_is_looked_at_smaller_too_and_none_larger(
+    meters_per_pixel: float, scales: tuple[float, ...]
 ) -> None:
-    assert start_scale(photo(), meters_per_pixel) == pytest.approx(scale, rel=1e-3)
+    assert view_scales(photo(), meters_per_pixel) == pytest.approx(scales, rel=1e-3)
 
 
 def test_a_small_photo_keeps_64_pixels() -> None:
-    assert start_scale(photo(160, 400), 0.09) == pytest.approx(64 / 160)
+    assert view_scales(photo(160, 400), 0.09) == pytest.approx((1.0, 64 / 160))
+    assert view_scales(photo(60, 400), 0.09) == (1.0,)
 
 
-def test_an_enlarged_photo_is_told_by_what_it_lacks() -> None:
-    assert start_scale(photo()) == 1.0
-    assert start_scale(resized(photo(300, 300), 4.0)) == pytest.approx(1 / 3)
+def test_a_photo_without_fine_detail_is_looked_at_in_half_its_size_too() -> None:
+    assert view_scales(photo()) == (1.0,)
+    assert view_scales(resized(photo(300, 300), 4.0)) == (1.0, 0.5)
+
+
+def test_a_stated_resolution_or_blur_does_not_hide_roads() -> None:
+    scene = render_aerial("curve", 904, size=320)
+    length = _length(roads_of_photo(scene.image))
+    assert length > 150
+    stated = roads_of_photo(scene.image, Request(meters_per_pixel=0.3))
+    assert _length(stated) > 0.8 * length
+    assert _length(roads_of_photo(cv2.GaussianBlur(scene.image, (0, 0), 2))) > 0.8 * length
+
+
+def _length(found: FoundNetwork) -> float:
+    return sum(road.length for road in found.roads)
 
 
 @pytest.mark.parametrize(("least", "filled"), [(9, False), (10, True)])

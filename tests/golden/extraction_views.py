@@ -17,7 +17,7 @@ from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.free_space import roads_of_free_space
 from roadlang_standard.extraction.nodata import nodata
 from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.scale import fine_share, start_scale
+from roadlang_standard.extraction.scale import fine_share, view_scales
 from tests.golden.summaries import array
 
 _SIZE = (190, 240)
@@ -117,7 +117,7 @@ def picture_lines(first: int, count: int) -> Iterator[str]:
             margin = nodata(image)
             kind = picture_kind(image)
             yield f"  {name}: {kind.name} margin {0 if margin is None else int(margin.sum())}"
-            scales = [start_scale(image), start_scale(image, 0.3), start_scale(image, 0.8)]
+            scales = [view_scales(image, resolution) for resolution in (None, 0.3, 0.8)]
             light = even_exposure(image).astype(float)
             yield f"    {fine_share(image):.6g} {scales} {array(light.mean(axis=(0, 2)).tolist())}"
         yield from found_lines("ribbons", roads_by_ribbons(photo))

@@ -21,17 +21,13 @@ from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
 from .linking import dead_ends, link
 from .masks import without_holes, without_specks
-from .scale import resized, start_scale
+from .scale import resized, view_scales
 from .skeleton import skeleton
 from .smoothing import stations
 from .tones import Image, Layer
 
 _COARSE = 0.35
 """Share of the half-size view in the evidence."""
-_WIDE, _HANDY = 11.0, 9.0
-"""Roads wider than the first, in working pixels, are looked at again as wide as the second."""
-_HARDLY = 0.002
-"""Share of the picture below which hardly any road was seen."""
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
 _RELAXED = (0.7, 0.45, 0.25)
@@ -124,30 +120,17 @@ def roads_of_photo(
 ) -> FoundNetwork:
     """The road network of a photo (h, w, 3)."""
     net = net or road_net()
-    scale = start_scale(image, request.meters_per_pixel)
-    seen = look(resized(image, scale), net)
-    other = _other_scale(image, scale, seen, request.meters_per_pixel)
-    if other is not None:
-        again = look(resized(image, other), net)
-        if _share(again) > 0.5 * _share(seen):
-            scale, seen = other, again
-    found = roads_of_evidence(seen, request.at(scale))
+    scales = view_scales(image, request.meters_per_pixel)
+    views = [_view(image, scale, request, net) for scale in scales]
+    # A smaller view has to show roads more clearly: the net misses narrow roads in it.
+    return max(views, key=lambda found: found.confidence)
+
+
+def _view(image: Image, scale: float, request: Request, net: Net) -> FoundNetwork:
+    """What is found in a photo that is looked at `scale` times as large."""
+    found = roads_of_evidence(look(resized(image, scale), net), request.at(scale))
     found = found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
-
-
-def _other_scale(image: Image, scale: float, seen: Seen, stated: float | None) -> float | None:
-    """A scale that may show more: where roads are wide, and where hardly any were seen."""
-    if stated is None:
-        width = _typical_width(seen)
-        return scale * _HANDY / width if width > _WIDE else None
-    sharp = start_scale(image)
-    return sharp if sharp > scale and _share(seen) < _HARDLY else None
-
-
-def _share(seen: Seen) -> float:
-    """Share of the picture that is likely road."""
-    return float((seen.blend > 0.5).mean())
 
 
 def look(image: Image, net: Net) -> Seen:

@@ -11,6 +11,8 @@ from .tones import Image, Layer
 _ANGLES = 12
 _WIDTHS = (5, 9, 13)
 _LENGTH = 21
+_SMALLER = 1 / 3
+"""Size at which a photo without fine detail is looked at."""
 _CHROMA = 0.03
 """How much a colorful pixel loses: asphalt is gray."""
 
@@ -18,9 +20,9 @@ _CHROMA = 0.03
 def roads_by_ribbons(image: Image) -> FoundNetwork:
     """The road network of a photo (h, w, 3), found without the net."""
     from .aerial import Cutoffs, Request, Seen, roads_of_evidence
-    from .scale import resized, start_scale
+    from .scale import has_detail, resized
 
-    scale = start_scale(image)
+    scale = 1.0 if has_detail(image) else max(_SMALLER, min(1.0, 64 / min(image.shape[:2])))
     evidence = ribbon_evidence(resized(image, scale))
     cutoffs = Cutoffs(strong=0.62, weak=0.42, floor=0.35, link_cost=1.2)
     found = roads_of_evidence(Seen(evidence, evidence), Request(), cutoffs)

@@ -1,4 +1,4 @@
-"""At which size to look at a photo: from its ground resolution, else from how sharp it is."""
+"""At which sizes to look at a photo: from its ground resolution, else from how sharp it is."""
 
 from __future__ import annotations
 
@@ -9,18 +9,31 @@ from .tones import Image
 
 _GROUND = 0.9
 """Meters per pixel at which the net sees best."""
-_ENLARGED = 0.002
-"""Photos enlarged three times have less fine detail than this."""
+_NO_DETAIL = 0.002
+"""Photos that are blurred, or enlarged three times, have less fine detail than this."""
+_FINEST = 3.0
+"""The largest view of a photo of stated resolution, in views at which the net should see best."""
 
 
-def start_scale(image: Image, meters_per_pixel: float | None = None) -> float:
-    """The factor by which to resize before looking; 1 or less."""
+def view_scales(image: Image, meters_per_pixel: float | None = None) -> tuple[float, ...]:
+    """The factors by which to resize a photo before looking, the largest first; 1 or less.
+
+    A stated resolution says at which size the net should see best. Without one, only a photo that
+    has no fine detail is looked at in half its size: it may be an enlarged one.
+    """
     smallest = min(1.0, 64 / min(image.shape[:2]))
     if meters_per_pixel is not None:
         wanted = meters_per_pixel / _GROUND
-        return float(np.clip(wanted if wanted < 0.72 else 1.0, max(0.1, smallest), 1.0))
-    enlarged = fine_share(image) < _ENLARGED
-    return max(1 / 3 if enlarged else 1.0, float(smallest))
+        if wanted >= 0.72:
+            return (1.0,)
+        best = float(np.clip(wanted, max(0.1, smallest), 1.0))
+        return tuple(sorted({min(1.0, _FINEST * best), best}, reverse=True))
+    return (1.0,) if has_detail(image) else tuple(sorted({1.0, max(0.5, smallest)}, reverse=True))
+
+
+def has_detail(image: Image) -> bool:
+    """Whether a photo has fine detail: one that was enlarged or is blurred has none."""
+    return fine_share(image) >= _NO_DETAIL
 
 
 def fine_share(image: Image) -> float:
