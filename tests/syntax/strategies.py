@@ -91,7 +91,12 @@ class _Grower:
         name = ast.Name(self.word().text, span=NOWHERE)
         if self.draw(st.booleans()):
             return name
-        return ast.Member(name, self.key(), span=NOWHERE)
+        return ast.Member(self.maybe_numbered(name), self.key(), span=NOWHERE)
+
+    def maybe_numbered(self, name: ast.Name) -> ast.Expression:
+        if self.draw(st.booleans()):
+            return name
+        return ast.Numbered(name, ast.NumberLiteral("0", span=NOWHERE), span=NOWHERE)
 
     def argument(self, depth: int) -> ast.Argument:
         return ast.Argument(self.value(depth), self.maybe(self.key, 0), span=NOWHERE)

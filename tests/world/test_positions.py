@@ -219,3 +219,56 @@ def test_a_row_behind_another_follows_the_lanes_of_a_network_back(sample: Sample
     lead, *others = [agent.x for agent in scene.agents]
     assert [lead - x for x in others[:3]] == pytest.approx([10.0, 20.0, 30.0], abs=0.1)
     assert [b - a for a, b in pairwise(others[3:])] == pytest.approx([-10.0, -10.0], abs=0.1)
+
+
+def test_one_copy_of_a_group_stands_for_itself(sample: Sample) -> None:
+    found = placed(
+        sample,
+        "agent cars is car on main at 120m { lane: 1, facing: forward, count: 3, spacing: 20m }\n"
+        "agent after is car on main at ahead_of(cars[1], 50m)\n"
+        "object box is rock on main at cars[2].start + 40m { side: left, offset: 1m }\n"
+        "agent row is car on main at behind(cars[0], 10m) { count: 2, spacing: 8m }\n",
+    )
+    assert found["after"].start == 140 + 50 + 4.5
+    assert found["box"].start == 160 + 40
+    assert [found[f"row[{k}]"].start for k in (0, 1)] == pytest.approx([105.5, 97.5])
+
+
+def test_a_copy_that_a_scene_lacks_is_nothing_to_be_placed_by(sample: Sample) -> None:
+    text = (
+        "agent cars is car on main at 120m { count: integer(0, 2), spacing: 20m }\n"
+        "agent after is car on main at ahead_of(cars[1], 20m)\n"
+    )
+    scenes = sample(ROAD + text, 6).scenes
+    assert len(scenes) == 6
+    assert {sum(a.group == "cars" for a in scene.agents) for scene in scenes} == {2}
+
+
+def test_numbers_of_placement_are_of_one_copy(sample: Sample) -> None:
+    text = (
+        "agent cars is car on main at 110m..290m { lane: 2, count: 3, apart: 5m }\n"
+        "require order: cars[0].start < cars[1].start and cars[1].start < cars[2].start\n"
+        "require far: distance(cars[0], cars[2]) > 60m\n"
+    )
+    for scene in sample(ROAD + text, 5).scenes:
+        starts = [float(a.start or 0.0) for a in scene.agents if a.group == "cars"]
+        assert starts == sorted(starts)
+        assert starts[2] - starts[0] > 60
+
+
+def test_signals_of_a_drive_are_of_one_copy() -> None:
+    text = (
+        "agent cars is car on main at 20m { lane: 2, facing: forward, count: 2, spacing: 15m,"
+        " drive with lane_follow { speed: 5m/s }, drive with brake { when: "
+        "distance(cars[1], ego) < 55m } }\n"
+        "expect first: always (distance(cars[0], ego) > 1m)\n"
+    )
+    scene = loads(ROAD + text).sample()[0]
+    drive = scene.run("builtin", duration=8.0)
+    agents = drive.trace.agents
+    apart = [
+        ((agents[name].x - agents["ego"].x) ** 2 + (agents[name].y - agents["ego"].y) ** 2) ** 0.5
+        for name in ("cars[0]", "cars[1]")
+    ]
+    assert drive.verdicts["first"].robustness == pytest.approx(apart[0].min() - 1)
+    assert agents["cars[0]"].speed[-1] == pytest.approx(agents["cars[1]"].speed[-1])

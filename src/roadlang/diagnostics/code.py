@@ -111,6 +111,7 @@ class Code:
     ROUTE_WITHOUT_NETWORK: Final = "RL250"
     NO_PLACE_IN_NETWORK: Final = "RL251"
     ROUTE_DISAGREES: Final = "RL252"
+    NO_SUCH_COPY: Final = "RL253"
     TRIVIAL_REQUIREMENT: Final = "RL290"
     FLOAT_EQUALITY: Final = "RL291"
     SHADOWED_KIND: Final = "RL292"

@@ -70,7 +70,7 @@ def _finite(value: Any) -> Any:
 def concrete(value: Any, candidates: CandidateBatch | None = None, element: int = 0) -> Any:
     """Plain JSON values of one candidate: names of things, nested calls as maps."""
     if isinstance(value, Entity):
-        return value.name
+        return value.text
     if isinstance(value, PassCall):
         assert candidates is not None
         call = call_of(value, candidates, element)

@@ -76,10 +76,17 @@ class Measure:
 
 @dataclass(frozen=True, slots=True)
 class Entity:
-    """An image, network, road, agent or object, by name."""
+    """An image, network, road, agent or object, by name. `copy`: of a group the one of that number,
+    from 1; 0 for all of it."""
 
     name: str
     role: str
+    copy: int = 0
+
+    @property
+    def text(self) -> str:
+        """The name as it is written: `cars`, or `cars[0]` for the first of a group."""
+        return f"{self.name}[{self.copy - 1}]" if self.copy else self.name
 
 
 @dataclass(frozen=True, slots=True)

@@ -134,7 +134,7 @@ def _copies(condition: Condition, candidates: CandidateBatch) -> int:
     actors = (
         scenario.actors[entity.name]
         for entity in scenario.dependencies.entities(condition)
-        if _is_actor(entity)
+        if _is_actor(entity) and not entity.copy
     )
     return max((most_copies(actor, candidates) for actor in actors), default=1)
 

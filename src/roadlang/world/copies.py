@@ -66,7 +66,7 @@ def is_absent(
         if entity.role in ("agent", "object"):
             actor = candidates.scenario.actors[entity.name]
             if is_group(actor):
-                missing = counts(actor, candidates) < copy
+                missing = counts(actor, candidates) < (entity.copy or copy)
                 absent = missing if absent is None else absent | missing
     return absent
 

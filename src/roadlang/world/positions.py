@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -54,7 +54,9 @@ def standing_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Stan
 
     def resolve(entity: Entity) -> Any:
         other = copies.scenario.actors.get(entity.name)
-        return entity.name if other is None else _of_copies(other, copies, others(other))
+        if other is None:
+            return entity.name
+        return _of_copies(other, entity.copy, copies, others(other))
 
     kinds = kinds_of_copies(actor, copies)
     built = build(actor.at, copies, element_of(actor), resolve=resolve)
@@ -73,7 +75,7 @@ def standing_of(actor: ScenarioActor, copies: CopyBatch, others: Others) -> Stan
 
 def names_another(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
     """Whether its position is by another agent or object."""
-    return isinstance(actor.at, PassCall) and _other(actor, scenario) is not None
+    return isinstance(actor.at, PassCall) and _other(actor, scenario)[0] is not None
 
 
 def standing_beside(
@@ -83,25 +85,28 @@ def standing_beside(
     Those of a row have what their first has."""
     spaced = "spacing" in actor.options
     first = copies.numbered(np.ones(copies.count, np.int64)) if spaced else copies
-    other = _other(actor, copies.scenario)
+    other, copy = _other(actor, copies.scenario)
     assert other is not None
-    return _of_copies(other, first, others(other)), standing_of(actor, first, others)
+    return _of_copies(other, copy, first, others(other)), standing_of(actor, first, others)
 
 
 def other_of_copies(
     actor: ScenarioActor, copies: CopyBatch, counts: int
 ) -> tuple[ScenarioActor, Integers]:
     """The agent or object that copies are placed by, and which of its `counts` copies each."""
-    other = _other(actor, copies.scenario)
+    other, copy = _other(actor, copies.scenario)
     assert other is not None
-    is_alone = not is_group(other) or "spacing" in actor.options
-    numbers = np.zeros(copies.count, np.int64) if is_alone else copies.copies - 1
+    is_alone = copy or not is_group(other) or "spacing" in actor.options
+    numbers = np.full(copies.count, max(copy, 1) - 1) if is_alone else copies.copies - 1
     return other, np.minimum(numbers, counts - 1)
 
 
-def _other(actor: ScenarioActor, scenario: IndexedScenario) -> ScenarioActor | None:
-    named = [entity.name for entity in scenario.dependencies.entities(actor.at)]
-    return next((scenario.actors[name] for name in named if name in scenario.actors), None)
+def _other(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[ScenarioActor | None, int]:
+    """The agent or object that its position names, and the number of the copy, or 0."""
+    for entity in scenario.dependencies.entities(actor.at):
+        if entity.name in scenario.actors:
+            return scenario.actors[entity.name], entity.copy
+    return None, 0
 
 
 def row_distances(actor: ScenarioActor, copies: CopyBatch) -> list[list[float]]:
@@ -128,16 +133,23 @@ def column(value: Any, copies: CopyBatch) -> Floats:
     return np.broadcast_to(np.asarray(value, dtype=np.float64).reshape(-1), (copies.count,))
 
 
-def _of_copies(other: ScenarioActor, copies: CopyBatch, placed: PlacedBatch) -> PlacedBatch:
-    """Another agent or object in the scene of each copy: arrays (R, 1)."""
+def _of_copies(
+    other: ScenarioActor, copy: int, copies: CopyBatch, placed: PlacedBatch
+) -> PlacedBatch:
+    """Another agent or object in the scene of each copy: arrays (R, 1). `copy`: the one of its
+    copies that is named, or 0."""
     most = placed.x.shape[1]
-    if most == 0:
+    if most < max(copy, 1):
         zero, no = np.zeros((copies.count, 1)), np.zeros((copies.count, 1), bool)
         start, lane = zero + _NOWHERE, no.astype(np.int64)
         return PlacedBatch(no, zero, zero, zero, zero, zero, start, zero, lane, no, lane - 1)
     numbers = np.minimum(copies.copies, most) if is_group(other) else np.ones(copies.count, int)
+    numbers = np.full(copies.count, copy) if copy else numbers
     parts = (getattr(placed, field.name) for field in fields(PlacedBatch))
-    return PlacedBatch(*(part[copies.rows, numbers - 1][:, None] for part in parts))
+    found = PlacedBatch(*(part[copies.rows, numbers - 1][:, None] for part in parts))
+    if not copy or found.present.all():
+        return found
+    return replace(found, start=np.where(found.present, found.start, _NOWHERE))
 
 
 def _from_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:

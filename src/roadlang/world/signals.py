@@ -141,6 +141,8 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
     def resolve(entity: Entity) -> Any:
         if entity.role in ("agent", "object"):
             actor = candidates.scenario.actors[entity.name]
+            if entity.copy:
+                return placed_copy(actor, candidates, entity.copy)
             if getattr(candidates.scenario.kind(call)[1], "of_groups", False):
                 return candidates.once(
                     ("all of", entity.name), lambda: placed(actor, candidates), inherited=False
@@ -165,7 +167,7 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
 
 def _of_copies(call: PassCall, copies: CopyBatch) -> Floats:
     actors = copies.scenario.actors
-    named = [e.name for e in copies.scenario.dependencies.entities(call)]
+    named = [e.name for e in copies.scenario.dependencies.entities(call) if not e.copy]
     if not any(name in actors and is_group(actors[name]) for name in named):
         return copies.of_scene(lambda scene: measured(call, scene))
     found = np.empty((copies.count, 1))

@@ -22,6 +22,7 @@ from .argument_binding import bind_arguments
 from .draws import draw_of
 from .habits import function_help
 from .kinds import find_kind, verbs_with
+from .numbered import group_of, written_count
 from .option_binding import BoundOptions, divided
 from .signals import measured
 
@@ -60,7 +61,7 @@ def dotted(expression: ast.Expression) -> str | None:
     if isinstance(expression, ast.Name):
         return expression.text
     if isinstance(expression, ast.Member):
-        inner = dotted(expression.of)
+        inner = dotted(group_of(expression.of))
         return f"{inner}.{expression.name.text}" if inner else None
     return None
 
@@ -182,15 +183,12 @@ def _named_twice(checker: Checker, verb: str, bound: BoundOptions) -> str | None
     """The agent or object that two options name; where things are placed, a group has members that
     are apart."""
     named = [typed.value for typed in bound.stated.values() if isinstance(typed.value, Entity)]
-    names = [entity.name for entity in named if entity.role in ("agent", "object")]
-    twice = (name for name in names if names.count(name) > 1)
-    return next((n for n in twice if verb != "number" or not _is_group(checker, n)), None)
-
-
-def _is_group(checker: Checker, name: str) -> bool:
-    statement = checker.program.declarations[name].statement
-    block = statement.block if isinstance(statement, ast.Actor) else None
-    return block is not None and any(option.key.text == "count" for option in block.options)
+    twice = [
+        entity for entity in named if entity.role in ("agent", "object") and named.count(entity) > 1
+    ]
+    if verb == "number":
+        twice = [e for e in twice if e.copy or written_count(checker, e.name) is None]
+    return twice[0].text if twice else None
 
 
 def _overloaded(
@@ -226,6 +224,7 @@ def _role(checker: Checker, value: ast.Expression) -> str | None:
     """The role of the thing an argument names; None for values."""
     while isinstance(value, ast.GroupExpression):
         value = value.inner
+    value = group_of(value)
     if not isinstance(value, ast.Name):
         return None
     declared = checker.program.declarations.get(value.text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from .calls import dotted
+from .numbered import group_of
 
 
 def road_of(checker: Checker, statement: ast.Actor) -> ast.Expression | None:
@@ -27,8 +28,9 @@ def named_in_position(checker: Checker, statement: ast.Actor) -> ast.Actor | Non
     if name is None or not checker.registry.has("position", name):
         return None
     for argument in call.arguments:
-        if isinstance(argument.value, ast.Name):
-            declared = checker.program.declarations.get(argument.value.text)
+        named = group_of(argument.value)
+        if isinstance(named, ast.Name):
+            declared = checker.program.declarations.get(named.text)
             if declared is not None and isinstance(declared.statement, ast.Actor):
                 return declared.statement
     return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code
+from ...ir.values import Entity
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
 from ..context import Context
@@ -43,7 +44,8 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
         return checker.report(
             Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name, help=help_
         )
-    return _of_actor(checker, member, base, name, owner)
+    written = owner.value.text if isinstance(owner.value, Entity) else base
+    return _of_actor(checker, member, base, written, name, owner)
 
 
 def _split(parts: str, checker: Checker) -> tuple[str, str]:
@@ -74,8 +76,14 @@ def _of_nothing(
 
 
 def _of_actor(
-    checker: Checker, member: ast.Member, base: str, name: str, owner: TypedExpression
+    checker: Checker,
+    member: ast.Member,
+    base: str,
+    written: str,
+    name: str,
+    owner: TypedExpression,
 ) -> TypedExpression:
+    """`written`: the name of the agent or object `base`, with the number of a copy."""
     place = member.name.span
     verb = next(iter(verbs_with(checker, _VERBS, name)), None)
     if verb is None:
@@ -103,7 +111,7 @@ def _of_actor(
     if fitted is None:
         return unknown(member.span)
     bound = BoundOptions({found.schema[0].name: fitted}, True)
-    return measured(checker, member.span, found, bound, f"{base}.{name}", member=True)
+    return measured(checker, member.span, found, bound, f"{written}.{name}", member=True)
 
 
 def _members(checker: Checker, owner: TypedExpression) -> list[str]:

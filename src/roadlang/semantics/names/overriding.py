@@ -52,9 +52,9 @@ def _declaration(program: Program, override: PlacedOverride) -> Declaration | No
     """What an override names, or None, reported."""
     target = override.statement.target
     front = target
-    while isinstance(front, ast.Member):
+    while isinstance(front, ast.Member | ast.Numbered):
         front = front.of
-    assert isinstance(front, ast.Name), "the grammar lets only names and members through"
+    assert isinstance(front, ast.Name), "the grammar lets only references through"
     if front.text in program.spoiled:
         return None
     declared = program.declarations.get(front.text)
@@ -65,9 +65,8 @@ def _declaration(program: Program, override: PlacedOverride) -> Declaration | No
         _report_unknown(program, front, override.space)
     elif front is not target:
         help_ = f"name the declaration, `{front.span.text}`, and write options in the braces"
-        _refused(
-            Code.NOT_OVERRIDABLE, program, target, what="a member of a declaration", help=help_
-        )
+        what = "one copy" if isinstance(target, ast.Numbered) else "a member of a declaration"
+        _refused(Code.NOT_OVERRIDABLE, program, target, what=what, help=help_)
     elif not isinstance(declared.statement, ast.Geometry | ast.Actor):
         _report_other(program, target, declared.role)
     else:

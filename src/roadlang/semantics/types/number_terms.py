@@ -59,8 +59,10 @@ def text_of(value: Value | None) -> str:
             return f"{number:.12g}{_glued(dimension.unit)}"
         case Flag(flag):
             return "true" if flag else "false"
-        case TextValue(text) | Reference(text) | Entity(text, _):
+        case TextValue(text) | Reference(text):
             return text
+        case Entity():
+            return value.text
         case RandomValue(place=place):
             return place
         case Measure(call):

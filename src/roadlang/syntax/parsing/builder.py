@@ -136,6 +136,11 @@ class Builder:
     def member(self, start: int, end: int, of: ast.Expression, name: Token) -> ast.Member:
         return ast.Member(of, self._word(name), span=Span(self.source, start, end))
 
+    def numbered(self, start: int, end: int, of: ast.Expression, number: Token) -> ast.Numbered:
+        place = self._span(number)
+        literal = self.number(place.start, place.end, number)
+        return ast.Numbered(of, literal, span=Span(self.source, start, end))
+
     def call(
         self, start: int, end: int, function: ast.Name | ast.Member, *arguments: ast.Argument | None
     ) -> ast.CallExpression:

@@ -45,6 +45,8 @@ def expression(node: ast.SyntaxNode) -> Doc:
             return node.text
         case ast.Member():
             return (expression(node.of), ".", node.name.text)
+        case ast.Numbered():
+            return (expression(node.of), "[", expression(node.number), "]")
         case ast.CallExpression():
             return (expression(node.function), enclosed("(", _all(node.arguments), ")"))
         case ast.Argument(key=None):

@@ -1,4 +1,4 @@
-"""Words, expressions and blocks of the syntax tree: what was written, where. Nothing is resolved.
+"""Words and expressions of the syntax tree: what was written, where. Nothing is resolved.
 
 Equality ignores spans, so that `parse(format(tree)) == tree` can be asserted.
 """
@@ -84,6 +84,14 @@ class Member(SyntaxNode):
 
     of: Expression
     name: Word
+
+
+@dataclass(frozen=True, slots=True)
+class Numbered(SyntaxNode):
+    """`cars[0]`: one of the copies of a group."""
+
+    of: Expression
+    number: NumberLiteral
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,6 +240,7 @@ Expression: TypeAlias = (
     | Boolean
     | Name
     | Member
+    | Numbered
     | CallExpression
     | NegateExpression
     | ArithmeticExpression
@@ -247,52 +256,3 @@ Expression: TypeAlias = (
     | ListValue
     | MapValue
 )
-
-
-# --- blocks ------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class KindName(SyntaxNode):
-    """The name of a kind, `sine` or `acme.sine`: `text` is the dotted whole."""
-
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class Option(SyntaxNode):
-    """`key: value` in a block."""
-
-    key: Word
-    value: Expression
-
-
-@dataclass(frozen=True, slots=True)
-class Pass(SyntaxNode):
-    """`verb with kind { ... }`."""
-
-    verb: Word
-    kind: KindName
-    block: Block | None
-
-
-@dataclass(frozen=True, slots=True)
-class Block(SyntaxNode):
-    """Options and passes in the order written.
-
-    `complete` is False when an item could not be read (and has been reported): an option that
-    seems to be missing may be that one.
-    """
-
-    items: tuple[Option | Pass, ...]
-    complete: bool = field(default=True, compare=False, repr=False, kw_only=True)
-
-    @property
-    def options(self) -> tuple[Option, ...]:
-        """The options of the block, in order."""
-        return tuple(item for item in self.items if isinstance(item, Option))
-
-    @property
-    def passes(self) -> tuple[Pass, ...]:
-        """The passes of the block, in order."""
-        return tuple(item for item in self.items if isinstance(item, Pass))

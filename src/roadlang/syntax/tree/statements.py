@@ -6,7 +6,8 @@ import re
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from .expressions import Block, Comment, Expression, KindName, String, SyntaxNode, Word
+from .blocks import Block, KindName
+from .expressions import Comment, Expression, String, SyntaxNode, Word
 
 
 @dataclass(frozen=True, slots=True)
