@@ -10,6 +10,7 @@ from roadlang_godot import engine as engines
 from roadlang_godot import session as sessions
 from roadlang_godot.session import Session
 from tests.godot.godot_engines import started
+from tests.godot.virtual_screen import virtual_screen
 
 
 @pytest.fixture(autouse=True)
@@ -46,3 +47,10 @@ def fresh_engine() -> Iterator[engines.Engine]:
 def session(fast_engine: engines.Engine) -> Iterator[Session]:
     with fast_engine.connect("test") as session:
         yield session
+
+
+@pytest.fixture(scope="session")
+def screen() -> Iterator[str]:
+    """A virtual screen for windows with a hand in them."""
+    with virtual_screen() as name:
+        yield name

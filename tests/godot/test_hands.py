@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
-import shutil
-import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -20,13 +17,9 @@ from roadlang_godot.engine import Engine
 from roadlang_godot.protocol import Message
 from roadlang_godot.session import Session
 from tests.godot.godot_engines import started, until
+from tests.godot.virtual_screen import Hand
 
-pytestmark = [
-    pytest.mark.godot,
-    pytest.mark.skipif(
-        not (shutil.which("Xvfb") and shutil.which("xdotool")), reason="needs Xvfb and xdotool"
-    ),
-]
+pytestmark = pytest.mark.godot
 
 THINGS = """
 # what stands and drives beside it
@@ -53,23 +46,6 @@ METERS = 160.0
 
 
 @pytest.fixture(scope="module")
-def screen() -> Iterator[str]:
-    read, write = os.pipe()
-    server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x720x24"],
-        pass_fds=[write],
-        stderr=subprocess.DEVNULL,
-    )
-    os.close(write)
-    try:
-        with os.fdopen(read) as number:
-            yield f":{number.readline().strip()}"
-    finally:
-        server.terminate()
-        server.wait()
-
-
-@pytest.fixture(scope="module")
 def window(screen: str) -> Iterator[Engine]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("DISPLAY", screen)
@@ -77,36 +53,12 @@ def window(screen: str) -> Iterator[Engine]:
             yield engine
 
 
-class Mouse:
-    """Moves the pointer in the window of an engine."""
-
-    def __init__(self, screen: str, engine: Engine) -> None:
-        self._environment = {**os.environ, "DISPLAY": screen}
-        self._window = ""
-        until(lambda: self._found(engine.process.pid))
-        self.do("windowfocus", self._window)
-
-    def _found(self, process: int) -> bool:
-        search = ["xdotool", "search", "--onlyvisible", "--name", "roadlang"]
-        found = subprocess.run(
-            search, env=self._environment, capture_output=True, text=True, check=False
-        )
-        self._window = found.stdout.strip().splitlines()[-1] if found.stdout.strip() else ""
-        return bool(self._window)
-
-    def do(self, *words: str) -> None:
-        subprocess.run(["xdotool", *words], env=self._environment, check=True)
-
-    def move(self, x: float, y: float) -> None:
-        self.do("mousemove", "--window", self._window, str(round(x)), str(round(y)))
-
-
 class Desk:
     """A watched file in the window, seen from above, and the hand of a human."""
 
-    def __init__(self, session: Session, mouse: Mouse, file: Path, text: str) -> None:
+    def __init__(self, session: Session, hand: Hand, file: Path, text: str) -> None:
         file.write_text(text, encoding="utf-8")
-        self.file, self.mouse = file, mouse
+        self.file, self.hand = file, hand
         loaded = roadlang.load(file)
         self.watcher = Watcher(loaded, 0, "mesh", save=True)
         self.live = self.watcher.start(session, loaded.sample(1, seed=0)[0].record)
@@ -170,23 +122,23 @@ def test_what_is_dragged_moves_is_saved_and_is_undone(
 ) -> None:
     before = road + THINGS
     with window.connect("desk") as session:
-        desk = Desk(session, Mouse(screen, window), tmp_path / "scene.rl", before)
+        desk = Desk(session, Hand(screen), tmp_path / "scene.rl", before)
         first, handle = desk.live.scene, desk.handle(name, near)
         x, y = desk.pixel(handle.x, handle.y)
-        desk.mouse.move(x, y)
-        desk.mouse.do("mousedown", "1")
+        desk.hand.move(x, y)
+        desk.hand.do("mousedown", "1")
         for step in range(1, 6):
-            desk.mouse.move(x + 9 * step, y - 3 * step)
+            desk.hand.move(x + 9 * step, y - 3 * step)
         desk.wait(lambda: farthest(desk.live.scene, first) > 1.0)
         assert desk.file.read_text() == before, "nothing is saved before the button is released"
-        desk.mouse.do("mouseup", "1")
+        desk.hand.do("mouseup", "1")
         desk.wait(lambda: desk.file.read_text() != before)
         assert farthest(desk.live.scene, scene_of(desk.file)) < 0.01
         pixels = math.dist((45.0, -15.0), (0.0, 0.0))
         moved = desk.handle(name, handle.x + 45 * METERS / 360)
         assert math.dist((moved.x, moved.y), (handle.x, handle.y)) > 0.5 * pixels * METERS / 360
-        desk.mouse.do("key", "ctrl+z")
+        desk.hand.do("key", "ctrl+z")
         desk.wait(lambda: desk.file.read_text() == before)
         desk.wait(lambda: farthest(desk.live.scene, first) == 0.0)
-        desk.mouse.do("key", "ctrl+y")
+        desk.hand.do("key", "ctrl+y")
         desk.wait(lambda: desk.file.read_text() != before)

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
+MANUAL = "manual"
 IN_ENGINE = frozenset(
-    {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", "manual"}
+    {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", MANUAL}
 )
 
 
@@ -33,6 +34,11 @@ def drives_alone(scene: Scene) -> bool:
     return all(
         actor.route is None and all(map(is_in_engine, actor.drive)) for actor in scene.agents
     )
+
+
+def drives_by_hand(scene: Scene) -> bool:
+    """Whether a human drives any of the agents."""
+    return any(plain_name(call.kind) == MANUAL for actor in scene.agents for call in actor.drive)
 
 
 def decided_in_python(scene: Scene, controllers: Mapping[str, T]) -> dict[str, T]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from roadlang.api import hookimpl
 
 _KINDS = {
+    "drive manual": "drive_manual:Manual",
     "emit godot": "emit_godot:GodotBackend",
     "simulate godot": "simulate_godot:GodotSimulator",
 }

@@ -13,7 +13,7 @@ import numpy as np
 from roadlang.api import Code
 
 from . import driving, engine
-from .drives import decided_in_python
+from .drives import MANUAL, decided_in_python, drives_by_hand
 from .faults import fault
 from .followed_scene import FollowedScene
 from .layout import layout_of
@@ -86,6 +86,11 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     controller is missing.
     """
     decided = decided_in_python(scene, controllers)
+    if settings.headless and drives_by_hand(scene):
+        help_ = "a human drives in a window: add `--window`, or use `roadlang watch`"
+        raise fault(
+            Code.UNSUPPORTED_CONTROLLER, help_, kind=MANUAL, engine="Godot without a window"
+        )
     layout = layout_of(scene, settings.road, python_driven=decided)
     if not layout.agents:
         raise fault(Code.NO_AGENTS, scene=scene.name)

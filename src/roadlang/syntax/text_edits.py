@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from functools import lru_cache
 
 from ..diagnostics import Source, Span
 from .parsing.parser import parse
@@ -13,11 +14,11 @@ Place = tuple[float, float]
 _METERS = {"": 1.0, "m": 1.0, "cm": 0.01, "km": 1000.0}
 
 
-def statements_of(text: str) -> Iterator[Actor | Geometry]:
+@lru_cache(maxsize=4)
+def statements_of(text: str) -> tuple[Actor | Geometry, ...]:
     """The declarations that can be changed by hand."""
-    for statement in parse(Source("", text))[0].statements:
-        if isinstance(statement, Actor | Geometry):
-            yield statement
+    statements = parse(Source("", text))[0].statements
+    return tuple(found for found in statements if isinstance(found, Actor | Geometry))
 
 
 def declared(text: str, name: str) -> Actor | Geometry | None:
