@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .judging.running_drives import judge_so_far
     from .session.params import parse_overrides
     from .session.scene_files import read_scene_file
+    from .syntax.moved_places import moved_places_of
 
 _LATER = {
     ".files.writing": "replace_file write_all write_file",
@@ -30,6 +31,7 @@ _LATER = {
     ".judging.running_drives": "judge_so_far",
     ".handles.handles": "Handle dragged handles_of inserted removed",
     ".session.params": "parse_overrides",
+    ".syntax.moved_places": "moved_places_of",
     ".session.scene_files": "read_scene_file",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
@@ -47,6 +49,7 @@ __all__ = [
     "handles_of",
     "inserted",
     "judge_so_far",
+    "moved_places_of",
     "note",
     "parse_overrides",
     "python_controllers",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from .dragged_road import with_dragged_road
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -24,6 +26,7 @@ class _Drag:
     handle: Handle
     text: str
     scene: Scene
+    to: tuple[float, float]
 
 
 class EditedText:
@@ -49,6 +52,19 @@ class EditedText:
             return self._commit(inserted(self.text, scene, edit.handle, edit.to, MOVING_KIND))
         return self._commit(removed(self.text, edit.handle))
 
+    def preview(self) -> Scene | None:
+        """What is shown, where that is known without compiling: while a place of a road is
+        dragged."""
+        from roadlang.commands import moved_places_of
+
+        drag = self._drag
+        if drag is None or drag.handle.sort != "place":
+            return None
+        handle = drag.handle
+        by = (drag.to[0] - handle.x, drag.to[1] - handle.y)
+        length = moved_places_of(drag.text, handle.name).length
+        return with_dragged_road(drag.scene, handle.name, handle.station, by, length)
+
     def replace(self, text: str) -> None:
         """The file was saved by someone else: there is nothing to undo."""
         self.text = self.shown = text
@@ -66,8 +82,8 @@ class EditedText:
         from roadlang.commands import dragged
 
         if self._drag is None or self._drag.number != edit.drag:
-            self._drag = _Drag(edit.drag, handle, self.text, scene)
-        drag = self._drag
+            self._drag = _Drag(edit.drag, handle, self.text, scene, edit.to)
+        self._drag = drag = replace(self._drag, to=edit.to)
         text = dragged(drag.text, drag.scene, drag.handle, edit.to, MOVING_KIND)
         if edit.done:
             self._drag = None

@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import Length, ListOf, Perturber, Point, geometry, option
 
 if TYPE_CHECKING:
     from roadlang.api import BatchRandom, RoadBatch
     from roadlang.geometry import Floats
+
+
+def share_of_move(stations: Floats, place: Any, length: Any, period: float | None) -> Floats:
+    """(1 - x^2)^3 for x in [-1, 1]: how much of the move of a place the road takes part in at its
+    stations, 1 at the place. `length`: from end to end; `period`: once round a closed road."""
+    import numpy as np
+
+    away = stations - place
+    if period is not None:
+        away = np.mod(away + period / 2, period) - period / 2
+    x = np.clip(2.0 * away / length, -1.0, 1.0)
+    return np.asarray((1.0 - x * x) ** 3)
 
 
 @dataclass(frozen=True)
@@ -36,11 +48,9 @@ class Nudges(Perturber):
             )
         total = np.zeros((1, len(roads.stations), 2))
         for place, move in zip(self.at, self.by, strict=True):
-            away = roads.stations - np.asarray(place)
-            if roads.period is not None:
-                away = np.mod(away + roads.period / 2, roads.period) - roads.period / 2
-            x = np.clip(2.0 * away / self.length, -1.0, 1.0)
-            share = np.atleast_2d((1.0 - x * x) ** 3)
+            share = np.atleast_2d(
+                share_of_move(roads.stations, np.asarray(place), self.length, roads.period)
+            )
             east, north = (np.atleast_2d(number) for number in move)
             total = total + np.stack([east * share, north * share], axis=-1)
         return total

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 import click
@@ -112,6 +113,7 @@ class Watcher:
         self._saved = self._compiled = loaded.text
         self._compiler = ThreadPoolExecutor(1, "compiler")
         self._compiling: Future[CompiledEdit] | None = None
+        self._is_previewed = False
 
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
@@ -138,7 +140,7 @@ class Watcher:
     def listen(self, live: LiveScene) -> None:
         """Drive on for a moment, and do what a human did."""
         try:
-            for edit in live.listen(LISTEN if self._compiling is None else BRIEFLY):
+            for edit in _last_moves(live.listen(LISTEN if self._compiling is None else BRIEFLY)):
                 self.take(live, edit)
         except DiagnosticError as error:  # of a controller: the drive waits for an edit
             if isinstance(error, EngineError):
@@ -154,8 +156,9 @@ class Watcher:
         if text is not None and text != self._saved:
             self._saved = text
             self._edited.replace(text)
-        if self._compiling is None and self._edited.shown != self._compiled:
-            self._compiled = self._edited.shown
+        wanted = self._edited.text if self._is_previewed else self._edited.shown
+        if self._compiling is None and wanted != self._compiled:
+            self._compiled = wanted
             loaded = self._loaded.with_text(self._compiled)
             self._compiling = self._compiler.submit(compiled, loaded, self._seed)
         self._keep()
@@ -171,6 +174,18 @@ class Watcher:
         """Change the text as a human has changed the scene."""
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
             echo(f"`{edit.handle.name}` stays: {self._file} has no place for this change")
+        self._is_previewed = self._preview(live)
+
+    def _preview(self, live: LiveScene) -> bool:
+        """Show what is dragged, where that needs no compiling; whether it does not."""
+        from roadlang.commands import handles_of, python_controllers
+
+        scene = self._edited.preview()
+        if scene is None:
+            return False
+        controllers = python_controllers(scene, self._loaded.registry)
+        live.change(scene, controllers, handles=handles_of(self._edited.shown, scene))
+        return True
 
     def _read(self) -> str | None:
         from roadlang.commands import read_scene_file
@@ -210,6 +225,13 @@ class Watcher:
         mark = BYTE_ORDER_MARK if path.read_bytes().startswith(BYTE_ORDER_MARK.encode()) else ""
         replace_file(path, mark + text)
         self._saved = text
+
+
+def _last_moves(edits: Sequence[HandEdit]) -> Iterator[HandEdit]:
+    """Without the moves of a drag that others of it follow at once."""
+    for edit, later in zip_longest(edits, edits[1:]):
+        if later is None or edit.what != "move" or later.drag != edit.drag:
+            yield edit
 
 
 def compiled(loaded: LoadedScenario, seed: int) -> CompiledEdit:
