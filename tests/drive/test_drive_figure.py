@@ -114,3 +114,17 @@ def test_roads_end_where_junctions_begin() -> None:
     assert line(root.findall("polyline")[0])[-1][0] == pytest.approx(824, abs=2.2)
     (drawn,) = root.findall("polygon")
     assert line(drawn) == [(824, 98), (876, 98), (876, 58), (824, 58)]
+
+
+def test_who_has_left_is_drawn_no_further() -> None:
+    present = np.array([1.0, 1.0, 1.0, 0.0, 0.0])
+    agents = {
+        "ego": replace(moving("ego"), present=present),
+        "other": replace(moving("other", y=-5.0), present=present),
+    }
+    scene = replace(bend(), roads=(road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400),))
+    values = np.array([1.0, 2.0, 3.0, 4.0, 5.0])
+    text = drive_figure(scene, Trace(agents["ego"].time, agents), "ego", values, "a < b", 2)
+    shapes = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
+    paths = [line(shape) for shape in shapes.iter("polyline")][1:]
+    assert max(x for path in paths for x, _ in path) == pytest.approx(24 + 40.0 * 10, abs=1.0)

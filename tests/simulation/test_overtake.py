@@ -166,3 +166,25 @@ def test_in_the_innermost_lane_of_a_oneway_road_it_passes_on_the_other_side() ->
     assert trace.events == ()
     assert set(ego.lane.tolist()) == {-1.0, -2.0}
     assert ego.lane[-1] == -1
+
+
+def test_the_members_of_a_group_are_passed_one_after_the_other() -> None:
+    text = """
+    agent ego is car on main at 20m {
+      drive with car_follow { speed: 70km/h }
+      drive with overtake { target: slow, speed: 80km/h }
+    }
+    agent slow is car on main at 80m {
+      count: 3, spacing: 70m
+      drive with lane_follow { speed: 25km/h }
+    }
+    """
+    (trace,) = drive(ROAD + text, duration=70)
+    ego = trace.agents["ego"]
+    first, last = trace.agents["slow[0]"], trace.agents["slow[2]"]
+    beside = (ego.y > 1.0) & (ego.x < 1150.0)
+    begins = np.flatnonzero(np.diff(beside.astype(int)) == 1)
+    assert len(begins) == 3
+    assert (ego.station > first.station + 20.0).any()
+    assert (ego.station > last.station + 20.0).any()
+    assert trace.events == ()

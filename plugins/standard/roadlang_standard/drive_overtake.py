@@ -81,7 +81,9 @@ class Overtake(Controller):
 
     name: ClassVar[str] = "overtake"
     leaves_open: ClassVar[str] = "the rest of the drive"
-    target: Annotated[str, AgentOrObject] = option(help="the agent, object or group to overtake")
+    target: Annotated[str, AgentOrObject] = option(
+        help="the agent, object or group to overtake; of a group one after the other"
+    )
     gap: Length = option(
         8.0, minimum=1, maximum=200, help="gap to the target when it pulls in, bumper to bumper"
     )
@@ -143,7 +145,8 @@ class Overtake(Controller):
             state[close & (np.abs(seen.road_offset - state[:, _LANE]) < CLEAR), _CLOSE] = 0.0
         state[phase == RETURNING, _CLOCK] += seen.step
         settled = state[:, _CLOCK] >= self.duration + SETTLING_TIME
-        state[(phase == RETURNING) & settled, _PHASE] = DONE
+        returned = (phase == RETURNING) & settled
+        state[returned, _PHASE] = np.where(plan.has_another, WAITING, DONE)[returned]
         home = np.abs(seen.road_offset - state[:, _ORIGIN]) < SIDE
         state[(phase == GIVING_UP) & behind & home, _PHASE] = WAITING
         return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
@@ -160,11 +163,12 @@ class Overtake(Controller):
         middle = np.where(waiting, self._other_lane(seen), state[:, _LANE])
         lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, offset), near)
         row = members(near, self.target) & (np.abs(near.pace) < STANDSTILL)
+        has_another = np.asarray((members(near, self.target) & (near.ahead > 0.0)).any(axis=1))
         farthest = np.where(row, near.ahead, -np.inf).max(axis=1, initial=-np.inf)
         row_length = np.maximum(farthest - ahead, 0.0)
         return PassingView(
             found, ahead, left, pace, length, origin, middle, self._fast(seen, pace), lane,
-            lane_traffic(seen, origin, near), row, row_length,
+            lane_traffic(seen, origin, near), row, row_length, has_another,
         )  # fmt: skip
 
     def _other_lane(self, seen: ObservationBatch) -> Floats:

@@ -39,6 +39,8 @@ class PassingView:
     """(N, K) who of those is of the target and stands still: passed all together"""
     row_length: Floats
     """from the middle of the target to that of the farthest in its row"""
+    has_another: Booleans
+    """whether a member of the group is still ahead"""
 
     def gap(self, length: Floats) -> Floats:
         """(N,) from bumper to bumper, to the target ahead; `length`: of the agents."""

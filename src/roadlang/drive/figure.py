@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
 from xml.sax.saxutils import escape
 
@@ -28,7 +29,7 @@ def drive_figure(
     The path of agent `name` is green where `robustness` (T,) is large, yellow at 0 and red below;
     the sample `at` is marked. Meters are scaled to the width of the figure; y is up.
     """
-    agents = [agent for agent in trace.agents.values() if np.isfinite(agent.x).any()]
+    agents = [_while_there(a) for a in trace.agents.values() if np.isfinite(a.x).any()]
     roads = [road for road in scene.roads if road.derived] or list(scene.roads)
     x = np.concatenate([[0.0], *(np.array(r.x) for r in roads), *(a.x for a in agents)])
     y = np.concatenate([[0.0], *(np.array(r.y) for r in roads), *(a.y for a in agents)])
@@ -61,6 +62,14 @@ def drive_figure(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
         f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
     )
+
+
+def _while_there(agent: AgentTrace) -> AgentTrace:
+    """Without the places to which it is recorded after it has left."""
+    left = agent.present == 0.0
+    if not left.any() or left.all():
+        return agent
+    return replace(agent, x=np.where(left, np.nan, agent.x), y=np.where(left, np.nan, agent.y))
 
 
 def _surfaces(
@@ -121,6 +130,8 @@ def _polyline(line: Floats, color: str, width: float) -> str:
 
 def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
     """Runs of samples of one color."""
+    is_there = np.isfinite(line).all(axis=1)
+    line, robustness = line[is_there], robustness[is_there]
     shares = color_shares(robustness)
     edges = np.flatnonzero(np.diff(shares)) + 1
     begins = [0, *edges.tolist()]

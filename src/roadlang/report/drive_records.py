@@ -129,7 +129,14 @@ def _agent(agent: Any, samples: Integers) -> dict[str, Any]:
         "x": deltas(agent.x[samples], CENTIMETERS),
         "y": deltas(agent.y[samples], CENTIMETERS),
         "heading": deltas(np.unwrap(np.nan_to_num(agent.heading))[samples], 1000.0),
+        "until": _samples_until_gone(agent, samples),
     }
+
+
+def _samples_until_gone(agent: Any, samples: Integers) -> int:
+    """How many of the samples come before the agent has left; all of who stays."""
+    gone = agent.present[samples] == 0.0
+    return int(gone.argmax()) if gone.any() else len(samples)
 
 
 def _verdict(judged: Judged, samples: Integers) -> Mapping[str, Any]:

@@ -15,6 +15,11 @@ function points([x, y]) {
   return east.map((value, index) => [value, -north[index]]);
 }
 
+// Where an agent drives, until it leaves.
+function pathOf(agent) {
+  return agent.x.slice(0, agent.until).map((x, index) => [x, agent.y[index]]);
+}
+
 function ring(line) {
   return "M" + line.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L");
 }
@@ -70,6 +75,7 @@ class Viewer {
       x: undelta(agent.x, 100),
       y: undelta(agent.y, 100).map((value) => -value),
       heading: undelta(agent.heading, 1000),
+      until: agent.until,
     }));
     byId("time").max = this.times.length ? this.times[this.times.length - 1] : 0;
     this.drawMap();
@@ -85,7 +91,7 @@ class Viewer {
   drawMap() {
     const drive = this.drive;
     const roads = drive.roads.map((number) => roadLines[number]);
-    const paths = this.agents.flatMap((agent) => agent.x.map((x, index) => [x, agent.y[index]]));
+    const paths = this.agents.flatMap(pathOf);
     const around = roads.length > 3 && paths.length ? paths : paths.concat(...roads.map((road) => road.points));
     const [left, right] = limits(around.map(([x]) => x));
     const [top, bottom] = limits(around.map(([, y]) => y));
@@ -111,7 +117,7 @@ class Viewer {
   drawPaths() {
     const width = Math.max(this.whole[2] / 260, 0.4);
     return this.agents.flatMap((agent) => {
-      const line = agent.x.map((x, index) => [x, agent.y[index]]);
+      const line = pathOf(agent);
       if (agent.name !== this.drive.agent || !this.drive.shades.length) {
         return [draw("path", { d: ring(line), class: "drive-path", stroke: agent.color, "stroke-width": width / 2 })];
       }
@@ -120,7 +126,7 @@ class Viewer {
       this.drive.shades.forEach((shade, index, all) => {
         if (shade === all[index + 1]) return;
         const part = line.slice(first, index + 2);
-        parts.push(draw("path", { d: ring(part), class: "drive-path", stroke: DATA.shades[shade], "stroke-width": width }));
+        if (part.length) parts.push(draw("path", { d: ring(part), class: "drive-path", stroke: DATA.shades[shade], "stroke-width": width }));
         first = index + 1;
       });
       return parts;
@@ -178,6 +184,7 @@ class Viewer {
     byId("clock").textContent = `${time.toFixed(1)}\u00a0s`;
     for (const agent of this.agents) {
       const [x, y, heading] = [agent.x, agent.y, agent.heading].map((values) => valueAt(this.times, values, time));
+      agent.node.style.display = agent.until < this.times.length && time >= this.times[agent.until] ? "none" : "";
       agent.node.setAttribute("transform", `translate(${x} ${y}) rotate(${(-heading * 180) / Math.PI})`);
     }
     this.frame(time);
