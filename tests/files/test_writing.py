@@ -68,6 +68,16 @@ def test_a_folder_that_was_made_for_a_write_that_fails_goes_again(tmp_path: Path
     assert not (tmp_path / "a").exists()
 
 
+@pytest.mark.parametrize("folder", ["a", "a/b"])
+def test_an_empty_folder_that_was_there_stays_where_a_write_fails(
+    folder: str, tmp_path: Path
+) -> None:
+    (tmp_path / "a").mkdir()
+    with pytest.raises(DiagnosticError, match="RL460"):
+        write_all(tmp_path / folder, {"n" * 300: ""})
+    assert list(tmp_path.rglob("*")) == [tmp_path / "a"]
+
+
 def test_files_of_the_older_set_go_and_all_others_stay(tmp_path: Path) -> None:
     write(tmp_path, a_json="1", b_json="1", c_json="1")
     (tmp_path / "notes.txt").write_text("mine")
