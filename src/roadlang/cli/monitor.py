@@ -182,23 +182,31 @@ def _shown(values: list[float]) -> list[float | str]:
 def _dense_finding(
     formula: Formula, columns: Columns, path: str, semantics: Semantics
 ) -> dict[str, Any]:
-    """Without a range: the trace is judged as far as it goes. At exactly 0 nothing is decided."""
+    """No window falls between two samples; what decides is not looked for."""
+    from ..stl.dense.observed_rates import observed_sampling_error
+
     _, positions, signals = columns
-    trace = formula.robustness(positions, signals, semantics=semantics).tolist()
-    rho = trace[0]
-    shown = _shown(trace)
+    trace = formula.robustness(positions, signals, semantics=semantics)
+    ends = formula.range(positions, signals, semantics=semantics)
+    error = observed_sampling_error(formula, positions, signals, semantics)
+    shown = _shown(trace.tolist())
+    lines = [] if error is None else [f"sampling error at most {error:.6g}, {_ASSUMPTION}"]
     return {
         "file": path,
         "formula": str(formula),
         "semantics": semantics,
         "robustness": shown[0],
-        "range": [shown[0], shown[0]],
-        "verdict": "satisfied" if rho > 0 else "violated" if rho < 0 else "unknown",
+        "range": _shown([float(end) for end in ends]),
+        "verdict": str(formula.verdict(positions, signals, semantics=semantics)),
+        "sampling_error": error,
         "positions": positions,
         "trace": shown,
         "explanation": {"between_samples": []},
-        "lines": [],
+        "lines": ["", *lines],
     }
+
+
+_ASSUMPTION = "if no signal changes faster than from one sample to the next"
 
 
 def _warn_of_empty_windows(finding: dict[str, Any]) -> None:

@@ -11,14 +11,14 @@ import numpy as np
 from ...diagnostics import Code
 from ..errors import stl_error
 from ..evaluate.kernels import GREATEST, LEAST
-from ..evaluate.operations import OF_INFINITIES, ROBUST, TERM_FUNCTIONS
+from ..evaluate.operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
 from ..evaluate.trace import FloatArray, Positions
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.interval import UNBOUNDED
 from ..formula.normal_form import normal_form
 from .grids import GridSignals, GridsOrSignals
-from .piecewise import PiecewiseLinear, constant, extreme_of, joined, together
+from .piecewise import PiecewiseLinear, constant, extreme_of, holding, joined, together
 from .windows import reaching, sliding
 
 Semantics: TypeAlias = Literal["sampled", "held", "linear"]
@@ -33,7 +33,7 @@ def dense_rho(
     wrap: float | None = None,
 ) -> FloatArray:
     """Robustness at the start: (V,), or a scalar where no signal has a variant axis."""
-    _refuse_laps(wrap, semantics)
+    refuse_laps(wrap, semantics)
     grids = GridSignals.of(positions, signals, formula.variables)
     values = np.array([function.at[0] for function in _functions(formula, grids, semantics)])
     return values if grids.batched else values[0]
@@ -50,7 +50,7 @@ def dense_robustness(
 
     Raises DiagnosticError RL301 for a position at which a signal is not known.
     """
-    _refuse_laps(wrap, semantics)
+    refuse_laps(wrap, semantics)
     grids = GridSignals.of(positions, signals, formula.variables)
     stations = grids.checked(positions)
     values = np.array(
@@ -68,10 +68,11 @@ def dense_function(
 ) -> PiecewiseLinear:
     """The robustness of one variant as a function of time, counted from the start."""
     grids = GridSignals.of(positions, signals, formula.variables)
-    return _DenseEvaluation(grids, semantics, variant).formula(normal_form(formula))
+    return DenseEvaluation(grids, semantics, variant).formula(normal_form(formula))
 
 
-def _refuse_laps(wrap: float | None, semantics: Semantics) -> None:
+def refuse_laps(wrap: float | None, semantics: Semantics) -> None:
+    """RL311 for a closed road."""
     if wrap is not None:
         raise stl_error(Code.UNKNOWN_BETWEEN_SAMPLES, text="a closed road", semantics=semantics)
 
@@ -81,16 +82,20 @@ def _functions(
 ) -> list[PiecewiseLinear]:
     plain = normal_form(formula)
     return [
-        _DenseEvaluation(grids, semantics, variant).formula(plain)
+        DenseEvaluation(grids, semantics, variant).formula(plain)
         for variant in range(grids.variants)
     ]
 
 
-class _DenseEvaluation:
-    """Functions of time for one variant; equal parts are computed once."""
+class DenseEvaluation:
+    """Functions of time for one variant; equal parts are computed once. `boolean`: comparisons are
+    1 where they hold and -1 where they do not."""
 
-    def __init__(self, grids: GridSignals, semantics: Semantics, variant: int) -> None:
+    def __init__(
+        self, grids: GridSignals, semantics: Semantics, variant: int, *, boolean: bool = False
+    ) -> None:
         self.grids, self.semantics, self.variant = grids, semantics, variant
+        self.boolean = boolean
         self._known: dict[f.Formula | t.Term, PiecewiseLinear] = {}
 
     def formula(self, formula: f.Formula) -> PiecewiseLinear:
@@ -104,6 +109,10 @@ class _DenseEvaluation:
         if term not in self._known:
             self._known[term] = self._term(term)
         return self._known[term]
+
+    def constants(self) -> dict[str, FloatArray]:
+        """The signals that are one number, now and later, each (1,)."""
+        return self.grids.constants(self.variant)
 
     def _constant(self, value: float) -> PiecewiseLinear:
         return constant(value, self.grids.span, self.grids.tolerance)
@@ -135,9 +144,14 @@ class _DenseEvaluation:
                     p, q = p.reversed(), q.reversed()
                 found = reaching(p, q, interval or UNBOUNDED)
                 return found.reversed() if formula.past else found
-        raise self._refusal(str(formula))
+        raise self.refusal(str(formula))
 
     def _comparison(self, op: str, left: t.Term, right: t.Term) -> PiecewiseLinear:
+        if self.boolean:
+            return holding(self._margin("<", left, right), BOOLEAN[op])
+        return self._margin(op, left, right)
+
+    def _margin(self, op: str, left: t.Term, right: t.Term) -> PiecewiseLinear:
         function = OF_INFINITIES[ROBUST["<" if op in ("<", "<=") else ">"]]
         difference = joined(*together(self.term(left), self.term(right)), function)
         if op not in ("==", "!="):
@@ -178,12 +192,13 @@ class _DenseEvaluation:
             or (left.is_constant and right.is_constant)
         )
         if self.semantics == "linear" and not is_linear:
-            raise self._refusal(str(term))
+            raise self.refusal(str(term))
         function = TERM_FUNCTIONS[op]
         with np.errstate(over="ignore"):
             return joined(*together(left, right), OF_INFINITIES.get(function, function))
 
-    def _refusal(self, text: str) -> Exception:
+    def refusal(self, text: str) -> Exception:
+        """RL311: `text` has no value between samples."""
         return stl_error(Code.UNKNOWN_BETWEEN_SAMPLES, text=text, semantics=self.semantics)
 
 

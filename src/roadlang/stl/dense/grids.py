@@ -87,6 +87,23 @@ class GridSignals:
             return 0.0
         return float(np.max(np.diff(trace.positions), initial=0.0))
 
+    def constants(self, variant: int) -> dict[str, FloatArray]:
+        """The signals that are one number at every moment, each (1,)."""
+        found = {}
+        for name, trace in self.traces.items():
+            if name in trace.constants:
+                row = 0 if trace.variants == 1 else variant
+                found[name] = np.asarray(trace.rows(name, row, row + 1)[0], dtype=np.float64)[:1]
+        return found
+
+    def rounding(self) -> float:
+        """How far from its value robustness may be by the rounding of moments in between."""
+        sizes = [0.0]
+        for name, trace in self.traces.items():
+            values = np.abs(trace.rows(name, 0, trace.variants))
+            sizes.append(float(np.max(values[np.isfinite(values)], initial=0.0)))
+        return 1e-12 * max(sizes)
+
     def function(self, name: str, variant: int, linear: bool) -> PiecewiseLinear:
         """A signal over the span. Raises DiagnosticError RL302 for infinite values in between
         which nothing is on a line."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..evaluate.kernels import Extreme
 from ..evaluate.trace import FloatArray
-from ..evaluate.windows import IntArray
+from ..evaluate.windows import BoolArray, IntArray
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,15 @@ class PiecewiseLinear:
         """The same function over `times`, which hold all its breakpoints between their ends."""
         before, at, after = self.limits(times)
         return replace(self, times=times, at=at, after=after[:-1], before=before[1:])
+
+    def _through(self, chosen: BoolArray, values: FloatArray) -> PiecewiseLinear:
+        """The same function with these values (m,) at the `chosen` breakpoints, without jumps."""
+        return replace(
+            self,
+            at=np.where(chosen, values, self.at),
+            after=np.where(chosen[:-1], values[:-1], self.after),
+            before=np.where(chosen[1:], values[1:], self.before),
+        )
 
     def mapped(self, function: Callable[[FloatArray], FloatArray]) -> PiecewiseLinear:
         """A function of the values that is linear on every piece."""
@@ -108,8 +117,17 @@ def together(
     start, end = times[:-1][cross], times[1:][cross]
     met = start + (end - start) * (first / (first - last))
     clear = (met - start > 2 * f.tolerance) & (end - met > 2 * f.tolerance)
-    times = merged(np.concatenate([times, met[clear]]), f.tolerance)
-    return f.refined(times), g.refined(times)
+    added = merged(np.concatenate([times, met[clear]]), f.tolerance)
+    is_crossing = ~np.isin(added, times)
+    f, g = f.refined(added), g.refined(added)
+    # Both have one value there, without the rounding of either: |f| is 0 where f is.
+    shared = np.where(_is_flat(g), g.at, np.where(_is_flat(f), f.at, (f.at + g.at) / 2))
+    return f._through(is_crossing, shared), g._through(is_crossing, shared)
+
+
+def _is_flat(f: PiecewiseLinear) -> BoolArray:
+    """(m,) whether the function has one value on the piece that ends at each breakpoint."""
+    return np.append(False, (f.after == f.before) & (f.before == f.at[1:]))
 
 
 def extreme_of(f: PiecewiseLinear, g: PiecewiseLinear, extreme: Extreme) -> PiecewiseLinear:
@@ -131,3 +149,17 @@ def joined(
         function(f.before, g.before),
         f.tolerance,
     )
+
+
+def holding(
+    margin: PiecewiseLinear, relation: Callable[[FloatArray, FloatArray], FloatArray]
+) -> PiecewiseLinear:
+    """`relation` of 0 and the margin, which is constant between the moments at which it is 0."""
+    given = margin.times
+    margin, _ = together(margin, constant(0.0, given, margin.tolerance), crossings=True)
+    crossed = ~np.isin(margin.times, given)
+    at = relation(np.zeros_like(margin.at), np.where(crossed, 0.0, margin.at))
+    is_first = np.abs(margin.after) > np.abs(margin.before)
+    larger = np.where(is_first, margin.after, margin.before)
+    inside = relation(np.zeros_like(larger), larger)
+    return PiecewiseLinear(margin.times, at, inside, inside, margin.tolerance)

@@ -77,31 +77,69 @@ class Evaluable:
         return robustness(self._formula, positions, signals, wrap=wrap)
 
     def satisfied(
-        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+        self,
+        positions: Positions,
+        signals: GridsOrSignals,
+        *,
+        wrap: float | None = None,
+        semantics: Semantics = "sampled",
     ) -> NDArray[np.bool_]:
         """Boolean satisfaction at the first sample, (V,) or a scalar: `<` and `<=` differ here."""
+        if semantics != "sampled":
+            from ..dense.verdicts import dense_satisfied
+
+            return dense_satisfied(self._formula, positions, signals, semantics, wrap)
         from ..evaluate.evaluation import satisfied
 
         return satisfied(self._formula, positions, signals, wrap=wrap)
 
     def truth(
-        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+        self,
+        positions: Positions,
+        signals: GridsOrSignals,
+        *,
+        wrap: float | None = None,
+        semantics: Semantics = "sampled",
     ) -> NDArray[np.bool_]:
         """Boolean satisfaction at every sample, (V, S) or (S,)."""
+        if semantics != "sampled":
+            from ..dense.verdicts import dense_truth
+
+            return dense_truth(self._formula, positions, signals, semantics, wrap)
         from ..evaluate.evaluation import truth
 
         return truth(self._formula, positions, signals, wrap=wrap)
 
-    def range(self, positions: Positions, signals: Signals, *, wrap: float | None = None) -> Range:
+    def range(
+        self,
+        positions: Positions,
+        signals: GridsOrSignals,
+        *,
+        wrap: float | None = None,
+        semantics: Semantics = "sampled",
+    ) -> Range:
         """The least and the greatest `rho` over all continuations of the trace: (lo, hi)."""
-        from ..evaluate.verdicts import robustness_range
+        from ..evaluate.verdicts import Range, robustness_range
 
+        if semantics != "sampled":
+            from ..dense.verdicts import dense_range
+
+            return Range(*dense_range(self._formula, positions, signals, semantics, wrap))
         return robustness_range(self._formula, positions, signals, wrap=wrap)
 
     def verdict(
-        self, positions: Positions, signals: Signals, *, wrap: float | None = None
+        self,
+        positions: Positions,
+        signals: GridsOrSignals,
+        *,
+        wrap: float | None = None,
+        semantics: Semantics = "sampled",
     ) -> NDArray[np.str_] | Verdict:
         """Satisfied, violated, unknown or vacuous: a word, or an array (V,) of them for a batch."""
+        if semantics != "sampled":
+            from ..dense.verdicts import dense_verdict
+
+            return dense_verdict(self._formula, positions, signals, semantics, wrap)
         from ..evaluate.verdicts import verdict
 
         return verdict(self._formula, positions, signals, wrap=wrap)

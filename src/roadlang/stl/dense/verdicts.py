@@ -1,0 +1,119 @@
+"""What signals that are known between samples say about a formula, whatever comes next."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..evaluate.satisfaction import is_satisfied
+from ..evaluate.trace import FloatArray, Positions
+from ..formula import formulas as f
+from ..formula.normal_form import normal_form
+from ..formula.strengthening import strengthened
+from .bounds import DenseBounds
+from .evaluation import DenseEvaluation, Semantics, refuse_laps
+from .grids import GridSignals, GridsOrSignals
+from .piecewise import PiecewiseLinear
+
+
+def dense_truth(
+    formula: f.Formula,
+    positions: Positions,
+    signals: GridsOrSignals,
+    semantics: Semantics,
+    wrap: float | None = None,
+) -> NDArray[np.bool_]:
+    """Whether the formula is satisfied at each of `positions`, (V, S) or (S,)."""
+    refuse_laps(wrap, semantics)
+    grids = GridSignals.of(positions, signals, formula.variables)
+    stations = grids.checked(positions)
+    found = [truth.limits(stations)[1] > 0 for truth in _truths(formula, grids, semantics)]
+    return np.array(found) if grids.batched else found[0]
+
+
+def dense_satisfied(
+    formula: f.Formula,
+    positions: Positions,
+    signals: GridsOrSignals,
+    semantics: Semantics,
+    wrap: float | None = None,
+) -> NDArray[np.bool_]:
+    """Whether the formula is satisfied at the start, (V,) or a scalar."""
+    refuse_laps(wrap, semantics)
+    grids = GridSignals.of(positions, signals, formula.variables)
+    found = np.array([truth.at[0] > 0 for truth in _truths(formula, grids, semantics)])
+    return found if grids.batched else found[0]
+
+
+def _truths(
+    formula: f.Formula, grids: GridSignals, semantics: Semantics
+) -> Iterator[PiecewiseLinear]:
+    """1 where a variant satisfies the formula and -1 where it does not."""
+    plain = normal_form(formula)
+    for variant in range(grids.variants):
+        yield DenseEvaluation(grids, semantics, variant, boolean=True).formula(plain)
+
+
+def dense_range(
+    formula: f.Formula,
+    positions: Positions,
+    signals: GridsOrSignals,
+    semantics: Semantics,
+    wrap: float | None = None,
+) -> tuple[FloatArray, FloatArray]:
+    """The least and the greatest robustness at the start over all continuations, (V,) or scalars.
+
+    Raises DiagnosticError RL311 as `rho` does.
+    """
+    refuse_laps(wrap, semantics)
+    grids = GridSignals.of(positions, signals, formula.variables)
+    lo, hi = _ends(formula, grids, semantics, boolean=False)
+    return (lo, hi) if grids.batched else (lo[0], hi[0])
+
+
+def dense_verdict(
+    formula: f.Formula,
+    positions: Positions,
+    signals: GridsOrSignals,
+    semantics: Semantics,
+    wrap: float | None = None,
+) -> NDArray[np.str_]:
+    """Satisfied, violated or unknown: (V,) words, or one; at exactly 0 Boolean evaluation decides.
+
+    No verdict is vacuous: no window falls between two samples.
+    """
+    refuse_laps(wrap, semantics)
+    grids = GridSignals.of(positions, signals, formula.variables)
+    lo, hi = _ends(formula, grids, semantics, boolean=False)
+
+    @cache
+    def boolean() -> tuple[FloatArray, FloatArray]:
+        return _ends(formula, grids, semantics, boolean=True)
+
+    always = is_satisfied(_settled(lo, grids), lambda rows: boolean()[0][rows] > 0)
+    ever = is_satisfied(_settled(hi, grids), lambda rows: boolean()[1][rows] > 0)
+    found = np.where(always, "satisfied", np.where(ever, "unknown", "violated"))
+    return found if grids.batched else found[0]
+
+
+def _settled(rho: FloatArray, grids: GridSignals) -> FloatArray:
+    """Robustness that differs from 0 by rounding alone is 0."""
+    return np.where(np.abs(rho) <= grids.rounding(), 0.0, rho)
+
+
+def _ends(
+    formula: f.Formula, grids: GridSignals, semantics: Semantics, *, boolean: bool
+) -> tuple[FloatArray, FloatArray]:
+    plain = strengthened(normal_form(formula))
+    other = strengthened(normal_form(formula, greatest=True))
+    found = []
+    for variant in range(grids.variants):
+        evaluation = DenseEvaluation(grids, semantics, variant, boolean=boolean)
+        lower = DenseBounds(evaluation, plain).bound(plain, "lower")
+        upper = DenseBounds(evaluation, other).bound(other, "upper")
+        found.append((lower.at[0], upper.at[0]))
+    lo, hi = np.array(found).T
+    return lo, hi
