@@ -8,6 +8,7 @@ from roadlang.api import hookimpl
 
 _KINDS = {
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
+    "read opendrive": "read_opendrive:OpenDriveMap",
 }
 
 

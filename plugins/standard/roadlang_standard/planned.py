@@ -1,7 +1,6 @@
 """Kinds that are planned and not built yet: `check` says so instead of not knowing them."""
 
 PLANNED = (
-    "read opendrive .xodr",
     "emit opendrive",
     "emit sumo",
     "emit gltf",

@@ -12,8 +12,9 @@ Nothing is imported until a name is used.
   folding); end to end: `RoadToJoin`, `joined_curve`, `joined_section`, `seams`
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
-- junctions: `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`,
-  `minor_roads`; triangles of their areas: `triangulated`
+- junctions as maps state them: `MapJunction`, `MapTurn`, `LaneEnd`; their plans:
+  `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`, `minor_roads`;
+  triangles of their areas: `triangulated`
 - lanes of a network, and how one leads into others: `LaneGraph`, `RoutePlace`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
@@ -64,11 +65,14 @@ if TYPE_CHECKING:
     from .joints import junction_window as junction_window
     from .junctions.model import Junction as Junction
     from .junctions.model import JunctionPlan as JunctionPlan
+    from .junctions.model import LaneEnd as LaneEnd
     from .junctions.phases import signal_phases as signal_phases
     from .junctions.plan import PlanOptions as PlanOptions
     from .junctions.plan import plan_junctions as plan_junctions
     from .junctions.priority import minor_roads as minor_roads
     from .lane import Lane as Lane
+    from .map_junctions import MapJunction as MapJunction
+    from .map_junctions import MapTurn as MapTurn
     from .network import Edge as Edge
     from .network import Node as Node
     from .network import RoadNetwork as RoadNetwork
@@ -138,6 +142,9 @@ _HOMES = {
     "plan_junctions": "junctions.plan",
     "signal_phases": "junctions.phases",
     "minor_roads": "junctions.priority",
+    "LaneEnd": "junctions.model",
+    "MapJunction": "map_junctions",
+    "MapTurn": "map_junctions",
     "LaneGraph": "routes.lane_graph",
     "RoutePlace": "routes.shortest",
     "Node": "network",

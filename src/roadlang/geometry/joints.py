@@ -13,7 +13,14 @@ FADE_LENGTH = 15.0
 
 
 def anchored_nodes(network: RoadNetwork) -> frozenset[int]:
-    """The nodes that roads must keep meeting at: all but dead ends and the seams of lone rings."""
+    """The nodes that roads must keep meeting at: all but dead ends and the seams of lone rings.
+
+    Where a map states the junctions, those of their arms.
+    """
+    if network.junctions is not None:
+        arms = (arm for junction in network.junctions for arm in junction.arms)
+        met = ((network.edge(id), end) for id, end in arms)
+        return frozenset(edge.start if end == "start" else edge.end for edge, end in met)
     free = set()
     for node in network.nodes:
         ends = network.edges_at(node.id)

@@ -17,6 +17,7 @@ from .arrays import Floats, SharedArrays, finite, norm
 from .cross_section import CrossSection
 from .curve import Curve
 from .errors import GeometryError
+from .map_junctions import MapJunction
 from .road import Road
 from .width import WidthProfile
 
@@ -110,20 +111,25 @@ class RoadNetwork:
     """Roads (`edges`) that are joined at `nodes`. `network_of_polylines` makes one of points.
 
     Ids are unique among nodes and among edges. `origin` is the latitude and longitude of (0, 0),
-    in degrees, where a map says so. Raises GeometryError for ids used twice, for an
-    edge whose nodes do not exist or lie elsewhere than its ends, and for widths that are not
-    positive.
+    in degrees, where a map says so. `junctions` are all that a map states; without them (None) they
+    are planned wherever roads meet. Raises GeometryError for ids used twice, for an edge whose
+    nodes do not exist or lie elsewhere than its ends, for junctions of roads that do not exist, and
+    for widths that are not positive.
     """
 
     nodes: tuple[Node, ...]
     edges: tuple[Edge, ...]
     origin: tuple[float, float] | None = None
+    junctions: tuple[MapJunction, ...] | None = None
 
     def __post_init__(self) -> None:
         if len(self._nodes) != len(self.nodes) or len(self._edges) != len(self.edges):
             raise GeometryError("the ids of nodes, and those of edges, must differ")
         for edge in self.edges:
             self._check(edge)
+        for junction in self.junctions or ():
+            for id, _ in junction.arms:
+                self.edge(id)
 
     def _check(self, edge: Edge) -> None:
         ends = np.array([0.0, 0.0 if edge.curve.closed else edge.length])
@@ -211,12 +217,18 @@ class RoadNetwork:
             x, y = linear @ np.array(node.position) + offset
             nodes.append(Node(node.id, (float(x), float(y))))
         mirrors = float(np.linalg.det(linear)) < 0.0
-        edges = [
-            edge.transformed(edge.curve.transformed(linear, offset), width_factor, mirrors)
-            for edge in self.edges
-        ]
+
+        def moved(curve: Curve) -> Curve:
+            return curve.transformed(linear, offset)
+
+        edges = tuple(
+            edge.transformed(moved(edge.curve), width_factor, mirrors) for edge in self.edges
+        )
+        junctions = self.junctions
+        if junctions is not None:
+            junctions = tuple(junction.transformed(moved, mirrors) for junction in junctions)
         origin = None if offset.any() else self.origin
-        return RoadNetwork(tuple(nodes), tuple(edges), origin)
+        return RoadNetwork(tuple(nodes), edges, origin, junctions)
 
     def longest(self) -> Path:
         """The longest simple road through the network (see `paths.longest_path`)."""

@@ -18,6 +18,8 @@ from .lane_building import built_lanes, left_hand
 from .lane_plan import LanePlan, lane_plan
 
 _CLOSE = 0.01
+_HAIR = 1e-6
+"""Meters from which on a road is free that begins at the edge of its junction."""
 
 
 @dataclass(frozen=True)
@@ -49,10 +51,12 @@ class NetworkPlans:
 
     def frozen(self, edge: int, stations: Floats, length: float) -> tuple[float, float]:
         """How far from each end a road must stay where it is: a station further than its trims, so
-        that the differences over stations vanish at the faces too."""
+        that the differences over stations vanish at the faces too; two at the very end of a road,
+        where they are of the three next to it."""
         start, end = self.trims[edge]
-        after = np.searchsorted(stations, start + 1e-9)
-        before = np.searchsorted(stations, length - end - 1e-9) - 1
+        after = max(int(np.searchsorted(stations, start + 1e-9)), 2)
+        before = int(np.searchsorted(stations, length - end - 1e-9)) - 1
+        before = min(before, len(stations) - 3)
         if after > before:
             return length / 2.0, length / 2.0
         return (
@@ -102,4 +106,8 @@ def _greatest(
     for plan in plans:
         for edge, (start, end) in plan.trims.items():
             found[edge] = max(found[edge][0], start), max(found[edge][1], end)
+        for arm in (arm for junction in plan.junctions for arm in junction.arms):
+            start, end = found[arm.edge]
+            at_start = arm.end == "start"
+            found[arm.edge] = max(start, _HAIR * at_start), max(end, _HAIR * (not at_start))
     return found

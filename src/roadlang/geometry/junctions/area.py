@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Floats
-from .arms import ArmKey, ArmLine
+from .arms import ArmKey, ArmLine, Face
 from .connecting import Connected
 from .corners import NOSE
 from .model import Arm, Point
@@ -17,6 +18,8 @@ from .sweeping import road_beyond, strip, stub
 
 _SIMPLIFIED = 1e-3
 _SAME = 1e-6
+_APRON = 0.5
+"""Meters."""
 
 
 def surface(
@@ -33,7 +36,10 @@ def surface(
     """
     import shapely
 
-    parts = [stub(arm, trims[arm.key]) for arm in found.arms]
+    parts = [
+        stub(arm, trims[arm.key]) if trims[arm.key] > 0.0 else _apron(face)
+        for arm, face in zip(found.arms, found.faces, strict=True)
+    ]
     parts += [stub(line, min(line.length / 2.0, float(line.s[-1]))) for line in inside]
     parts += [strip(found.fits, row, widths[row]) for row in np.flatnonzero(found.usable).tolist()]
     base = shapely.union_all(parts)
@@ -48,6 +54,16 @@ def surface(
     parts = [part for part in shapely.get_parts(area) if part.geom_type == "Polygon"]
     largest = max(parts, key=lambda part: float(part.area))
     return shapely.Polygon(largest.exterior)
+
+
+def _apron(face: Face) -> Any:
+    """A little of the ground before a road that begins at its node."""
+    import shapely
+
+    left, right = face.corner(1), face.corner(-1)
+    back = -_APRON * math.cos(face.heading), -_APRON * math.sin(face.heading)
+    behind = [(x + back[0], y + back[1]) for x, y in (right, left)]
+    return shapely.Polygon([left, right, *behind])
 
 
 def _hull_of_faces(found: Connected) -> Any:

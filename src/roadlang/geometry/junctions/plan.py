@@ -12,6 +12,7 @@ from ..network import RoadNetwork
 from .arms import ArmKey
 from .building import junction_of
 from .layout import laid_out
+from .mapped import plan_of_map
 from .mirroring import mirrored
 from .model import Junction, JunctionPlan
 from .one_way import sections_with_rings
@@ -42,6 +43,8 @@ def plan_junctions(
         flipped = {id: section.mirrored() for id, section in sections.items()}
         image = network.transformed(np.diag([1.0, -1.0]))
         return mirrored(plan_junctions(image, flipped, PlanOptions(False, options.roundabouts)))
+    if network.junctions is not None:
+        return plan_of_map(network, sections)
     rings = ring_directions(network) if options.roundabouts else {}
     ring, sections = sections_with_rings(sections, rings)
     layout = laid_out(network, sections, ring)

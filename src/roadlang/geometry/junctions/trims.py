@@ -44,7 +44,7 @@ def trimmed(
     order: tuple[ArmLine, ...] = ()
     corners: tuple[Corner, ...] = ()
     for _ in range(_ROUNDS):
-        following = _ordered(arms, trims)
+        following = counter_clockwise(arms, trims)
         found = _corners(following, trims, curbs)
         if order and found == corners:
             break
@@ -53,7 +53,9 @@ def trimmed(
     return Trimmed(order, trims, corners)
 
 
-def _ordered(arms: Sequence[ArmLine], trims: Mapping[ArmKey, float]) -> tuple[ArmLine, ...]:
+def counter_clockwise(
+    arms: Sequence[ArmLine], trims: Mapping[ArmKey, float]
+) -> tuple[ArmLine, ...]:
     """By the angle of the trimmed ends about the middle of the nodes."""
     if not arms:
         return ()

@@ -1,0 +1,1 @@
+"""OpenDRIVE files read: records of what they say, and the network that they describe."""

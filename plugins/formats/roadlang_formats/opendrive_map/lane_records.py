@@ -1,0 +1,54 @@
+"""The lanes of OpenDRIVE files as records."""
+
+from __future__ import annotations
+
+from roadlang_formats.map_xml import MapElement, MapFile
+
+from .cubics import cubics
+from .records import LaneRecord, MarkRecord, SectionRecord
+from .speeds import speed_of
+
+_MOST_LANES = 100
+
+
+def section_record(file: MapFile, element: MapElement) -> SectionRecord:
+    """A lane section. The ids of each side must run from the center outward without a gap."""
+    lanes: dict[int, LaneRecord] = {}
+    for side in ("left", "center", "right"):
+        for child in element.all(side, "lane"):
+            lane = _lane(file, child)
+            if lane.id in lanes:
+                raise file.fault(child, f"two lanes of a section have the id {lane.id}")
+            lanes[lane.id] = lane
+    if len(lanes) > _MOST_LANES:
+        raise file.fault(element, f"a section of {len(lanes)} lanes")
+    for lane in lanes.values():
+        inner = lane.id - 1 if lane.id > 0 else lane.id + 1
+        if lane.id and inner and inner not in lanes:
+            raise file.fault(lane.element, f"there is a lane {lane.id}, but no lane {inner}")
+    return SectionRecord(element, file.number(element, "s"), lanes)
+
+
+def _lane(file: MapFile, element: MapElement) -> LaneRecord:
+    id = file.integer(element, "id")
+    widths = cubics(file, element.all("width"), "sOffset")
+    speeds = [speed_of(file, child) for child in element.all("speed")]
+    return LaneRecord(
+        element,
+        id,
+        file.attribute(element, "type", "none"),
+        element.attributes.get("direction", "standard"),
+        widths,
+        () if widths else cubics(file, element.all("border"), "sOffset"),
+        tuple(
+            MarkRecord(file.number(mark, "sOffset", 0.0), mark.attributes.get("type", "none"))
+            for mark in element.all("roadMark")
+        ),
+        next((speed for speed in speeds if speed is not None), None),
+        _linked(file, element.first("link", "predecessor")),
+        _linked(file, element.first("link", "successor")),
+    )
+
+
+def _linked(file: MapFile, element: MapElement | None) -> int | None:
+    return None if element is None else file.integer(element, "id")

@@ -1,0 +1,188 @@
+"""The elements of an OpenDRIVE file as records. Raises RL479 at whatever cannot be right."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any
+
+from roadlang_formats.map_xml import MapElement, MapFile
+
+from .cubics import cubics
+from .lane_records import section_record
+from .records import (
+    ConnectionRecord,
+    Contact,
+    GeometryRecord,
+    JunctionRecord,
+    MapRecord,
+    RoadLink,
+    RoadRecord,
+)
+from .speeds import speed_of
+
+_PLAIN_PROJECTIONS = ("tmerc", "aeqd", "stere", "sterea", "laea", "ortho", "gnom")
+"""Those whose (0, 0) is at `+lat_0`, `+lon_0`."""
+_ORDER = ("line", "arc", "spiral", "poly3", "paramPoly3")
+_NUMBERS = {
+    "line": (),
+    "arc": ("curvature",),
+    "spiral": ("curvStart", "curvEnd"),
+    "poly3": ("a", "b", "c", "d"),
+    "paramPoly3": ("aU", "bU", "cU", "dU", "aV", "bV", "cV", "dV"),
+}
+_LARGEST_CURVATURE = 100.0
+"""1/m"""
+_LONGEST = 1e6
+"""Meters of a piece."""
+
+
+def parsed_map(file: MapFile) -> MapRecord:
+    """Everything that is read of a file."""
+    roads: dict[str, RoadRecord] = {}
+    for element in file.root.all("road"):
+        road = _road(file, element)
+        if road.id in roads:
+            raise file.fault(element, f"two roads have the id `{road.id}`")
+        roads[road.id] = road
+    if not roads:
+        raise file.fault(file.root, "it has no road")
+    junctions: dict[str, JunctionRecord] = {}
+    for element in file.root.all("junction"):
+        junction = _junction(file, element)
+        if junction.id in junctions:
+            raise file.fault(element, f"two junctions have the id `{junction.id}`")
+        junctions[junction.id] = junction
+    return MapRecord(roads, junctions, _origin(file))
+
+
+def _origin(file: MapFile) -> tuple[float, float] | None:
+    element = file.root.first("header", "geoReference")
+    if element is None:
+        return None
+    words = dict(re.findall(r"\+(\w+)=(\S+)", element.text))
+    shifted = any(words.get(name, "0").strip("0.-") for name in ("x_0", "y_0"))
+    if shifted or words.get("proj", "tmerc") not in _PLAIN_PROJECTIONS:
+        return None
+    try:
+        latitude, longitude = float(words["lat_0"]), float(words["lon_0"])
+    except (KeyError, ValueError):
+        return None
+    inside = abs(latitude) <= 90.0 and abs(longitude) <= 180.0
+    return (latitude, longitude) if inside else None
+
+
+def _road(file: MapFile, element: MapElement) -> RoadRecord:
+    id = file.attribute(element, "id")
+    junction = file.attribute(element, "junction", "-1")
+    geometry = tuple(_geometry(file, child) for child in element.all("planView", "geometry"))
+    if not geometry:
+        raise file.fault(element, f"road `{id}` has no `geometry` in its `planView`")
+    length = file.number(element, "length")
+    if not length > 0.0:
+        raise file.fault(element, f"road `{id}` has the length {length:g}")
+    sections = _increasing(
+        file, (section_record(file, child) for child in element.all("lanes", "laneSection"))
+    )
+    if not any(lane for section in sections for lane in section.lanes):
+        raise file.fault(element, f"road `{id}` has no lane")
+    kinds = [child for child in element.all("type") if child.first("speed") is not None]
+    limit = speed_of(file, kinds[0].first("speed")) if kinds else None
+    return RoadRecord(
+        element,
+        id,
+        element.attributes.get("name", ""),
+        length,
+        "" if junction == "-1" else junction,
+        element.attributes.get("rule", "RHT") == "LHT",
+        _link(file, element.first("link", "predecessor"), "end"),
+        _link(file, element.first("link", "successor"), "start"),
+        _increasing(file, geometry),
+        cubics(file, element.all("elevationProfile", "elevation"), "s"),
+        cubics(file, element.all("lanes", "laneOffset"), "s"),
+        sections,
+        limit,
+    )
+
+
+def _increasing(file: MapFile, records: Iterable[Any]) -> tuple[Any, ...]:
+    """Records by their `s`, in which they must be written."""
+    found = tuple(records)
+    for before, record in pairwise(found):
+        if record.s < before.s:
+            tag = record.element.tag
+            raise file.fault(record.element, f"this `{tag}` begins before the one above it")
+    return found
+
+
+def _geometry(file: MapFile, element: MapElement) -> GeometryRecord:
+    shapes = [child for child in element.children if child.tag in _NUMBERS]
+    if len(shapes) != 1:
+        known = ", ".join(_ORDER)
+        raise file.fault(element, f"a `geometry` has one of {known}; this has {len(shapes)}")
+    shape = shapes[0]
+    length = file.number(element, "length")
+    if not 0.0 <= length <= _LONGEST:
+        raise file.fault(element, f"a `geometry` of length {length:g}")
+    numbers = tuple(file.number(shape, name) for name in _NUMBERS[shape.tag])
+    if shape.tag in ("arc", "spiral") and max(map(abs, numbers)) > _LARGEST_CURVATURE:
+        raise file.fault(shape, f"a curvature of more than {_LARGEST_CURVATURE:g} 1/m")
+    return GeometryRecord(
+        element,
+        shape.tag,  # type: ignore[arg-type]
+        file.number(element, "s"),
+        file.number(element, "x"),
+        file.number(element, "y"),
+        math.remainder(file.number(element, "hdg"), 2.0 * math.pi),
+        length,
+        numbers,
+        # "arcLength" is the exception; where nothing is said, version 1.4 means this.
+        shape.attributes.get("pRange", "normalized") != "arcLength",
+    )
+
+
+def _link(file: MapFile, element: MapElement | None, default: Contact) -> RoadLink | None:
+    if element is None or "elementId" not in element.attributes:
+        return None
+    kind = element.attributes.get("elementType", "road")
+    if kind not in ("road", "junction"):
+        raise file.fault(element, f"`elementType` is road or junction, not `{kind}`")
+    contact = _contact(file, element, element.attributes.get("contactPoint", default))
+    return RoadLink(kind, element.attributes["elementId"], contact)  # type: ignore[arg-type]
+
+
+def _contact(file: MapFile, element: MapElement, written: str) -> Contact:
+    if written == "start":
+        return "start"
+    if written == "end":
+        return "end"
+    raise file.fault(element, f"`contactPoint` is start or end, not `{written}`")
+
+
+def _junction(file: MapFile, element: MapElement) -> JunctionRecord:
+    id = file.attribute(element, "id")
+    connections = []
+    is_virtual = element.attributes.get("type") == "virtual"
+    for child in () if is_virtual else element.all("connection"):
+        # Of crossings of railways there are connections without an incoming road.
+        if "incomingRoad" not in child.attributes:
+            continue
+        direct = "connectingRoad" not in child.attributes
+        name = "linkedRoad" if direct else "connectingRoad"
+        contact = _contact(file, child, child.attributes.get("contactPoint", "start"))
+        lanes = tuple(
+            (file.integer(link, "from"), file.integer(link, "to")) for link in child.all("laneLink")
+        )
+        connections.append(
+            ConnectionRecord(
+                child,
+                file.attribute(child, "incomingRoad"),
+                file.attribute(child, name),
+                contact,
+                lanes,
+                direct,
+            )
+        )
+    return JunctionRecord(element, id, element.attributes.get("name", ""), tuple(connections))

@@ -1,0 +1,137 @@
+"""Which lanes lead into which: the links of roads, and the connections of junctions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from roadlang.geometry import LaneEnd, MapJunction, MapTurn
+from roadlang_formats.map_xml import MapFile
+
+from .built_roads import BuiltRoad
+from .records import ConnectionRecord, Contact, JunctionRecord, RoadRecord
+
+Roads = Mapping[str, BuiltRoad]
+RoadEnd = tuple[str, Contact]
+_OTHER: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
+
+
+class TurnReader:
+    """Turns between roads of a network, whose edges have `numbers` by the ids of the roads."""
+
+    def __init__(self, file: MapFile, roads: Roads, numbers: Mapping[str, int]) -> None:
+        self._file, self._roads, self._numbers = file, roads, numbers
+
+    def junctions(self, records: Mapping[str, JunctionRecord]) -> tuple[MapJunction, ...]:
+        """Those of the file, then the joints of roads that follow one another."""
+        found: list[MapJunction] = []
+        for record in records.values():
+            turns = [turn for item in record.connections for turn in self._connected(item, record)]
+            self._add(found, turns, joint=False)
+        for one, other in self._followed():
+            self._add(found, list(self._passed(one, other)), joint=True)
+        return tuple(found)
+
+    def _add(self, found: list[MapJunction], turns: list[MapTurn], *, joint: bool) -> None:
+        if turns:
+            ends = [end for turn in turns for end in (turn.source, turn.target)]
+            arms = tuple(dict.fromkeys((end.edge, end.end) for end in ends))
+            found.append(MapJunction(len(found), arms, tuple(turns), joint))
+
+    def _followed(self) -> list[tuple[RoadEnd, RoadEnd]]:
+        """Pairs of ends of roads of the network that meet outside of junctions, each once."""
+        found: dict[frozenset[RoadEnd], tuple[RoadEnd, RoadEnd]] = {}
+        for id in self._numbers:
+            for end in _OTHER:
+                link = self._roads[id].record.link(end)
+                if link is None or link.kind == "junction":
+                    continue
+                self._require_road(self._roads[id].record, link.id)
+                if link.id in self._numbers:
+                    pair = (id, end), (link.id, link.contact)
+                    found.setdefault(frozenset(pair), pair)
+        return [pair for pair in found.values() if pair[0] != pair[1]]
+
+    def _require_road(self, road: RoadRecord, id: str) -> None:
+        if id not in self._roads:
+            reason = f"road `{road.id}` leads to road `{id}`, which does not exist"
+            raise self._file.fault(road.element.first("link") or road.element, reason)
+
+    def _passed(self, one: RoadEnd, other: RoadEnd) -> Iterator[MapTurn]:
+        """Both ways between the lanes of two roads that are linked."""
+        pairs = {
+            *((a, b) for a, b in self._links(one)),
+            *((a, b) for b, a in self._links(other)),
+        }
+        if not pairs:
+            sign = -1 if one[1] == other[1] else 1
+            pairs = {(id, sign * id) for id in self._roads[one[0]].lanes_at(one[1])}
+        for a, b in sorted(pairs):
+            first, second = self._lane_end(one, a), self._lane_end(other, b)
+            if first is not None and second is not None:
+                yield MapTurn(first, second)
+                yield MapTurn(second, first)
+
+    def _links(self, at: RoadEnd) -> Iterator[tuple[int, int]]:
+        """Lanes at an end of a road with what they are linked to there."""
+        for id, lane in self._roads[at[0]].lanes_at(at[1]).items():
+            linked = lane.predecessor if at[1] == "start" else lane.successor
+            if linked is not None:
+                yield id, linked
+
+    def _lane_end(self, at: RoadEnd, lane: int) -> LaneEnd | None:
+        number, found = self._numbers.get(at[0]), self._roads[at[0]].ids[at[1]].get(lane)
+        return None if number is None or found is None else LaneEnd(number, at[1], found)
+
+    def _connected(self, item: ConnectionRecord, junction: JunctionRecord) -> Iterator[MapTurn]:
+        """The turns of one connection."""
+        for id in (item.incoming, item.connecting):
+            if id not in self._roads:
+                reason = f"junction `{junction.id}` has a connection of road `{id}`, "
+                raise self._file.fault(item.element, f"{reason}which does not exist")
+        if item.direct:
+            yield from self._joined_directly(item, junction)
+            return
+        connecting = self._roads[item.connecting]
+        enters, leaves = item.contact, _OTHER[item.contact]
+        before, after = (connecting.record.link(end) for end in (enters, leaves))
+        if after is None or after.kind != "road" or after.id not in self._roads:
+            return
+        at = self._incoming_end(item, junction, before.contact if before else None)
+        lanes = item.lanes or tuple((b, a) for a, b in self._links((item.connecting, enters)))
+        onward = dict(self._links((item.connecting, leaves)))
+        passing = {track: id for id, track in connecting.ids[leaves].items()}
+        for source_lane, lane in lanes:
+            track = connecting.ids[enters].get(lane)
+            target_lane = onward.get(passing.get(track or 0, 0))
+            source = self._lane_end(at, source_lane)
+            if track is None or source is None or target_lane is None:
+                continue
+            target = self._lane_end((after.id, after.contact), target_lane)
+            if target is not None:
+                line = connecting.middle(track, backward=enters == "end")
+                yield MapTurn(source, target, line)
+
+    def _incoming_end(
+        self, item: ConnectionRecord, junction: JunctionRecord, linked: Contact | None
+    ) -> RoadEnd:
+        """The end of the incoming road: that which leads to the junction; if both do, the one that
+        the connecting road names."""
+        ends: list[Contact] = []
+        for end in _OTHER:
+            link = self._roads[item.incoming].record.link(end)
+            if link is not None and link.kind == "junction" and link.id == junction.id:
+                ends.append(end)
+        if len(ends) == 1:
+            return item.incoming, ends[0]
+        return item.incoming, linked or "end"
+
+    def _joined_directly(
+        self, item: ConnectionRecord, junction: JunctionRecord
+    ) -> Iterator[MapTurn]:
+        """Of a junction without connecting roads."""
+        at, other = self._incoming_end(item, junction, None), (item.connecting, item.contact)
+        for a, b in item.lanes:
+            first, second = self._lane_end(at, a), self._lane_end(other, b)
+            if first is not None and second is not None:
+                yield MapTurn(first, second)
+                yield MapTurn(second, first)
