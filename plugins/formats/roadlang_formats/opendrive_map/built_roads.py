@@ -14,7 +14,7 @@ from roadlang_formats.map_xml import MapFile
 from .cubics import value_at
 from .lane_tracks import LaneTrack, ids_in, lane_tracks
 from .records import Contact, LaneRecord, RoadRecord
-from .reference_lines import ReferenceLine, reference_line
+from .reference_lines import PlanViewCurve, reference_line
 from .sections import cross_section
 
 _SPACING = 1.0
@@ -29,7 +29,7 @@ class BuiltRoad:
     """A road with its reference line, and its lanes through all sections."""
 
     record: RoadRecord
-    line: ReferenceLine
+    line: PlanViewCurve
     tracks: tuple[LaneTrack, ...]
     section: CrossSection
 

@@ -12,7 +12,7 @@ from roadlang_formats.map_xml import MapFile
 
 from .built_roads import BuiltRoad
 from .parsing import parsed_map
-from .records import MapRecord
+from .records import OpenDriveRecord
 from .turns import RoadEnd, TurnReader
 
 _LARGEST_ID = 10**9
@@ -89,7 +89,7 @@ def _same(one: tuple[float, float], other: tuple[float, float]) -> bool:
     return apart <= _TOGETHER * max(1.0, *map(abs, one))
 
 
-def _remarks(record: MapRecord) -> tuple[str, ...]:
+def _remarks(record: OpenDriveRecord) -> tuple[str, ...]:
     sides = {road.left_hand for road in record.roads.values()}
     if sides == {True}:
         return ("its traffic keeps left: write `world { traffic: left }`",)

@@ -17,7 +17,7 @@ from .records import (
     Contact,
     GeometryRecord,
     JunctionRecord,
-    MapRecord,
+    OpenDriveRecord,
     RoadLink,
     RoadRecord,
 )
@@ -39,7 +39,7 @@ _LONGEST = 1e6
 """Meters of a piece."""
 
 
-def parsed_map(file: MapFile) -> MapRecord:
+def parsed_map(file: MapFile) -> OpenDriveRecord:
     """Everything that is read of a file."""
     roads: dict[str, RoadRecord] = {}
     for element in file.root.all("road"):
@@ -55,7 +55,7 @@ def parsed_map(file: MapFile) -> MapRecord:
         if junction.id in junctions:
             raise file.fault(element, f"two junctions have the id `{junction.id}`")
         junctions[junction.id] = junction
-    return MapRecord(roads, junctions, _origin(file))
+    return OpenDriveRecord(roads, junctions, _origin(file))
 
 
 def _origin(file: MapFile) -> tuple[float, float] | None:

@@ -126,7 +126,7 @@ class JunctionRecord:
 
 
 @dataclass(frozen=True, slots=True)
-class MapRecord:
+class OpenDriveRecord:
     """All of a file. `origin`: latitude and longitude of (0, 0) in degrees, where it says so."""
 
     roads: Mapping[str, RoadRecord]

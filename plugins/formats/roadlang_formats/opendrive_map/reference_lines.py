@@ -29,7 +29,7 @@ _MOST_SAMPLES = 200_000
 
 
 @dataclass(frozen=True, eq=False)
-class ReferenceLine:
+class PlanViewCurve:
     """A curve, and its arc lengths (n,) at the `s` (n,) of the file."""
 
     curve: Curve
@@ -41,7 +41,7 @@ class ReferenceLine:
         return np.interp(s, self.s, self.arc_lengths)
 
 
-def reference_line(file: MapFile, road: RoadRecord) -> ReferenceLine:
+def reference_line(file: MapFile, road: RoadRecord) -> PlanViewCurve:
     """The line of a road. Raises RL479 where pieces do not meet, or where nothing is left."""
     parts: list[Floats] = []
     stations: list[Floats] = []
@@ -65,7 +65,7 @@ def reference_line(file: MapFile, road: RoadRecord) -> ReferenceLine:
         arc_lengths = curve.arc.length_at(curve.spline.knots)
     except GeometryError as error:
         raise file.fault(road.element, f"road `{road.id}` is no curve: {error}") from None
-    return ReferenceLine(curve, np.maximum.accumulate(along), arc_lengths)
+    return PlanViewCurve(curve, np.maximum.accumulate(along), arc_lengths)
 
 
 def _distinct(poses: Floats, stations: Floats) -> tuple[Floats, Floats]:

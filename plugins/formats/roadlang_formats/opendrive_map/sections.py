@@ -13,7 +13,7 @@ from .cubics import knots, value_at
 from .lane_kinds import direction, lane_type, marking
 from .lane_tracks import LaneTrack
 from .records import LaneRecord, MarkRecord, RoadRecord
-from .reference_lines import ReferenceLine
+from .reference_lines import PlanViewCurve
 
 _TOLERANCE = 0.002
 """Meters by which widths and offsets may be off between stations."""
@@ -24,7 +24,7 @@ _NARROWEST = 0.01
 
 
 def cross_section(
-    file: MapFile, road: RoadRecord, tracks: Sequence[LaneTrack], line: ReferenceLine
+    file: MapFile, road: RoadRecord, tracks: Sequence[LaneTrack], line: PlanViewCurve
 ) -> CrossSection:
     """The lanes along the curve of the reference line."""
     parts = [_stations(road, number) for number in range(len(road.sections))]
