@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import roadlang
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.encoding import scene_from_json, to_json
 from roadlang.ir.scene import Scene, SceneActor
@@ -201,3 +202,24 @@ def test_a_pedestrian_stands_on_the_sidewalk_at_a_junction(sample: Sample) -> No
     (scene,) = sample(town("lanes: 2, sidewalks: 2m", scale=20) + walker).scenes
     ego = agent(scene)
     assert ego.lane in (2, -2)
+
+
+FORK = '''image plan from """
+...#............
+...#............
+################
+...#............
+""" { scale: 20m/px, legend: { "#": road } }
+network town from plan
+param x = 10m..11m
+agent ego is car on town { ROUTE }
+'''
+
+
+def test_where_no_lane_leads_on_one_meter_counts_as_lacking() -> None:
+    """It is the best robustness that the table of requirements can show."""
+    route = "route: [(x, 30m), (99m, 30m)], facing: back"
+    with pytest.raises(roadlang.NoSceneError) as caught:
+        roadlang.loads(FORK.replace("ROUTE", route)).sample(1)
+    (row,) = caught.value.result.rejections
+    assert (row.text, row.best) == ("`ego` begins on `town`", -1.0)
