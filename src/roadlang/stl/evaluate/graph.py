@@ -114,6 +114,9 @@ class FormulaGraph:
             case f.Comparison(op, left, right):
                 leaf = self._pointwise(self.leaves[op])
                 return self.add(leaf, self.term(left), self.term(right))
+        found = self._extreme_of_side(formula) if isinstance(formula, f.UnaryTemporal) else None
+        if found is not None:
+            return found
         parts = [self.formula(part) for part in formula.parts]
         match formula:
             case f.Not():
@@ -132,3 +135,21 @@ class FormulaGraph:
             case f.BinaryTemporal(interval):
                 return self.add(Reaching(interval, formula.past), *parts)
         raise TypeError(f"not in normal form: {formula!r}")
+
+    def _extreme_of_side(self, formula: f.UnaryTemporal) -> int | None:
+        """The node of `always (x < 3)` as 3 less the greatest x: one pass over x, and to the last
+        bit the same, as rounding is monotonic. None for what is no comparison with a number."""
+        operand = formula.operand
+        if self.infinite or self.leaves is not ROBUST or not isinstance(operand, f.Comparison):
+            return None
+        sides = (operand.left, operand.right)
+        if operand.op in ("==", "!=") or sum(isinstance(side, t.Constant) for side in sides) != 1:
+            return None
+        grows = isinstance(operand.right, t.Constant) == (operand.op in (">", ">="))
+        extreme = LEAST if formula.least == grows else GREATEST
+        sliding = Sliding(extreme, formula.reach, formula.past)
+        nodes = [
+            self.term(side) if isinstance(side, t.Constant) else self.add(sliding, self.term(side))
+            for side in sides
+        ]
+        return self.add(self._pointwise(self.leaves[operand.op]), *nodes)

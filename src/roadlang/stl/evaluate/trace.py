@@ -73,19 +73,24 @@ class SampledSignals:
 
     def rows(self, name: str, first: int, last: int) -> FloatArray:
         """Variants first..last-1 of a signal, shape (r, n). Raises RL302 for NaN."""
-        array = self.signals[name]
-        part = array if array.shape[0] == 1 else array[first:last]
-        values = np.asarray(part, dtype=np.float64)
-        if not np.isfinite(values.sum()):
-            _check_numbers(name, values, first, self.positions)
-        return values
+        return self._rows(name, first, last)[0]
 
     def finite_rows(self, name: str, first: int, last: int) -> FloatArray:
         """As `rows`. Raises `InfiniteSignal` where they are not finite."""
-        values = self.rows(name, first, last)
-        if not np.isfinite(values.sum()) and np.isinf(values).any():
+        values, has_finite_sum = self._rows(name, first, last)
+        if not has_finite_sum and np.isinf(values).any():
             raise InfiniteSignal
         return values
+
+    def _rows(self, name: str, first: int, last: int) -> tuple[FloatArray, bool]:
+        """Variants first..last-1, and whether their sum says that all are finite."""
+        array = self.signals[name]
+        part = array if array.shape[0] == 1 else array[first:last]
+        values = np.asarray(part, dtype=np.float64)
+        has_finite_sum = bool(np.isfinite(values.sum()))
+        if not has_finite_sum:
+            _check_numbers(name, values, first, self.positions)
+        return values, has_finite_sum
 
     def check(self) -> None:
         """Read every signal once. Raises DiagnosticError RL302 for a value that is not a number."""
