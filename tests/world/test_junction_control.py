@@ -121,6 +121,8 @@ def test_the_last_pass_counts_and_that_of_a_network_before_one_made_from_it(
 def test_a_junction_that_is_not_there_is_named_with_those_that_are(sample: Sample) -> None:
     found = fault(sample, "control with stop { junctions: [4] }")
     assert found.code == "RL429"
+    assert found.span is not None
+    assert found.span.text == "4"
     assert found.help == (
         "its junctions are 1 at (70m, 50m), 3 at (250m, 50m)",
         "did you mean `3`?",
@@ -130,4 +132,7 @@ def test_a_junction_that_is_not_there_is_named_with_those_that_are(sample: Sampl
 def test_a_road_that_does_not_end_at_the_junction_is_refused(sample: Sample) -> None:
     found = fault(sample, "control with stop { junctions: [1], roads: [6] }")
     assert (found.code, found.help) == ("RL430", ("the roads that end there are 1, 3, 4, 5",))
-    assert fault(sample, "control with yield { roads: [99] }").code == "RL411"
+    found = fault(sample, "control with yield { roads: [1, 99] }")
+    assert found.code == "RL411"
+    assert found.span is not None
+    assert found.span.text == "99"

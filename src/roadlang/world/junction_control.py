@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterable
 from typing import get_args
 
@@ -62,7 +63,7 @@ def _chosen(call: PassCall, plan: JunctionPlan, candidates: CandidateBatch) -> l
     known = {node: junction for junction in plan.junctions for node in junction.nodes}
     for id in wanted:
         if id not in known:
-            raise _no_such_junction(id, plan, call.span)
+            raise _no_such_junction(id, plan, _place_of(call, "junctions", id))
     chosen = [known[id] for id in wanted]
     points = () if near is None else evaluate(near, candidates)
     chosen += [_nearest(scalar(point), plan, call.span) for point in points]
@@ -124,9 +125,17 @@ def _check_roads(
         if id in at_junctions:
             continue
         help_ = f"the roads that end there are {known}"
-        if id in edges:
-            raise DiagnosticError(diagnose(Code.ROAD_NOT_AT_JUNCTION, call.span, id=id, help=help_))
-        raise DiagnosticError(diagnose(Code.UNKNOWN_ROAD_ID, call.span, id=id, help=help_))
+        code = Code.ROAD_NOT_AT_JUNCTION if id in edges else Code.UNKNOWN_ROAD_ID
+        raise DiagnosticError(diagnose(code, _place_of(call, "roads", id), id=id, help=help_))
+
+
+def _place_of(call: PassCall, option: str, id: int) -> Span | None:
+    """Where a pass names a junction or road, if it is written there; else the pass."""
+    span = call.span
+    found = span and re.search(rf"\b{option}\s*:[^:]*?\b({id})\b", span.text)
+    if not span or not found:
+        return span
+    return span.source.span(span.start + found.start(1), span.start + found.end(1))
 
 
 def _check(rule: object, junction: Junction, built: KindInstance) -> None:

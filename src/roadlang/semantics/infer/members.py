@@ -71,8 +71,13 @@ def _of_nothing(
     if context.verbs:
         find_kind(checker, context.verbs[0], parts, member.span)
         return unknown(member.span)
-    meant = meant_name(base, checker.program.declarations)
-    return checker.report(Code.UNKNOWN_NAME, member.of.span, name=base, meant=meant)
+    front: ast.Expression = member
+    while isinstance(front, ast.Member | ast.Numbered):
+        front = front.of
+    declared = checker.program.declarations
+    included = {name.split(".")[0]: None for name in declared if "." in name}
+    meant = meant_name(base, [*declared, *included])
+    return checker.report(Code.UNKNOWN_NAME, front.span, name=base, meant=meant)
 
 
 def _of_actor(

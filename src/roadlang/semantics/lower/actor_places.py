@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Code, nearest
+from ...diagnostics import Code, Span, nearest
 from ...ir.dimension import LENGTH, PURE
 from ...ir.read_only import FrozenDict
 from ...ir.values import (
@@ -74,7 +74,7 @@ def _along_road(
         )
         return None
     if statement.on is None:
-        checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, typed.span, name=statement.name.text)
+        _report_no_road(checker, statement, typed.span)
         return None
     if typed.type.fits_any or typed.type.dimension == LENGTH:
         return typed
@@ -122,12 +122,19 @@ def _anywhere(
 ) -> TypedExpression | None:
     """`at random`: what `at 0%..100%` says; in a network a share of all its lanes."""
     if statement.on is None:
-        checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, place.span, name=statement.name.text)
+        _report_no_road(checker, statement, place.span)
         return None
     value = drawn_share(checker, place, context)
     if value is None:
         return None
     return TypedExpression(place.span, Quantity(PURE), value, random=True, bounds=(0.0, 1.0))
+
+
+def _report_no_road(checker: Checker, statement: ast.Actor, place: Span) -> None:
+    roads = [n for n, d in checker.program.declarations.items() if d.role in ("road", "network")]
+    name = statement.name.text
+    help_ = f"write `on {roads[0] if len(roads) == 1 else 'ROAD'}` before `at`"
+    checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, place, name=name, help=help_)
 
 
 def drawn_share(checker: Checker, place: ast.SyntaxNode, context: Context) -> RandomValue | None:

@@ -163,7 +163,8 @@ def _options(
     )
     if "spacing" in bound.stated and "count" not in bound.stated:
         span = bound.stated["spacing"].span
-        checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text)
+        help_ = "say how many there are: `count: 5`"
+        checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text, help=help_)
         return None, NO_OPTIONS
     if "lane" in bound.stated and "side" in bound.stated:
         checker.report(Code.LANE_AND_SIDE, bound.stated["side"].span)

@@ -43,8 +43,10 @@ def lanes_fit(checker: Checker, statement: ast.Geometry, stated: Stated) -> bool
         drives = [any(_kind(checker, call).drivable for call in side or []) for side in sides]
         if all(drives):
             labels = [Label(stated[side].span, "driving lanes") for side in lists]
+            help_ = "leave `oneway` out, or list all driving lanes on one side"
+            span = stated["oneway"].span
             checker.report(
-                Code.ONEWAY_WITH_ONCOMING_LANES, stated["oneway"].span, labels=labels, name=name
+                Code.ONEWAY_WITH_ONCOMING_LANES, span, labels=labels, name=name, help=help_
             )
             return False
     if "width" in stated and None not in sides:

@@ -102,6 +102,7 @@ _MISSING = (
     ("WITH", "with"),
     ("IS", "is"),
     ("AT", "at"),
+    ("AS", "as"),
     ("FROM", "from"),
     ("LBRACE", "{"),
     ("LPAR", "("),
