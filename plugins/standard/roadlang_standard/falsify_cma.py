@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from roadlang.api import Axis, Number, Search, Searcher, option
@@ -147,11 +148,7 @@ class _Run:
 
 
 def _strategy(start: Floats, sigma: float, population: int, random: np.random.Generator) -> Any:
-    import warnings
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # that there is no matplotlib for its plots
-        import cma
+    cma = _library()
     options = {
         "bounds": [0.0, 1.0],
         "popsize": population,
@@ -160,3 +157,23 @@ def _strategy(start: Floats, sigma: float, population: int, random: np.random.Ge
         "randn": lambda *shape: random.standard_normal(shape),
     }
     return cma.CMAEvolutionStrategy(start, sigma, options)
+
+
+@cache
+def _library() -> Any:
+    """The package `cma` without `scipy.stats`, which takes half a second to load: it does without,
+    and would use it only to compare models of the objective, which we have none of."""
+    import sys
+    import warnings
+
+    unloaded = "scipy.stats" not in sys.modules
+    if unloaded:
+        sys.modules["scipy.stats"] = None  # type: ignore[assignment]  # an import of it fails
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # that there is no matplotlib for its plots
+            import cma
+    finally:
+        if unloaded:
+            del sys.modules["scipy.stats"]
+    return cma
