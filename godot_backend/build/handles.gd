@@ -1,7 +1,7 @@
 extends "res://build/thing.gd"
-## Places that a human can drag: those of one road, or that of one agent or object.
+## Places that a human can drag: those of a road or network, or that of one agent or object.
 
-enum Sort { WAYPOINT, PLACE, OBJECT, AGENT }
+enum Sort { WAYPOINT, PLACE, OBJECT, AGENT, JUNCTION, STREET }
 
 const Protocol := preload("res://net/protocol.gd")
 
@@ -19,7 +19,7 @@ func build(reader: Reader) -> String:
 	title = reader.ascii(reader.u8())
 	var count := reader.u16()
 	_numbers = reader.floats(count * FIELDS, Protocol.MAX_COORDINATE)
-	if not reader.at_end() or count < 1 or sort > Sort.AGENT:
+	if not reader.at_end() or count < 1 or sort > Sort.STREET:
 		return "bad handles"
 	return ""
 

@@ -21,7 +21,12 @@ const ABOVE := 0.2
 const TELL_USEC := 33000
 const NOTHING := {"id": 0, "index": 0}
 const COLORS: Array[Color] = [
-	Color(1.0, 0.8, 0.2), Color(0.4, 0.85, 1.0), Color(0.55, 0.95, 0.45), Color(1.0, 0.5, 0.75)
+	Color(1.0, 0.8, 0.2),
+	Color(0.4, 0.85, 1.0),
+	Color(0.55, 0.95, 0.45),
+	Color(1.0, 0.5, 0.75),
+	Color(1.0, 0.45, 0.25),
+	Color(0.4, 0.85, 1.0)
 ]
 
 var _worlds: Worlds

@@ -17,7 +17,8 @@ from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 if TYPE_CHECKING:
     from .drive.controllers import python_controllers
     from .files.writing import replace_file, write_all, write_file
-    from .handles.handles import Handle, dragged, handles_of, inserted, removed
+    from .handles.handle import Handle
+    from .handles.handles import dragged, handles_of, inserted, removed
     from .ir.edited_starts import edited_starts
     from .judging.running_drives import judge_so_far
     from .session.params import parse_overrides
@@ -29,7 +30,8 @@ _LATER = {
     ".drive.controllers": "python_controllers",
     ".ir.edited_starts": "edited_starts",
     ".judging.running_drives": "judge_so_far",
-    ".handles.handles": "Handle dragged handles_of inserted removed",
+    ".handles.handle": "Handle",
+    ".handles.handles": "dragged handles_of inserted removed",
     ".session.params": "parse_overrides",
     ".syntax.moved_places": "moved_places_of",
     ".session.scene_files": "read_scene_file",

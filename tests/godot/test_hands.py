@@ -41,6 +41,14 @@ SEGMENTS = """road main {
 }
 """
 WAYPOINTS = "road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (120m, 9m)] } }\n"
+TOWN = """image plan from \"\"\"
+.....#.....
+.....#.....
+.#########.
+.....#.....
+\"\"\" { scale: 12m/px, legend: { "#": road } }
+network main from plan { lanes: 2 }
+"""
 METERS = 160.0
 """that the window shows from top to bottom"""
 
@@ -101,8 +109,14 @@ def farthest(one: Scene, other: Scene) -> float:
 
 
 def places(scene: Scene) -> np.ndarray:
+    """Agents, objects, and a hundred places along each road."""
     things = [(thing.x, thing.y) for thing in (*scene.agents, *scene.objects)]
-    return np.vstack([things, *(np.column_stack([road.x, road.y]) for road in scene.roads)])
+    share = np.linspace(0.0, 1.0, 100)
+    lines = [
+        [np.interp(share * road.stations[-1], road.stations, column) for column in (road.x, road.y)]
+        for road in scene.roads
+    ]
+    return np.vstack([np.reshape(things, (-1, 2)), *(np.transpose(line) for line in lines)])
 
 
 @pytest.mark.parametrize(
@@ -114,13 +128,14 @@ def places(scene: Scene) -> np.ndarray:
         (WAYPOINTS, "kiosk", 40.0),
         (SEGMENTS, "elm", 60.0),
         (PICTURE, "ego", 5.0),
+        (TOWN, "main", 66.0),
     ],
-    ids=["waypoint", "segments", "picture", "object", "object on a road", "agent"],
+    ids=["waypoint", "segments", "picture", "object", "object on a road", "agent", "junction"],
 )
 def test_what_is_dragged_moves_is_saved_and_is_undone(
     window: Engine, screen: str, tmp_path: Path, road: str, name: str, near: float
 ) -> None:
-    before = road + THINGS
+    before = road + ("" if road == TOWN else THINGS)
     with window.connect("desk") as session:
         desk = Desk(session, Hand(screen), tmp_path / "scene.rl", before)
         first, handle = desk.live.scene, desk.handle(name, near)

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 import roadlang
-from roadlang.handles.handles import Handle, dragged, handles_of, inserted, removed
+from roadlang.handles.handle import Handle
+from roadlang.handles.handles import dragged, handles_of, inserted, removed
 
 CURVE = "0,0\n40,0\n80,6\n120,20\n160,20\n"
 PICTURE = """image plan from \"\"\"

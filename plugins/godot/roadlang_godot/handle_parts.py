@@ -16,7 +16,7 @@ from .scene_part import ScenePart
 if TYPE_CHECKING:
     from roadlang.commands import Handle
 
-_SORTS = {"waypoint": 0, "place": 1, "object": 2, "agent": 3}
+_SORTS = {"waypoint": 0, "place": 1, "object": 2, "agent": 3, "junction": 4, "street": 5}
 _LONGEST_NAME = 64
 MOST_IN_A_PART = (BULK_DATAGRAM - HEADER_BYTES - 12 - 4 - _LONGEST_NAME) // 8
 

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -24,6 +22,8 @@ from ..syntax.scene_edits import (
 )
 from ..syntax.text_edits import Place, declared, place_of
 from ..syntax.tree.nodes import Actor, Geometry
+from .handle import Handle
+from .networks import network_dragged, network_handles, network_restored
 
 SPACING = 30.0
 """Meters from one handle of a road to the next, about."""
@@ -32,26 +32,11 @@ MOST = 60
 NEAREST = 0.5
 """Share of the spacing within which of a moved place there is no other handle."""
 
-Sort: TypeAlias = Literal["waypoint", "place", "object", "agent"]
-
-
-@dataclass(frozen=True)
-class Handle:
-    """A place that can be dragged, meters east and north. `number`: which of the waypoints it is;
-    `station`: where it is along the root road, of a place of a road that is not drawn
-    through points."""
-
-    sort: Sort
-    name: str
-    x: float
-    y: float
-    number: int = 0
-    station: float = 0.0
-
 
 def handles_of(text: str, scene: Scene) -> tuple[Handle, ...]:
     """The handles of all that a text declares and a scene shows, in a fixed order."""
-    return (*_of_roads(text, scene), *_of_things(text, scene))
+    roads = (*_of_roads(text, scene), *network_handles(text, scene))
+    return (*roads, *_of_things(text, scene))
 
 
 def dragged(text: str, scene: Scene, handle: Handle, to: Place, kind: str) -> str | None:
@@ -66,6 +51,8 @@ def dragged(text: str, scene: Scene, handle: Handle, to: Place, kind: str) -> st
             handle.station, (to[0] - handle.x, to[1] - handle.y)
         )
         return with_moved_places(text, handle.name, moved, kind)
+    if handle.sort in ("junction", "street"):
+        return network_dragged(text, handle, to)
     actor = next((a for a in (*scene.agents, *scene.objects) if a.name == handle.name), None)
     road = None if actor is None else _road(scene, actor.road)
     if actor is None or road is None or _is_at_point(text, handle.name):
@@ -103,6 +90,8 @@ def removed(text: str, handle: Handle) -> str | None:
         if handle.station not in places.at:
             return None
         return with_moved_places(text, handle.name, places.without(handle.station), "")
+    if handle.sort in ("junction", "street"):
+        return network_restored(text, handle)
     return thing_removed(text, handle.name)
 
 

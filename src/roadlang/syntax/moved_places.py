@@ -11,10 +11,11 @@ from .text_edits import (
     meters_of,
     place_of,
     replaced,
+    with_item,
     written_length,
     written_place,
 )
-from .tree.nodes import Block, Expression, Geometry, ListValue, Pass
+from .tree.nodes import Expression, Geometry, ListValue, Pass
 
 LENGTH = 80.0
 """Meters of road that move with a place, from end to end, where nothing is said."""
@@ -103,18 +104,7 @@ def _by(places: MovedPlaces) -> str:
 def _with_pass(text: str, statement: Geometry, places: MovedPlaces, kind: str) -> str:
     length = written_length(places.length)
     words = f"perturb with {kind} {{ at: {_at(places)}, by: {_by(places)}, length: {length} }}"
-    block = statement.block
-    if block is None:
-        end = statement.span.end
-        return f"{text[:end]} {{ {words} }}{text[end:]}"
-    close = block.span.end - 1
-    if not block.items:
-        return f"{text[: block.span.start]}{{ {words} }}{text[block.span.end :]}"
-    line = text.rfind("\n", 0, close) + 1
-    if line > block.span.start and not text[line:close].strip():
-        return f"{text[:line]}{_indent(text, block)}{words}{_line_end(text)}{text[line:]}"
-    end = block.items[-1].span.end
-    return f"{text[:end]}, {words}{text[end:]}"
+    return with_item(text, statement, words)
 
 
 def _without_pass(text: str, found: Pass) -> str:
@@ -124,14 +114,3 @@ def _without_pass(text: str, found: Pass) -> str:
         return text[:first] + text[last + 1 :]
     before = text[:start].rstrip()
     return before.removesuffix(",") + text[end:]
-
-
-def _indent(text: str, block: Block) -> str:
-    """The blanks before the last item of a block."""
-    start = block.items[-1].span.start
-    line = text[text.rfind("\n", 0, start) + 1 : start]
-    return line if not line.strip() else "  "
-
-
-def _line_end(text: str) -> str:
-    return "\r\n" if "\r\n" in text else "\n"

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from ..diagnostics import Source, Span
 from .parsing.parser import parse
-from .tree.nodes import Actor, Expression, Geometry, NegateExpression, NumberLiteral, Point
+from .tree.nodes import Actor, Block, Expression, Geometry, NegateExpression, NumberLiteral, Point
 
 Place = tuple[float, float]
 
@@ -60,3 +60,30 @@ def replaced(text: str, changes: Iterable[tuple[Span, str]]) -> str:
     for span, words in sorted(changes, key=lambda change: change[0].start, reverse=True):
         text = f"{text[: span.start]}{words}{text[span.end :]}"
     return text
+
+
+def with_item(text: str, statement: Geometry, words: str) -> str:
+    """The text with one more item at the end of the block of a declaration."""
+    block = statement.block
+    if block is None:
+        end = statement.span.end
+        return f"{text[:end]} {{ {words} }}{text[end:]}"
+    close = block.span.end - 1
+    if not block.items:
+        return f"{text[: block.span.start]}{{ {words} }}{text[block.span.end :]}"
+    line = text.rfind("\n", 0, close) + 1
+    if line > block.span.start and not text[line:close].strip():
+        return f"{text[:line]}{_indent(text, block)}{words}{_line_end(text)}{text[line:]}"
+    end = block.items[-1].span.end
+    return f"{text[:end]}, {words}{text[end:]}"
+
+
+def _indent(text: str, block: Block) -> str:
+    """The blanks before the last item of a block."""
+    start = block.items[-1].span.start
+    line = text[text.rfind("\n", 0, start) + 1 : start]
+    return line if not line.strip() else "  "
+
+
+def _line_end(text: str) -> str:
+    return "\r\n" if "\r\n" in text else "\n"

@@ -28,6 +28,7 @@ from .junctions import NetworkPlans, directed, network_plans
 from .lane_building import built_lanes
 from .lane_plan import lane_plan
 from .lane_widths import as_wide_as_lanes
+from .moved_networks import moved_network
 from .perturbation import perturbed
 from .pictures import load_picture
 from .reading import read_file
@@ -175,6 +176,9 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
                 help=found.remarks or ("try `extract with contour { threshold: ... }`",),
             )
         )
+    moved = moved_network(network, found.network, candidates)
+    if moved is not found.network:  # the pixels are where they were
+        found = replace(found, network=moved, mask=None)
     plans = network_plans(network, found.network, candidates)
     return replace(found, junctions=plans)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
+from ...ir.dimension import LENGTH
 from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Word
 from ...plugins.option_types import (
     CallType,
@@ -15,6 +16,7 @@ from ...plugins.option_types import (
     KindNameType,
     ListType,
     MapType,
+    PointType,
     RecordType,
     UnionType,
 )
@@ -24,6 +26,7 @@ from .lane_options import CrossSectionOptions
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
 _ROAD = EntityType(("road",))
+Places = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
 JoinedRoads = Annotated[Any, UnionType((_ROAD, ListType(_ROAD, at_least=1)))]
 
 
@@ -57,6 +60,22 @@ class ImageOptions:
 class NetworkOptions(CrossSectionOptions):
     """Options of `network`."""
 
+    moved_at: Places = option(
+        None,
+        help="places that are moved, junctions among them, before anything else happens; `watch` "
+        "writes what was dragged",
+        example="[(40m, 32m)]",
+    )
+    moved_by: Places = option(
+        None, help="how far each is moved, east and north", example="[(3m, -2m)]"
+    )
+    moved_radius: Length = option(
+        None,
+        above=0,
+        maximum=10000,
+        help="what is nearer to a place moves with it; 80m if nothing is said",
+        example="60m",
+    )
     station_spacing: Length = option(
         None, minimum=0.01, maximum=100, help=_STATION_SPACING, example="0.5m"
     )

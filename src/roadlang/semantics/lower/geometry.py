@@ -73,19 +73,21 @@ def lower_geometry(
     return lowered
 
 
+_SHARED_BY_ALL = ("station_spacing", "moved_at", "moved_by", "moved_radius")
+
+
 def _spacing_is_fixed(checker: Checker, statement: ast.Geometry, options: Options) -> bool:
     """Stations are shared by all candidates, so that these can be evaluated together."""
-    value = dict(options).get("station_spacing")
-    if value is None or statement.block is None or not is_random(checker, value):
-        return True
-    span = next(o.value.span for o in statement.block.options if o.key.text == "station_spacing")
-    checker.report(
-        Code.MUST_NOT_BE_RANDOM,
-        span,
-        what="`station_spacing`",
-        expected="the same in every scene",
-    )
-    return False
+    for name in _SHARED_BY_ALL:
+        value = dict(options).get(name)
+        if value is None or statement.block is None or not is_random(checker, value):
+            continue
+        span = next(o.value.span for o in statement.block.options if o.key.text == name)
+        checker.report(
+            Code.MUST_NOT_BE_RANDOM, span, what=f"`{name}`", expected="the same in every scene"
+        )
+        return False
+    return True
 
 
 def _source(
@@ -188,18 +190,28 @@ def _belongs_together(
         if not fits and call.span is not None:
             checker.report(Code.INCOMPATIBLE_SOURCE, call.span, verb=call.verb, expected=expected)
             return False
-    if word != "road" or statement.block is None:
+    return _options_belong(checker, statement, source, role)
+
+
+def _options_belong(
+    checker: Checker, statement: ast.Geometry, source: ir.Source | None, role: str | None
+) -> bool:
+    """Whether the options are at home with such a source."""
+    if statement.word == "image" or statement.block is None:
         return True
     options = {option.key.text: option for option in statement.block.options}
-    needs = {
-        "select": (role == "network" or isinstance(source, ir.FileSource), "a network"),
-        "then": (role == "road", "a road"),
-        "taper": ("then" in options, "a road with `then`"),
-    }
-    for name_, (fits, expected) in needs.items():
-        if name_ in options and not fits:
-            span = options[name_].key.span
-            checker.report(Code.INCOMPATIBLE_SOURCE, span, verb=name_, expected=expected)
+    found = (role != "network", "an image or a file")
+    needs = {"moved_at": found, "moved_by": found}
+    if statement.word == "road":
+        needs = {
+            "select": (role == "network" or isinstance(source, ir.FileSource), "a network"),
+            "then": (role == "road", "a road"),
+            "taper": ("then" in options, "a road with `then`"),
+        }
+    for name, (fits, expected) in needs.items():
+        if name in options and not fits:
+            span = options[name].key.span
+            checker.report(Code.INCOMPATIBLE_SOURCE, span, verb=name, expected=expected)
             return False
     return True
 

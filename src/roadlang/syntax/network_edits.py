@@ -1,0 +1,84 @@
+"""The places of a network that a human has moved: its options `moved_at` and `moved_by`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .text_edits import (
+    Place,
+    declared,
+    meters_of,
+    place_of,
+    replaced,
+    with_item,
+    written_place,
+)
+from .tree.nodes import Expression, Geometry, ListValue, Name
+
+RADIUS = 80.0
+"""Meters around a place that move with it, where nothing is said."""
+
+
+@dataclass(frozen=True)
+class NetworkMoves:
+    """Places of the network as it was found, by how much each is moved, and what moves with it."""
+
+    at: tuple[Place, ...] = ()
+    by: tuple[Place, ...] = ()
+    radius: float = RADIUS
+
+
+def found_network(text: str, name: str) -> str | None:
+    """The network, of those that a network is derived from, that was found in a picture or a file;
+    None where it is not declared in this text."""
+    for _ in range(100):
+        statement = declared(text, name)
+        if not isinstance(statement, Geometry) or statement.word != "network":
+            return None
+        source = statement.source
+        below = declared(text, source.text) if isinstance(source, Name) else None
+        if not isinstance(below, Geometry) or below.word != "network":
+            return name
+        name = below.name.text
+    return None
+
+
+def network_moves_of(text: str, name: str) -> NetworkMoves | None:
+    """The moves of a network; None where they are not written as numbers."""
+    options = _options(text, name)
+    if options is None:
+        return None
+    at, by = _places(options.get("moved_at")), _places(options.get("moved_by"))
+    written = options.get("moved_radius")
+    radius = RADIUS if written is None else meters_of(written)
+    if at is None or by is None or len(at) != len(by) or radius is None:
+        return None
+    return NetworkMoves(at, by, radius)
+
+
+def with_network_moves(text: str, name: str, moves: NetworkMoves) -> str | None:
+    """The text with these moves of a network, at least one."""
+    statement, options = declared(text, name), _options(text, name)
+    if options is None or not isinstance(statement, Geometry) or not moves.at:
+        return None
+    at, by = (f"[{', '.join(map(written_place, places))}]" for places in (moves.at, moves.by))
+    if "moved_at" in options and "moved_by" in options:
+        return replaced(text, [(options["moved_at"].span, at), (options["moved_by"].span, by)])
+    return with_item(text, statement, f"moved_at: {at}, moved_by: {by}")
+
+
+def _options(text: str, name: str) -> dict[str, Expression] | None:
+    statement = declared(text, name)
+    if not isinstance(statement, Geometry):
+        return None
+    block = statement.block
+    return {} if block is None else {option.key.text: option.value for option in block.options}
+
+
+def _places(value: Expression | None) -> tuple[Place, ...] | None:
+    if value is None:
+        return ()
+    if not isinstance(value, ListValue):
+        return None
+    found = [place for item in value.items if (place := place_of(item)) is not None]
+    return tuple(found) if len(found) == len(value.items) else None
