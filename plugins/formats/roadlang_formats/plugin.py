@@ -9,6 +9,7 @@ from roadlang.api import hookimpl
 _KINDS = {
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "read opendrive": "read_opendrive:OpenDriveMap",
+    "read osm": "read_osm:OpenStreetMap",
 }
 
 

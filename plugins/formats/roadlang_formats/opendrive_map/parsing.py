@@ -36,7 +36,7 @@ _NUMBERS = {
 _LARGEST_CURVATURE = 100.0
 """1/m"""
 _LONGEST = 1e6
-"""Meters of a piece."""
+"""Meters of a road, and of a piece."""
 
 
 def parsed_map(file: MapFile) -> OpenDriveRecord:
@@ -81,7 +81,7 @@ def _road(file: MapFile, element: MapElement) -> RoadRecord:
     if not geometry:
         raise file.fault(element, f"road `{id}` has no `geometry` in its `planView`")
     length = file.number(element, "length")
-    if not length > 0.0:
+    if not 0.0 < length <= _LONGEST:
         raise file.fault(element, f"road `{id}` has the length {length:g}")
     sections = _increasing(
         file, (section_record(file, child) for child in element.all("lanes", "laneSection"))

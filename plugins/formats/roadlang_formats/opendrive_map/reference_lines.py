@@ -24,6 +24,8 @@ _LARGEST_GAP = 1.0
 _KINK = 1e-4
 """Radians: a larger one is kept to the last `_BEFORE_KINK` meters of the piece before it."""
 _BEFORE_KINK = 0.05
+_STRETCHED = 1.5
+"""By what factor the length of a cubic may differ from what the file says."""
 _MOST_SAMPLES = 200_000
 """Of a road."""
 
@@ -143,8 +145,10 @@ def _cubic_poses(file: MapFile, piece: GeometryRecord, s: Floats, start: Floats)
     # Simpson's rule on each step.
     steps = (speed[1:] + speed[:-1] + 4.0 * np.hypot(du(middle), dv(middle))) / 6.0 * np.diff(p)
     lengths = np.concatenate(([0.0], np.cumsum(steps)))
-    if not np.isfinite(lengths[-1]) or not lengths[-1] > _SHORTEST:
-        raise file.fault(piece.element, "this cubic has no length")
+    found = float(lengths[-1])
+    if not piece.length / _STRETCHED < found < piece.length * _STRETCHED:
+        reason = f"this cubic is {found:.3g} m long, not {piece.length:g} m"
+        raise file.fault(piece.element, reason)
     at = np.interp(s / piece.length * lengths[-1], lengths, p)
     local = np.column_stack((u(at), v(at)))
     cosine, sine = math.cos(piece.heading), math.sin(piece.heading)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from roadlang.geometry import LaneEnd, MapJunction, MapTurn
@@ -13,6 +14,8 @@ from .records import ConnectionRecord, Contact, JunctionRecord, RoadRecord
 Roads = Mapping[str, BuiltRoad]
 RoadEnd = tuple[str, Contact]
 _OTHER: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
+_FARTHEST = 50.0
+"""Meters between the reference lines of roads that are linked: they may be at either edge."""
 
 
 class TurnReader:
@@ -46,6 +49,7 @@ class TurnReader:
                 if link is None or link.kind == "junction":
                     continue
                 self._require_road(self._roads[id].record, link.id)
+                self._require_near((id, end), (link.id, link.contact))
                 if link.id in self._numbers:
                     pair = (id, end), (link.id, link.contact)
                     found.setdefault(frozenset(pair), pair)
@@ -54,6 +58,13 @@ class TurnReader:
     def _require_road(self, road: RoadRecord, id: str) -> None:
         if id not in self._roads:
             reason = f"road `{road.id}` leads to road `{id}`, which does not exist"
+            raise self._file.fault(road.element.first("link") or road.element, reason)
+
+    def _require_near(self, one: RoadEnd, other: RoadEnd) -> None:
+        gap = math.dist(*(self._roads[id].point(end) for id, end in (one, other)))
+        if gap > _FARTHEST:
+            road = self._roads[one[0]].record
+            reason = f"road `{road.id}` leads to road `{other[0]}`, which is {gap:.3g} m away"
             raise self._file.fault(road.element.first("link") or road.element, reason)
 
     def _passed(self, one: RoadEnd, other: RoadEnd) -> Iterator[MapTurn]:
@@ -97,6 +108,8 @@ class TurnReader:
         if after is None or after.kind != "road" or after.id not in self._roads:
             return
         at = self._incoming_end(item, junction, before.contact if before else None)
+        self._require_near((item.connecting, enters), at)
+        self._require_near((item.connecting, leaves), (after.id, after.contact))
         lanes = item.lanes or tuple((b, a) for a, b in self._links((item.connecting, enters)))
         onward = dict(self._links((item.connecting, leaves)))
         passing = {track: id for id, track in connecting.ids[leaves].items()}
@@ -130,6 +143,7 @@ class TurnReader:
     ) -> Iterator[MapTurn]:
         """Of a junction without connecting roads."""
         at, other = self._incoming_end(item, junction, None), (item.connecting, item.contact)
+        self._require_near(at, other)
         for a, b in item.lanes:
             first, second = self._lane_end(at, a), self._lane_end(other, b)
             if first is not None and second is not None:

@@ -1,0 +1,1 @@
+"""Extracts of OpenStreetMap read: their ways, and the network of those that vehicles use."""

@@ -1,0 +1,224 @@
+"""The network of the ways of an extract that vehicles use."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from roadlang.api import Extraction
+from roadlang.geometry import (
+    CrossSection,
+    Edge,
+    GeometryError,
+    Lane,
+    Node,
+    RoadNetwork,
+    WidthProfile,
+)
+from roadlang.geometry.filleting import filleted
+from roadlang_formats.local_projection import LocalProjection
+from roadlang_formats.map_xml import MapFile
+
+from .buildings import buildings_of
+from .records import OsmExtract, osm_extract
+from .way_lanes import Tags, WayLanes, is_driven, one_way, way_lanes
+
+Place = tuple[float, float]
+
+_ROUNDING = 15.0
+"""Meters: the radius by which the corners of ways are rounded where there is room."""
+_SHORTEST = 0.5
+"""Meters of a road."""
+_FARTHEST = 100_000.0
+"""Meters from the origin."""
+_USERS = ("car", "bus", "bicycle")
+_LONGEST_APPROACH = 40.0
+"""Meters from traffic lights, which may be drawn where vehicles wait, to their junction."""
+
+
+@dataclass(frozen=True)
+class OsmOptions:
+    """`origin`: latitude and longitude of (0, 0), degrees; the middle of the ways without.
+    `lane_width` in meters; `left_hand`: traffic keeps left."""
+
+    origin: tuple[float, float] | None
+    lane_width: float
+    left_hand: bool
+    service: bool
+    buildings: bool
+
+
+@dataclass(frozen=True)
+class Street:
+    """A part of a way, or of several that go on as one, between junctions or changes of lanes."""
+
+    nodes: tuple[str, ...]
+    tags: Tags
+
+
+def network_of(file: MapFile, options: OsmOptions) -> Extraction:
+    """Roads between the nodes that ways share. Raises RL479."""
+    extract = osm_extract(file)
+    streets = _streets(extract, options)
+    if not streets:
+        raise file.fault(file.root, "it has no way that vehicles drive on")
+    used = {node for street in streets for node in street.nodes}
+    origin = options.origin or _middle(extract, used)
+    projection = LocalProjection(*origin)
+    points = {
+        id: projection.point(extract.nodes[id].latitude, extract.nodes[id].longitude) for id in used
+    }
+    farthest = max(points.values(), key=lambda point: math.hypot(*point))
+    if math.hypot(*farthest) > _FARTHEST:
+        reason = f"its ways lie up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
+        raise file.fault(file.root, reason, "name an `origin` nearby, or cut the extract smaller")
+    network = _built(streets, points, options)
+    network = replace(network, origin=origin)
+    objects = buildings_of(extract, projection) if options.buildings else ()
+    return Extraction(network, objects)
+
+
+def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
+    """The middle of the box round all nodes, to 1e-5 degrees."""
+    latitudes = [extract.nodes[id].latitude for id in used]
+    longitudes = [extract.nodes[id].longitude for id in used]
+    middle = ((min(values) + max(values)) / 2.0 for values in (latitudes, longitudes))
+    latitude, longitude = (round(value, 5) for value in middle)
+    return latitude, longitude
+
+
+def _streets(extract: OsmExtract, options: OsmOptions) -> list[Street]:
+    """The driven ways, cut where others meet them and put together where they only go on."""
+    ways = [
+        Street(way.nodes, way.tags)
+        for way in extract.ways
+        if is_driven(way.tags) and (options.service or way.tags["highway"] != "service")
+    ]
+    visits = Counter(node for way in ways for node in way.nodes)
+    ends = Counter(node for way in ways for node in (way.nodes[:1] + way.nodes[-1:]))
+    parts = [part for way in ways for part in _cut(way, visits, ends)]
+    return _put_together(parts)
+
+
+def _cut(way: Street, visits: Mapping[str, int], ends: Mapping[str, int]) -> Iterator[Street]:
+    """The parts of a way between nodes that it shares with others, or passes twice."""
+    nodes = [way.nodes[0]] if way.nodes else []
+    for node in way.nodes[1:]:
+        if node == nodes[-1]:
+            continue
+        nodes.append(node)
+        if visits[node] > 1 or ends[node] > 0:
+            yield Street(tuple(nodes), way.tags)
+            nodes = [node]
+
+
+def _put_together(parts: Sequence[Street]) -> list[Street]:
+    """Streets that meet no other at a node, and have the same lanes and name, as one."""
+    at: dict[str, list[Street]] = {}
+    for part in parts:
+        for node in (part.nodes[0], part.nodes[-1]):
+            at.setdefault(node, []).append(part)
+    found = {id(part): part for part in parts}
+    order = {id(part): place for place, part in enumerate(parts)}
+    for node in sorted(at):
+        met = at[node]
+        if len(met) != 2 or met[0] is met[1] or not _goes_on(met[0], met[1]):
+            continue
+        joined = _joined(met[0], met[1], node)
+        if joined is None:
+            continue
+        for part in met:
+            del found[id(part)]
+            for end in (part.nodes[0], part.nodes[-1]):
+                at[end] = [joined if other is part else other for other in at[end]]
+        found[id(joined)] = joined
+        order[id(joined)] = min(order[id(part)] for part in met)
+    return sorted(found.values(), key=lambda part: order[id(part)])
+
+
+def _goes_on(one: Street, other: Street) -> bool:
+    name = one.tags.get("name") == other.tags.get("name")
+    kind = one.tags["highway"] == other.tags["highway"]
+    return name and kind and way_lanes(one.tags) == way_lanes(other.tags)
+
+
+def _joined(one: Street, other: Street, node: str) -> Street | None:
+    """Both in the direction of the first; None where they run against each other one way, or would
+    close a ring."""
+    if {one.nodes[0], one.nodes[-1]} == {other.nodes[0], other.nodes[-1]}:
+        return None
+    if one.nodes[0] == node and other.nodes[-1] == node:
+        one, other = other, one
+    if one.nodes[-1] == node and other.nodes[0] == node:
+        return Street(one.nodes + other.nodes[1:], one.tags)
+    lanes = way_lanes(one.tags)
+    if one_way(one.tags) is not None or lanes.forward != lanes.backward:
+        return None
+    if one.nodes[0] == node:
+        return Street(one.nodes[::-1] + other.nodes[1:], one.tags)
+    return Street(one.nodes + other.nodes[-2::-1], one.tags)
+
+
+def _built(
+    streets: Sequence[Street], points: Mapping[str, Place], options: OsmOptions
+) -> RoadNetwork:
+    """The edges, numbered from 1 in the order of the file."""
+    numbers: dict[str, int] = {}
+    edges: list[Edge] = []
+    for street in _open(streets):
+        line = [points[node] for node in street.nodes]
+        try:
+            curve = filleted(line, _ROUNDING)
+        except GeometryError:  # too short, or straight back: a fault of the drawing
+            continue
+        if curve.length < _SHORTEST:
+            continue
+        ends = [
+            numbers.setdefault(node, len(numbers) + 1)
+            for node in (street.nodes[0], street.nodes[-1])
+        ]
+        lanes = cross_section(way_lanes(street.tags), options)
+        edge = Edge.of(len(edges) + 1, ends[0], ends[1], curve, lanes)
+        edges.append(replace(edge, name=street.tags.get("name", "")))
+    nodes = tuple(Node(number, points[node]) for node, number in numbers.items())
+    return RoadNetwork(nodes, tuple(edges))
+
+
+def _open(streets: Sequence[Street]) -> Iterator[Street]:
+    """The streets, rings in two halves: an edge that is no circle needs two ends."""
+    for street in streets:
+        if street.nodes[0] == street.nodes[-1] and len(street.nodes) > 3:
+            half = len(street.nodes) // 2
+            yield Street(street.nodes[: half + 1], street.tags)
+            yield Street(street.nodes[half:], street.tags)
+        else:
+            yield street
+
+
+def cross_section(lanes: WayLanes, options: OsmOptions) -> CrossSection:
+    """The lanes of a way, the middle of which is that of the way."""
+    width = WidthProfile.constant(options.lane_width)
+    sides = (lanes.backward, lanes.forward)
+    if lanes.backward == 0 or lanes.forward == 0:
+        sides = (0, lanes.forward + lanes.backward)
+    found = []
+    for id in (*range(sides[0], 0, -1), *range(-1, -sides[1] - 1, -1)):
+        backward = id > 0 or lanes.forward == 0
+        outermost = id in (sides[0], -sides[1])
+        found.append(
+            Lane(
+                id,
+                "drive",
+                width,
+                "backward" if backward else "forward",
+                speed_limit=lanes.speed_limit,
+                marking="solid" if outermost else "broken",
+                users=_USERS,
+            )
+        )
+    total = sum(sides)
+    middle = "solid" if sides[0] == 0 else "broken" if total < 4 else "double"
+    section = CrossSection(tuple(found), middle)  # type: ignore[arg-type]
+    return section.mirrored() if options.left_hand else section

@@ -1,0 +1,70 @@
+"""What an extract of OpenStreetMap says: nodes with their places, and ways through them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from roadlang_formats.map_xml import MapElement, MapFile
+
+
+@dataclass(frozen=True, slots=True)
+class OsmNode:
+    """A point, in degrees."""
+
+    latitude: float
+    longitude: float
+    tags: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class OsmWay:
+    """A line or outline through nodes, by their ids."""
+
+    element: MapElement
+    id: str
+    nodes: tuple[str, ...]
+    tags: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class OsmExtract:
+    """All nodes and ways of a file. Ways go on only through nodes that the file has."""
+
+    nodes: Mapping[str, OsmNode]
+    ways: tuple[OsmWay, ...]
+
+
+def osm_extract(file: MapFile) -> OsmExtract:
+    """Raises RL479 for what is no place on Earth, and for ids used twice."""
+    nodes: dict[str, OsmNode] = {}
+    for element in file.root.all("node"):
+        id = file.attribute(element, "id")
+        if element.attributes.get("action") == "delete":
+            continue
+        if id in nodes:
+            raise file.fault(element, f"two nodes have the id `{id}`")
+        latitude, longitude = (file.number(element, name) for name in ("lat", "lon"))
+        if abs(latitude) > 89.0 or abs(longitude) > 180.0:
+            raise file.fault(element, f"no place is at {latitude:g}, {longitude:g} degrees")
+        nodes[id] = OsmNode(latitude, longitude, _tags(element))
+    ways = []
+    seen = set()
+    for element in file.root.all("way"):
+        id = file.attribute(element, "id")
+        if id in seen:
+            raise file.fault(element, f"two ways have the id `{id}`")
+        seen.add(id)
+        listed = [file.attribute(child, "ref") for child in element.all("nd")]
+        # At the edge of an extract ways name nodes that it does not have.
+        here = tuple(node for node in listed if node in nodes)
+        ways.append(OsmWay(element, id, here, _tags(element)))
+    return OsmExtract(nodes, tuple(ways))
+
+
+def _tags(element: MapElement) -> Mapping[str, str]:
+    return {
+        child.attributes["k"]: child.attributes["v"]
+        for child in element.all("tag")
+        if "k" in child.attributes and "v" in child.attributes
+    }

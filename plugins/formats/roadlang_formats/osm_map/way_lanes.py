@@ -1,0 +1,103 @@
+"""The lanes of a way by its tags, counted as netconvert does."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+Tags = Mapping[str, str]
+
+LANES: Mapping[str, int] = {
+    "motorway": 2,
+    "trunk": 2,
+    "primary": 2,
+    **dict.fromkeys(
+        (
+            "secondary",
+            "tertiary",
+            "unclassified",
+            "residential",
+            "living_street",
+            "service",
+            "road",
+            "motorway_link",
+            "trunk_link",
+            "primary_link",
+            "secondary_link",
+            "tertiary_link",
+        ),
+        1,
+    ),
+}
+"""The kinds of ways that vehicles drive on, and the lanes of each direction where no tag says."""
+_MOST = 12
+_UNITS = {"": 1.0 / 3.6, "km/h": 1.0 / 3.6, "kmh": 1.0 / 3.6, "kph": 1.0 / 3.6, "mph": 0.44704}
+_ONE_WAY = {"yes": True, "true": True, "1": True, "-1": False, "reverse": False}
+
+
+@dataclass(frozen=True, slots=True)
+class WayLanes:
+    """How many lanes run along a way and against it, and the speed limit in m/s."""
+
+    forward: int
+    backward: int
+    speed_limit: float | None
+
+
+def is_driven(tags: Tags) -> bool:
+    """Whether vehicles use a way; areas are none."""
+    return (
+        tags.get("highway") in LANES
+        and tags.get("area") != "yes"
+        and tags.get("access") not in ("no",)
+        and tags.get("motor_vehicle") != "no"
+    )
+
+
+def one_way(tags: Tags) -> bool | None:
+    """True for one-way traffic along the way, False against it, None for both ways."""
+    written = tags.get("oneway", "")
+    if written in _ONE_WAY:
+        return _ONE_WAY[written]
+    implied = tags.get("junction") in ("roundabout", "circular")
+    implied = implied or tags.get("highway") in ("motorway", "motorway_link")
+    return True if implied and written != "no" else None
+
+
+def way_lanes(tags: Tags) -> WayLanes:
+    """By `lanes`, `lanes:forward` and `lanes:backward`; of an odd number the extra lane runs
+    forward."""
+    usual = LANES[tags["highway"]]
+    total, forward, backward = (
+        _count(tags.get(name)) for name in ("lanes", "lanes:forward", "lanes:backward")
+    )
+    limit = speed_limit(tags.get("maxspeed", ""))
+    way = one_way(tags)
+    if way is not None:
+        count = total or (forward if way else backward) or usual
+        return WayLanes(count if way else 0, 0 if way else count, limit)
+    if total is not None:
+        if forward is None:
+            forward = total - backward if backward is not None else math.ceil(total / 2)
+        if backward is None:
+            backward = total - forward
+    return WayLanes(
+        max(usual if forward is None else forward, 1),
+        max(usual if backward is None else backward, 1),
+        limit,
+    )
+
+
+def _count(written: str | None) -> int | None:
+    found = re.match(r"\d{1,3}(?=\D|$)", (written or "").strip())
+    return min(int(found.group()), _MOST) if found and int(found.group()) else None
+
+
+def speed_limit(written: str) -> float | None:
+    """m/s; None for what is no number, as `signals` or `DE:urban`."""
+    found = re.fullmatch(r"\s*(\d{1,3}(?:\.\d+)?)\s*([a-z/]*)\s*", written)
+    if found is None or found.group(2) not in _UNITS or not float(found.group(1)):
+        return None
+    return float(found.group(1)) * _UNITS[found.group(2)]

@@ -1,0 +1,192 @@
+"""`read with osm`: streets of small extracts."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import roadlang
+from roadlang import testing
+from roadlang.api import Extraction
+from roadlang.geometry import CrossSection, Edge
+from roadlang_formats.local_projection import LocalProjection
+from roadlang_formats.osm_map.way_lanes import WayLanes, speed_limit, way_lanes
+from roadlang_formats.read_osm import OpenStreetMap
+
+LATITUDE, LONGITUDE = 48.0, 11.0
+STEP = 0.001
+"""Degrees between nodes: 111 m north, 74 m east."""
+
+
+def osm(*ways: str, nodes: str = "") -> str:
+    """A grid of nodes called `11` to `55`, by row from the south and column from the west."""
+    grid = "".join(
+        f'<node id="{row}{column}" lat="{LATITUDE + STEP * row}" '
+        f'lon="{LONGITUDE + STEP * column}"/>\n'
+        for row in range(1, 6)
+        for column in range(1, 6)
+    )
+    return f'<osm version="0.6">\n{grid}{nodes}{"".join(ways)}</osm>\n'
+
+
+def way(id: int, nodes: str, **tags: str) -> str:
+    """A street, unless `highway` says otherwise; `_` in the name of a tag is a colon."""
+    named = {"highway": "residential", **tags}
+    refs = "".join(f'<nd ref="{node}"/>' for node in nodes.split())
+    listed = "".join(
+        f'<tag k="{key.replace("_", ":")}" v="{value}"/>' for key, value in named.items()
+    )
+    return f'<way id="{id}">{refs}{listed}</way>\n'
+
+
+def read(tmp_path: Path, text: str, **options: object) -> Extraction:
+    path = tmp_path / "town.osm"
+    path.write_text(text)
+    found: Extraction = OpenStreetMap(**options).read(path)  # type: ignore[arg-type]
+    return found
+
+
+def lanes_of(edge: Edge) -> CrossSection:
+    assert edge.cross_section is not None
+    return edge.cross_section
+
+
+def test_ways_are_cut_where_they_meet(tmp_path: Path) -> None:
+    network = read(tmp_path, osm(way(1, "31 33 35"), way(2, "13 33 53"))).network
+    assert sorted(network.degree(node.id) for node in network.nodes) == [1, 1, 1, 1, 4]
+    assert len(network.edges) == 4
+
+
+def test_parts_of_one_street_are_one_road(tmp_path: Path) -> None:
+    text = osm(way(1, "31 32", name="Main"), way(2, "34 33 32", name="Main"), way(3, "34 35"))
+    network = read(tmp_path, text).network
+    assert [edge.name for edge in network.edges] == ["Main", ""]
+
+
+def test_a_one_way_street_goes_on_only_in_its_direction(tmp_path: Path) -> None:
+    against = osm(way(1, "31 32", oneway="yes"), way(2, "33 32", oneway="yes"))
+    along = osm(way(1, "31 32", oneway="yes"), way(2, "32 33", oneway="yes"))
+    assert len(read(tmp_path, against).network.edges) == 2
+    assert len(read(tmp_path, along).network.edges) == 1
+
+
+def test_what_no_vehicle_drives_on_is_left_out(tmp_path: Path) -> None:
+    text = osm(
+        way(1, "31 33"),
+        way(2, "13 33", highway="footway"),
+        way(3, "53 33", highway="service"),
+        way(4, "11 12", highway="residential", area="yes"),
+    )
+    assert len(read(tmp_path, text).network.edges) == 2
+    assert len(read(tmp_path, text, service=False).network.edges) == 1
+
+
+@pytest.mark.parametrize(
+    ("tags", "forward", "backward"),
+    [
+        ({"highway": "residential"}, 1, 1),
+        ({"highway": "primary"}, 2, 2),
+        ({"highway": "motorway"}, 2, 0),
+        ({"highway": "residential", "lanes": "3"}, 2, 1),
+        ({"highway": "residential", "lanes": "1"}, 1, 1),
+        ({"highway": "residential", "lanes": "3", "lanes:backward": "2"}, 1, 2),
+        ({"highway": "secondary", "lanes": "5", "lanes:forward": "2"}, 2, 3),
+        ({"highway": "residential", "oneway": "yes", "lanes": "2"}, 2, 0),
+        ({"highway": "residential", "oneway": "-1"}, 0, 1),
+        ({"highway": "tertiary", "junction": "roundabout"}, 1, 0),
+        ({"highway": "residential", "lanes": "many"}, 1, 1),
+    ],
+)
+def test_lanes_are_counted_by_the_tags(tags: dict[str, str], forward: int, backward: int) -> None:
+    assert way_lanes(tags) == WayLanes(forward, backward, None)
+
+
+@pytest.mark.parametrize(
+    ("written", "limit"),
+    [("50", 50 / 3.6), ("30 mph", 30 * 0.44704), ("walk", None), ("none", None), ("0", None)],
+)
+def test_speed_limits_are_kilometers_per_hour_or_miles(written: str, limit: float | None) -> None:
+    found = speed_limit(written)
+    assert found == (None if limit is None else pytest.approx(limit))
+
+
+def test_lanes_run_as_the_way_does(tmp_path: Path) -> None:
+    text = osm(way(1, "31 33", oneway="-1", lanes="2", maxspeed="36"))
+    (edge,) = read(tmp_path, text, lane_width=3.0).network.edges
+    assert [(lane.id, lane.direction, lane.speed_limit) for lane in lanes_of(edge).lanes] == [
+        (-1, "backward", 10.0),
+        (-2, "backward", 10.0),
+    ]
+    assert lanes_of(edge).border_offsets(5.0) == pytest.approx([3.0, 0.0, -3.0])
+
+
+def test_traffic_may_keep_left(tmp_path: Path) -> None:
+    (edge,) = read(tmp_path, osm(way(1, "31 33")), traffic="left").network.edges
+    assert [lane.direction for lane in lanes_of(edge).lanes] == ["forward", "backward"]
+
+
+def test_the_origin_is_stated_or_the_middle(tmp_path: Path) -> None:
+    text = osm(way(1, "31 33"))
+    stated = (math.radians(LATITUDE + 3 * STEP), math.radians(LONGITUDE + STEP))
+    network = read(tmp_path, text, origin=stated).network
+    assert network.nodes[0].position == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert read(tmp_path, text).network.origin == pytest.approx((48.003, 11.002))
+
+
+def test_the_projection_is_true_to_meters() -> None:
+    """Along the equator a degree is 111,319.5 m; at 45 degrees north a minute of latitude is
+    1852.2 m and one of longitude 1314.1 m (WGS84)."""
+    assert LocalProjection(0.0, 7.0).point(0.0, 7.1)[0] == pytest.approx(11131.95, rel=1e-5)
+    x, y = LocalProjection(45.0, 7.0).point(45.0 + 1 / 60, 7.0)
+    assert (x, y) == pytest.approx((0.0, 1852.25), abs=0.1)
+    assert LocalProjection(45.0, 7.0).point(45.0, 7.0 + 1 / 60)[0] == pytest.approx(1314.2, abs=0.1)
+
+
+def test_corners_are_rounded_and_ends_stay(tmp_path: Path) -> None:
+    (edge,) = read(tmp_path, osm(way(1, "31 33 53"))).network.edges
+    assert np.abs(edge.curve.curvature(edge.curve.stations(spacing=1.0))).max() < 1 / 14.9
+    assert edge.curve.project([[0.0, 0.0]])[0] > 0.0
+
+
+def test_buildings_are_rectangles(tmp_path: Path) -> None:
+    text = osm(way(1, "31 33"), way(2, "11 12 22 21 11", building="yes", highway="no"))
+    assert read(tmp_path, text).objects == ()
+    (found,) = read(tmp_path, text, buildings=True).objects
+    assert sorted((found.length, found.width)) == pytest.approx([74.6, 111.2], abs=0.3)
+
+
+def test_a_ring_is_two_roads(tmp_path: Path) -> None:
+    text = osm(way(1, "22 24 44 42 22", junction="roundabout"))
+    network = read(tmp_path, text).network
+    assert len(network.edges) == 2
+    assert {network.degree(node.id) for node in network.nodes} == {2}
+
+
+def test_a_town_compiles_with_its_junctions(tmp_path: Path) -> None:
+    path = tmp_path / "town.osm"
+    path.write_text(osm(way(1, "31 33 35"), way(2, "13 33 53", oneway="yes")))
+    scene = testing.sample(f'network town from "{path}"\nagent ego is car on town at random\n')[0]
+    (junction,) = scene.record.networks[0].junctions
+    assert len(junction.arms) == 4
+    assert {connection.turn for connection in junction.connections} == {"left", "straight", "right"}
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("<osm></osm>", "no way"),
+        (osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1), "no place"),
+        (osm(way(1, "31 33"), way(1, "11 12")), "two ways"),
+        (osm(way(1, "31 33"), way(2, "a 12"), nodes='<node id="a" lat="60" lon="11"/>'), "km"),
+        ("<gpx/>", "not `osm`"),
+    ],
+)
+def test_faults_are_reported_in_the_file(tmp_path: Path, text: str, word: str) -> None:
+    with pytest.raises(roadlang.DiagnosticError, match=word) as caught:
+        read(tmp_path, text)
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL479"
+    assert found.span is not None
