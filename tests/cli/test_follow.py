@@ -89,3 +89,15 @@ def test_follow_takes_one_trace() -> None:
 
     assert ended.returncode == 2
     assert "--follow goes with one TRACE" in ended.stderr
+
+
+def test_at_exactly_zero_the_comparison_decides() -> None:
+    text = "time,x\n0,1\n1,0\n2,1\n"
+    assert follow("x >= 0", text).stdout.splitlines()[1:] == ["0             holds     1"]
+    ended = follow("x > 0", text)
+    assert ended.stdout.splitlines()[1:] == [
+        "0             holds     1",
+        "1             violated  0",
+        "2             holds     1",
+    ]
+    assert ended.returncode == 4

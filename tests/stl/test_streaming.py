@@ -95,3 +95,16 @@ def test_a_sample_that_does_not_fit_is_refused_and_forgotten(
         monitor.push(position, values)
 
     assert monitor.push(2.0, {"x": 1.0}) == (stl.DecidedSample(2.0, 3.0),)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_boolean_monitor_decides_where_robustness_is_zero(seed: int) -> None:
+    formula = FormulaDraw(seed, bounded=True).formula(1 + seed % 3)
+    positions, signals = draw_trace(seed, 24, 1, even=seed % 2 == 0)
+    row = {name: np.round(values[0]) for name, values in signals.items()}
+    monitor = stl.StreamMonitor(formula, boolean=True)
+    found: list[stl.DecidedSample] = []
+    for k, position in enumerate(positions):
+        found += monitor.push(position, {name: float(values[k]) for name, values in row.items()})
+    found += monitor.finish()
+    assert [sample.rho > 0 for sample in found] == formula.truth(positions, row).tolist()

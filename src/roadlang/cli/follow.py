@@ -30,20 +30,20 @@ def follow(formula: Formula, path: str) -> bool:
     from ..stl.formats.delimited_text import DelimitedTextFault
     from ..stl.formats.trace_stream import samples_of_lines
 
-    monitor = StreamMonitor(formula)
+    monitor, truth = StreamMonitor(formula), StreamMonitor(formula, boolean=True)
     changes = _Changes()
     echo(str(formula))
     try:
         with closing(_lines(path)) as lines:
             for position, values in samples_of_lines(lines):
-                changes.report(monitor.push(position, values))
+                changes.report(monitor.push(position, values), truth.push(position, values))
     except DelimitedTextFault as fault:
         raise DiagnosticError(
             diagnose(Code.UNREADABLE_TRACE, path=path, file=_name(path), problem=str(fault))
         ) from None
     except KeyboardInterrupt:
         return changes.failed
-    changes.report(monitor.finish())
+    changes.report(monitor.finish(), truth.finish())
     return changes.failed
 
 
@@ -54,11 +54,12 @@ class _Changes:
         self.holds: bool | None = None
         self.failed = False
 
-    def report(self, decided: Iterable[DecidedSample]) -> None:
+    def report(self, decided: Iterable[DecidedSample], truth: Iterable[DecidedSample]) -> None:
+        """`truth` decides where robustness is exactly 0."""
         from ..stl.evaluate.position_text import position_text
 
-        for position, rho in decided:
-            holds = rho >= 0
+        for (position, rho), (_, satisfied) in zip(decided, truth, strict=True):
+            holds = (rho or satisfied) > 0
             self.failed |= not holds
             if holds != self.holds:
                 word = "holds" if holds else "violated"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
@@ -47,17 +48,19 @@ class StreamMonitor:
     what `formula.robustness` gives on the whole trace. Work and memory depend on the longest
     interval only.
 
-    Raises DiagnosticError RL309 for a formula with an unbounded future operator.
+    With `boolean` it is 1 where the formula is satisfied and -1 where it is not, which robustness
+    of exactly 0 does not tell. Raises DiagnosticError RL309 for a formula with an unbounded future
+    operator.
     """
 
-    def __init__(self, formula: f.Formula) -> None:
+    def __init__(self, formula: f.Formula, *, boolean: bool = False) -> None:
         self.formula = formula
         self.delay = horizon(formula)
         if math.isinf(self.delay):
             raise stl_error(Code.UNBOUNDED_FUTURE, formula=str(formula))
         self._names = sorted(formula.variables)
         self._clock = Clock()
-        graph = FormulaGraph.of(formula)
+        graph = FormulaGraph.of(formula, op.BOOLEAN if boolean else op.ROBUST)
         self._steps = [
             (_source(node.operation), _node(node.operation, len(node.inputs), self._clock),
              node.inputs)
@@ -170,6 +173,22 @@ _SCALARS: dict[op.Function, Callable[..., float]] = {
     op.ROBUST["!="]: lambda left, right: abs(_difference(left, right)),
 }
 """For one sample what the functions of arrays are for many; numbers may be infinite."""
+
+
+def _truth_of(relation: Callable[[float, float], bool]) -> Callable[..., float]:
+    return lambda left, right: 1.0 if relation(left, right) else -1.0
+
+
+_SCALARS.update(
+    {
+        op.BOOLEAN["<"]: _truth_of(operator.lt),
+        op.BOOLEAN["<="]: _truth_of(operator.le),
+        op.BOOLEAN[">"]: _truth_of(operator.gt),
+        op.BOOLEAN[">="]: _truth_of(operator.ge),
+        op.BOOLEAN["=="]: _truth_of(operator.eq),
+        op.BOOLEAN["!="]: _truth_of(operator.ne),
+    }
+)
 _SCALARS.update(
     {
         infinite: _SCALARS[function]
