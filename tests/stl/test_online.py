@@ -37,6 +37,10 @@ def test_each_step_equals_the_range_of_the_prefix(seed: int) -> None:
         "eventually (y > 5 and eventually[1, 3] (x < -1))",
         "always (x > 2 implies eventually[0, 4] always[0, 1] (z < 5))",
         "eventually always (x > -9)",
+        "always (once[0, 3] (x > 0) or y < 5)",
+        "always (y > 3 implies once[1, 2] (x > -6))",
+        "eventually (historically[0, 2] (x > 1) and eventually[0, 1] once[0, 4] (z > 2))",
+        "always (count[0, 3] (x > 0) >= 1 or (y < 2) since[0, 2] (x > 3))",
     ],
 )
 def test_folding_the_past_changes_nothing(text: str) -> None:
@@ -45,8 +49,9 @@ def test_folding_the_past_changes_nothing(text: str) -> None:
     _compare(stl.parse(text), positions, row, every=29)
 
 
-def test_a_step_costs_the_horizon_not_the_past() -> None:
-    monitor = stl.OnlineMonitor(stl.parse("always (x < 4 or eventually[0, 2] (x < 3))"))
+@pytest.mark.parametrize("inner", ["eventually[0, 2]", "once[0, 2]", "eventually[0, 1] once[0, 1]"])
+def test_a_step_costs_what_the_formula_looks_at_not_the_past(inner: str) -> None:
+    monitor = stl.OnlineMonitor(stl.parse(f"always (x < 4 or {inner} (x < 3))"))
     for k in range(600):
         monitor.push(0.1 * k, {"x": np.sin(k)})
     assert len(monitor._positions) < 200

@@ -101,9 +101,11 @@ def run_at_start(
     axis: SamplePositions,
     *,
     reverse_empty: bool = False,
+    sample: int = 0,
 ) -> FloatArray:
-    """The last node of `graph` at the first sample of each variant, (V,)."""
-    return _run(EvaluationPlan.of(graph, axis, (0, 0), reverse_empty=reverse_empty), trace)
+    """The last node of `graph` at the first sample of each variant, or at another, (V,)."""
+    span = (sample, sample)
+    return _run(EvaluationPlan.of(graph, axis, span, reverse_empty=reverse_empty), trace)
 
 
 def _run(plan: EvaluationPlan, trace: SampledSignals) -> FloatArray:

@@ -10,10 +10,10 @@ import numpy as np
 from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula import formulas as f
-from ..formula.horizon import horizon, looks_at_neighbors
+from ..formula.horizon import horizon, looks_at_neighbors, memory
 from .position_text import position_text
 from .ranges import range_at_start
-from .trace import SampledSignals
+from .trace import FloatArray, SampledSignals
 from .verdicts import Verdict, verdicts_of
 
 _SETTLED_AT_ONCE = 64
@@ -23,7 +23,8 @@ class OnlineMonitor:
     """Watches the robustness of one formula at the first sample of a growing trace.
 
     For `always p` and `eventually p` without bounds, samples that can no longer change `p` are
-    folded into one number, so that a step costs as much as the horizon of `p`, not as the past.
+    folded into one number, so that a step costs as much as `p` looks ahead and back, and memory
+    does not grow. Of other formulas all samples are kept.
     """
 
     def __init__(self, formula: f.Formula) -> None:
@@ -36,6 +37,7 @@ class OnlineMonitor:
         self._settled: float | None = None
         self._settled_truth: bool | None = None
         self._foldable = _is_foldable(formula)
+        self._present = 0
 
     def push(self, position: float, values: Mapping[str, float]) -> tuple[float, float]:
         """Take the next sample; return [lo, hi] over all continuations of what was seen.
@@ -56,8 +58,9 @@ class OnlineMonitor:
 
     def _update(self) -> None:
         trace = self._trace()
-        ends = range_at_start(self.formula, trace)
-        verdict: Verdict = verdicts_of(self.formula, trace, ends)[0].item()
+        ends = range_at_start(self.formula, trace, sample=self._present)
+        verdicts = verdicts_of(self.formula, trace, ends, sample=self._present)
+        verdict: Verdict = verdicts[0].item()
         lo, hi = (float(end[0]) for end in ends)
         if self._settled is not None:
             assert isinstance(self.formula, f.UnaryTemporal)
@@ -76,19 +79,27 @@ class OnlineMonitor:
         body = self.formula.operand
         ahead = horizon(body)
         settled = int(np.searchsorted(trace.positions, trace.positions[-1] - ahead * (1 + 1e-6)))
-        if settled < _SETTLED_AT_ONCE:
+        if settled - self._present < _SETTLED_AT_ONCE:
             return
+        ended = slice(self._present, settled)
         signals = {name: np.asarray(self._values[name]) for name in self._names}
-        rho = body.robustness(trace.positions, signals)[:settled]
-        truth = body.truth(trace.positions, signals)[:settled]
+        rho = body.robustness(trace.positions, signals)[ended]
+        truth = body.truth(trace.positions, signals)[ended]
         least = self.formula.least
         known = () if self._settled is None else (self._settled,)
         self._settled = min(*known, *rho.tolist()) if least else max(*known, *rho.tolist())
         truths = () if self._settled_truth is None else (self._settled_truth,)
         self._settled_truth = all((*truths, *truth)) if least else any((*truths, *truth))
-        del self._positions[:settled]
+        self._forget(trace.positions, settled, memory(body))
+
+    def _forget(self, positions: FloatArray, settled: int, back: float) -> None:
+        """Drop the samples that the first one that is not settled does not look back at."""
+        oldest = positions[settled] - back * (1 + 1e-6)
+        first = max(int(np.searchsorted(positions, oldest)) - 1, 0) if back else settled
+        del self._positions[:first]
         for column in self._values.values():
-            del column[:settled]
+            del column[:first]
+        self._present = settled - first
 
     def _trace(self) -> SampledSignals:
         signals = {name: np.asarray(values) for name, values in self._values.items()}
@@ -98,6 +109,6 @@ class OnlineMonitor:
 def _is_foldable(formula: f.Formula) -> bool:
     if not isinstance(formula, f.UnaryTemporal) or formula.interval is not None:
         return False
-    if formula.looks_back or looks_at_neighbors(formula):
+    if looks_at_neighbors(formula) or formula.past:
         return False
-    return math.isfinite(horizon(formula.operand))
+    return math.isfinite(horizon(formula.operand) + memory(formula.operand))

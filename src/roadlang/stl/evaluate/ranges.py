@@ -50,45 +50,52 @@ def range_at_start(
     leaves: Mapping[str, Function] = ROBUST,
     *,
     reverse_empty: bool = False,
+    sample: int = 0,
 ) -> tuple[FloatArray, FloatArray]:
-    """(lo, hi) at the first sample of each variant, each (V,).
+    """(lo, hi) at the first sample of each variant, or at another, each (V,).
 
     `reverse_empty`: a window between two samples counts the other way (see `EvaluationPlan.of`).
     """
     return finite_first(
-        lambda infinite: _range_at_start(formula, trace, leaves, infinite, reverse_empty)
+        lambda infinite: _range_at(formula, trace, leaves, infinite, reverse_empty, sample)
     )
 
 
-def _range_at_start(
+def _range_at(
     formula: f.Formula,
     trace: SampledSignals,
     leaves: Mapping[str, Function],
     infinite: bool,
     reverse_empty: bool,
+    sample: int,
 ) -> tuple[FloatArray, FloatArray]:
     plain = normal_form(formula)
     if trace.wrap is not None or not plain.looks_ahead:
         graph = FormulaGraph.of(formula, leaves, infinite)
         axis = SamplePositions.of(trace.positions, trace.wrap)
-        exact = run_at_start(graph, trace, axis, reverse_empty=reverse_empty)
+        exact = run_at_start(graph, trace, axis, reverse_empty=reverse_empty, sample=sample)
         return exact, exact
     infinite = infinite or can_be_infinite(formula)
     lower, upper = BoundGraph(trace, leaves, infinite), BoundGraph(trace, leaves, infinite)
     other = strengthened(normal_form(formula, greatest=True))
     return (
-        _bound_at_start(strengthened(plain), trace, "lower", lower, reverse_empty),
-        _bound_at_start(other, trace, "upper", upper, reverse_empty),
+        _bound_at(strengthened(plain), trace, "lower", lower, reverse_empty, sample),
+        _bound_at(other, trace, "upper", upper, reverse_empty, sample),
     )
 
 
-def _bound_at_start(
-    formula: f.Formula, trace: SampledSignals, side: Side, graph: BoundGraph, reverse_empty: bool
+def _bound_at(
+    formula: f.Formula,
+    trace: SampledSignals,
+    side: Side,
+    graph: BoundGraph,
+    reverse_empty: bool,
+    sample: int,
 ) -> FloatArray:
     graph.bound(formula, side, False)
     extended = replace(trace, signals={**trace.signals, **graph.supplied})
     axis = extended_axis(formula, trace.positions)
-    return run_at_start(graph, extended, axis, reverse_empty=reverse_empty)
+    return run_at_start(graph, extended, axis, reverse_empty=reverse_empty, sample=sample)
 
 
 class BoundGraph(FormulaGraph):

@@ -47,18 +47,23 @@ def verdict(
 
 
 def verdicts_of(
-    formula: f.Formula, trace: SampledSignals, ends: tuple[FloatArray, FloatArray] | None = None
+    formula: f.Formula,
+    trace: SampledSignals,
+    ends: tuple[FloatArray, FloatArray] | None = None,
+    *,
+    sample: int = 0,
 ) -> NDArray[np.str_]:
-    """Verdicts (V,) at the first sample; `ends` is the range, if it is known.
+    """Verdicts (V,) at the first sample, or at another; `ends` is the range, if it is known.
 
     A verdict is vacuous if it would be another one had every window that falls between two
     samples counted the other way: it says something about the sampling, not about the signals.
     """
-    found = _decided(formula, trace, *(ends or range_at_start(formula, trace)), False)
+    known = ends or range_at_start(formula, trace, sample=sample)
+    found = _decided(formula, trace, *known, False, sample)
     if not operators_between_samples(formula, trace):
         return found
-    reverse = range_at_start(formula, trace, reverse_empty=True)
-    other = _decided(formula, trace, *reverse, True)
+    reverse = range_at_start(formula, trace, reverse_empty=True, sample=sample)
+    other = _decided(formula, trace, *reverse, True, sample)
     return np.where((found != "unknown") & (found != other), "vacuous", found)
 
 
@@ -68,12 +73,13 @@ def _decided(
     lo: FloatArray,
     hi: FloatArray,
     reverse_empty: bool,
+    sample: int,
 ) -> NDArray[np.str_]:
     """Verdicts (V,) by the range (lo, hi): both ends of it satisfy the formula, none, or one."""
 
     @cache
     def boolean() -> tuple[FloatArray, FloatArray]:
-        return range_at_start(formula, trace, BOOLEAN, reverse_empty=reverse_empty)
+        return range_at_start(formula, trace, BOOLEAN, reverse_empty=reverse_empty, sample=sample)
 
     always = is_satisfied(lo, lambda rows: boolean()[0][rows] > 0)
     ever = is_satisfied(hi, lambda rows: boolean()[1][rows] > 0)
