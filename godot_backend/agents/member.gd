@@ -95,8 +95,7 @@ func _leave(leaves: bool) -> void:
 		return
 	agent.has_left = leaves
 	agent.body.visible = not leaves
-	agent.body.collision_layer = 0 if leaves else Vehicle.BODY_LAYER
-	agent.body.collision_mask = 0 if leaves else Vehicle.GROUND_LAYER | Vehicle.BODY_LAYER
+	agent.body.be_present(not leaves)
 
 
 ## Who has touched something is moved by physics, and brakes.

@@ -147,14 +147,19 @@ func place(at: Vector3, toward: float, forward_speed: float) -> void:
 	angular_velocity = Vector3.ZERO
 
 
+## What is not present touches nothing.
+func be_present(present: bool) -> void:
+	collision_layer = BODY_LAYER if present else 0
+	collision_mask = GROUND_LAYER | BODY_LAYER if present else 0
+
+
 ## Goes on as another body, which may be that of a walker.
 func go_on(other: PhysicsBody3D) -> void:
 	place(other.global_position, other.call("heading"), other.call("speed"))
-	collision_layer = other.collision_layer
+	be_present(other.collision_layer != 0)
 	if not other is Vehicle:
 		return
 	var car := other as Vehicle
-	collision_mask = car.collision_mask
 	global_transform = car.global_transform
 	linear_velocity = car.linear_velocity
 	angular_velocity = car.angular_velocity

@@ -1,12 +1,21 @@
 extends AnimatableBody3D
-## Someone on foot: moves as told, pushed by nothing.
+## Someone on foot: walks as told, until a vehicle strikes. Then the vehicle loses as much momentum
+## as the walker gets, who slides to a stop and lies there.
 
+const Walker := preload("res://agents/walker.gd")
 const Looks := preload("res://build/looks.gd")
 
 const HEIGHT := 1.75
 const RADIUS := 0.25
 const GROUND_LAYER := 1
-const BODY_LAYER := 2
+const VEHICLE_LAYER := 2
+const WALKER_LAYER := 4
+## Kilograms, of somebody 1.75 m tall; others weigh as much by volume.
+const MASS := 75.0
+## m/s of a vehicle toward who walks, below which it only touches.
+const STRIKING_SPEED := 1.0
+## m/s^2: how fast it comes to rest who was struck.
+const SLIDING := 6.0
 ## Steps up to this high are taken.
 const STEP := 0.3
 
@@ -16,24 +25,41 @@ var wheelbase := 0.5
 var _speed := 0.0
 var _heading := 0.0
 var _height := HEIGHT
+var _is_struck := false
+var _thrown := Vector3.ZERO
+var _touched: Array[Array] = []
+var _feeler := Area3D.new()
 
 
 func assemble(height: float, clothes: Color) -> void:
 	_height = height
 	size.y = height
 	sync_to_physics = false
-	collision_layer = BODY_LAYER
-	var capsule := CapsuleShape3D.new()
-	capsule.radius = RADIUS
-	capsule.height = height
-	var collision := CollisionShape3D.new()
-	collision.shape = capsule
-	collision.position.y = 0.5 * height
-	add_child(collision)
+	collision_layer = WALKER_LAYER
+	collision_mask = 0
+	add_child(_capsule(height))
+	_feeler.collision_layer = 0
+	_feeler.collision_mask = VEHICLE_LAYER
+	_feeler.monitorable = false
+	_feeler.add_child(_capsule(height))
+	_feeler.body_shape_entered.connect(_on_touched)
+	add_child(_feeler)
 	_add_look(clothes)
 
 
+## Puts the walker somewhere, on their feet.
 func place(at: Vector3, toward: float, forward_speed: float) -> void:
+	_is_struck = false
+	_touched.clear()
+	_put(at, toward, forward_speed)
+
+
+## What is not present touches nothing.
+func be_present(present: bool) -> void:
+	collision_layer = WALKER_LAYER if present else 0
+
+
+func _put(at: Vector3, toward: float, forward_speed: float) -> void:
 	_heading = toward
 	_speed = forward_speed
 	var ground := Vector3(at.x, _ground_below(at), at.z)
@@ -42,13 +68,16 @@ func place(at: Vector3, toward: float, forward_speed: float) -> void:
 
 ## Goes on as another body, which may be that of a vehicle.
 func go_on(other: PhysicsBody3D) -> void:
-	collision_layer = other.collision_layer
 	place(other.global_position, other.call("heading"), other.call("speed"))
+	be_present(other.collision_layer != 0)
+	if other is Walker:
+		_is_struck = (other as Walker)._is_struck
+		_thrown = (other as Walker)._thrown
 
 
 ## Moves it to a place, in the time of one step.
 func carry(at: Vector3, toward: float, dt: float) -> void:
-	place(at, toward, (at - global_position).slide(Vector3.UP).length() / dt)
+	_put(at, toward, (at - global_position).slide(Vector3.UP).length() / dt)
 
 
 func let_go() -> void:
@@ -71,10 +100,13 @@ func pace(meters_per_second: float) -> void:
 
 ## Walks on for one step.
 func command(steer: float, acceleration: float, dt: float) -> void:
+	if _is_struck:
+		_slide(dt)
+		return
 	_speed = maxf(0.0, _speed + acceleration * dt)
 	var toward := _heading + _speed * tan(clampf(steer, -1.2, 1.2)) / wheelbase * dt
 	var step := Vector3(cos(toward), 0.0, -sin(toward)) * _speed * dt
-	place(global_position + step, toward, _speed)
+	_put(global_position + step, toward, _speed)
 
 
 func steer_angle() -> float:
@@ -91,12 +123,17 @@ func heading() -> float:
 
 ## Over the ground: x east, y north.
 func ground_velocity() -> Vector2:
+	if _is_struck:
+		return Vector2(_thrown.x, -_thrown.z)
 	return Vector2.from_angle(_heading) * _speed
 
 
-## Nobody on foot feels a touch: what they touch does.
+## The vehicles that it has begun to touch since the last call, with the numbers of their shapes.
 func take_touched() -> Array[Array]:
-	return []
+	var out := _touched
+	if not _touched.is_empty():
+		_touched = []
+	return out
 
 
 func wheels_down() -> int:
@@ -105,6 +142,45 @@ func wheels_down() -> int:
 
 func set_friction(_friction: float) -> void:
 	pass
+
+
+func _on_touched(_rid: RID, other: Node, shape: int, _own: int) -> void:
+	if collision_layer == 0:
+		return
+	_touched.append([other, shape])
+	if other is RigidBody3D and not (other as RigidBody3D).freeze:
+		_give_way(other as RigidBody3D)
+
+
+## Both go on with their common velocity.
+func _give_way(vehicle: RigidBody3D) -> void:
+	var theirs := vehicle.linear_velocity.slide(Vector3.UP)
+	var ours := Vector3(cos(_heading), 0.0, -sin(_heading)) * _speed
+	var toward := (global_position - vehicle.global_position).slide(Vector3.UP).normalized()
+	if (theirs - ours).dot(toward) < STRIKING_SPEED:
+		return
+	var mass := MASS * pow(_height / HEIGHT, 3.0)
+	var common := (mass * ours + vehicle.mass * theirs) / (mass + vehicle.mass)
+	vehicle.linear_velocity += common - theirs
+	_thrown = common
+	_speed = common.length()
+	_is_struck = true
+
+
+func _slide(dt: float) -> void:
+	_thrown = _thrown.normalized() * maxf(_thrown.length() - SLIDING * dt, 0.0)
+	_put(global_position + _thrown * dt, _heading, _thrown.length())
+	transform.basis = transform.basis * Basis(Vector3.RIGHT, -0.5 * PI)
+
+
+func _capsule(height: float) -> CollisionShape3D:
+	var capsule := CapsuleShape3D.new()
+	capsule.radius = RADIUS
+	capsule.height = height
+	var collision := CollisionShape3D.new()
+	collision.shape = capsule
+	collision.position.y = 0.5 * height
+	return collision
 
 
 ## Height of what can be stood on, at a place.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ import pytest
 
 from roadlang.api import Control, Observation, Scene, SceneActor, SceneRoad, Trace
 from roadlang.ir.scene import Call
+from roadlang_godot import driving
+from roadlang_godot.layout import layout_of
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_batch, drive_in
 from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
@@ -108,6 +111,33 @@ def test_a_follower_keeps_its_distance(session: Session) -> None:
     assert gap.min() > 2.0
     assert trace.agents["ego"].speed[-1] == pytest.approx(8.0, abs=0.3)
     assert gap[-1] == pytest.approx(2.0 + 8.0 * 1.5, abs=3.0)
+
+
+@pytest.mark.parametrize("height", [1.0, 1.75])
+def test_who_is_struck_gives_way_and_takes_momentum(session: Session, height: float) -> None:
+    main = road("main", pieces(straight(120)), width=8.0)
+    stands = car("walker", main, 40.0, kind="pedestrian", offset=0.0)
+    walker = replace(stands, height=height)
+    ego = replace(car("ego", main, 20.0, call("brake", deceleration=0.1)), start_speed=15.0)
+    made = layout_of(scene(main, agents=[ego, walker]), python_driven={"ego", "walker"})
+    session.begin(made.settings(60), clear=True)
+    session.update(made.parts)
+    states = []
+    with driving.LockStep(session) as lock:
+        for _ in range(240):
+            controls = {number: driving.EngineControl.steer(0.0, 0.0) for number in (1, 2)}
+            states.append(lock.step(controls))
+    (contact,) = np.concatenate([state.contacts for state in states])
+    speeds = np.array([state.poses["speed"] for state in states])
+    struck = int(np.diff(speeds[:, 0]).argmin()) + 1
+    before, after = speeds[struck - 1, 0], speeds[struck, 0]
+    mass = 75.0 * (height / 1.75) ** 3
+    assert contact["speed"] == pytest.approx(before, rel=0.02)
+    assert after / before == pytest.approx(1200.0 / (1200.0 + mass), rel=0.01)
+    assert speeds[struck, 1] == pytest.approx(after, rel=0.02)
+    x = np.array([state.poses["x"][1] for state in states])
+    assert speeds[-1, 1] == 0.0
+    assert x[-1] - x[0] == pytest.approx(after**2 / 12.0, rel=0.05), "slides with 6 m/s^2"
 
 
 def test_a_pedestrian_crosses_and_a_car_that_does_not_look_touches_it(session: Session) -> None:
