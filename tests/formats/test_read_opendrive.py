@@ -356,3 +356,14 @@ def test_entities_are_refused_before_they_grow(tmp_path: Path) -> None:
     path.write_text(f'<?xml version="1.0"?>\n{bomb}]>\n<OpenDRIVE>&j;</OpenDRIVE>')
     with pytest.raises(roadlang.DiagnosticError, match="entity `a`"):
         OpenDriveMap().read(path)
+
+
+def test_links_to_roads_that_are_elsewhere_join_nothing(tmp_path: Path) -> None:
+    far = straight(1, 0, 0, inside=link(successor="road 2 start")), straight(2, 160, 0)
+    path = tmp_path / "town.xodr"
+    path.write_text(xodr(*far))
+    found = OpenDriveMap().read(path)
+    assert found.network.junctions == ()
+    assert found.remarks == (
+        "road 1 (line 4) leads to road 2, which is 100 m away: they are not joined",
+    )

@@ -34,7 +34,8 @@ def network_of(file: MapFile) -> Extraction:
     if not outside:
         raise file.fault(file.root, "all its roads are parts of junctions")
     numbers = numbered([road.record.id for road in outside])
-    junctions = TurnReader(file, roads, numbers).junctions(record.junctions)
+    reader = TurnReader(file, roads, numbers)
+    junctions = reader.junctions(record.junctions)
     nodes, at = _nodes(outside)
     edges = []
     for road in outside:
@@ -54,7 +55,7 @@ def network_of(file: MapFile) -> Extraction:
             )
         )
     network = RoadNetwork(nodes, tuple(edges), record.origin, junctions)
-    return Extraction(network, remarks=_remarks(record))
+    return Extraction(network, remarks=(*_remarks(record), *reader.remarks))
 
 
 def numbered(ids: Sequence[str]) -> Mapping[str, int]:

@@ -23,6 +23,8 @@ class TurnReader:
 
     def __init__(self, file: MapFile, roads: Roads, numbers: Mapping[str, int]) -> None:
         self._file, self._roads, self._numbers = file, roads, numbers
+        self.remarks: dict[str, None] = {}
+        """what is strange about the links, once each"""
 
     def junctions(self, records: Mapping[str, JunctionRecord]) -> tuple[MapJunction, ...]:
         """Those of the file, then the joints of roads that follow one another."""
@@ -49,9 +51,8 @@ class TurnReader:
                 if link is None or link.kind == "junction":
                     continue
                 self._require_road(self._roads[id].record, link.id)
-                self._require_near((id, end), (link.id, link.contact))
-                if link.id in self._numbers:
-                    pair = (id, end), (link.id, link.contact)
+                pair = (id, end), (link.id, link.contact)
+                if link.id in self._numbers and self._are_near(*pair):
                     found.setdefault(frozenset(pair), pair)
         return [pair for pair in found.values() if pair[0] != pair[1]]
 
@@ -60,12 +61,16 @@ class TurnReader:
             reason = f"road `{road.id}` leads to road `{id}`, which does not exist"
             raise self._file.fault(road.element.first("link") or road.element, reason)
 
-    def _require_near(self, one: RoadEnd, other: RoadEnd) -> None:
+    def _are_near(self, one: RoadEnd, other: RoadEnd) -> bool:
+        """Whether two ends meet; if not, that is remarked on: maps have such links."""
         gap = math.dist(*(self._roads[id].point(end) for id, end in (one, other)))
         if gap > _FARTHEST:
-            road = self._roads[one[0]].record
-            reason = f"road `{road.id}` leads to road `{other[0]}`, which is {gap:.3g} m away"
-            raise self._file.fault(road.element.first("link") or road.element, reason)
+            line = self._file.line(self._roads[one[0]].record.element)
+            found = (
+                f"road {one[0]} (line {line}) leads to road {other[0]}, which is {gap:.3g} m away"
+            )
+            self.remarks.setdefault(f"{found}: they are not joined")
+        return gap <= _FARTHEST
 
     def _passed(self, one: RoadEnd, other: RoadEnd) -> Iterator[MapTurn]:
         """Both ways between the lanes of two roads that are linked."""
@@ -108,8 +113,10 @@ class TurnReader:
         if after is None or after.kind != "road" or after.id not in self._roads:
             return
         at = self._incoming_end(item, junction, before.contact if before else None)
-        self._require_near((item.connecting, enters), at)
-        self._require_near((item.connecting, leaves), (after.id, after.contact))
+        if not self._are_near((item.connecting, enters), at):
+            return
+        if not self._are_near((item.connecting, leaves), (after.id, after.contact)):
+            return
         lanes = item.lanes or tuple((b, a) for a, b in self._links((item.connecting, enters)))
         onward = dict(self._links((item.connecting, leaves)))
         passing = {track: id for id, track in connecting.ids[leaves].items()}
@@ -143,8 +150,7 @@ class TurnReader:
     ) -> Iterator[MapTurn]:
         """Of a junction without connecting roads."""
         at, other = self._incoming_end(item, junction, None), (item.connecting, item.contact)
-        self._require_near(at, other)
-        for a, b in item.lanes:
+        for a, b in item.lanes if self._are_near(at, other) else ():
             first, second = self._lane_end(at, a), self._lane_end(other, b)
             if first is not None and second is not None:
                 yield MapTurn(first, second)

@@ -1,0 +1,1 @@
+"""Commands for people who have a map and no scene file."""

@@ -1,0 +1,54 @@
+"""The scene that a file holds: a map, a scene, or the first scene of a scene file."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from roadlang.commands import report
+
+if TYPE_CHECKING:
+    import roadlang
+
+SCENE_FILE = ".rl"
+
+
+def opened(name: str) -> roadlang.Scene:
+    """The scene of a file. Of a map it has the network alone, called `town`.
+
+    Prints what is remarkable. Raises DiagnosticError for what cannot be read.
+    """
+    import roadlang
+    from roadlang.api import read_input
+
+    path = Path(name)
+    if path.suffix.lower() == ".json" and _is_scene(read_input(path)):
+        return roadlang.Scene.from_json(read_input(path))
+    if path.suffix.lower() == SCENE_FILE:
+        loaded = roadlang.load(name)
+    else:
+        loaded = roadlang.loads(_scenario(path), folder=path.parent)
+    scenes = loaded.sample(1)
+    report(scenes.diagnostics)
+    return scenes[0]
+
+
+def _is_scene(content: bytes) -> bool:
+    """Whether a JSON file is a scene of roadlang; a reader of plugins may know others."""
+    try:
+        found = json.loads(content)
+    except (ValueError, RecursionError):
+        return True  # the reader of scenes says what is wrong
+    return isinstance(found, dict) and str(found.get("schema", "")).startswith("roadlang.scene/")
+
+
+def _scenario(path: Path) -> str:
+    if re.search(r'["\\\n\r]', path.name):
+        raise click.BadParameter(f"rename {path.name!r}: its name has a quote or a backslash")
+    word = re.sub(r"[^A-Za-z0-9_]+", "_", path.stem).strip("_")
+    name = word if re.match(r"[A-Za-z]", word) else f"map_{word}"
+    return f'scenario {name} "{path.name}"\nnetwork town from "{path.name}"\n'
