@@ -94,3 +94,10 @@ def test_pictures_turn_pixels_into_meters_with_y_up() -> None:
     assert edge.curve.at(np.array([0.0, 100.0])) == pytest.approx(line((0, 0), (100, 0)))
     assert edge.widths == pytest.approx([7, 7])
     assert picture.to_pixels(picture.to_world(line((3, 4)))) == pytest.approx(line((3, 4)))
+
+
+def test_a_long_leg_beside_a_short_one_does_not_bulge() -> None:
+    [road] = network_of_polylines([line((0, 0), (200, 0), (204, 3), (404, 3))]).edges
+    points = road.curve.at(np.linspace(0.0, road.curve.length, 2000))
+    assert points[:, 1].min() > -0.5
+    assert points[:, 1].max() < 3.5

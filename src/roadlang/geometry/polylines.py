@@ -11,6 +11,7 @@ from .arrays import FARTHEST, Floats, Integers, finite_points, norm
 from .curve import Curve
 from .errors import GeometryError
 from .network import Edge, Node, RoadNetwork
+from .waypoint_curve import through_waypoints
 
 DEFAULT_WIDTH = 7.0
 """Meters: two lanes of 3.5 m, where a source tells no width."""
@@ -21,7 +22,8 @@ def network_of_polylines(
     width: float | Sequence[ArrayLike] | None = None,
     tolerance: float = 1e-6,
 ) -> RoadNetwork:
-    """The network of polylines, each (n, 2) points in meters, smoothed by splines through them.
+    """The network of polylines, each (n, 2) points in meters, smoothed by splines through them
+    that keep to the straight line where a line has legs of very different lengths.
 
     Ends no farther apart than `tolerance` become one node, at their mean; a line whose two ends are
     one and that has four points or more is a loop. Edges are numbered from 1, in the order of the
@@ -80,7 +82,7 @@ def _curve(line: Floats, start: Floats, end: Floats, joined: bool) -> Curve:
     closed = joined and len(line) > 3
     points = line.copy()
     points[0], points[-1] = start, end
-    return Curve.through(points[:-1] if closed else points, closed=closed)
+    return through_waypoints(points[:-1] if closed else points, closed)
 
 
 def _groups(points: Floats, tolerance: float) -> Integers:

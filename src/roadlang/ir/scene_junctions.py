@@ -18,7 +18,8 @@ class SceneArm:
     end: Literal["start", "end"]
     """which end of the road"""
     trim: float
-    """how far from its node the road begins, meters"""
+    """how far from its node the road begins, meters of its `reference_stations`: the same in all
+    variants; `SceneRoad.trim` has the place in the road's own stations"""
     left: int
     """index in the area of the left corner of the face where the road begins, seen from inside"""
     right: int

@@ -70,7 +70,8 @@ class SceneRoad:
     network; not for what only runs over roads that are"""
     trim: tuple[float, float] = (0.0, 0.0)
     """of a road of a network: how far from its start and from its end the junctions there reach,
-    meters of its stations; between lies the road"""
+    meters of its `stations`; between lies the road. `SceneArm.trim` has the same place in its
+    `reference_stations`"""
     lane_list: tuple[SceneLane, ...] = field(default=(), repr=False)
     """its lanes from left to right; empty in a scene of an earlier version: `lanes` equal ones"""
     center_marking: Literal["solid", "broken", "double", "none", "curb"] = "broken"

@@ -43,7 +43,7 @@ def _crossing(arm: SceneArm, ring: Floats, road: SceneRoad) -> Floats | None:
     if not walked or not driven or not walked[0] < driven[0] <= driven[-1] < walked[-1]:
         return None
     first, last = walked[0] + 1, walked[-1]
-    station = arm.trim if arm.end == "start" else road.length - arm.trim
+    station = road.trim[0] if arm.end == "start" else road.length - road.trim[1]
     borders = section.border_offsets(station)
     left, right = ring[arm.left], ring[arm.right]
     outer = float(borders[0] - borders[-1])

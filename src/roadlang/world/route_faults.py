@@ -78,7 +78,10 @@ def _unreachable(
     if options and isinstance(shortest_route(lanes, stages), PlannedRoute):
         help_ = f"without {' and '.join(options)} there is one"
     elif isinstance(shortest_route(lanes, leg[::-1]), PlannedRoute):
-        help_ = "there is one in the other direction only"
+        help_ = (
+            "there is one in the other direction only, and a route does not turn back on a road: "
+            "name a point by which it comes round"
+        )
     else:
         roads = sorted({lanes.lanes[place.lane].edge for place in leg[0]})
         names = ", ".join(f"`{actor.on}/{road}`" for road in roads)

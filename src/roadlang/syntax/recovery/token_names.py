@@ -13,7 +13,9 @@ def expectation(place: ErrorPosition) -> str:
     """The kinds of token that would fit, in words."""
     kinds = place.expected()
     parts: list[str] = []
-    if "NUMBER" in kinds:
+    if kinds == {"NUMBER"}:
+        parts.append("the number of a copy, such as `0`")
+    elif "NUMBER" in kinds:
         parts.append("a formula" if _after_logic(place) else "a value")
     elif _names_an_item(place, kinds):
         parts.append("an option" if "RBRACE" in kinds else "a name")
@@ -42,6 +44,8 @@ def _after_logic(place: ErrorPosition) -> bool:
 
 def _signs(kinds: set[str], parts: list[str]) -> list[str]:
     signs = [f"`{SIGNS[kind]}`" for kind in SIGNS if kind in kinds and kind not in OPERATOR_KINDS]
+    if "DOT" in kinds:  # after a name; that one copy of a group may be meant goes without saying
+        signs = [sign for sign in signs if sign != "`[`"]
     if parts and ("value" in parts[0] or "formula" in parts[0]):
         signs = [sign for sign in signs if sign in ("`)`", "`]`", "`}`")]
     words = [f"`{kind.lower()}`" for kind in ("WITH", "FROM", "IS", "ON", "AT") if kind in kinds]
