@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from roadlang import DiagnosticError
+from roadlang.diagnostics.renamed_names import OldName
 from tests.golden.scene_views import SEED, loaded, sampled
 from tests.golden.summaries import array, number, plain
 
@@ -92,7 +93,7 @@ def _members(value: Any) -> Iterator[str]:
         if name.startswith("_") or name in _LEFT_OUT:
             continue
         if isinstance(found, property | cached_property) or not callable(found):
-            if not isinstance(found, classmethod | staticmethod):
+            if not isinstance(found, classmethod | staticmethod | OldName):
                 yield name
         elif inspect.isfunction(found):
             parameters = list(inspect.signature(found).parameters.values())[1:]
