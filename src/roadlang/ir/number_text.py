@@ -10,13 +10,26 @@ from typing import Any
 def floats_text(values: Sequence[float], separator: str = ", ") -> str:
     """Floating point numbers as the items of a JSON list; `null` where one is not finite."""
     text: str = _encoder().encode(values).decode()[1:-1]
-    if "e" not in text and _SMALL[0] not in text:
-        return text.replace(",", separator)
-    parts = text.split(",")
-    for place, part in enumerate(parts):
-        if "e" in part or part.startswith(_SMALL):
-            parts[place] = repr(values[place])
-    return separator.join(parts)
+    if "e" in text or _SMALL in text:
+        text = _as_python_writes(text)
+    return text.replace(",", separator)
+
+
+def _as_python_writes(text: str) -> str:
+    """The same numbers; those with an exponent, or so small that Python would write one, anew."""
+    text = f",{text},"
+    places: set[int] = set()
+    for sign in ("e", f",{_SMALL}", f",-{_SMALL}"):
+        at = text.find(sign)
+        while at >= 0:
+            places.add(text.rfind(",", 0, at + 1))
+            at = text.find(sign, at + 1)
+    parts, last = [], 0
+    for place in sorted(places):
+        end = text.index(",", place + 1)
+        parts += [text[last : place + 1], repr(float(text[place + 1 : end]))]
+        last = end
+    return "".join([*parts, text[last:]])[1:-1]
 
 
 def is_floats(values: Sequence[Any]) -> bool:
@@ -24,7 +37,7 @@ def is_floats(values: Sequence[Any]) -> bool:
     return set(map(type, values)) == {float}
 
 
-_SMALL = ("0.0000", "-0.0000")
+_SMALL = "0.0000"
 """How msgspec writes some numbers that Python writes with an exponent."""
 
 
