@@ -82,10 +82,16 @@ class Bodies:
     ) -> Bodies:
         """`friction`: of the road below each; `kinds`: by the name of the kind."""
         defaults = Body()
-        rows = [
-            _row(actor, kinds.get(actor.kind, defaults), max(mu, LEAST_FRICTION), dt)
-            for actor, mu in zip(actors, friction, strict=True)
-        ]
+        known: dict[Any, tuple[float, ...]] = {}
+        rows = []
+        for actor, mu in zip(actors, friction, strict=True):
+            # Scenes of one file share the options of agents that have the same.
+            size = actor.length, actor.width, actor.height
+            key = actor.kind, id(actor.options), *size, mu
+            if key not in known:
+                body = kinds.get(actor.kind, defaults)
+                known[key] = _row(actor, body, max(mu, LEAST_FRICTION), dt)
+            rows.append(known[key])
         columns = np.ascontiguousarray(np.array(rows, dtype=np.float64).reshape(len(rows), -1).T)
         names = [field.name for field in fields(cls)]
         values: dict[str, Any] = dict(zip(names, columns, strict=True))

@@ -86,10 +86,9 @@ def plain_line(
     """The line of an agent without a route: all of its road (None: it is on none), with a leg for
     each of its speed zones."""
     length = source.length
-    starts = [0.0] if road is None else [zone.start for zone in road.zones()]
-    bounds = np.array([0.0, *starts[1:], length])
+    starts = [] if road is None else [zone.start for zone in road.speed_zones[1:]]
     legs = []
-    for zone, stations in enumerate(itertools.pairwise(bounds)):
+    for zone, stations in enumerate(itertools.pairwise((0.0, *starts, length))):
         ends = np.array(stations)
         limit = math.inf if road is None else speed_limit(road, lane, zone)
         along = length - ends[::-1] if backward else ends

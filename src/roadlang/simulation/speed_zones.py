@@ -38,9 +38,8 @@ class SpeedZones:
 
 def has_limit(road: SceneRoad) -> bool:
     """Whether any lane of a road has a speed limit anywhere."""
-    zones = (zone.speed_limit for zone in road.zones())
-    limits = (*zones, *(lane.speed_limit for lane in road.lane_list))
-    return any(limit is not None for limit in limits)
+    of_road = any(zone.speed_limit is not None for zone in road.zones())
+    return of_road or any(lane.speed_limit is not None for lane in road.lane_list)
 
 
 def _limit(limit: float | None) -> float:
