@@ -57,9 +57,9 @@ func _take(member: Member, body: Node, index: int, members: Array[Member], tick:
 	made.agent = member.agent.id
 	if holder is Objects:
 		made.other = (holder as Objects).id
-		made.index = index
+		made.index = (holder as Objects).number_of(body, index)
 		made.speed = member.velocity_before.length()
-		if _is_new([made.world, made.agent, made.other, index]):
+		if _is_new([made.world, made.agent, made.other, made.index]):
 			_add(made, [member])
 		return
 	for other in members:

@@ -7,6 +7,7 @@ const Protocol := preload("res://net/protocol.gd")
 const Reader := preload("res://net/reader.gd")
 const Server := preload("res://net/server.gd")
 const Stage := preload("res://build/stage.gd")
+const Objects := preload("res://build/objects.gd")
 const Agent := preload("res://agents/agent.gd")
 const Contacts := preload("res://agents/contacts.gd")
 const Member := preload("res://agents/member.gd")
@@ -76,6 +77,9 @@ func start(settings: Dictionary) -> String:
 		return "lock-step takes at most %d agents" % Telemetry.MOST_IN_A_STATE
 	mode = Mode.FREE if wanted == "free" else Mode.LOCKSTEP
 	_contacts.clear()
+	for stage: Stage in _stages.values():
+		for objects in stage.all(Protocol.OBJECTS):
+			(objects as Objects).reset()
 	for member in _members:
 		member.reset()
 	return ""
@@ -92,6 +96,15 @@ func refresh() -> void:
 			member.agent.body.set_friction(member.friction)
 		else:
 			member.reset()
+
+
+## Takes objects that came or changed while the run goes on.
+func take_objects(stage: Stage, id: int) -> void:
+	if mode == Mode.IDLE:
+		return
+	for objects in stage.all(Protocol.OBJECTS):
+		if objects.id == id:
+			(objects as Objects).reset()
 
 
 ## Ends the run of a client that is gone. Nothing is sent: who listens now asked for none of it.
@@ -115,6 +128,10 @@ func stop(reason: String, more: Dictionary = {}) -> void:
 
 
 func _rest() -> void:
+	for stage: Stage in _stages.values():
+		if is_instance_valid(stage):
+			for objects in stage.all(Protocol.OBJECTS):
+				(objects as Objects).rest()
 	for member in _members:
 		if is_instance_valid(member.agent):
 			member.agent.body.rest()

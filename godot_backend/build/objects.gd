@@ -1,5 +1,6 @@
 extends "res://build/thing.gd"
-## Things of one sort that stand still: drawn as instances of one mesh, solid where asked.
+## Things of one sort: drawn as instances of one mesh, solid where asked. They stand still, but for
+## those so light that vehicles push them away.
 
 const Protocol := preload("res://net/protocol.gd")
 const Props := preload("res://build/props.gd")
@@ -8,10 +9,17 @@ const Instances := preload("res://build/instances.gd")
 const FIELDS := 7
 const MAX_SIZE := 1000.0
 const TRUNK_RADIUS := 0.25
+## Kilograms of what is pushed away, by sort.
+const LIGHT := {"cone": 3.0}
+const GROUND_LAYER := 1
+const BODY_LAYER := 2
 
 var sort := ""
 
 var _multimesh: MultiMesh
+## Light things, and where each stands until it is struck.
+var _light: Array[RigidBody3D] = []
+var _homes: Array[Transform3D] = []
 
 
 func build(reader: Reader) -> String:
@@ -30,10 +38,35 @@ func build(reader: Reader) -> String:
 			return "an object's size is more than 0 and less than %d m" % MAX_SIZE
 		var origin := Vector3(records[at], records[at + 1], records[at + 2])
 		places.append(Transform3D(Basis(Vector3.UP, records[at + 3]).scaled_local(size), origin))
+	if solid and LIGHT.has(sort):
+		for place in places:
+			_add_light(place, color)
+		return ""
 	_add_instances(places, color)
 	if solid:
 		_add_bodies(places)
 	return ""
+
+
+## Puts back what was pushed away; from now on it can be.
+func reset() -> void:
+	for i in _light.size():
+		_light[i].freeze = false
+		_light[i].global_transform = _homes[i]
+		_light[i].linear_velocity = Vector3.ZERO
+		_light[i].angular_velocity = Vector3.ZERO
+
+
+## Nothing moves without a drive: else it would depend on the clock how light things stand.
+func rest() -> void:
+	for body in _light:
+		body.freeze = true
+
+
+## Which of the things a body is, or one of its shapes.
+func number_of(body: Node, shape: int) -> int:
+	var found := _light.find(body)
+	return shape if found < 0 else found
 
 
 ## The positions that the instances have.
@@ -45,7 +78,7 @@ func content() -> PackedByteArray:
 
 
 func places() -> Array[Transform3D]:
-	return Instances.places_of(_multimesh)
+	return Instances.places_of(_multimesh) if _light.is_empty() else _homes
 
 
 func _add_instances(places_given: Array[Transform3D], color: String) -> void:
@@ -53,6 +86,27 @@ func _add_instances(places_given: Array[Transform3D], color: String) -> void:
 	var instance := MultiMeshInstance3D.new()
 	instance.multimesh = _multimesh
 	add_child(instance)
+
+
+func _add_light(place: Transform3D, color: String) -> void:
+	var size := place.basis.get_scale()
+	var body := RigidBody3D.new()
+	body.mass = LIGHT[sort]
+	body.collision_layer = BODY_LAYER
+	body.collision_mask = GROUND_LAYER | BODY_LAYER
+	var collision := CollisionShape3D.new()
+	collision.shape = _shape(size)
+	collision.position.y = size.y * 0.5
+	body.add_child(collision)
+	var instance := MeshInstance3D.new()
+	instance.mesh = Props.mesh(sort, color)
+	instance.scale = size
+	body.add_child(instance)
+	body.transform = Transform3D(place.basis.orthonormalized(), place.origin)
+	body.freeze = true
+	add_child(body)
+	_light.append(body)
+	_homes.append(body.transform)
 
 
 func _add_bodies(places_given: Array[Transform3D]) -> void:

@@ -100,6 +100,8 @@ func _put(type: int, reader: Reader) -> String:
 		_view.scene_changed()
 		if type in [Protocol.AGENT, Protocol.WORLD, Protocol.SIGNALS]:
 			_simulation.refresh()
+		elif type == Protocol.OBJECTS:
+			_simulation.take_objects(stage, id)
 	return wrong
 
 

@@ -140,6 +140,30 @@ def test_who_is_struck_gives_way_and_takes_momentum(session: Session, height: fl
     assert x[-1] - x[0] == pytest.approx(after**2 / 12.0, rel=0.05), "slides with 6 m/s^2"
 
 
+def test_a_cone_is_pushed_away_and_stands_again_in_the_next_drive(session: Session) -> None:
+    main = road("main", pieces(straight(200)), width=8.0)
+    cones = [thing("cone", 40.0, y, 0.4, 0.4, 0.7, name=f"cone{y:+g}") for y in (-0.6, 0.6)]
+    ego = replace(car("ego", main, 10.0, call("pure_pursuit", speed=15.0)), start_speed=15.0)
+    layout = layout_of(scene(main, agents=[ego], objects=cones))
+    drives = []
+    for built_anew in (True, True, False):
+        if built_anew:
+            session.begin(layout.settings(60), clear=True)
+            session.update(layout.parts)
+        drives.append(driving.run(session, 300))
+    first, second, again = (drive.trace for drive in drives)
+    assert first["x"][-1] + layout.frame.x > 70.0
+    assert first["speed"].min() > 14.0
+    struck = drives[0].contacts
+    names = {layout.objects[int(c["other"])][int(c["index"])] for c in struck}
+    assert names == {"cone-0.6", "cone+0.6"}
+    assert first.tobytes() == second.tobytes()
+    assert struck.tobytes() == drives[1].contacts.tobytes()
+    assert len(drives[2].contacts) == len(struck), "they stand where they stood"
+    np.testing.assert_allclose(again["speed"], first["speed"], atol=0.2)
+    session.prove()
+
+
 def test_a_pedestrian_crosses_and_a_car_that_does_not_look_touches_it(session: Session) -> None:
     main = road("main", pieces(straight(200)))
     walker = car("walker", main, 60.0, call("crossing", speed=1.4), kind="pedestrian", offset=-4.5)
