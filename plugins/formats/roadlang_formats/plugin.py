@@ -9,7 +9,9 @@ from roadlang.api import hookimpl
 _KINDS = {
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "read opendrive": "read_opendrive:OpenDriveMap",
+    "read geojson": "read_geojson:GeoJson",
     "read osm": "read_osm:OpenStreetMap",
+    "read scene": "read_scene:SceneMap",
 }
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from roadlang.api import Extraction
+from roadlang.api import DiagnosticError, Extraction
 from roadlang.geometry import (
     CrossSection,
     Edge,
@@ -60,10 +60,20 @@ class Street:
 
 def network_of(file: MapFile, options: OsmOptions) -> Extraction:
     """Roads between the nodes that ways share. Raises RL479."""
-    extract = osm_extract(file)
+
+    def fault(reason: str, help: str = "") -> DiagnosticError:
+        return file.fault(file.root, reason, help)
+
+    return network_of_ways(osm_extract(file), options, fault)
+
+
+def network_of_ways(
+    extract: OsmExtract, options: OsmOptions, fault: Callable[..., DiagnosticError]
+) -> Extraction:
+    """The same of nodes and ways; `fault` makes what is raised for the whole of them."""
     streets = _streets(extract, options)
     if not streets:
-        raise file.fault(file.root, "it has no way that vehicles drive on")
+        raise fault("it has no way that vehicles drive on")
     used = {node for street in streets for node in street.nodes}
     origin = options.origin or _middle(extract, used)
     projection = LocalProjection(*origin)
@@ -73,7 +83,7 @@ def network_of(file: MapFile, options: OsmOptions) -> Extraction:
     farthest = max(points.values(), key=lambda point: math.hypot(*point))
     if math.hypot(*farthest) > _FARTHEST:
         reason = f"its ways lie up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
-        raise file.fault(file.root, reason, "name an `origin` nearby, or cut the extract smaller")
+        raise fault(reason, "name an `origin` nearby, or cut the extract smaller")
     network = _built(streets, points, options)
     network = replace(network, origin=origin)
     objects = buildings_of(extract, projection) if options.buildings else ()

@@ -19,10 +19,8 @@ class OsmNode:
 
 @dataclass(frozen=True, slots=True)
 class OsmWay:
-    """A line or outline through nodes, by their ids."""
+    """A line or outline through nodes, by the ids of these."""
 
-    element: MapElement
-    id: str
     nodes: tuple[str, ...]
     tags: Mapping[str, str]
 
@@ -58,7 +56,7 @@ def osm_extract(file: MapFile) -> OsmExtract:
         listed = [file.attribute(child, "ref") for child in element.all("nd")]
         # At the edge of an extract ways name nodes that it does not have.
         here = tuple(node for node in listed if node in nodes)
-        ways.append(OsmWay(element, id, here, _tags(element)))
+        ways.append(OsmWay(here, _tags(element)))
     return OsmExtract(nodes, tuple(ways))
 
 

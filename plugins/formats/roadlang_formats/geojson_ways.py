@@ -1,0 +1,89 @@
+"""Features of GeoJSON (RFC 7946) as ways: lines are streets, polygons may be buildings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from roadlang.api import DiagnosticError
+
+from .osm_map.records import OsmExtract, OsmNode, OsmWay
+
+Fault = Callable[[str], DiagnosticError]
+_DIGITS = 7
+"""Of degrees: points that agree to a centimeter are one."""
+_LINES = {"LineString": 0, "MultiLineString": 1, "Polygon": 1, "MultiPolygon": 2}
+"""Types of geometries, and how deeply their lists of points are nested."""
+
+
+def ways_of(content: Any, fault: Fault) -> OsmExtract:
+    """Nodes where points coincide, and ways with the properties of their features as tags. A line
+    that says no `highway` is a residential street."""
+    nodes: dict[str, OsmNode] = {}
+    ways = []
+    for number, feature in enumerate(_features(content, fault), start=1):
+        geometry = feature.get("geometry") or {}
+        kind = geometry.get("type") if isinstance(geometry, dict) else None
+        if kind not in _LINES:
+            continue
+        tags = _tags(feature.get("properties"))
+        if "Polygon" in kind:
+            tags = {key: value for key, value in tags.items() if key != "highway"}
+        else:
+            tags.setdefault("highway", "residential")
+        for line in _lines(geometry.get("coordinates"), _LINES[kind], number, fault):
+            ids = tuple(_node(point, nodes, number, fault) for point in line)
+            ways.append(OsmWay(ids, tags))
+    return OsmExtract(nodes, tuple(ways))
+
+
+def _features(content: Any, fault: Fault) -> Iterator[Mapping[str, Any]]:
+    kind = content.get("type") if isinstance(content, dict) else None
+    if kind == "Feature":
+        listed = [content]
+    elif kind == "FeatureCollection" and isinstance(content.get("features"), list):
+        listed = content["features"]
+    else:
+        raise fault("it is no FeatureCollection of GeoJSON")
+    for number, feature in enumerate(listed, start=1):
+        if not isinstance(feature, dict):
+            raise fault(f"feature {number} is no object")
+        yield feature
+
+
+def _tags(properties: Any) -> dict[str, str]:
+    if not isinstance(properties, dict):
+        return {}
+    found = properties.items()
+    return {
+        str(key): "yes" if value is True else str(value)
+        for key, value in found
+        if isinstance(value, str | int | float) and value is not False
+    }
+
+
+def _lines(coordinates: Any, depth: int, number: int, fault: Fault) -> Iterator[list[Any]]:
+    if not isinstance(coordinates, list):
+        raise fault(f"the coordinates of feature {number} are no list")
+    if not depth:
+        yield coordinates
+        return
+    for part in coordinates:
+        yield from _lines(part, depth - 1, number, fault)
+
+
+def _node(point: Any, nodes: dict[str, OsmNode], number: int, fault: Fault) -> str:
+    """The id of the node at a point, longitude first."""
+    numbers = point[:2] if isinstance(point, list) else []
+    if len(numbers) != 2 or not all(
+        isinstance(x, int | float) and math.isfinite(x) for x in numbers
+    ):
+        raise fault(f"feature {number} has a point that is no pair of numbers")
+    longitude, latitude = (round(float(x), _DIGITS) for x in numbers)
+    if abs(latitude) > 89.0 or abs(longitude) > 180.0:
+        place = f"{latitude:g}, {longitude:g} degrees"
+        raise fault(f"feature {number}: no place is at {place}")
+    id = f"{latitude} {longitude}"
+    nodes.setdefault(id, OsmNode(latitude, longitude, {}))
+    return id
