@@ -59,7 +59,7 @@ def extraction(
         RoadNetwork(nodes, tuple(edges)),
         tuple(_object(picture, object_) for object_ in objects),
         round(found.confidence, 4),
-        (*remarks, *found.remarks, *_doubts(found)),
+        (*remarks, *found.remarks, *_lone_cells(picture, found), *_doubts(found)),
         found.mask,
         tuple(errors),
         found.has_widths,
@@ -102,6 +102,25 @@ def _object(picture: Picture, drawn: LegendObject) -> FoundObject:
     return FoundObject(
         drawn.kind, float(x), float(y), drawn.length * scale, drawn.width * scale, -drawn.heading
     )
+
+
+def _lone_cells(picture: Picture, found: FoundNetwork) -> list[str]:
+    """That a cell of road without a neighbor is no road, with the places of at most five."""
+    if found.method != "cells":
+        return []
+    padded = np.pad(np.asarray(found.mask, dtype=bool), 1)
+    rows, columns = (slice(1, size - 1) for size in padded.shape)
+    around = sum(
+        np.roll(padded, (down, right), (0, 1))[rows, columns].astype(int)
+        for down in (-1, 0, 1)
+        for right in (-1, 0, 1)
+    )
+    row, column = np.nonzero(padded[rows, columns] & (around == 1))
+    places = picture.to_world(np.column_stack([column, row]).astype(np.float64))
+    return [
+        f"the road cell at ({x:.4g} m, {y:.4g} m) has no neighbor: a road has at least two cells"
+        for x, y in places[:5]
+    ]
 
 
 def _doubts(found: FoundNetwork) -> list[str]:
