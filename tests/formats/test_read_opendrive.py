@@ -201,6 +201,8 @@ def test_heights_and_origin_are_kept(tmp_path: Path) -> None:
     assert found.elevation[0] == pytest.approx(5.0)
     assert found.elevation[-1] == pytest.approx(11.0)
     assert scene.networks[0].origin == (48.1, 11.5)
+    again = sampled(tmp_path, OpenDriveBackend().files(scene)["xodr"])
+    assert again.networks[0].origin == (48.1, 11.5)
 
 
 def turns_of(scene: Scene) -> set[tuple[str, int, str, int]]:

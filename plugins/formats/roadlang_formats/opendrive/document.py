@@ -76,8 +76,19 @@ def _put_header(
         west=float(x.min()),
         vendor="roadlang",
     )
-    if geo_reference:
-        put(header, "geoReference").text = geo_reference
+    reference = geo_reference or _place(scene)
+    if reference:
+        put(header, "geoReference").text = reference
+
+
+def _place(scene: Scene) -> str:
+    """The projection of the map that the scene was made from, where it says where (0, 0) is."""
+    for network in scene.networks:
+        if network.origin is not None:
+            latitude, longitude = network.origin
+            at = f"+lat_0={latitude!r} +lon_0={longitude!r}"
+            return f"+proj=tmerc {at} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"
+    return ""
 
 
 def _name(part: OpenDriveRoad) -> str:
