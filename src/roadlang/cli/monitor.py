@@ -182,12 +182,13 @@ def _shown(values: list[float]) -> list[float | str]:
 def _dense_finding(
     formula: Formula, columns: Columns, path: str, semantics: Semantics
 ) -> dict[str, Any]:
-    """No window falls between two samples; what decides is not looked for."""
+    """No window falls between two samples."""
     from ..stl.dense.observed_rates import observed_sampling_error
 
     _, positions, signals = columns
     trace = formula.robustness(positions, signals, semantics=semantics)
-    ends = formula.range(positions, signals, semantics=semantics)
+    why = formula.explain(positions, signals, semantics=semantics)
+    explanation = why.to_json()
     error = observed_sampling_error(formula, positions, signals, semantics)
     shown = _shown(trace.tolist())
     lines = [] if error is None else [f"sampling error at most {error:.6g}, {_ASSUMPTION}"]
@@ -196,13 +197,13 @@ def _dense_finding(
         "formula": str(formula),
         "semantics": semantics,
         "robustness": shown[0],
-        "range": _shown([float(end) for end in ends]),
-        "verdict": str(formula.verdict(positions, signals, semantics=semantics)),
+        "range": explanation["range"],
+        "verdict": why.verdict,
         "sampling_error": error,
         "positions": positions,
         "trace": shown,
-        "explanation": {"between_samples": []},
-        "lines": ["", *lines],
+        "explanation": explanation,
+        "lines": [*why.lines(), *lines],
     }
 
 

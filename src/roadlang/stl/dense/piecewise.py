@@ -121,7 +121,8 @@ def together(
     is_crossing = ~np.isin(added, times)
     f, g = f.refined(added), g.refined(added)
     # Both have one value there, without the rounding of either: |f| is 0 where f is.
-    shared = np.where(_is_flat(g), g.at, np.where(_is_flat(f), f.at, (f.at + g.at) / 2))
+    with np.errstate(invalid="ignore"):
+        shared = np.where(_is_flat(g), g.at, np.where(_is_flat(f), f.at, (f.at + g.at) / 2))
     return f._through(is_crossing, shared), g._through(is_crossing, shared)
 
 

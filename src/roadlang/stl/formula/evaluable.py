@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from ..dense.evaluation import Semantics
     from ..dense.grids import GridsOrSignals
-    from ..evaluate.trace import FloatArray, Positions, Signals
+    from ..evaluate.trace import FloatArray, Positions
     from ..evaluate.verdicts import Range, Verdict
     from ..explain.explanation import Explanation
     from .formulas import Formula
@@ -147,12 +147,19 @@ class Evaluable:
     def explain(
         self,
         positions: Positions,
-        signals: Signals,
+        signals: GridsOrSignals,
         *,
         variant: int = 0,
         wrap: float | None = None,
+        semantics: Semantics = "sampled",
     ) -> Explanation:
         """What decides the robustness at the start of one variant, and where the formula fails."""
+        if semantics != "sampled":
+            from ..explain.dense_explanation import explain_between_samples
+
+            return explain_between_samples(
+                self._formula, positions, signals, semantics, variant=variant, wrap=wrap
+            )
         from ..explain.explanation import explain
 
         return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
