@@ -21,7 +21,7 @@ from .explanation import Explanation, Link
 _SIDES = (-1, 0, 1)
 
 
-class Moment(NamedTuple):
+class SidedTime(NamedTuple):
     """A time, counted from the start, or (`side` -1 or 1) the limit there from one side."""
 
     time: float
@@ -76,20 +76,20 @@ class _DenseFinder:
         self.end = float(evaluation.grids.span[-1])
         self.rounding = 1e3 * evaluation.grids.rounding()
 
-    def value(self, formula: f.Formula, at: Moment) -> float:
+    def value(self, formula: f.Formula, at: SidedTime) -> float:
         return _limit(self.evaluation.formula(formula), at)
 
-    def signal(self, name: str, at: Moment) -> float:
+    def signal(self, name: str, at: SidedTime) -> float:
         evaluation = self.evaluation
         linear = evaluation.semantics == "linear"
         return _limit(evaluation.grids.function(name, evaluation.variant, linear), at)
 
-    def chain(self, formula: f.Formula) -> tuple[list[tuple[f.Formula, Moment]], bool]:
+    def chain(self, formula: f.Formula) -> tuple[list[tuple[f.Formula, SidedTime]], bool]:
         """Sub-formulas and moments, and whether what decides is an empty window.
 
         The chain ends early where no moment that is looked at has the robustness.
         """
-        links = [(formula, Moment(0.0, 0))]
+        links = [(formula, SidedTime(0.0, 0))]
         while not isinstance(links[-1][0], f.Comparison | f.Truth):
             following = self._next(*links[-1])
             if following is None:
@@ -97,7 +97,7 @@ class _DenseFinder:
             links.append(following)
         return links, False
 
-    def _next(self, formula: f.Formula, at: Moment) -> tuple[f.Formula, Moment] | None:
+    def _next(self, formula: f.Formula, at: SidedTime) -> tuple[f.Formula, SidedTime] | None:
         rho = self.value(formula, at)
         if isinstance(formula, f.Not):
             return formula.operand, at
@@ -117,8 +117,8 @@ class _DenseFinder:
         return best
 
     def _moments(
-        self, part: f.Formula, formula: f.TemporalOperator, at: Moment
-    ) -> list[tuple[f.Formula, Moment]]:
+        self, part: f.Formula, formula: f.TemporalOperator, at: SidedTime
+    ) -> list[tuple[f.Formula, SidedTime]]:
         """The moments of the window among which the extremes of `part` are."""
         interval = formula.window or UNBOUNDED
         ends = [at.time - interval.hi, at.time - interval.lo]
@@ -131,14 +131,14 @@ class _DenseFinder:
         whole = f.And(formula.parts) if len(formula.parts) > 1 else part
         times = self.evaluation.formula(whole).times
         inside = times[(times > low) & (times < high)].tolist()
-        found = [Moment(time, side) for time in inside for side in _SIDES]
+        found = [SidedTime(time, side) for time in inside for side in _SIDES]
         edges = [] if low == high else [low, high]
-        found += [Moment(time, side) for time in edges for side in _SIDES]
-        found += [Moment(low, at.side)] if low == high else []
+        found += [SidedTime(time, side) for time in edges for side in _SIDES]
+        found += [SidedTime(low, at.side)] if low == high else []
         return [(part, moment) for moment in found]
 
     def stretches(
-        self, chain: list[tuple[f.Formula, Moment]], origin: float
+        self, chain: list[tuple[f.Formula, SidedTime]], origin: float
     ) -> tuple[ViolationInterval, ...]:
         """Around the deciding moment, for as long as the comparison fails."""
         last, at = chain[-1]
@@ -154,7 +154,7 @@ class _DenseFinder:
         first, final = _false_around(truth, at.time)
         margin = evaluation.formula(last)
         margins = [
-            (_limit(margin, Moment(time, side)), time)
+            (_limit(margin, SidedTime(time, side)), time)
             for time in {first, final, at.time, *margin.times.tolist()}
             if first <= time <= final
             for side in _SIDES
@@ -185,7 +185,7 @@ def _false_around(truth: PiecewiseLinear, time: float) -> tuple[float, float]:
     return float(truth.times[first]), float(truth.times[last])
 
 
-def _limit(function: PiecewiseLinear, at: Moment) -> float:
+def _limit(function: PiecewiseLinear, at: SidedTime) -> float:
     limits = function.limits(np.array([at.time]))
     return float(limits[at.side + 1][0])
 
