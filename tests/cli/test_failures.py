@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli.main import run
+from roadlang.session.failure_files import failure_in
 
 TEXT = """
 road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (90m, 25m), (90m, 80m)] }, width: 7m }
@@ -48,6 +49,26 @@ def test_the_simplest_scene_needs_its_speed_alone(
     assert f"  ego/drive 1/speed = {speed:.3g}\N{NO-BREAK SPACE}m/s" in printed
     assert after["draws"]["ego/at"] == 5.0
     assert after["draws"]["oak/offset"] == 2.0
+
+
+def test_a_failure_is_driven_as_it_was_found_when_the_plan_has_changed() -> None:
+    Path("bend.rl").write_text(TEXT.replace("random: 0%", "random: 0%, after_violation: 0.2s"))
+    assert run(["falsify", "bend.rl", "-o", "out", "--seed", "2"]) == 4
+    (found, *_) = json.loads(Path("out/failures/index.json").read_text())["failures"]
+    Path("bend.rl").write_text(TEXT.replace("random: 0%", "random: 0%, after_violation: 5s"))
+    again = failure_in("out/failures/0001.json")
+    assert dict(again.robustness) == found["robustness"]
+    assert again.drive.to_csv() == Path("out/failures/0001.trace.csv").read_text()
+
+
+def test_a_failing_scene_of_a_run_is_driven_as_long_as_the_run_drove_it() -> None:
+    assert run(["run", "bend.rl", "-n", "10", "-o", "out"]) == 4
+    again = failure_in("out/scene-0000.json")
+    assert again.drive.to_csv() == Path("out/scene-0000.trace.csv").read_text()
+
+
+def test_scenes_name_their_scene_file(failure: Path) -> None:
+    assert json.loads(failure.read_text())["provenance"]["source"] == "bend.rl"
 
 
 def test_choices_shrink_to_their_first_item_and_integers_toward_zero() -> None:

@@ -47,8 +47,9 @@ class Task:
     engine: str | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
     overrides: Mapping[str, str] = field(default_factory=dict)
-    after_violation: float = 2.0
-    """seconds that a drive goes on after all that is expected of it is violated"""
+    after_violation: float | None = 2.0
+    """seconds that a drive goes on after all that is expected of it is violated; None: it ends as
+    it would without a search"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,8 +165,10 @@ class Evaluator:
         """The scene, which says how it is driven in this search: alone it is the same drive."""
         task = self.task
         call = simulator_call(scene, task.registry, task.engine, task.options)
-        if self._can_end_early(call.kind) and call.options.get(AFTER_VIOLATION) is None:
-            options = {**call.options, AFTER_VIOLATION: task.after_violation}
+        seconds = task.after_violation
+        is_said = seconds is None or call.options.get(AFTER_VIOLATION) is not None
+        if not is_said and self._can_end_early(call.kind):
+            options = {**call.options, AFTER_VIOLATION: seconds}
             call = replace(call, options=options)
         return replace(scene, simulate=call)
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
-from ..falsification.evaluator import Evaluator, Proposal, Task
+from ..falsification.evaluator import AFTER_VIOLATION, Evaluator, Proposal, Task
 from ..falsification.outcome import Outcome
 from ..falsification.search_loop import SearchResult
 from ..falsification.settings import plan_of
@@ -43,7 +43,7 @@ def failure_in(file: str | Path, scene_file: str | Path | None = None) -> Failur
     plan, expects = plan_of(indexed, record.seed or 0, None, {"expects": record.expects or None})
     task = Task(
         loaded.scenario, loaded.registry, record.seed or 0, axes, expects, record.engine,
-        dict(record.options), loaded.params, plan.after_violation,
+        dict(record.options), loaded.params, _after_violation(scene),
     )  # fmt: skip
     evaluator = Evaluator(task)
     outcome = _evaluated(evaluator, proposal, scene, path, str(loaded.path))
@@ -51,6 +51,12 @@ def failure_in(file: str | Path, scene_file: str | Path | None = None) -> Failur
     found = Falsification(loaded, plan, evaluator, result).failures[0]
     found.rank = rank
     return found
+
+
+def _after_violation(scene: SceneRecord) -> float | None:
+    """How long the drive that failed went on: the plan in the scene file may have changed since."""
+    call = scene.simulate
+    return None if call is None else call.options.get(AFTER_VIOLATION)
 
 
 @dataclass(frozen=True)
