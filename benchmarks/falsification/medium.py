@@ -1,4 +1,4 @@
-"""Distinct failures of a lane keeper where about 1.2 % of the roads drawn at random fail.
+"""Distinct failures of a lane keeper where 1.1 to 1.4 % of the roads drawn at random fail.
 
 python -m benchmarks.falsification.medium [SEARCHER ...] [--seeds N] [--evaluations N]
 """
@@ -6,7 +6,7 @@ python -m benchmarks.falsification.medium [SEARCHER ...] [--seeds N] [--evaluati
 from .bent_road import lane_keeper
 from .comparison import compare
 
-FRICTION = 0.581
+FRICTION = 0.579
 
 if __name__ == "__main__":
     compare(lane_keeper(FRICTION))
