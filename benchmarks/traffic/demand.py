@@ -38,6 +38,8 @@ class Demand:
     cycles: int = 3
     speed: float = 13.89
     """m/s, the limit"""
+    seed: int = 1
+    """of the times at which cars come, and of what is random about drivers"""
 
     @property
     def duration(self) -> float:

@@ -41,7 +41,7 @@ def sumo_throughput(demand: Demand) -> int | None:
         _run(folder, sumo, "-n=net.xml", "-r=cars.xml", f"--end={demand.duration}",
              "--step-length=0.1", "--time-to-teleport=-1", "--vehroute-output=out.xml",
              "--vehroute-output.exit-times=true", "--vehroute-output.write-unfinished=true",
-             "--no-step-log=true", "--seed=1")  # fmt: skip
+             "--no-step-log=true", f"--seed={demand.seed}")  # fmt: skip
         found = ElementTree.parse(folder / "out.xml").getroot()
         routes = [one.find("route") for one in found.iter("vehicle")]
         return sum(1 for one in routes if one is not None and _has_left(one))

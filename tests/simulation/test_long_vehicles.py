@@ -89,6 +89,7 @@ network town from plan { lanes: 2 }
 
 def test_the_ground_that_a_bus_covers_is_that_of_its_corners() -> None:
     text = CORNER + "agent bus is bus on town { route: random, drive with traffic }"
+    text += "\nobject cone is cone at (0m, 0m)"  # who meets nobody needs no such ground
     scene = testing.sample(text, 1, seed=2)
     (driven,) = scene.run("builtin", duration=11.0)
     world = world_of([scene[0].record], {}, 0.02, 0.1)

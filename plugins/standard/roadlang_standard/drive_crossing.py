@@ -12,14 +12,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.geometry import Booleans, Floats
 
 WITHOUT_ROAD = 10.0
 """Meters to walk where there is no road to cross."""
+AHEAD, NEAR = 1.0, 12.0
+"""Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
+SHORTEST = 1.5
+"""Meters: what is shorter is no vehicle."""
 
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at a right angle and stop on the other side."""
+    """Cross the road at a right angle and stop on the other side. Who crosses looks out for nobody,
+    but does not walk into the side of a vehicle."""
 
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
@@ -49,7 +55,24 @@ class Crossing(Controller):
             toward = along + np.where(left < 0.0, 0.5 * np.pi, -0.5 * np.pi)
             state[:, 1] = np.where(new, np.where(on_road, across, WITHOUT_ROAD), state[:, 1])
             state[:, 2] = np.where(new, np.where(on_road, toward, seen.heading), state[:, 2])
-        pace = np.where(state[:, 0] < state[:, 1], self.speed, 0.0)
+        walks = (state[:, 0] < state[:, 1]) & ~_is_blocked(seen, state[:, 2])
+        pace = np.where(walks, self.speed, 0.0)
         state[:, 0] += pace * seen.step
         acceleration = (pace - seen.speed) / seen.step
         return ControlBatch(np.zeros(len(pace)), acceleration, state[:, 2].copy())
+
+
+def _is_blocked(seen: ObservationBatch, heading: Floats) -> Booleans:
+    """(N,) whether the next step would lead into a vehicle that is there already."""
+    import numpy as np
+
+    near = seen.nearby(NEAR)
+    ahead = 0.5 * seen.length + AHEAD
+    off_x = (seen.x + ahead * np.cos(heading))[:, None] - near.x
+    off_y = (seen.y + ahead * np.sin(heading))[:, None] - near.y
+    cosine, sine = np.cos(near.heading), np.sin(near.heading)
+    along, across = cosine * off_x + sine * off_y, cosine * off_y - sine * off_x
+    beside = 0.5 * seen.width[:, None]
+    inside = np.abs(along) < 0.5 * near.length + beside
+    inside &= np.abs(across) < 0.5 * near.width + beside
+    return np.asarray((inside & near.there & (near.length > SHORTEST)).any(axis=1))

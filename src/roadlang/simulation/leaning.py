@@ -34,14 +34,23 @@ def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
     if actor.length <= LONG:
         return line
     car = vehicle_parameters(actor)
-    base = 0.5 * car.wheelbase
-    front = base + 0.5 * actor.length
-    least = SPARE * math.hypot(car.wheelbase / math.tan(car.max_steering), base)
+    source, s, gone = leaned_source(
+        line.source, actor.length, 0.5 * car.wheelbase, car.max_steering
+    )
+    return RouteLine(source, tuple(_moved(leg, s, gone) for leg in line.legs))
+
+
+def leaned_source(
+    source: LineSource, length: float, base: float, max_steering: float
+) -> tuple[LineSource, Floats, Floats]:
+    """The line of the middle of a vehicle, and arc lengths of `source` with those of that line at
+    the same places. `base`: half of the wheelbase."""
+    front = base + 0.5 * length
+    least = SPARE * math.hypot(2.0 * base / math.tan(max_steering), base)
     gain = max(0.0, 0.25 * front * front - 0.5 * base * base)
-    source = line.source
     s = np.linspace(0.0, source.length, max(2, math.ceil(source.length / SPACING)) + 1)
     x, y, heading = _cut(source, s, least)
-    bend = _mean_bend(source, s, heading, actor.length)
+    bend = _mean_bend(source, s, heading, length)
     free = np.maximum(1.0 / np.maximum(np.abs(bend), 1e-6) - least, 0.0)
     left = np.sign(bend) * np.minimum(gain * np.abs(bend), free)
     turned = np.arctan2(np.gradient(left, s), np.maximum(1.0 - bend * left, 0.1))
@@ -50,8 +59,7 @@ def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
     if isinstance(width, np.ndarray):
         width = np.interp(s, source.s, width)
     gone = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-    shifted = LineSource(gone, x, y, heading + turned, width, source.closed)
-    return RouteLine(shifted, tuple(_moved(leg, s, gone) for leg in line.legs))
+    return LineSource(gone, x, y, heading + turned, width, source.closed), s, gone
 
 
 def _cut(source: LineSource, s: Floats, least: float) -> tuple[Floats, Floats, Floats]:

@@ -1,4 +1,4 @@
-"""The ground that long vehicles cover in bends, beside their lines and beyond their width."""
+"""The ground that vehicles cover in bends, beside their lines and beyond their width."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from .bodies import Bodies
-from .leaning import LONG
 from .lines import Lines
 
 STRAIGHT = 0.004
 """1/m: bends with less curvature do not matter."""
+LEAST = 0.2
+"""Meters: who covers less beyond its width, to the first order, fits everywhere."""
 SPREAD = 2.0
 """Meters along the line to each side for which a corner counts."""
 
 
 @dataclass(frozen=True)
 class Sweeps:
-    """Of N agents; T tables over the M cells of their lines. Table 0 is that of short vehicles, who
-    cover no more than their width."""
+    """Of N agents; T tables over the M cells of their lines. Table 0 is that of who covers no more
+    than its width."""
 
     table: Integers
     """(N,) the table of each agent"""
@@ -30,12 +31,12 @@ class Sweeps:
     right: Floats
 
     @classmethod
-    def of(cls, bodies: Bodies, lines: Lines, row: Integers, present: Booleans) -> Sweeps:
-        """`row`: (N,) the line of each agent."""
+    def of(cls, bodies: Bodies, lines: Lines, row: Integers, counts: Booleans) -> Sweeps:
+        """`row`: (N,) the line of each agent; `counts`: whether it may meet anybody."""
         table = np.zeros(len(row), dtype=np.int64)
         sides = [np.zeros((2, lines.cells))]
         known: dict[tuple[float, ...], int] = {}
-        for agent in np.flatnonzero(present & (bodies.length > LONG)).tolist():
+        for agent in np.flatnonzero(counts & ~bodies.walks).tolist():
             size = tuple(float(c[agent]) for c in (bodies.length, bodies.width, bodies.half_base))
             key = (float(row[agent]), *size)
             if key not in known:
@@ -63,17 +64,20 @@ class Sweeps:
 
 
 def _swept(lines: Lines, row: int, length: float, width: float, base: float) -> Floats | None:
-    """(2, M) meters to the left and right; None for a line without bends. The middle is on the
-    line, and the vehicle points along the line at its rear axle."""
+    """(2, M) meters to the left and right; None for a line without bends that matter. The middle is
+    on the line, and the vehicle points along the line at its rear axle; in a bend of curvature `k`,
+    with `f` meters from there to its front, it covers `(f^2 - base^2) k / 2` more outside."""
     first, last = row * lines.cells, int(lines.last[row])
     nodes = slice(first, first + last + 1)
     spacing = float(lines.spacing[row])
     around = math.ceil((0.5 * length + SPREAD) / spacing)
-    is_bend = np.abs(lines.seen_curvature[nodes]) > STRAIGHT
+    bend = np.abs(lines.seen_curvature[nodes])
+    front = base + 0.5 * length
+    if 0.5 * (front * front - base * base) * float(bend.max()) < LEAST:
+        return None
+    is_bend = bend > STRAIGHT
     wide = np.convolve(is_bend, np.ones(2 * around + 1))
     near = wide[around : around + last + 1] > 0.0
-    if not is_bend.any():
-        return None
     x, y, heading = (column[nodes] for column in (lines.x, lines.y, lines.heading))
     middle = np.flatnonzero(near)
     body = np.interp(middle - base / spacing, np.arange(last + 1), heading)

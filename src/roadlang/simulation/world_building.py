@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..geometry.arrays import Booleans
 from ..ir.scene import Scene, SceneActor
 from .arrivals import Arrivals
 from .bodies import Bodies, Body
@@ -93,6 +94,11 @@ def _slot(
     return _Slot(actor, rows[key], rows[key, lane], number, float(friction))
 
 
+def _crowded(scenes: tuple[Scene, ...]) -> Booleans:
+    """(S,) where an agent may meet another, or an object."""
+    return np.array([len(scene.agents) + len(scene.objects) > 1 for scene in scenes], dtype=bool)
+
+
 def _started(
     scenes: tuple[Scene, ...],
     slots: int,
@@ -127,7 +133,7 @@ def _started(
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
-        Sweeps.of(bodies, lines, row, present),
+        Sweeps.of(bodies, lines, row, present & np.repeat(_crowded(scenes), slots)),
         has_road, has_route, backward, road, lateral, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),

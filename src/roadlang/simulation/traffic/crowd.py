@@ -14,9 +14,11 @@ from ..crossings import Crossings
 from ..signal_lights import Lights
 from .approaches import Approaches
 from .grants import Grants
-from .junction_tables import RIGHT_FIRST, JunctionTables
+from .junction_tables import RIGHT_FIRST, SIGNALS, JunctionTables
 from .meetings import Meetings
 from .rings import Rings
+from .swept_conflicts import SweptConflicts
+from .swept_paths import VehicleSize
 
 
 @dataclass(frozen=True)
@@ -28,14 +30,25 @@ class Places:
     rings: Rings
     by_right: Booleans
     """(J,) where who comes from the right goes first"""
+    by_patience: Booleans
+    """(J,) where who has waited long goes first: without signals, and not into a ring"""
+    conflicts: SweptConflicts
 
     @classmethod
-    def of(cls, junctions: Sequence[SceneJunction], scenes: Sequence[Scene]) -> Places:
-        """Of the junctions of some scenes."""
+    def of(
+        cls,
+        junctions: Sequence[SceneJunction],
+        scenes: Sequence[Scene],
+        sizes: tuple[VehicleSize, ...],
+    ) -> Places:
+        """Of the junctions of some scenes, for vehicles of some sizes."""
         tables = JunctionTables.of(junctions)
         rounds = np.array([junction.kind == "roundabout" for junction in junctions], dtype=bool)
         by_right = (tables.rule == RIGHT_FIRST) & ~rounds
-        return cls(tables, Lights.of(junctions), Rings.of(junctions, scenes), by_right)
+        lights, rings = Lights.of(junctions), Rings.of(junctions, scenes)
+        by_patience = (tables.rule != SIGNALS) & ~rounds
+        conflicts = SweptConflicts(junctions, sizes)
+        return cls(tables, lights, rings, by_right, by_patience, conflicts)
 
 
 @dataclass(frozen=True)
@@ -51,6 +64,8 @@ class Crowd:
     scene: Integers
     speed: Floats
     length: Floats
+    size: Integers
+    """number of the size, as `SweptConflicts` has them"""
     present: Booleans
     """else it has left"""
     is_moving: Booleans
@@ -69,9 +84,11 @@ class Crowd:
 
     def meetings(self, crossing: Booleans) -> Meetings:
         """Of the crossings (N, X) that are true."""
-        tables = self.places.tables
-        parts = (self.crossings.junction, self.crossings.connection)
-        return Meetings.of(crossing, *parts, self.scene, tables)
+        places, crossings = self.places, self.crossings
+        return Meetings.of(
+            crossing, crossings.junction, crossings.connection, self.scene, self.size,
+            places.tables, places.conflicts,
+        )  # fmt: skip
 
     def of_mates(self, values: Floats) -> Floats:
         """(N, A) a column of the others of the scene of each."""

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ..crossings import STOP_GAP
 from . import rules
-from .approaches import horizon
+from .approaches import COMFORTABLE, braking_to_stop, horizon
 from .crowd import Crowd
 from .grants import NEVER
 from .junction_tables import ALL_WAY_STOP
@@ -53,20 +54,25 @@ class Asking:
         return np.asarray(values[np.arange(len(self.slot)), self.slot])
 
 
-def let_go(crowd: Crowd, last_grant: Floats) -> None:
-    """Let at most one agent go at each junction; `last_grant` (S, J) is when somebody was."""
+def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
+    """Let at most one agent go at each junction; `last_grant` (S, J) is when somebody was. (N, X)
+    which crossings were asked for."""
+    _take_back(crowd)
     asking = Asking.of(crowd)
-    if not asking.asks.any():
-        return
     wanted = np.zeros(crowd.held.shape, dtype=bool)
+    if not asking.asks.any():
+        return wanted
     askers = np.flatnonzero(asking.asks)
     wanted[askers, asking.slot[askers]] = True
     meetings = crowd.meetings(wanted | crowd.held)
     wants = meetings.is_there & meetings.of_crossings(wanted)
     is_first = _is_first(crowd, asking)
-    able = _able(crowd, asking, meetings, wants, is_first)
+    could = _could(crowd, asking, meetings, wants, is_first)
+    able = could & _is_free(crowd, asking, meetings, wants)
     count = len(crowd.places.by_right)
     scene, junction = meetings.key // count, meetings.key % count
+    in_line = could & crowd.places.by_patience[junction][:, None]
+    able &= ~rules.is_reserved(meetings, crowd.grants, in_line, able)
     by_right = crowd.places.by_right[junction]
     arriving = wants & meetings.of_agents(is_first)
     right = rules.waits_for_right(meetings, crowd.near, arriving, crowd.speed)
@@ -79,26 +85,51 @@ def let_go(crowd: Crowd, last_grant: Floats) -> None:
     best = rank[chosen].argmin(axis=1)
     crowd.grants.order[meetings.row[chosen, best], meetings.slot[chosen, best]] = crowd.time
     last_grant[scene[chosen], junction[chosen]] = crowd.time
+    return wanted
 
 
-def _able(
+def _take_back(crowd: Crowd) -> None:
+    """Somebody has come before one that was let go, and was not itself: it would wait for all who
+    wait for the one behind it."""
+    near, ahead, slots = crowd.near, crowd.gaps.argmin(axis=1), crowd.gaps.shape[1]
+    each = np.arange(len(ahead))
+    leader = each // slots * slots + ahead
+    junction = crowd.crossings.junction
+    waits_too = np.zeros(crowd.held.shape, dtype=bool)
+    behind = crowd.held & (
+        near.to_line > crowd.gaps[each, ahead][:, None] + crowd.length[leader][:, None]
+    )
+    behind &= braking_to_stop(crowd.speed[:, None], near.to_line - STOP_GAP) < COMFORTABLE
+    for row, slot in zip(*np.nonzero(behind & crowd.obeys[:, None]), strict=True):
+        there = junction[leader[row]] == junction[row, slot]
+        waits_too[row, slot] = (there & ~crowd.held[leader[row]]).any()
+    crowd.grants.order[waits_too] = NEVER
+
+
+def _could(
     crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans, is_first: Booleans
 ) -> Booleans:
-    """(G, P) who may go, but for who comes from the right."""
+    """(G, P) who may go, but for others on the junction."""
     near, grants, tables = crowd.near, crowd.grants, crowd.places.tables
     number = asking.of_crossings(near.number)
     stopped = asking.of_crossings(grants.has_stopped) | ~tables.must_stop[number]
     may = asking.asks & asking.of_crossings(near.may_go) & stopped & is_first
     may &= ~_ring_is_full(crowd, number)
-    may &= crowd.oncoming > asking.of_crossings(near.to_leave)
     may_go = rules.let_go(meetings, grants)
     used = rules.space_for_others(meetings, may_go, crowd.length)
     free = meetings.of_agents(_room(crowd, asking) - crowd.length) - used
-    able = wants & meetings.of_agents(may) & (free >= rules.STANDING_GAP)
+    return np.asarray(wants & meetings.of_agents(may) & (free >= rules.STANDING_GAP))
+
+
+def _is_free(crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans) -> Booleans:
+    """(G, P) whose way is free of others, but for who comes from the right."""
+    near, grants = crowd.near, crowd.grants
+    free = meetings.of_agents(crowd.oncoming > asking.of_crossings(near.to_leave))
+    free &= ~rules.is_occupied(meetings, near, grants, wants)
     motion = crowd.speed, crowd.length, crowd.aggression
-    able &= ~rules.is_blocked(meetings, near, grants, *motion)
+    free &= ~rules.is_blocked(meetings, near, grants, *motion)
     polite = rules.lets_in(meetings, near, grants, wants, crowd.speed, crowd.politeness)
-    return np.asarray(able & ~polite)
+    return np.asarray(free & ~polite)
 
 
 def _is_first(crowd: Crowd, asking: Asking) -> Booleans:

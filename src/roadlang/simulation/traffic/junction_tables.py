@@ -1,4 +1,4 @@
-"""What is known of junctions in advance: conflicts of their connections, rules, rings."""
+"""What is known of junctions in advance: their connections and rules."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class JunctionTables:
     """Tables of J junctions with C connections in all.
 
     Connection c of junction j has the number `first[j] + c`; the pair of a and b the place
-    `pair[j] + a * count[j] + b` in the arrays over pairs.
+    `pair[j] + a * count[j] + b` in `yields`.
     """
 
     first: Integers
@@ -36,12 +36,6 @@ class JunctionTables:
     """(C,) number in its junction of the lane that it enters"""
     length: Floats
     """(C,)"""
-    conflict: Integers
-    """over pairs: `CROSS`, `MERGE` or 0"""
-    begin: Floats
-    """over pairs: where along a it is close to b, from ..."""
-    end: Floats
-    """... to"""
     yields: Booleans
     """over pairs: a yields to b"""
 
@@ -51,14 +45,9 @@ class JunctionTables:
         counts = np.array([len(junction.connections) for junction in junctions], dtype=np.int64)
         first = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
         pair = np.concatenate([[0], np.cumsum(counts * counts)]).astype(np.int64)
-        conflict = np.zeros(pair[-1], dtype=np.int64)
-        begin, end = np.zeros(pair[-1]), np.zeros(pair[-1])
         yields = np.zeros(pair[-1], dtype=bool)
         for number, junction in enumerate(junctions):
             count = counts[number]
-            view = slice(pair[number], pair[number] + count * count)
-            shaped = [column[view].reshape(count, count) for column in (conflict, begin, end)]
-            _fill_conflicts(junction, shaped)
             places = _numbers(junction)
             for yielding, passing in junction.yields:
                 yields[pair[number] + places[yielding] * count + places[passing]] = True
@@ -70,25 +59,12 @@ class JunctionTables:
             np.array([flag for junction in junctions for flag in _yielding(junction)], dtype=bool),
             np.array([goal for junction in junctions for goal in _targets(junction)], np.int64),
             np.array([connection.length for connection in every], dtype=np.float64),
-            conflict, begin, end, yields,
+            yields,
         )  # fmt: skip
 
 
 def _numbers(junction: SceneJunction) -> dict[int, int]:
     return {connection.id: place for place, connection in enumerate(junction.connections)}
-
-
-def _fill_conflicts(junction: SceneJunction, columns: Sequence[np.ndarray]) -> None:
-    """(C, C) kind, begin and end."""
-    kind, begin, end = columns
-    places = _numbers(junction)
-    for conflict in junction.conflicts:
-        if conflict.kind == "diverge":
-            continue
-        a, b = places[conflict.a], places[conflict.b]
-        kind[a, b] = kind[b, a] = CROSS if conflict.kind == "cross" else MERGE
-        begin[a, b], end[a, b] = conflict.interval_a
-        begin[b, a], end[b, a] = conflict.interval_b
 
 
 def _stops(junction: SceneJunction) -> list[bool]:

@@ -10,6 +10,7 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..sorted_groups import sorted_groups
 from .junction_tables import JunctionTables
+from .swept_conflicts import SweptConflicts
 
 
 @dataclass(frozen=True)
@@ -29,9 +30,10 @@ class Meetings:
     conflict: Integers
     """(G, P, P), 0 for none"""
     begin: Floats
-    """(G, P, P) where the connection of the first comes close to that of the second, from ..."""
+    """(G, P, P) meters from the stop line to the front of the first as it comes to the ground that
+    the second covers, ..."""
     end: Floats
-    """... to"""
+    """... and to its rear as it has left that"""
     yields: Booleans
     """(G, P, P) the first to the second"""
     target: Integers
@@ -40,10 +42,10 @@ class Meetings:
     @classmethod
     def of(
         cls, crossing: Booleans, junction: Integers, place: Integers, scene: Integers,
-        tables: JunctionTables,
+        size: Integers, tables: JunctionTables, conflicts: SweptConflicts,
     ) -> Meetings:  # fmt: skip
         """Of the crossings (N, X) that are true; `junction` and connection `place` of each, and the
-        scene (N,) of each agent."""
+        scene and the number of the size (N,) of each agent."""
         row, slot = np.nonzero(crossing)
         key = scene[row] * len(tables.first) + junction[row, slot]
         sort = np.argsort(key, kind="stable")
@@ -67,9 +69,12 @@ class Meetings:
         both = is_there[:, :, None] & is_there[:, None, :]
         both &= ~np.eye(shape[1], dtype=bool)
         pair = np.where(both, pair, 0)
+        sizes = size[rows]
+        one = connection[:, :, None], sizes[:, :, None]
+        found = conflicts.of(number[:, :, None], one, (connection[:, None], sizes[:, None]), both)
         return cls(
-            keys, rows, slots, is_there, tables.conflict[pair] * both, tables.begin[pair],
-            tables.end[pair], tables.yields[pair] & both, target,
+            keys, rows, slots, is_there, found.kind, found.begin, found.end,
+            tables.yields[pair] & both, target,
         )  # fmt: skip
 
     @cached_property

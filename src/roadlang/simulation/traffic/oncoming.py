@@ -14,6 +14,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..leaders import Leaders
+from ..leaning import LONG
 from ..poses import line_points
 from ..world import World
 from .approaches import braking_to_stop, seconds_for
@@ -25,7 +26,8 @@ SPACING = 2.0
 COARSE = 3
 """Of so many samples, one is looked at first."""
 LEAST_SWEPT = 0.2
-"""Meters: who covers less beyond its width fits everywhere."""
+"""Meters: long vehicles that cover less beyond their width fit everywhere, others where they cover
+no more than their lane."""
 MARGIN = 0.3
 """Meters between two that pass each other."""
 OPPOSED = -0.5
@@ -129,6 +131,8 @@ class _Samples:
     to_left: Floats
     """what the agent covers of the ground to the left of its line there"""
     to_right: Floats
+    is_wide: Booleans
+    """where the agent may need more than its lane"""
 
     @classmethod
     def of(cls, world: World, agents: Integers) -> _Samples:
@@ -147,15 +151,20 @@ class _Samples:
         over = ~world.closed[agents] & (along > world.end[agents] + half)
         # Others that are longer have more samples, which may not change what this one sees.
         over |= s > VIEW + half
+        in_lane = world.has_route[agents] & (world.bodies.length[agents] <= LONG)
+        spare = np.where(in_lane, 0.5 * track.lines.width[cell] - width - 0.5 * MARGIN, 0.0)
+        is_wide = (np.maximum(left, right) > np.maximum(spare, LEAST_SWEPT)) & ~over
         return cls(
             agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
-            cosine, sine, left + width, right + width,
+            cosine, sine, left + width, right + width, is_wide,
         )  # fmt: skip
 
     def take(self, places: Integers) -> _Samples:
         """Those of some of the agents, which may be the same."""
         columns = (self.s, self.x, self.y, self.cosine, self.sine, self.to_left, self.to_right)
-        return _Samples(self.agents[places], *(column[:, places] for column in columns))
+        s, x, y, cosine, sine, left, right = (column[:, places] for column in columns)
+        is_wide = self.is_wide[:, places]
+        return _Samples(self.agents[places], s, x, y, cosine, sine, left, right, is_wide)
 
 
 def _pairs(world: World) -> tuple[_Samples, Integers, Integers] | None:
@@ -166,8 +175,7 @@ def _pairs(world: World) -> tuple[_Samples, Integers, Integers] | None:
     if not len(long):
         return None
     lines = _Samples.of(world, long)
-    wide = np.maximum(lines.to_left, lines.to_right) - 0.5 * world.bodies.width[long] > LEAST_SWEPT
-    bends = (wide & np.isfinite(lines.s)).any(axis=0)
+    bends = lines.is_wide.any(axis=0)
     if not bends.any():
         return None
     in_bend = np.zeros(len(moves), dtype=bool)
@@ -177,7 +185,7 @@ def _pairs(world: World) -> tuple[_Samples, Integers, Integers] | None:
     first, second = np.repeat(np.flatnonzero(in_bend), world.slots), others
     once = (first < second) | ~in_bend[second]
     keep = moves[second] & (first != second) & once
-    keep &= _near(world, lines.take(np.flatnonzero(bends)), wide[:, bends], keep)
+    keep &= _near(world, lines.take(np.flatnonzero(bends)), keep)
     if not keep.any():
         return None
     first, second = first[keep], second[keep]
@@ -187,10 +195,10 @@ def _pairs(world: World) -> tuple[_Samples, Integers, Integers] | None:
     )  # fmt: skip
 
 
-def _near(world: World, lines: _Samples, wide: Booleans, keep: Booleans) -> Booleans:
+def _near(world: World, lines: _Samples, keep: Booleans) -> Booleans:
     """(P,) of the pairs of `lines` and all others of their scenes: who can come to the bends."""
     low, high = (
-        np.stack([edge(np.where(wide, c, fill), axis=0) for c in (lines.x, lines.y)])
+        np.stack([edge(np.where(lines.is_wide, c, fill), axis=0) for c in (lines.x, lines.y)])
         for edge, fill in ((np.min, math.inf), (np.max, -math.inf))
     )
     poses = world.poses

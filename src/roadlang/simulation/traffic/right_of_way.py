@@ -33,6 +33,7 @@ from .grants import FIRST, NEVER, Grants
 from .junction_tables import ALL_WAY_STOP
 from .oncoming import Oncoming
 from .pedestrians import Pedestrians
+from .swept_paths import sizes_of
 
 INTERVAL = 0.1
 """Seconds from one look at the junctions to the next."""
@@ -62,7 +63,8 @@ class RightOfWayGrants:
     def __init__(self, world: World) -> None:
         self._crossings = crossings = crossings_of(world)
         self._pedestrians = Pedestrians(world, crossings)
-        self._places = Places.of(crossings.junctions, world.scenes)
+        sizes, self._size = sizes_of(world.bodies)
+        self._places = Places.of(crossings.junctions, world.scenes, sizes)
         count, scenes = len(world.present), len(world.scenes)
         self._oncoming = Oncoming(count, world.slots)
         self._grants = Grants.none(crossings.stop.shape)
@@ -83,7 +85,7 @@ class RightOfWayGrants:
         place[agents] = np.arange(len(agents))
         self._crossings, self._grants = self._crossings.take(agents), self._grants.take(agents)
         self._last_grant, self._looked = self._last_grant[scenes], self._looked[scenes]
-        self._temper = self._temper[:, agents]
+        self._temper, self._size = self._temper[:, agents], self._size[agents]
         self._has_asked, self._asking = self._has_asked[agents], self._asking[agents]
         waits = self._waits
         self._waits = Waits(waits.stop[agents], place[waits.leader[agents]], waits.distance[agents])
@@ -145,24 +147,25 @@ class RightOfWayGrants:
             places, world.time, crossings,
             Approaches.of(world, rows, (crossings, places.tables, places.lights)),
             self._grants.take(rows), rows // world.slots, world.motion.speed[rows],
-            world.bodies.length[rows], world.present[rows], is_moving[rows], self._has_asked[rows],
+            world.bodies.length[rows], self._size[rows], world.present[rows], is_moving[rows],
+            self._has_asked[rows],
             self._temper[0, rows], self._temper[1, rows],
             leaders.gaps.reshape(-1, world.slots)[rows], oncoming[rows],
         )  # fmt: skip
         _remember(crowd)
-        let_go(crowd, self._last_grant)
+        wanted = let_go(crowd, self._last_grant)
         self._grants.put(rows, crowd.grants)
-        self._wait(crowd, world, rows)
+        self._wait(crowd, wanted, world, rows)
 
-    def _wait(self, crowd: Crowd, world: World, rows: Integers) -> None:
-        """Where agents have to stop, and whom they follow."""
+    def _wait(self, crowd: Crowd, wanted: Booleans, world: World, rows: Integers) -> None:
+        """Where agents have to stop, and whom they follow. `wanted`: (N, X) crossings asked for."""
         near, held = crowd.near, crowd.held
         closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
         stop = np.minimum(closed.min(axis=1), crowd.oncoming)
         gap = np.full(len(rows), math.inf)
         leader = np.full(len(rows), -1)
         if held.any():
-            meetings = crowd.meetings(held)
+            meetings = crowd.meetings(held | wanted)
             stops, gaps = rules.zone_stops(meetings, near, crowd.grants, crowd.length)
             there = meetings.is_there
             np.minimum.at(stop, meetings.row[there], stops.min(axis=2)[there])

@@ -11,6 +11,7 @@ from .approaches import Approaches, braking_to_stop, seconds_for
 from .grants import NEVER, Grants
 from .junction_tables import CROSS, MERGE
 from .meetings import Meetings
+from .swept_paths import SPACING
 
 STANDING_GAP = 2.0
 """Meters between two that stand in a row."""
@@ -26,6 +27,8 @@ FROM_RIGHT, FROM_RIGHT_DISTANCE = 3.0, 8.0
 """Who comes from the right counts if it is at the line within so many seconds, or meters."""
 PATIENCE = 3.0
 """Seconds after which traffic of the main road lets in who waits where lanes merge."""
+LONGEST_WAIT = 15.0
+"""Seconds at a line without signals after which all others let one go first."""
 COURTEOUS = 4.0
 """m/s^2 that the politest brakes for that, at most."""
 BEFORE_ZONE = 0.5
@@ -65,6 +68,31 @@ def is_blocked(
     wanted = STANDING_GAP + HEADWAY * calm * speed_a + np.maximum(0.0, speed_a - speed_b)
     merges = (meetings.conflict == MERGE) & (gap <= wanted)
     return np.asarray((other_goes & (crosses | merges)).any(axis=2))
+
+
+def is_occupied(meetings: Meetings, near: Approaches, grants: Grants, asks: Booleans) -> Booleans:
+    """(G, P) for whom one that waits stands on the ground that it needs. `asks`: (G, P)."""
+    waits = asks & ~let_go(meetings, grants)
+    _, other_waits = pairs(waits)
+    _, other_line = pairs(meetings.of_crossings(near.to_line))
+    into = -other_line - np.swapaxes(meetings.begin, 1, 2)
+    stands = (meetings.conflict == CROSS) & (into > SPACING)
+    stands &= other_waits
+    return np.asarray((stands & ~np.swapaxes(stands, 1, 2)).any(axis=2))
+
+
+def is_reserved(
+    meetings: Meetings, grants: Grants, could: Booleans, able: Booleans
+) -> Booleans:  # fmt: skip
+    """(G, P) who has to let one go that has waited for long, as nobody else, the longest of those
+    who `could` go, but for others: if that one is not `able` to, everybody has to."""
+    waited = np.where(could, meetings.of_crossings(grants.waiting), 0.0)
+    longest = waited.argmax(axis=1)[:, None]
+    counts = np.take_along_axis(waited, longest, axis=1) > LONGEST_WAIT
+    itself = np.arange(waited.shape[1]) == longest
+    meets = np.take_along_axis(meetings.conflict, longest[:, :, None], axis=2)[:, :, 0] > 0
+    waits = ~np.take_along_axis(able, longest, axis=1)
+    return np.asarray(counts & ~itself & (meets | waits))
 
 
 def waits_for_right(
@@ -107,11 +135,11 @@ def _behind(meetings: Meetings, near: Approaches, length: Floats) -> Floats:
 
 
 def has_earlier_grant(meetings: Meetings, grants: Grants) -> Booleans:
-    """(G, P, P) whether the second was let go before the first."""
+    """(G, P, P) whether the second was let go, and the first later or not yet."""
     order, other_order = pairs(meetings.of_crossings(grants.order))
     row, other = pairs(meetings.row)
     earlier = (other_order < order) | ((other_order == order) & (other < row))
-    return np.asarray(earlier & (other_order < NEVER) & (order < NEVER))
+    return np.asarray(earlier & (other_order < NEVER))
 
 
 def zone_stops(
@@ -126,7 +154,8 @@ def zone_stops(
     leaves_in = other_line + np.swapaxes(meetings.end, 1, 2) + other_length
     crosses = earlier & (meetings.conflict == CROSS) & (leaves_in > 0.0) & (to_zone > -IN_ZONE)
     stop = np.where(crosses, to_zone - BEFORE_ZONE, np.inf)
-    merges = earlier & (meetings.conflict == MERGE)
+    goes, _ = pairs(let_go(meetings, grants))
+    merges = earlier & goes & (meetings.conflict == MERGE)
     behind = _behind(meetings, near, length)
     late = merges & (behind < to_zone - BEFORE_ZONE)
     stop = np.where(late, np.minimum(stop, to_zone - BEFORE_ZONE), stop)
