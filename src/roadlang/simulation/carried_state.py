@@ -161,11 +161,21 @@ def _road(world: World, row: int) -> SceneRoad | None:
 
 
 def same_network(before: World, after: World) -> bool:
-    """Whether an edit has changed nothing that right of way depends on but what agents are like."""
+    """Whether an edit has changed nothing that right of way depends on: roads, junctions, where the
+    lines of agents lead, and the ground that agents cover on them."""
     pairs = zip(before.scenes, after.scenes, strict=True)
     same_roads = all((a.roads, a.networks) == (b.roads, b.networks) for a, b in pairs)
-    routes = [
-        [None if actor is None else (actor.name, actor.route, actor.road) for actor in world.actors]
-        for world in (before, after)
-    ]
-    return same_roads and routes[0] == routes[1]
+    return same_roads and _ground(before) == _ground(after)
+
+
+def _ground(world: World) -> list[object]:
+    """Of each agent where it began, and what it covers there."""
+    return [
+        actor
+        and (
+            actor.name, actor.route, actor.road, actor.start, actor.lane, actor.offset,
+            actor.facing, actor.length, actor.width,
+            [actor.options.get(name) for name in ("wheelbase", "max_steering")],
+        )
+        for actor in world.actors
+    ]  # fmt: skip

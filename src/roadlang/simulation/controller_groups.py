@@ -12,10 +12,14 @@ import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..geometry.arrays import Floats, Integers
+from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from .controllers import Driver, GuardedController
 from .triggers import PlacedCall
 from .world import World
+
+HELD = ("steering", "acceleration", "heading", "line_offset", "line_time")
+"""Members of a decision that hold until the next; a pose is that of one step."""
 
 
 @dataclass
@@ -32,7 +36,7 @@ class Group:
     since: Floats
     """when each decided last"""
     held: Floats
-    """(2, N) steering and acceleration then"""
+    """(5, N) what each decided then, in the order of `HELD`; NaN where it said nothing"""
     built: Controller | None = None
     """the controller with the options of all its agents, once there is one"""
 
@@ -46,7 +50,7 @@ class Group:
     def restart(self, agents: Integers) -> None:
         """Controllers of some agents remember nothing."""
         again = np.flatnonzero(np.isin(self.rows, agents))
-        self.since[again], self.held[:, again] = -np.inf, 0.0
+        self.since[again], self.held[:, again] = -np.inf, np.nan
         if self.state is not None:
             first = self.controller.first_state(self.of_all, len(self.rows))
             self.state[again] = first[again]
@@ -60,6 +64,20 @@ class Group:
         if self.singles and before.singles:
             self.singles[agent].carry_on(before.singles[place])
         self.since[agent], self.held[:, agent] = before.since[place], before.held[:, place]
+
+    def hold(self, agents: Integers, decided: ControlBatch, time: float) -> None:
+        """What some of the agents have decided, at a time, holds until they decide again."""
+        self.since[agents] = time
+        for row, name in enumerate(HELD):
+            column = getattr(decided, name)
+            self.held[row, agents] = math.nan if column is None else column
+
+    def last_decided(self, agents: Integers) -> ControlBatch:
+        """What some of the agents decided when they did last."""
+        steering, acceleration, *others = self.held[:, agents]
+        return ControlBatch(
+            steering, acceleration, *(None if np.isnan(one).all() else one for one in others)
+        )
 
     def take(self, place: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
@@ -109,7 +127,7 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
 
 
 def _never_decided(count: int) -> tuple[Floats, Floats]:
-    return np.full(count, -math.inf), np.zeros((2, count))
+    return np.full(count, -math.inf), np.full((len(HELD), count), math.nan)
 
 
 def _words(options: Mapping[str, Any]) -> str:

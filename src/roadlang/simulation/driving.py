@@ -164,10 +164,8 @@ def _held(group: Group, chosen: Integers, view: View, interval: float) -> Contro
     time = view.world.time
     old = chosen[time - group.since[chosen] > interval - 0.5 * view.world.dt]
     if len(old):
-        found = _decided_now(group, old, view)
-        group.since[old] = time
-        group.held[0, old], group.held[1, old] = found.steering, found.acceleration
-    return ControlBatch(group.held[0, chosen], group.held[1, chosen])
+        group.hold(old, _decided_now(group, old, view), time)
+    return group.last_decided(chosen)
 
 
 def _decided_now(

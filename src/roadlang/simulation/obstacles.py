@@ -67,9 +67,19 @@ class Obstacles:
                 gap = np.where(world.closed[agent], gap - np.floor(gap / lap) * lap, gap)
             gap = gap - 0.5 * world.bodies.length[agent]
             aside = np.abs(self.left - world.line_offset[agent])
-            meets = (gap > -MARGIN) & (aside < self.half + half_width[agent] + MARGIN)
+            room = self.half + half_width[agent] + MARGIN
+            if not world.sweeps.is_empty:
+                room = room + self._swept(world)
+            meets = (gap > -MARGIN) & (aside < room)
             np.minimum.at(out, agent[meets], gap[meets])
         return out
+
+    def _swept(self, world: World) -> Floats:
+        """(P,) meters beyond its width that the agent covers on the side of the object."""
+        track = world.track.of_rows(self.agent)
+        cell = track.cell(track.wrapped(np.maximum(self.begin, 0.0)))[0] - track.first
+        left, right = world.sweeps.at(self.agent, cell)
+        return np.where(self.left > world.line_offset[self.agent], left, right)
 
 
 def _beside(world: World, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
