@@ -13,14 +13,14 @@ import pytest
 from roadlang.diagnostics import Code, codes, page
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("src/roadlang", "plugins/standard", "plugins/godot")
+FOLDERS = ("src/roadlang", "plugins/standard", "plugins/godot", "plugins/formats")
 REPORTING = {"diagnose", "report", "_report", "fault", "_fault", "stl_error"}
 """Functions that take a code, and the values of its message as keywords."""
 
 FORWARDING = {"_refusal", "_refused"}
 """Functions of one module that take a code and add values of their own."""
 
-CHOSEN_BEFORE = {"RL215"}
+CHOSEN_BEFORE = {"RL215", "RL430"}
 """Codes that are stored in a variable before they are reported."""
 
 NOT_VALUES = {"span", "help", "labels", "fixes", "severity", "meant"}

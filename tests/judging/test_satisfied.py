@@ -192,14 +192,14 @@ def test_every_part_gives_the_verdict_of_boolean_evaluation(seed: int) -> None:
 
 
 def test_the_formulas_are_drawn_at_the_edges() -> None:
-    """At least a third of them have robustness 0, with both truth values."""
+    """At least a fifth of them have robustness 0, with both truth values."""
     at_zero = []
     for seed in range(FORMULAS):
         draw = EdgeDraw(seed)
         formula, signals = draw.formula(seed % 4), draw.signals()
         if formula.rho(POSITIONS, signals) == 0.0:
             at_zero.append(bool(formula.satisfied(POSITIONS, signals)))
-    assert len(at_zero) > FORMULAS / 4
+    assert len(at_zero) > FORMULAS / 5
     assert min(at_zero.count(True), at_zero.count(False)) > FORMULAS / 10
 
 

@@ -279,7 +279,8 @@ def test_all_that_a_scene_holds_is_read_only(sample: Sample) -> None:
 
 def agent(name: str) -> AgentTrace:
     columns: dict[str, Any] = {
-        field.name: np.zeros(3) for field in dataclasses.fields(AgentTrace)[1:-2]
+        field.name: 0.0 if field.type == "float" else np.zeros(3)
+        for field in dataclasses.fields(AgentTrace)[1:-2]
     }
     return AgentTrace(name=name, **columns)
 

@@ -127,9 +127,11 @@ def test_lanes_by_their_width_users_and_place() -> None:
 
 def test_readers_are_found_by_the_ending_of_a_file() -> None:
     assert facts("read", "suffixes") == {
-        "csv": (".csv", ".tsv", ".txt"), "ros_map": (".yaml", ".yml")
+        "csv": (".csv", ".tsv", ".txt"), "geojson": (".geojson",), "opendrive": (".xodr",),
+        "osm": (".osm",), "ros_map": (".yaml", ".yml"), "scene": (".json",)
     }  # fmt: skip
-    assert facts("read", "reads") == {"csv": ("road",), "ros_map": ("network",)}
+    networks = dict.fromkeys(("geojson", "opendrive", "osm", "ros_map", "scene"), ("network",))
+    assert facts("read", "reads") == {"csv": ("road",), **networks}
 
 
 def test_signals_cost_what_is_computed_for_each_station() -> None:

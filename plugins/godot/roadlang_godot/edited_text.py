@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from .dragged_road import with_dragged_road
-
 if TYPE_CHECKING:
     from roadlang.api import Scene
     from roadlang.commands import Handle
@@ -56,6 +54,8 @@ class EditedText:
         """What is shown, where that is known without compiling: while a place of a road is
         dragged."""
         from roadlang.commands import moved_places_of
+
+        from .dragged_road import with_dragged_road  # imports numpy
 
         drag = self._drag
         if drag is None or drag.handle.sort != "place":

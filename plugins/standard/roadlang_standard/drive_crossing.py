@@ -24,8 +24,8 @@ SHORTEST = 1.5
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at a right angle and stop on the other side. Who crosses looks out for nobody,
-    but does not walk into the side of a vehicle."""
+    """Cross the road at a right angle and stop on the other side. Pedestrians do not wait for
+    vehicles, but stop before they would walk into the side of one."""
 
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
