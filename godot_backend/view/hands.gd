@@ -1,7 +1,7 @@
 extends Control
 ## Lets a human drag handles with the mouse: they are circles of one size, whatever the camera.
 ##
-## The pointer lights up what it would take; a click selects it. Delete removes what is selected,
+## The handle under the pointer is highlighted; a click selects it. Delete removes what is selected,
 ## Insert puts a handle where the pointer is, Ctrl+Z and Ctrl+Y undo and redo. The client is told.
 
 const Protocol := preload("res://net/protocol.gd")

@@ -142,17 +142,17 @@ def test_polygons_may_be_buildings(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "word"),
     [
-        ('{"type": "FeatureCollection", "features": [', "no JSON here"),
-        ("[]", "no FeatureCollection"),
+        ('{"type": "FeatureCollection", "features": [', "invalid JSON"),
+        ("[]", "not a GeoJSON FeatureCollection"),
         ('{"type": "FeatureCollection", "features": [3]}', "feature 1"),
         ('{"type": "FeatureCollection", "features": []}', "no way"),
         (
             '{"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, "x"]]}}',
-            "no pair of numbers",
+            "not a pair of numbers",
         ),
         (
             '{"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 99]]}}',
-            "no place",
+            "not a place",
         ),
     ],
 )

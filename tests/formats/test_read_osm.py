@@ -178,7 +178,7 @@ def test_a_town_compiles_with_its_junctions(tmp_path: Path) -> None:
     ("text", "word"),
     [
         ("<osm></osm>", "no way"),
-        (osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1), "no place"),
+        (osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1), "not a place"),
         (osm(way(1, "31 33"), way(1, "11 12")), "two ways"),
         (osm(way(1, "31 33"), way(2, "a 12"), nodes='<node id="a" lat="60" lon="11"/>'), "km"),
         ("<gpx/>", "not `osm`"),

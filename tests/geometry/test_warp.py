@@ -57,5 +57,5 @@ def test_roads_stay_joined_and_keep_their_lengths_elsewhere(move: tuple[float, f
 def test_a_plane_that_would_fold_is_refused() -> None:
     with pytest.raises(GeometryError, match=r"at most 46\.5 m"):
         Warp.of([(0.0, 0.0)], [(47.0, 0.0)], 80.0)
-    with pytest.raises(GeometryError, match="1 places are moved by 0"):
+    with pytest.raises(GeometryError, match="1 places, but 0 displacements"):
         Warp.of([(0.0, 0.0)], [], 80.0)

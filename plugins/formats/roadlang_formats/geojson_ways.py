@@ -12,14 +12,14 @@ from .osm_map.records import OsmExtract, OsmNode, OsmWay
 
 Fault = Callable[[str], DiagnosticError]
 _DIGITS = 7
-"""Of degrees: points that agree to a centimeter are one."""
+"""Decimals of degrees: points within about a centimeter become one."""
 _LINES = {"LineString": 0, "MultiLineString": 1, "Polygon": 1, "MultiPolygon": 2}
 """Types of geometries, and how deeply their lists of points are nested."""
 
 
 def ways_of(content: Any, fault: Fault) -> OsmExtract:
     """Nodes where points coincide, and ways with the properties of their features as tags. A line
-    that says no `highway` is a residential street."""
+    without `highway` is a residential street."""
     nodes: dict[str, OsmNode] = {}
     ways = []
     for number, feature in enumerate(_features(content, fault), start=1):
@@ -45,10 +45,10 @@ def _features(content: Any, fault: Fault) -> Iterator[Mapping[str, Any]]:
     elif kind == "FeatureCollection" and isinstance(content.get("features"), list):
         listed = content["features"]
     else:
-        raise fault("it is no FeatureCollection of GeoJSON")
+        raise fault("it is not a GeoJSON FeatureCollection")
     for number, feature in enumerate(listed, start=1):
         if not isinstance(feature, dict):
-            raise fault(f"feature {number} is no object")
+            raise fault(f"feature {number} is not an object")
         yield feature
 
 
@@ -65,7 +65,7 @@ def _tags(properties: Any) -> dict[str, str]:
 
 def _lines(coordinates: Any, depth: int, number: int, fault: Fault) -> Iterator[list[Any]]:
     if not isinstance(coordinates, list):
-        raise fault(f"the coordinates of feature {number} are no list")
+        raise fault(f"the coordinates of feature {number} are not a list")
     if not depth:
         yield coordinates
         return
@@ -79,11 +79,11 @@ def _node(point: Any, nodes: dict[str, OsmNode], number: int, fault: Fault) -> s
     if len(numbers) != 2 or not all(
         isinstance(x, int | float) and math.isfinite(x) for x in numbers
     ):
-        raise fault(f"feature {number} has a point that is no pair of numbers")
+        raise fault(f"feature {number} has a point that is not a pair of numbers")
     longitude, latitude = (round(float(x), _DIGITS) for x in numbers)
     if abs(latitude) > 89.0 or abs(longitude) > 180.0:
         place = f"{latitude:g}, {longitude:g} degrees"
-        raise fault(f"feature {number}: no place is at {place}")
+        raise fault(f"feature {number}: {place} is not a place on Earth")
     id = f"{latitude} {longitude}"
     nodes.setdefault(id, OsmNode(latitude, longitude, {}))
     return id

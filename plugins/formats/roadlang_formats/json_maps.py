@@ -1,4 +1,4 @@
-"""Maps in JSON: parsed with limits, faults reported where they are."""
+"""Maps in JSON: parsed with limits; errors are reported at their place in the file."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from .map_xml import LARGEST, fault_at
 
 
 def read_json(path: Path) -> tuple[str, Any]:
-    """The text and the content of a file. Raises RL400, RL401, and RL479 for what is no JSON."""
+    """The text and the content of a file. Raises RL400, RL401, and RL479 for invalid JSON."""
     text = read_input(path, LARGEST).decode("utf-8-sig", errors="replace")
     try:
         return text, json.loads(text)
     except json.JSONDecodeError as error:
-        raise fault_at(path, text, error.pos, f"it is no JSON here: {error.msg}") from None
+        raise fault_at(path, text, error.pos, f"invalid JSON: {error.msg}") from None
     except (RecursionError, ValueError) as error:
-        raise fault_at(path, text, 0, f"it is no JSON: {error}") from None
+        raise fault_at(path, text, 0, f"invalid JSON: {error}") from None

@@ -1,4 +1,4 @@
-"""Maps in XML: elements with their places, so that every fault is reported where it is."""
+"""Maps in XML: elements with their places, so that every error is reported at its place."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from xml.parsers import expat
 from roadlang.api import Code, DiagnosticError, Source, Span, diagnose, read_input
 
 LARGEST = 200_000_000
-"""Bytes of a map."""
+"""Largest size of a map, in bytes."""
 _MOST_ELEMENTS = 3_000_000
 _DEEPEST = 60
 _FARTHEST = 1e8
-"""What a number of a map may be, meters or otherwise."""
+"""Largest absolute value of a number in a map, in any unit."""
 
 
 @dataclass(slots=True)
@@ -76,14 +76,15 @@ class MapFile:
             found = math.nan
         if not abs(found) <= _FARTHEST:
             shown = self.attribute(element, name)[:40]
-            raise self.fault(element, f"`{name}` of `{element.tag}` is no number: `{shown}`")
+            raise self.fault(element, f"`{name}` of `{element.tag}` is not a number: `{shown}`")
         return found
 
     def integer(self, element: MapElement, name: str) -> int:
         """An attribute as a whole number. Raises RL479."""
         found = self.number(element, name)
         if found != int(found):
-            raise self.fault(element, f"`{name}` of `{element.tag}` is no whole number: {found:g}")
+            reason = f"`{name}` of `{element.tag}` is not a whole number: {found:g}"
+            raise self.fault(element, reason)
         return int(found)
 
 
@@ -91,7 +92,7 @@ def read_map_xml(path: Path, root: str, limit: int = LARGEST) -> MapFile:
     """The elements of a file whose outermost one is `root`.
 
     Nothing outside the file is read. Raises RL400 and RL401 for a file that cannot be read, and
-    RL479 for what is no XML, has entities of its own, or is nested too deeply.
+    RL479 for a file that is not valid XML, declares entities, or is nested too deeply.
     """
     content = read_input(path, limit)
     text = content.decode("utf-8-sig", errors="replace")
@@ -130,7 +131,7 @@ class _Builder:
         self._parser.StartElementHandler = self._start
         self._parser.EndElementHandler = self._end
         self._parser.CharacterDataHandler = self._characters
-        # A map needs no entities of its own; nested ones would grow without bounds.
+        # Maps do not need entities, and nested ones could expand without bounds.
         self._parser.EntityDeclHandler = self._entity
 
     def parsed(self, content: bytes) -> MapElement:
@@ -138,10 +139,10 @@ class _Builder:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:
             offset = self._offset(error.lineno, error.offset)
-            reason = f"it is no XML here: {expat.ErrorString(error.code)}"
+            reason = f"invalid XML: {expat.ErrorString(error.code)}"
             raise fault_at(self._path, self._text, offset, reason) from None
         except (LookupError, ValueError) as error:  # an encoding that Python does not know
-            raise fault_at(self._path, self._text, 0, f"it is no XML: {error}") from None
+            raise fault_at(self._path, self._text, 0, f"invalid XML: {error}") from None
         assert self._root is not None
         return self._root
 

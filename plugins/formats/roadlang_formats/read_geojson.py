@@ -16,20 +16,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GeoJson(Reader):
-    """The lines of a GeoJSON file as streets that meet where they share a point. Properties are
-    read as the tags of OpenStreetMap are: `lanes`, `oneway`, `maxspeed`, `name`."""
+    """The lines of a GeoJSON file as streets that meet where they share a point. The
+    properties `lanes`, `oneway`, `maxspeed` and `name` work like the tags of OpenStreetMap."""
 
     name: ClassVar[str] = "geojson"
     suffixes: ClassVar[tuple[str, ...]] = (".geojson",)
     reads: ClassVar[tuple[str, ...]] = ("network",)
     origin: Annotated[tuple[float, float], pair_of(ANGLE, ANGLE)] | None = option(
-        None, help="latitude and longitude of (0, 0); by default the middle of the streets"
+        None, help="latitude and longitude of (0, 0); by default the center of the streets"
     )
-    lane_width: Length = option(3.25, minimum=2, maximum=6, help="of every lane")
+    lane_width: Length = option(3.25, minimum=2, maximum=6, help="width of every lane")
     traffic: Literal["right", "left"] = option(
-        "right", help="the side that traffic keeps to; `world { traffic: left }` says it as well"
+        "right", help="driving side in the map; for left, also write `world { traffic: left }`"
     )
-    buildings: Flag = option(False, help="whether polygons with `building` become objects")
+    buildings: Flag = option(
+        False, help="whether polygons with a `building` property become objects"
+    )
 
     def read(self, path: Path) -> Any:
         """An `Extraction`. Raises RL479."""

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class OpenDriveMap(Reader):
     """The roads, lanes and junctions of an ASAM OpenDRIVE file, 1.0 to 1.8. Roads keep their ids,
-    junctions their turns."""
+    and junctions keep their turns."""
 
     name: ClassVar[str] = "opendrive"
     suffixes: ClassVar[tuple[str, ...]] = (".xodr",)

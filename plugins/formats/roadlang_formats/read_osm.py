@@ -14,22 +14,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class OpenStreetMap(Reader):
-    """The streets of an extract of OpenStreetMap (`.osm`): lanes, one-way streets, speed limits.
+    """The streets of an OpenStreetMap extract (`.osm`): lanes, one-way streets, speed limits.
 
-    Meters are those of the transverse Mercator projection around the origin.
+    Coordinates are meters in the transverse Mercator projection around the origin.
     """
 
     name: ClassVar[str] = "osm"
     suffixes: ClassVar[tuple[str, ...]] = (".osm",)
     reads: ClassVar[tuple[str, ...]] = ("network",)
     origin: Annotated[tuple[float, float], pair_of(ANGLE, ANGLE)] | None = option(
-        None, help="latitude and longitude of (0, 0); by default the middle of the streets"
+        None, help="latitude and longitude of (0, 0); by default the center of the streets"
     )
-    lane_width: Length = option(3.25, minimum=2, maximum=6, help="of every lane")
+    lane_width: Length = option(3.25, minimum=2, maximum=6, help="width of every lane")
     traffic: Literal["right", "left"] = option(
-        "right", help="the side that traffic keeps to; `world { traffic: left }` says it as well"
+        "right", help="driving side in the map; for left, also write `world { traffic: left }`"
     )
-    service: Flag = option(True, help="whether service roads count, such as driveways")
+    service: Flag = option(True, help="whether to include service roads, such as driveways")
     buildings: Flag = option(False, help="whether buildings become objects")
 
     def read(self, path: Path) -> Any:

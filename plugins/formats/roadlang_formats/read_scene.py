@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SceneMap(Reader):
-    """The roads, lanes and junctions of a scene in roadlang's JSON. Agents and objects are left
-    out."""
+    """The roads, lanes and junctions of a scene in roadlang's JSON. Agents and objects are
+    ignored."""
 
     name: ClassVar[str] = "scene"
     suffixes: ClassVar[tuple[str, ...]] = (".json",)
@@ -32,7 +32,7 @@ class SceneMap(Reader):
         try:
             scene = roadlang.Scene.from_json(text)
         except (ValueError, roadlang.DiagnosticError) as error:
-            raise fault_at(path, text, 0, f"it is no scene: {error}") from None
+            raise fault_at(path, text, 0, f"it is not a scene: {error}") from None
         if not scene.record.roads:
-            raise fault_at(path, text, 0, "it has no road")
+            raise fault_at(path, text, 0, "it has no roads")
         return network_of(scene.record)

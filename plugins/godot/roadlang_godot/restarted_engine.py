@@ -1,4 +1,4 @@
-"""An engine for many drives, which is started again where it is lost."""
+"""An engine for many drives that is restarted if it is lost."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roadlang.api import Scene, Trace
 
 MOST_LOSSES = 3
-"""Engines that may end by themselves, or stop answering, in one scene before it counts as the
+"""Number of engines that crash or stop answering in one scene before the scene counts as the
 cause."""
 MOST_KILLS = 20
 """Engines that something else may kill in one scene, or one after the other while they start."""

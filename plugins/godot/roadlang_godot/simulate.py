@@ -87,7 +87,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     """
     decided = decided_in_python(scene, controllers)
     if settings.headless and drives_by_hand(scene):
-        help_ = "a human drives in a window: add `--window`, or use `roadlang watch`"
+        help_ = "`manual` needs a window: add `--window`, or use `roadlang watch`"
         raise fault(
             Code.UNSUPPORTED_CONTROLLER, help_, kind=MANUAL, engine="Godot without a window"
         )

@@ -19,13 +19,13 @@ WITHOUT_ROAD = 10.0
 AHEAD, NEAR = 1.0, 12.0
 """Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
 SHORTEST = 1.5
-"""Meters: what is shorter is no vehicle."""
+"""Meters: anything shorter does not count as a vehicle."""
 
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at a right angle and stop on the other side. Pedestrians do not wait for
-    vehicles, but stop before they would walk into the side of one."""
+    """Cross the road at a right angle and stop on the other side. It does not yield to anybody, but
+    does not walk into the side of a vehicle."""
 
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")

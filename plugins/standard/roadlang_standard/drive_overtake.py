@@ -82,7 +82,7 @@ class Overtake(Controller):
     name: ClassVar[str] = "overtake"
     leaves_open: ClassVar[str] = "the rest of the drive"
     target: Annotated[str, AgentOrObject] = option(
-        help="the agent, object or group to overtake; of a group one after the other"
+        help="the agent, object or group to overtake; members of a group are overtaken one by one"
     )
     gap: Length = option(
         8.0, minimum=1, maximum=200, help="gap to the target when it pulls in, bumper to bumper"

@@ -81,7 +81,7 @@ class FailureSpread:
         children = self._children(_POOL * count)
         prediction = self._model.predicted(children)
         descriptors = np.column_stack([prediction.descriptors, self._choices(children)])
-        # Failures as the model has them too: what it cannot tell makes nothing unlike.
+        # The model's descriptors of failures as well, so that its errors do not count as distance.
         known = (self._described(some) for some in (self._distinct, self._failures))
         unlike = Unlike.of(descriptors, *known)
         rows = shortlist(prediction, unlike, count)

@@ -161,8 +161,8 @@ def _strategy(start: Floats, sigma: float, population: int, random: np.random.Ge
 
 @cache
 def _library() -> Any:
-    """The package `cma` without `scipy.stats`, which takes half a second to load: it does without,
-    and would use it only to compare models of the objective, which we have none of."""
+    """The package `cma` without `scipy.stats`, which takes half a second to load and is optional:
+    `cma` uses it only to compare surrogate models of the objective, which we do not have."""
     import sys
     import warnings
 
@@ -171,7 +171,7 @@ def _library() -> Any:
         sys.modules["scipy.stats"] = None  # type: ignore[assignment]  # an import of it fails
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # that there is no matplotlib for its plots
+            warnings.simplefilter("ignore")  # about matplotlib, which its plots need
             import cma
     finally:
         if unloaded:

@@ -1,4 +1,4 @@
-"""`perturb with nudges`: a road that was moved by hand, here and there."""
+"""`perturb with nudges`: a road that was moved by hand at some places."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def share_of_move(stations: Floats, place: Any, length: Any, period: float | Non
 
 @dataclass(frozen=True)
 class Nudges(Perturber):
-    """Move places of the road, each with what is around it; `watch` writes what was dragged."""
+    """Move places of the road together with the road around them; `watch` writes it after drags."""
 
     name: ClassVar[str] = "nudges"
     is_random: ClassVar[bool] = False
@@ -35,7 +35,7 @@ class Nudges(Perturber):
         at_least=1, help="how far each is moved, east and north", example="[(2m, -1m)]"
     )
     length: Length = option(
-        80.0, above=0, help="arc length of road that moves with each, from end to end"
+        80.0, above=0, help="arc length of the stretch of road that moves with each place"
     )
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:

@@ -54,8 +54,9 @@ if TYPE_CHECKING:
     type=click.Choice(["space", "time", "time-left", "average"]),
     default="space",
     show_default=True,
-    help="What robustness measures: how much signals may change, how far they may shift to later "
-    "or (time-left) earlier times, or the change averaged over windows. The range is of the first.",
+    help="What robustness measures: how much signals may change (space), how far they may shift to "
+    "later (time) or earlier times (time-left), or the change averaged over windows (average). The "
+    "range is always that of space robustness.",
 )
 @click.option(
     "--follow",

@@ -48,7 +48,7 @@ class Task:
     options: Mapping[str, Any] = field(default_factory=dict)
     overrides: Mapping[str, str] = field(default_factory=dict)
     after_violation: float | None = 2.0
-    """seconds that a drive goes on after all that is expected of it is violated; None: it ends as
+    """seconds that a drive continues after all its expectations are violated; None: it ends as
     it would without a search"""
 
 

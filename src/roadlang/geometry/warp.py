@@ -1,4 +1,4 @@
-"""A plane of which places are moved, each with what is around it."""
+"""A smooth deformation of the plane that moves given places together with their surroundings."""
 
 from __future__ import annotations
 
@@ -36,11 +36,13 @@ class Warp:
     ) -> Warp:
         """Of points as tuples."""
         if len(at) != len(by):
-            raise GeometryError(f"{len(at)} places are moved by {len(by)} distances")
+            raise GeometryError(f"there are {len(at)} places, but {len(by)} displacements")
         moves = np.array(by, dtype=np.float64).reshape(-1, 2)
         if len(moves) and np.hypot(*moves.T).max() > radius / _STEEPEST:
             most = radius / _STEEPEST
-            raise GeometryError(f"with a radius of {radius:g} m a place moves at most {most:.3g} m")
+            raise GeometryError(
+                f"with a radius of {radius:g} m, a place can move by at most {most:.3g} m"
+            )
         return cls(np.array(at, dtype=np.float64).reshape(-1, 2), moves, radius)
 
     def moved(self, points: Floats) -> Floats:

@@ -1,1 +1,1 @@
-"""What a human can take hold of in a scene: where it is, and how a move changes the text."""
+"""Handles of a scene: their places, and how dragging one changes the text."""

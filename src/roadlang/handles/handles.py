@@ -1,4 +1,4 @@
-"""What of a scene a human can take hold of in a window, and what the text is after a move."""
+"""The handles that can be dragged in a window, and the text that results from dragging one."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from .networks import network_dragged, network_handles, network_restored
 SPACING = 30.0
 """Meters from one handle of a road to the next, about."""
 MOST = 60
-"""Handles that a road has, at most, beside those that were moved already."""
+"""Maximum number of handles of a road, besides those that were already moved."""
 NEAREST = 0.5
-"""Share of the spacing within which of a moved place there is no other handle."""
+"""Share of the spacing around a moved place that has no other handle."""
 
 
 def handles_of(text: str, scene: Scene) -> tuple[Handle, ...]:
@@ -82,7 +82,7 @@ def inserted(text: str, scene: Scene, near: Handle, at: Place, kind: str) -> str
 
 
 def removed(text: str, handle: Handle) -> str | None:
-    """The text without what a handle moves: a waypoint, what a place was moved by, a thing."""
+    """The text without what a handle moves: a waypoint, the move of a place, an agent or object."""
     if handle.sort == "waypoint":
         return waypoint_removed(text, handle.name, handle.number)
     if handle.sort == "place":

@@ -23,7 +23,7 @@ from .handle import Handle
 SPACING = 30.0
 """Meters between handles along a road, about."""
 NEAR = 1.0
-"""Meters within which two handles would be one."""
+"""Meters: handles closer than this would coincide."""
 SAME = 0.02
 """Meters by which the place of a handle may differ from where its move leads, by rounding."""
 

@@ -76,8 +76,8 @@ class Measure:
 
 @dataclass(frozen=True, slots=True)
 class Entity:
-    """An image, network, road, agent or object, by name. `copy`: of a group the one of that number,
-    from 1; 0 for all of it."""
+    """An image, network, road, agent or object, by name. `copy`: the number
+    of a copy of a group, from 1; 0 for the whole group."""
 
     name: str
     role: str

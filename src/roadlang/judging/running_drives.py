@@ -1,4 +1,4 @@
-"""What is certain about the `expect`s of a scene while it is driven, whatever happens next."""
+"""Verdicts on the `expect`s of a scene that are already certain while it is driven."""
 
 from __future__ import annotations
 

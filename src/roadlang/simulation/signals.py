@@ -151,7 +151,7 @@ class SignalCall:
 
     def known_values(self, samples: PendingSamples) -> Floats:
         """(R,) the same, but NaN for agents in whose scenes the kind has failed, now or before: see
-        `failed` (R,). A failure in one scene says nothing of the others."""
+        `failed` (R,). A failure in one scene does not affect the others."""
         out = np.full(self._count, math.nan)
         parts, self._parts = self._parts, []
         for part in parts:

@@ -79,8 +79,8 @@ def _unreachable(
         help_ = f"without {' and '.join(options)} there is one"
     elif isinstance(shortest_route(lanes, leg[::-1]), PlannedRoute):
         help_ = (
-            "there is one in the other direction only, and a route does not turn back on a road: "
-            "name a point by which it comes round"
+            "there is one only in the other direction, and a route does not turn around on a road: "
+            "add a point through which it can return"
         )
     else:
         roads = sorted({lanes.lanes[place.lane].edge for place in leg[0]})

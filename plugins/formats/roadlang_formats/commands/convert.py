@@ -1,4 +1,4 @@
-"""`roadlang convert A B`: a map in one format, written in another."""
+"""`roadlang convert A B`: writes a map in another format."""
 
 from __future__ import annotations
 
@@ -23,18 +23,20 @@ KINDS = {
     ".glb": "gltf",
     ".scenic": "scenic",
 }
-"""The `emit` that an ending of a file means."""
+"""The kind of `emit` for each file name extension."""
 
 
 @click.command("convert")
 @click.argument("source", metavar="FILE")
 @click.argument("target", metavar="OUTPUT")
-@click.option("--emit", "kind", metavar="KIND", help="Output format, if the ending is not enough.")
+@click.option(
+    "--emit", "kind", metavar="KIND", help="Output format, if the extension does not determine it."
+)
 def command(source: str, target: str, kind: str | None) -> None:
     """Convert a map, or the first scene of a scene file, to another format.
 
-    FILE is a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl). The ending of OUTPUT
-    says which format it gets: .xodr, .svg, .json, or that of any other `emit`.
+    FILE is a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl). The extension of
+    OUTPUT selects its format: .xodr, .svg, .json, or that of any other `emit`.
     """
     path = Path(target).absolute()
     ending, kind = _format(path.name, kind)
@@ -51,13 +53,13 @@ def command(source: str, target: str, kind: str | None) -> None:
 
 
 def _format(name: str, kind: str | None) -> tuple[str, str]:
-    """The ending of an output, without its dot, and its kind."""
+    """The extension of an output, without its dot, and its kind."""
     fitting = [ending for ending in KINDS if name.lower().endswith(ending)]
     if kind is not None:
         _, _, ending = name.partition(".")
         return ending, kind
     if not fitting:
-        help_ = f"end its name in {', '.join(KINDS)}, or name a format with `--emit`"
+        help_ = f"use the extension {', '.join(KINDS)}, or select a format with `--emit`"
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_CHOICE, what="output format", name=Path(name).suffix, help=help_)
         )
@@ -66,7 +68,7 @@ def _format(name: str, kind: str | None) -> tuple[str, str]:
 
 
 def _backend(registry: Any, kind: str) -> Backend:
-    """The backend of an installed kind. Raises RL471 for another."""
+    """The backend of an installed kind. Raises RL471 if the kind is not installed."""
     try:
         found: Backend = registry.find("emit", kind).load()()
     except LookupError:

@@ -18,9 +18,9 @@ SCENE_FILE = ".rl"
 
 
 def opened(name: str) -> roadlang.Scene:
-    """The scene of a file. Of a map it has the network alone, called `town`.
+    """The scene of a file. The scene of a map has only its network, called `town`.
 
-    Prints what is remarkable. Raises DiagnosticError for what cannot be read.
+    Prints warnings. Raises DiagnosticError if the file cannot be read.
     """
     import roadlang
     from roadlang.api import read_input
@@ -38,11 +38,11 @@ def opened(name: str) -> roadlang.Scene:
 
 
 def _is_scene(content: bytes) -> bool:
-    """Whether a JSON file is a scene of roadlang; a reader of plugins may know others."""
+    """Whether a JSON file is a scene of roadlang; plugins may read other JSON files."""
     try:
         found = json.loads(content)
     except (ValueError, RecursionError):
-        return True  # the reader of scenes says what is wrong
+        return True  # the reader of scenes reports what is wrong
     return isinstance(found, dict) and str(found.get("schema", "")).startswith("roadlang.scene/")
 
 

@@ -14,7 +14,7 @@ from .opening import opened
 @click.command("view")
 @click.argument("file")
 @click.option(
-    "-o", "--output", metavar="FILE", help="Output file; by default FILE with the ending .svg."
+    "-o", "--output", metavar="FILE", help="Output file; by default FILE with the extension .svg."
 )
 @click.option(
     "--size",

@@ -21,7 +21,7 @@ _SPACING = 1.0
 _HEIGHT_SPACING = 2.0
 _MOST_HEIGHTS = 4001
 _FLAT = 1e-6
-"""Meters: lower heights are none."""
+"""Meters; smaller heights count as zero."""
 
 
 @dataclass(frozen=True, eq=False)

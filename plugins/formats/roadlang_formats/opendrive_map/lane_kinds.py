@@ -1,4 +1,4 @@
-"""What the types of lanes and lines of OpenDRIVE are here."""
+"""Lane types and road marks of OpenDRIVE, mapped to those of roadlang."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ _MARKS: Mapping[str, Literal["solid", "broken", "double", "none", "curb"]] = {
 
 
 def lane_type(written: str) -> LaneType:
-    """That of a lane of this type; of one that is unknown, grass: nobody drives there."""
+    """The lane type for a type of OpenDRIVE; unknown types become grass, where nobody drives."""
     return _TYPES.get(written, _GRASS)
 
 

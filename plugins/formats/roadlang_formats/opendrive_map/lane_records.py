@@ -21,7 +21,7 @@ def section_record(file: MapFile, element: MapElement) -> SectionRecord:
                 raise file.fault(child, f"two lanes of a section have the id {lane.id}")
             lanes[lane.id] = lane
     if len(lanes) > _MOST_LANES:
-        raise file.fault(element, f"a section of {len(lanes)} lanes")
+        raise file.fault(element, f"a lane section has {len(lanes)} lanes")
     for lane in lanes.values():
         inner = lane.id - 1 if lane.id > 0 else lane.id + 1
         if lane.id and inner and inner not in lanes:

@@ -28,11 +28,11 @@ def network_of(file: MapFile) -> Extraction:
     outside = [
         road
         for id, road in roads.items()
-        # Where the junction of a connecting road is missing, it is a road as any other.
+        # A connecting road whose junction is missing is treated like any other road.
         if road.record.junction not in record.junctions
     ]
     if not outside:
-        raise file.fault(file.root, "all its roads are parts of junctions")
+        raise file.fault(file.root, "all its roads belong to junctions")
     numbers = numbered([road.record.id for road in outside])
     reader = TurnReader(file, roads, numbers)
     junctions = reader.junctions(record.junctions)
@@ -93,5 +93,5 @@ def _same(one: tuple[float, float], other: tuple[float, float]) -> bool:
 def _remarks(record: OpenDriveRecord) -> tuple[str, ...]:
     sides = {road.left_hand for road in record.roads.values()}
     if sides == {True}:
-        return ("its traffic keeps left: write `world { traffic: left }`",)
+        return ("the map has left-hand traffic: write `world { traffic: left }`",)
     return ()

@@ -40,7 +40,7 @@ _LONGEST = 1e6
 
 
 def parsed_map(file: MapFile) -> OpenDriveRecord:
-    """Everything that is read of a file."""
+    """Everything that is read from a file."""
     roads: dict[str, RoadRecord] = {}
     for element in file.root.all("road"):
         road = _road(file, element)
@@ -121,7 +121,9 @@ def _geometry(file: MapFile, element: MapElement) -> GeometryRecord:
     shapes = [child for child in element.children if child.tag in _NUMBERS]
     if len(shapes) != 1:
         known = ", ".join(_ORDER)
-        raise file.fault(element, f"a `geometry` has one of {known}; this has {len(shapes)}")
+        raise file.fault(
+            element, f"a `geometry` must have exactly one of {known}; this has {len(shapes)}"
+        )
     shape = shapes[0]
     length = file.number(element, "length")
     if not 0.0 <= length <= _LONGEST:
@@ -138,7 +140,7 @@ def _geometry(file: MapFile, element: MapElement) -> GeometryRecord:
         math.remainder(file.number(element, "hdg"), 2.0 * math.pi),
         length,
         numbers,
-        # "arcLength" is the exception; where nothing is said, version 1.4 means this.
+        # "arcLength" is the exception; "normalized" is the default in version 1.4.
         shape.attributes.get("pRange", "normalized") != "arcLength",
     )
 
@@ -148,7 +150,7 @@ def _link(file: MapFile, element: MapElement | None, default: Contact) -> RoadLi
         return None
     kind = element.attributes.get("elementType", "road")
     if kind not in ("road", "junction"):
-        raise file.fault(element, f"`elementType` is road or junction, not `{kind}`")
+        raise file.fault(element, f"`elementType` must be road or junction, not `{kind}`")
     contact = _contact(file, element, element.attributes.get("contactPoint", default))
     return RoadLink(kind, element.attributes["elementId"], contact)  # type: ignore[arg-type]
 
@@ -158,7 +160,7 @@ def _contact(file: MapFile, element: MapElement, written: str) -> Contact:
         return "start"
     if written == "end":
         return "end"
-    raise file.fault(element, f"`contactPoint` is start or end, not `{written}`")
+    raise file.fault(element, f"`contactPoint` must be start or end, not `{written}`")
 
 
 def _junction(file: MapFile, element: MapElement) -> JunctionRecord:
@@ -166,7 +168,7 @@ def _junction(file: MapFile, element: MapElement) -> JunctionRecord:
     connections = []
     is_virtual = element.attributes.get("type") == "virtual"
     for child in () if is_virtual else element.all("connection"):
-        # Of crossings of railways there are connections without an incoming road.
+        # At railway crossings there are connections without an incoming road.
         if "incomingRoad" not in child.attributes:
             continue
         direct = "connectingRoad" not in child.attributes

@@ -66,7 +66,9 @@ def reference_line(file: MapFile, road: RoadRecord) -> PlanViewCurve:
         curve = Curve.hermite(poses[:, :2], poses[:, 2])
         arc_lengths = curve.arc.length_at(curve.spline.knots)
     except GeometryError as error:
-        raise file.fault(road.element, f"road `{road.id}` is no curve: {error}") from None
+        raise file.fault(
+            road.element, f"the reference line of road `{road.id}` is not a valid curve: {error}"
+        ) from None
     return PlanViewCurve(curve, np.maximum.accumulate(along), arc_lengths)
 
 

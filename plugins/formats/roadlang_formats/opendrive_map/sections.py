@@ -85,14 +85,14 @@ def _widths(road: RoadRecord, number: int, s: Floats) -> dict[int, Floats]:
             else:
                 border = sign * value_at(lane.borders, s - section.s)
                 width = border - inner if lane.borders else inner * 0.0
-            # Maps let widths run a little below zero where lanes end.
+            # In real maps, widths may drop slightly below zero where lanes end.
             found[id] = np.maximum(width, 0.0)
             inner = inner + found[id]
     return found
 
 
 def _widen(widths: dict[int, Floats], tracks: Sequence[LaneTrack]) -> None:
-    """Gives a road a width where its lanes have none: a network has no road without."""
+    """Gives a road a width where its lanes have none, because every road of a network needs one."""
     driven = [track.id for track in tracks if lane_type(track.pattern.type).drivable]
     ids = driven or [track.id for track in tracks]
     total = np.sum([widths[id] for id in ids], axis=0)

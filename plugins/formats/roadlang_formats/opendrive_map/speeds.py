@@ -6,7 +6,7 @@ from roadlang_formats.map_xml import MapElement, MapFile
 
 _UNITS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "mph": 0.44704}
 _FASTEST = 200.0
-"""m/s: what is faster is no limit."""
+"""m/s; higher values count as no limit."""
 
 
 def speed_of(file: MapFile, element: MapElement | None) -> float | None:
@@ -15,6 +15,8 @@ def speed_of(file: MapFile, element: MapElement | None) -> float | None:
         return None
     unit = element.attributes.get("unit", "m/s")
     if unit not in _UNITS:
-        raise file.fault(element, f"the unit of a speed is {', '.join(_UNITS)}, not `{unit}`")
+        raise file.fault(
+            element, f"the unit of a speed must be one of {', '.join(_UNITS)}, not `{unit}`"
+        )
     found = file.number(element, "max") * _UNITS[unit]
     return found if 0.0 < found < _FASTEST else None

@@ -24,7 +24,7 @@ class TurnReader:
     def __init__(self, file: MapFile, roads: Roads, numbers: Mapping[str, int]) -> None:
         self._file, self._roads, self._numbers = file, roads, numbers
         self.remarks: dict[str, None] = {}
-        """what is strange about the links, once each"""
+        """warnings about links, each once"""
 
     def junctions(self, records: Mapping[str, JunctionRecord]) -> tuple[MapJunction, ...]:
         """Those of the file, then the joints of roads that follow one another."""
@@ -62,7 +62,7 @@ class TurnReader:
             raise self._file.fault(road.element.first("link") or road.element, reason)
 
     def _are_near(self, one: RoadEnd, other: RoadEnd) -> bool:
-        """Whether two ends meet; if not, that is remarked on: maps have such links."""
+        """Whether two ends meet; if not, a remark is added, because real maps have such links."""
         gap = math.dist(*(self._roads[id].point(end) for id, end in (one, other)))
         if gap > _FARTHEST:
             line = self._file.line(self._roads[one[0]].record.element)

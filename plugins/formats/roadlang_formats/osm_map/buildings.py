@@ -1,4 +1,4 @@
-"""Buildings of an extract as objects: the smallest rectangles round their outlines."""
+"""Buildings of an extract as objects: the smallest rectangles around their outlines."""
 
 from __future__ import annotations
 

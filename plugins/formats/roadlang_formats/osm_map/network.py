@@ -73,7 +73,7 @@ def network_of_ways(
     """The same of nodes and ways; `fault` makes what is raised for the whole of them."""
     streets = _streets(extract, options)
     if not streets:
-        raise fault("it has no way that vehicles drive on")
+        raise fault("it has no way for motor vehicles")
     used = {node for street in streets for node in street.nodes}
     origin = options.origin or _middle(extract, used)
     projection = LocalProjection(*origin)
@@ -82,8 +82,8 @@ def network_of_ways(
     }
     farthest = max(points.values(), key=lambda point: math.hypot(*point))
     if math.hypot(*farthest) > _FARTHEST:
-        reason = f"its ways lie up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
-        raise fault(reason, "name an `origin` nearby, or cut the extract smaller")
+        reason = f"its ways extend up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
+        raise fault(reason, "set an `origin` nearby, or use a smaller extract")
     network = _built(streets, points, options)
     network = replace(network, origin=origin)
     objects = buildings_of(extract, projection) if options.buildings else ()
@@ -91,7 +91,7 @@ def network_of_ways(
 
 
 def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
-    """The middle of the box round all nodes, to 1e-5 degrees."""
+    """The center of the bounding box of all nodes, to 1e-5 degrees."""
     latitudes = [extract.nodes[id].latitude for id in used]
     longitudes = [extract.nodes[id].longitude for id in used]
     middle = ((min(values) + max(values)) / 2.0 for values in (latitudes, longitudes))
@@ -100,7 +100,7 @@ def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
 
 
 def _streets(extract: OsmExtract, options: OsmOptions) -> list[Street]:
-    """The driven ways, cut where others meet them and put together where they only go on."""
+    """The ways for vehicles, split where others meet them, joined where one continues another."""
     ways = [
         Street(way.nodes, way.tags)
         for way in extract.ways
@@ -181,7 +181,7 @@ def _built(
         line = [points[node] for node in street.nodes]
         try:
             curve = filleted(line, _ROUNDING)
-        except GeometryError:  # too short, or straight back: a fault of the drawing
+        except GeometryError:  # too short, or a reversal of direction: an error in the map
             continue
         if curve.length < _SHORTEST:
             continue

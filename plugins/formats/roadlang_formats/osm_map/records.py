@@ -34,7 +34,7 @@ class OsmExtract:
 
 
 def osm_extract(file: MapFile) -> OsmExtract:
-    """Raises RL479 for what is no place on Earth, and for ids used twice."""
+    """Raises RL479 for impossible coordinates and for ids used twice."""
     nodes: dict[str, OsmNode] = {}
     for element in file.root.all("node"):
         id = file.attribute(element, "id")
@@ -44,7 +44,9 @@ def osm_extract(file: MapFile) -> OsmExtract:
             raise file.fault(element, f"two nodes have the id `{id}`")
         latitude, longitude = (file.number(element, name) for name in ("lat", "lon"))
         if abs(latitude) > 89.0 or abs(longitude) > 180.0:
-            raise file.fault(element, f"no place is at {latitude:g}, {longitude:g} degrees")
+            raise file.fault(
+                element, f"{latitude:g}, {longitude:g} degrees is not a place on Earth"
+            )
         nodes[id] = OsmNode(latitude, longitude, _tags(element))
     ways = []
     seen = set()
@@ -54,7 +56,7 @@ def osm_extract(file: MapFile) -> OsmExtract:
             raise file.fault(element, f"two ways have the id `{id}`")
         seen.add(id)
         listed = [file.attribute(child, "ref") for child in element.all("nd")]
-        # At the edge of an extract ways name nodes that it does not have.
+        # At the edge of an extract, ways refer to nodes that it does not contain.
         here = tuple(node for node in listed if node in nodes)
         ways.append(OsmWay(here, _tags(element)))
     return OsmExtract(nodes, tuple(ways))

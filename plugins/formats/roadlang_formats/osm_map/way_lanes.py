@@ -31,7 +31,7 @@ LANES: Mapping[str, int] = {
         1,
     ),
 }
-"""The kinds of ways that vehicles drive on, and the lanes of each direction where no tag says."""
+"""The ways for motor vehicles, and their default number of lanes in each direction."""
 _MOST = 12
 _UNITS = {"": 1.0 / 3.6, "km/h": 1.0 / 3.6, "kmh": 1.0 / 3.6, "kph": 1.0 / 3.6, "mph": 0.44704}
 _ONE_WAY = {"yes": True, "true": True, "1": True, "-1": False, "reverse": False}
@@ -47,7 +47,7 @@ class WayLanes:
 
 
 def is_driven(tags: Tags) -> bool:
-    """Whether vehicles use a way; areas are none."""
+    """Whether motor vehicles may use a way; areas do not count."""
     return (
         tags.get("highway") in LANES
         and tags.get("area") != "yes"
@@ -67,7 +67,7 @@ def one_way(tags: Tags) -> bool | None:
 
 
 def way_lanes(tags: Tags) -> WayLanes:
-    """By `lanes`, `lanes:forward` and `lanes:backward`; of an odd number the extra lane runs
+    """From `lanes`, `lanes:forward` and `lanes:backward`; with an odd number, the extra lane runs
     forward."""
     usual = LANES[tags["highway"]]
     total, forward, backward = (
@@ -96,7 +96,7 @@ def _count(written: str | None) -> int | None:
 
 
 def speed_limit(written: str) -> float | None:
-    """m/s; None for what is no number, as `signals` or `DE:urban`."""
+    """m/s; None for a value that is not a number, such as `signals` or `DE:urban`."""
     found = re.fullmatch(r"\s*(\d{1,3}(?:\.\d+)?)\s*([a-z/]*)\s*", written)
     if found is None or found.group(2) not in _UNITS or not float(found.group(1)):
         return None

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from roadlang_godot.session import Session
 
 LISTEN, BRIEFLY = 0.05, 0.005
-"""Seconds from one look at the file to the next, and at what is compiled."""
+"""Seconds between checks of the file, and of what is being compiled."""
 JUDGE_EVERY = 0.5
 BYTE_ORDER_MARK = "\ufeff"
 
@@ -43,7 +43,7 @@ BYTE_ORDER_MARK = "\ufeff"
 @click.option(
     "--road", type=click.Choice(["mesh", "tiles"]), default="mesh", help="How to build the road."
 )
-@click.option("--save", is_flag=True, help="Write what is changed in the window back to FILE.")
+@click.option("--save", is_flag=True, help="Save changes made in the window to FILE.")
 @click.option(
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
 )
@@ -171,9 +171,9 @@ class Watcher:
             self.look(live)
 
     def take(self, live: LiveScene, edit: HandEdit) -> None:
-        """Change the text as a human has changed the scene."""
+        """Apply changes made in the window to the text."""
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
-            echo(f"`{edit.handle.name}` stays: {self._file} has no place for this change")
+            echo(f"`{edit.handle.name}` is unchanged: {self._file} cannot express this edit")
         self._is_previewed = self._preview(live)
 
     def _preview(self, live: LiveScene) -> bool:

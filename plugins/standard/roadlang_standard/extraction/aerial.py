@@ -127,7 +127,7 @@ def roads_of_photo(
 
 
 def _view(image: Image, scale: float, request: Request, net: Net) -> FoundNetwork:
-    """What is found in a photo that is looked at `scale` times as large."""
+    """What is found in a photo that is resized by the factor `scale`."""
     found = roads_of_evidence(look(resized(image, scale), net), request.at(scale))
     found = found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})

@@ -12,7 +12,7 @@ _ANGLES = 12
 _WIDTHS = (5, 9, 13)
 _LENGTH = 21
 _SMALLER = 1 / 3
-"""Size at which a photo without fine detail is looked at."""
+"""Scale at which a photo without fine detail is processed."""
 _CHROMA = 0.03
 """How much a colorful pixel loses: asphalt is gray."""
 

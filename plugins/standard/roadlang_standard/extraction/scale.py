@@ -1,4 +1,4 @@
-"""At which sizes to look at a photo: from its ground resolution, else from how sharp it is."""
+"""The sizes at which a photo is processed: from its ground resolution, else from its sharpness."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ import numpy as np
 from .tones import Image
 
 _GROUND = 0.9
-"""Meters per pixel at which the net sees best."""
+"""Meters per pixel at which the net works best."""
 _NO_DETAIL = 0.002
 """Photos that are blurred, or enlarged three times, have less fine detail than this."""
 _FINEST = 3.0
-"""The largest view of a photo of stated resolution, in views at which the net should see best."""
+"""Size of the largest view of a photo of known resolution, relative to the optimal view."""
 
 
 def view_scales(image: Image, meters_per_pixel: float | None = None) -> tuple[float, ...]:
-    """The factors by which to resize a photo before looking, the largest first; 1 or less.
+    """The factors by which to resize a photo before processing, the largest first; 1 or less.
 
-    A stated resolution says at which size the net should see best. Without one, only a photo that
-    has no fine detail is looked at in half its size: it may be an enlarged one.
+    A known resolution determines the optimal size. Without one, only a photo without fine detail
+    is also processed at half size, because it may have been enlarged.
     """
     smallest = min(1.0, 64 / min(image.shape[:2]))
     if meters_per_pixel is not None:

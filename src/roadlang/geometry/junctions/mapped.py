@@ -31,7 +31,7 @@ _JOINT_TRIM, _JOINT_SHARE = 1.0, 0.1
 
 
 def plan_of_map(network: RoadNetwork, sections: Mapping[int, CrossSection]) -> JunctionPlan:
-    """The plan of a network whose map states the junctions. Nothing is reported of a map."""
+    """The plan of a network whose map defines the junctions. Maps cause no warnings."""
     arms: dict[ArmKey, ArmLine] = {}
     trims: dict[ArmKey, float] = {}
     stated = [junction for junction in network.junctions or () if junction.turns]

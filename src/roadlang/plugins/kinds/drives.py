@@ -84,8 +84,8 @@ class Simulator(Kind):
     verb: ClassVar[str] = "simulate"
     required_methods: ClassVar[tuple[str, ...]] = ("drive", "drive_all")
     at_once: ClassVar[int] = 64
-    """How many scenes `drive_all` is called with, at most. What it has driven is written when it
-    returns: few where each takes long, many where they are driven together."""
+    """How many scenes `drive_all` is called with, at most. Results are written when it
+    returns, so use a small number if each drive takes long, a large one if they run in parallel."""
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
         """What this simulator cannot drive of a scenario; as `Backend.unsupported`, at the

@@ -20,18 +20,18 @@ def infer_numbered(checker: Checker, node: ast.Numbered, context: Context) -> Ty
     entity, place = group.value, node.number.span
     role = group.type.role if isinstance(group.type, DeclaredType) else ""
     if not isinstance(entity, Entity) or role not in ("agent", "object"):
-        what, expected = "what has a number in brackets", "a group of agents or objects"
+        what, expected = "a name with an index in brackets", "a group of agents or objects"
         return checker.report(
             Code.WRONG_TYPE, node.of.span, what=what, expected=expected, found=group.type
         )
     count = written_count(checker, entity.name)
     if count is None:
         help_ = f"write `{entity.name}`, or declare it with `count:`"
-        return _refused(checker, node, f"`{entity.name}` is no group", help_)
+        return _refused(checker, node, f"`{entity.name}` is not a group", help_)
     number = node.number.value
     if node.number.unit or not number.is_integer():
         help_ = "copies are counted from 0 without a unit: `[0]`, `[1]`, ..."
-        return _refused(checker, node, f"`{place.text}` is no number of a copy", help_)
+        return _refused(checker, node, f"`{place.text}` is not the number of a copy", help_)
     most = checker.infer(count, context).constant
     if most is not None and number >= most:
         last = f"copies are counted from 0: the last is `{entity.name}[{int(most) - 1}]`"

@@ -62,8 +62,8 @@ class NetworkOptions(CrossSectionOptions):
 
     moved_at: Places = option(
         None,
-        help="places that are moved, junctions among them, before anything else happens; `watch` "
-        "writes what was dragged",
+        help="places of the network, such as junctions, that are moved before anything else happens; "
+        "`watch` writes it for dragged networks",
         example="[(40m, 32m)]",
     )
     moved_by: Places = option(
@@ -73,7 +73,7 @@ class NetworkOptions(CrossSectionOptions):
         None,
         above=0,
         maximum=10000,
-        help="what is nearer to a place moves with it; 80m if nothing is said",
+        help="everything within this distance of a place moves with it; by default 80m",
         example="60m",
     )
     station_spacing: Length = option(

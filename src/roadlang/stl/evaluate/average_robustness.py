@@ -1,4 +1,4 @@
-"""Robustness averaged over windows: it tells early from late, and lasting from passing."""
+"""Robustness averaged over windows: it also reflects how early and how long a formula holds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Robustness with weights: which operands of `and` and `or` matter more."""
+"""Robustness with weights for the operands of `and` and `or`."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ def weighted_robustness(
 ) -> FloatArray:
     """Robustness at every sample, (V, S) or (S,), with weights for operands of `and` and `or`.
 
-    With the weights of its operands divided by their sum, w_i (1 where none is given), `and` is
-    worth the least of r_i (1 - w_i) for r_i > 0 and r_i w_i below, and `or` the greatest of r_i w_i
-    for r_i > 0 and r_i (1 - w_i) below: a violation of a heavy operand weighs more. The sign is
-    that of robustness; `and` and `or` without a weighted operand are worth what they are otherwise
-    (Mehdipour, Vasile, Belta, Specifying user preferences using weighted signal temporal logic,
+    With the weights of its operands divided by their sum, w_i (1 where none is given), the
+    robustness of `and` is the minimum of r_i (1 - w_i) for r_i > 0 and r_i w_i otherwise, and that
+    of `or` the maximum of r_i w_i for r_i > 0 and r_i (1 - w_i) otherwise: a violation of an operand
+    with a large weight counts more. The sign is that of robustness, and an `and` or `or` without a
+    weighted operand keeps its usual robustness (Mehdipour, Vasile, Belta, Specifying user preferences using weighted signal temporal logic,
     L-CSS 2021). Raises DiagnosticError RL342 for a weight that is not positive or belongs to no
     operand, and as `robustness` does.
     """
@@ -58,7 +58,7 @@ def _check(formula: f.Formula, weights: Mapping[f.Formula, float]) -> None:
             raise stl_error(
                 Code.INVALID_PARAMETER,
                 name=str(part),
-                problem="it is no operand of `and` or `or` in the formula",
+                problem="it is not an operand of `and` or `or` in the formula",
             )
 
 

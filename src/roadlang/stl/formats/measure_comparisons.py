@@ -75,7 +75,7 @@ def not_compared(measure: ast.MeasureExpression) -> Diagnostic:
     return diagnose(
         Code.MEASURE_COMPARISON,
         measure.span,
-        help=f"it is one side of a comparison, with a number on the other: `{text} {example}`",
+        help=f"compare it with a number: `{text} {example}`",
         word=measure.word,
         problem="is not compared with a number",
     )
@@ -87,7 +87,7 @@ def not_a_constant(measure: ast.MeasureExpression, span: Span) -> Diagnostic:
     return diagnose(
         Code.MEASURE_COMPARISON,
         span,
-        help="write a number that is the same everywhere and in every scene",
+        help="write a number that is the same in every scene and at every sample",
         word=measure.word,
         problem=f"is compared with `{text}`, which is not a constant",
     )
@@ -95,7 +95,7 @@ def not_a_constant(measure: ast.MeasureExpression, span: Span) -> Diagnostic:
 
 def count_with_unit(number: ast.NumberLiteral) -> Diagnostic:
     """RL329: a count is a number of samples."""
-    help_ = "a count is a number of samples; for how long something holds there is `duration`"
+    help_ = "a count is a number of samples; use `duration` for how long a formula holds"
     return diagnose(
         Code.MEASURE_COMPARISON,
         number.span,

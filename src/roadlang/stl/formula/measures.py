@@ -1,8 +1,8 @@
 """How often, or for how long, a formula holds in a window, compared with a number.
 
-Robustness is that of an order statistic: `count (p) >= 3` is worth the third greatest value of p in
-the window, for that is the greatest level that p has at three samples. So is a duration, with
-samples that weigh as much as the time until the next one.
+Robustness is an order statistic: that of `count (p) >= 3` is the third greatest value of p in the
+window, the greatest level that p reaches at three samples. A duration is the same with samples that
+are weighted by the time until the next one.
 """
 
 from __future__ import annotations
