@@ -10,7 +10,7 @@ from typing import Any
 class OldName:
     """The old name of a member of a class: `of_one: ClassVar = OldName("of_single")`.
 
-    Whoever reads it gets the member under its new name, and a warning that points at the line.
+    Reading it gives the member under its new name, and a warning that points at the line.
     """
 
     def __init__(self, new: str) -> None:
@@ -38,4 +38,4 @@ def current_name(module: str, name: str, renamed: Mapping[str, str]) -> str:
 
 
 def _text(owner: str, old: str, new: str) -> str:
-    return f"{owner}.{old} is now {owner}.{new}; the old name goes with the next minor version"
+    return f"{owner}.{old} is now {owner}.{new}; the next minor version removes the old name"

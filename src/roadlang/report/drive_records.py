@@ -134,7 +134,7 @@ def _agent(agent: Any, samples: Integers) -> dict[str, Any]:
 
 
 def _samples_until_gone(agent: Any, samples: Integers) -> int:
-    """How many of the samples come before the agent has left; all of who stays."""
+    """Number of samples before the agent leaves; all samples if it stays."""
     gone = agent.present[samples] == 0.0
     return int(gone.argmax()) if gone.any() else len(samples)
 

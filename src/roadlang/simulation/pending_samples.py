@@ -1,4 +1,4 @@
-"""Samples that were recorded and not looked at yet, read many at once."""
+"""Samples that were recorded but not evaluated yet; many are read at once."""
 
 from __future__ import annotations
 

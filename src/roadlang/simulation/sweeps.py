@@ -14,7 +14,7 @@ from .lines import Lines
 STRAIGHT = 0.004
 """1/m: bends with less curvature do not matter."""
 LEAST = 0.2
-"""Meters: who covers less beyond its width, to the first order, fits everywhere."""
+"""Meters: a vehicle that covers less beyond its width (to first order) fits everywhere."""
 SPREAD = 2.0
 """Meters along the line to each side for which a corner counts."""
 

@@ -62,8 +62,8 @@ class NetworkOptions(CrossSectionOptions):
 
     moved_at: Places = option(
         None,
-        help="places of the network, such as junctions, that are moved before anything else happens; "
-        "`watch` writes it for dragged networks",
+        help="places of the network, such as junctions, that are moved before anything else "
+        "happens; `watch` writes it for dragged networks",
         example="[(40m, 32m)]",
     )
     moved_by: Places = option(

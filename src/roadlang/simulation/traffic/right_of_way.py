@@ -158,7 +158,7 @@ class RightOfWayGrants:
         self._wait(crowd, wanted, world, rows)
 
     def _wait(self, crowd: Crowd, wanted: Booleans, world: World, rows: Integers) -> None:
-        """Where agents have to stop, and whom they follow. `wanted`: (N, X) crossings asked for."""
+        """Where agents have to stop, and whom they follow. `wanted`: (N, X) requested crossings."""
         near, held = crowd.near, crowd.held
         closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
         stop = np.minimum(closed.min(axis=1), crowd.oncoming)

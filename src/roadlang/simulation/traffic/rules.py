@@ -28,7 +28,7 @@ FROM_RIGHT, FROM_RIGHT_DISTANCE = 3.0, 8.0
 PATIENCE = 3.0
 """Seconds after which traffic of the main road lets in who waits where lanes merge."""
 LONGEST_WAIT = 15.0
-"""Seconds at a line without signals after which all others let one go first."""
+"""Seconds of waiting at a line without signals after which all others yield to an agent."""
 COURTEOUS = 4.0
 """m/s^2 that the politest brakes for that, at most."""
 BEFORE_ZONE = 0.5
@@ -71,7 +71,7 @@ def is_blocked(
 
 
 def is_occupied(meetings: Meetings, near: Approaches, grants: Grants, asks: Booleans) -> Booleans:
-    """(G, P) for whom one that waits stands on the ground that it needs. `asks`: (G, P)."""
+    """(G, P) whether a waiting agent stands on the ground that each needs. `asks`: (G, P)."""
     waits = asks & ~let_go(meetings, grants)
     _, other_waits = pairs(waits)
     _, other_line = pairs(meetings.of_crossings(near.to_line))

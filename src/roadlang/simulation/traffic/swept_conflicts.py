@@ -29,8 +29,8 @@ class Conflicts:
 
 
 class SweptConflicts:
-    """Conflicts of J junctions. Those whose connections are the same share what is found; it is
-    the same whoever asks first."""
+    """Conflicts of J junctions. Those whose connections are the same share the results, which do
+    not depend on which asks first."""
 
     def __init__(self, junctions: Sequence[SceneJunction], sizes: tuple[VehicleSize, ...]) -> None:
         known: dict[Any, int] = {}
@@ -73,7 +73,7 @@ class SweptConflicts:
         return Conflicts(found.kind[place], found.begin[place], found.end[place])
 
     def _look_up(self, pairs: Integers) -> None:
-        """Find what is not known of some pairs, and of each the other way around."""
+        """Compute the conflicts of pairs that are not known yet, in both orders."""
         rows: list[tuple[int, float, float]] = []
         filled = len(self._found.kind)
         plans = np.searchsorted(self._first, pairs, side="right") - 1

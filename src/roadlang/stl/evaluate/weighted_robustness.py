@@ -28,11 +28,11 @@ def weighted_robustness(
 
     With the weights of its operands divided by their sum, w_i (1 where none is given), the
     robustness of `and` is the minimum of r_i (1 - w_i) for r_i > 0 and r_i w_i otherwise, and that
-    of `or` the maximum of r_i w_i for r_i > 0 and r_i (1 - w_i) otherwise: a violation of an operand
-    with a large weight counts more. The sign is that of robustness, and an `and` or `or` without a
-    weighted operand keeps its usual robustness (Mehdipour, Vasile, Belta, Specifying user preferences using weighted signal temporal logic,
-    L-CSS 2021). Raises DiagnosticError RL342 for a weight that is not positive or belongs to no
-    operand, and as `robustness` does.
+    of `or` the maximum of r_i w_i for r_i > 0 and r_i (1 - w_i) otherwise: a violation of an
+    operand with a large weight counts more. The sign is that of robustness, and an `and` or `or`
+    without a weighted operand keeps its usual robustness (Mehdipour, Vasile, Belta, Specifying user
+    preferences using weighted signal temporal logic, L-CSS 2021). Raises DiagnosticError RL342 for
+    a weight that is not positive or belongs to no operand, and as `robustness` does.
     """
     trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     known = {normal_form(part): weight for part, weight in weights.items()}

@@ -114,7 +114,7 @@ class Pointwise(Compound):
 
 @dataclass(frozen=True, slots=True)
 class TemporalOperator(Compound):
-    """An operator that looks at the samples in an interval (None: all): ahead, or back (`past`)."""
+    """An operator over the samples in an interval (None: all), ahead or in the past (`past`)."""
 
     interval: Interval | None
     past: ClassVar[bool]
