@@ -64,6 +64,7 @@ def test_view_draws_next_to_the_map(town: Path) -> None:
         (("a.xodr", "b.doc"), "RL930"),
         (("none.xodr", "b.svg"), "RL450"),
         (("a.xodr", "b.doc", "--emit", "nothing"), "RL471"),
+        (("a.xodr", "b.doc", "--emit", "svg"), "RL930"),
         (("broken.xodr", "b.svg"), "RL479"),
         (("broken.json", "b.svg"), "RL461"),
     ],

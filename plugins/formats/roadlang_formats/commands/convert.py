@@ -39,32 +39,42 @@ def command(source: str, target: str, kind: str | None) -> None:
     OUTPUT selects its format: .xodr, .svg, .json, or that of any other `emit`.
     """
     path = Path(target).absolute()
-    ending, kind = _format(path.name, kind)
+    kind = _kind(path.name) if kind is None else kind
     scene = opened(source)
     files = {
-        end: content if isinstance(content, bytes) else content.encode()
-        for end, content in _backend(scene.registry, kind).files(scene.record).items()
+        ending: content if isinstance(content, bytes) else content.encode()
+        for ending, content in _backend(scene.registry, kind).files(scene.record).items()
     }
     from roadlang.commands import write_all
 
-    stem = path.name[: -len(ending) - 1] if ending in files else path.name.partition(".")[0]
+    stem = _stem(path.name, list(files))
     for written in write_all(path.parent, {f"{stem}.{end}": files[end] for end in sorted(files)}):
         echo(f"{written}: {len(written.read_bytes()):,} bytes")
 
 
-def _format(name: str, kind: str | None) -> tuple[str, str]:
-    """The extension of an output, without its dot, and its kind."""
+def _kind(name: str) -> str:
+    """The `emit` that the extension of an output selects."""
     fitting = [ending for ending in KINDS if name.lower().endswith(ending)]
-    if kind is not None:
-        _, _, ending = name.partition(".")
-        return ending, kind
     if not fitting:
-        help_ = f"use the extension {', '.join(KINDS)}, or select a format with `--emit`"
-        raise DiagnosticError(
-            diagnose(Code.UNKNOWN_CHOICE, what="output format", name=Path(name).suffix, help=help_)
-        )
-    ending = max(fitting, key=len)
-    return name[len(name) - len(ending) + 1 :], KINDS[ending]
+        extensions = ", ".join(KINDS)
+        raise _unknown(name, f"use the extension {extensions}, or select a format with `--emit`")
+    return KINDS[max(fitting, key=len)]
+
+
+def _stem(name: str, endings: list[str]) -> str:
+    """The name of an output without its extension, which is one of `endings`."""
+    fitting = [ending for ending in endings if name.lower().endswith(f".{ending}")]
+    if not fitting:
+        extensions = " or ".join(f".{ending}" for ending in endings)
+        raise _unknown(name, f"this format is written with the extension {extensions}")
+    return name[: -len(max(fitting, key=len)) - 1]
+
+
+def _unknown(name: str, help: str) -> DiagnosticError:
+    suffix = Path(name).suffix
+    return DiagnosticError(
+        diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
+    )
 
 
 def _backend(registry: Any, kind: str) -> Backend:

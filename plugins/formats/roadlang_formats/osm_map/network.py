@@ -34,8 +34,6 @@ _SHORTEST = 0.5
 _FARTHEST = 100_000.0
 """Meters from the origin."""
 _USERS = ("car", "bus", "bicycle")
-_LONGEST_APPROACH = 40.0
-"""Meters from traffic lights, which may be drawn where vehicles wait, to their junction."""
 
 
 @dataclass(frozen=True)
