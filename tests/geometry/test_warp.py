@@ -59,3 +59,12 @@ def test_a_plane_that_would_fold_is_refused() -> None:
         Warp.of([(0.0, 0.0)], [(47.0, 0.0)], 80.0)
     with pytest.raises(GeometryError, match="1 places, but 0 displacements"):
         Warp.of([(0.0, 0.0)], [], 80.0)
+
+
+@pytest.mark.parametrize("apart", [0.0, 20.0, 40.0])
+def test_moves_that_add_up_to_a_fold_are_refused(apart: float) -> None:
+    at = [(-apart, 0.0), (0.0, 0.0), (apart, 0.0)]
+    with pytest.raises(GeometryError, match="add up"):
+        Warp.of(at, [(40.0, 0.0)] * 3, 80.0)
+    Warp.of(at, [(12.0, 0.0)] * 3, 80.0)
+    Warp.of([(-200.0, 0.0), (0.0, 0.0), (200.0, 0.0)], [(46.0, 0.0)] * 3, 80.0)

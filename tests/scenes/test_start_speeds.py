@@ -87,3 +87,18 @@ def test_what_is_no_initial_speed_is_a_fault_of_the_plugin() -> None:
     with pytest.raises(DiagnosticError) as found:
         begins("drive with wrong")
     assert found.value.diagnostics[0].code == "RL474"
+
+
+def test_a_group_of_none_has_no_start_speeds() -> None:
+    scenes = testing.sample(
+        """
+        road main { draw with waypoints { points: [(0m, 0m), (400m, 0m)] } }
+        agent others is car on main at 10m..300m {
+          count: integer(0, 2), start_speed: 3m/s..5m/s
+        }
+        """,
+        12,
+    )
+    assert {len(scene.record.agents) for scene in scenes} == {0, 1, 2}
+    speeds = [actor.start_speed for scene in scenes for actor in scene.record.agents]
+    assert all(speed is not None and 3.0 <= speed <= 5.0 for speed in speeds)

@@ -14,6 +14,8 @@ from .network import Edge, Node, RoadNetwork
 
 _STEP = 1.0
 """Meters between the points through which a moved road is drawn again, at most."""
+_GRID = 41
+"""Points across the surroundings of a place at which it is looked whether the plane folds."""
 _STEEPEST = 1.72
 """Greatest slope of (1 - r^2)^3: the plane folds where a move is longer than the radius by it."""
 
@@ -43,7 +45,13 @@ class Warp:
             raise GeometryError(
                 f"with a radius of {radius:g} m, a place can move by at most {most:.3g} m"
             )
-        return cls(np.array(at, dtype=np.float64).reshape(-1, 2), moves, radius)
+        warp = cls(np.array(at, dtype=np.float64).reshape(-1, 2), moves, radius)
+        if len(moves) > 1 and warp._folds():
+            raise GeometryError(
+                f"places closer together than {2 * radius:g} m are moved too far: their "
+                f"displacements add up, and roads would fold over"
+            )
+        return warp
 
     def moved(self, points: Floats) -> Floats:
         """(..., 2) where points come to lie."""
@@ -100,6 +108,14 @@ class Warp:
             moved[-1] = positions[edge.end]
         angles = np.arctan2(turned[:, 1], turned[:, 0])
         return edge.transformed(Curve.hermite(moved, angles, curve.closed), 1.0, False)
+
+    def _folds(self) -> bool:
+        """Whether the plane is turned over anywhere, looked at on a grid around each place."""
+        across = np.linspace(-self.radius, self.radius, _GRID)
+        grid = np.stack(np.meshgrid(across, across), axis=-1)
+        points = self.at[:, None, None] + grid
+        x, y = (self.turned(points, np.broadcast_to(axis, points.shape)) for axis in np.eye(2))
+        return bool((x[..., 0] * y[..., 1] - x[..., 1] * y[..., 0] <= 0.0).any())
 
     def _share(self, away: Floats) -> tuple[Floats, Floats]:
         """(...) shares of a move at (..., 2) distances from its place, and their slopes."""

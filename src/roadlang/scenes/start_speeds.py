@@ -43,6 +43,8 @@ def start_speeds(
     """m/s of each copy of an agent of a single candidate: as the scene file says; else, of agents
     in a lane, what the controller in charge at the start wants, and the bends ahead allow."""
     count = where.x.shape[1]
+    if not count:
+        return []
     written = actor.options.get("start_speed")
     if written is not None:
         copies = CopyBatch.every(candidates, count)

@@ -47,8 +47,10 @@ class SweptConflicts:
         counts = np.array([len(plan.connections) for plan in plans], dtype=np.int64) * len(sizes)
         self._count = counts
         self._first = np.concatenate([[0], np.cumsum(counts * counts)])
-        self._place = np.full(int(self._first[-1]), UNKNOWN, dtype=np.int32)
-        """where a pair is in the columns"""
+        # Few of all pairs ever meet: those that were asked for are sorted by their number.
+        self._pairs = np.array([UNKNOWN])
+        self._places = np.array([0])
+        """where each of these pairs is in the columns"""
         self._paths: dict[tuple[int, int], SweptPath] = {}
         self._planned = [_planned(plan) for plan in plans]
         self._found = Conflicts(np.zeros(1, dtype=np.int64), np.zeros(1), np.zeros(1))
@@ -63,32 +65,38 @@ class SweptConflicts:
         sizes, count = len(self._sizes), self._count[plan]
         one, two = (connection * sizes + size for connection, size in (first, second))
         pair = np.where(there, self._first[plan] + one * count + two, 0)
-        place = self._place[pair]
+        place = self._place(pair)
         unknown = np.unique(pair[there & (place == UNKNOWN)])
         if len(unknown):
             self._look_up(unknown)
-            place = self._place[pair]
+            place = self._place(pair)
         place = np.where(there, place, 0)
         found = self._found
         return Conflicts(found.kind[place], found.begin[place], found.end[place])
 
+    def _place(self, pairs: Integers) -> Integers:
+        """Where pairs are in the columns, or `UNKNOWN`."""
+        at = np.minimum(np.searchsorted(self._pairs, pairs), len(self._pairs) - 1)
+        place: Integers = np.where(self._pairs[at] == pairs, self._places[at], UNKNOWN)
+        return place
+
     def _look_up(self, pairs: Integers) -> None:
         """Compute the conflicts of pairs that are not known yet, in both orders."""
         rows: list[tuple[int, float, float]] = []
+        places: dict[int, int] = {}
         filled = len(self._found.kind)
         plans = np.searchsorted(self._first, pairs, side="right") - 1
         for pair, plan in zip(pairs.tolist(), plans.tolist(), strict=True):
-            if self._place[pair] != UNKNOWN:
+            if pair in places:
                 continue
             count, first = int(self._count[plan]), int(self._first[plan])
             one, two = divmod(pair - first, count)
             kind, intervals = self._between(plan, one, two)
-            places = [0, 0]
-            if kind:
-                places = [filled + len(rows), filled + len(rows) + 1]
-                rows += [(kind, *interval) for interval in intervals]
-            self._place[pair] = places[0]
-            self._place[first + two * count + one] = places[1]
+            here = filled + len(rows)
+            rows += [(kind, *interval) for interval in intervals]
+            places[pair] = here if kind else 0
+            places[first + two * count + one] = here + 1 if kind else 0
+        self._remember(places)
         if rows:
             new = np.array(rows)
             old = self._found
@@ -97,6 +105,12 @@ class SweptConflicts:
                 np.concatenate([old.begin, new[:, 1]]),
                 np.concatenate([old.end, new[:, 2]]),
             )
+
+    def _remember(self, places: dict[int, int]) -> None:
+        pairs = np.concatenate([self._pairs, np.array(list(places), dtype=np.int64)])
+        order = np.argsort(pairs)
+        self._pairs = pairs[order]
+        self._places = np.concatenate([self._places, np.array(list(places.values()))])[order]
 
     def _between(
         self, plan: int, one: int, two: int
