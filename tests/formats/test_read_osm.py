@@ -174,6 +174,22 @@ def test_a_town_compiles_with_its_junctions(tmp_path: Path) -> None:
     assert {connection.turn for connection in junction.connections} == {"left", "straight", "right"}
 
 
+def test_what_the_user_of_an_editor_deleted_is_left_out(tmp_path: Path) -> None:
+    deleted = way(2, "13 33 53").replace("<way", '<way action="delete"')
+    assert len(read(tmp_path, osm(way(1, "31 33 35"), deleted, deleted)).network.edges) == 1
+
+
+@pytest.mark.parametrize("deleted", ["", "33"])
+def test_ways_are_cut_where_nodes_are_missing(tmp_path: Path, deleted: str) -> None:
+    node = f'<node id="{deleted}"'
+    missing = deleted or "absent"
+    text = osm(way(1, f"31 32 {missing} gone 34 35 also 15", name="Main"))
+    text = text.replace(node, f'{node} action="delete"')
+    network = read(tmp_path, text).network
+    assert [edge.name for edge in network.edges] == ["Main", "Main"]
+    assert [edge.length for edge in network.edges] == pytest.approx([74.6, 74.6], abs=0.3)
+
+
 @pytest.mark.parametrize(
     ("text", "word"),
     [

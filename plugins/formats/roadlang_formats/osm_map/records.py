@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from roadlang_formats.map_xml import MapElement, MapFile
 
@@ -27,7 +28,7 @@ class OsmWay:
 
 @dataclass(frozen=True, slots=True)
 class OsmExtract:
-    """All nodes and ways of a file. Ways go on only through nodes that the file has."""
+    """All nodes and ways of a file. A way is cut where nodes of it are not in the file."""
 
     nodes: Mapping[str, OsmNode]
     ways: tuple[OsmWay, ...]
@@ -37,9 +38,9 @@ def osm_extract(file: MapFile) -> OsmExtract:
     """Raises RL479 for impossible coordinates and for ids used twice."""
     nodes: dict[str, OsmNode] = {}
     for element in file.root.all("node"):
-        id = file.attribute(element, "id")
-        if element.attributes.get("action") == "delete":
+        if _is_deleted(element):
             continue
+        id = file.attribute(element, "id")
         if id in nodes:
             raise file.fault(element, f"two nodes have the id `{id}`")
         latitude, longitude = (file.number(element, name) for name in ("lat", "lon"))
@@ -51,15 +52,30 @@ def osm_extract(file: MapFile) -> OsmExtract:
     ways = []
     seen = set()
     for element in file.root.all("way"):
+        if _is_deleted(element):
+            continue
         id = file.attribute(element, "id")
         if id in seen:
             raise file.fault(element, f"two ways have the id `{id}`")
         seen.add(id)
         listed = [file.attribute(child, "ref") for child in element.all("nd")]
-        # At the edge of an extract, ways refer to nodes that it does not contain.
-        here = tuple(node for node in listed if node in nodes)
-        ways.append(OsmWay(here, _tags(element)))
+        tags = _tags(element)
+        ways += [OsmWay(run, tags) for run in _runs(listed, nodes)]
     return OsmExtract(nodes, tuple(ways))
+
+
+def _is_deleted(element: MapElement) -> bool:
+    """Whether the user of an editor such as JOSM deleted it. The file still lists it."""
+    return element.attributes.get("action") == "delete"
+
+
+def _runs(listed: Sequence[str], nodes: Container[str]) -> Iterator[tuple[str, ...]]:
+    """The parts of a way between nodes that the file does not have, as at the edge of an extract.
+    A part has two nodes or more."""
+    for present, run in groupby(listed, nodes.__contains__):
+        found = tuple(run)
+        if present and len(found) > 1:
+            yield found
 
 
 def _tags(element: MapElement) -> Mapping[str, str]:
