@@ -309,6 +309,7 @@ FAULTS = {
     "no number": (straight(1, 0, 0).replace('length="60.0"><line', 'length="6O"><line'), "6O"),
     "not finite": (straight(1, 0, 0).replace('x="0"', 'x="nan"'), "nan"),
     "no pieces": (road(1, 60.0, ""), "planView"),
+    "no length": (road(1, 1e-9, piece(0, 0, 0, 0.0, 60.0)), "road `1` is too short"),
     "no lanes": (straight(1, 0, 0, lanes=""), "no lane"),
     "a gap": (
         road(1, 60.0, piece(0, 0, 0, 0.0, 30.0) + piece(30, 35, 0, 0.0, 30.0)),

@@ -26,10 +26,12 @@ _NARROWEST = 0.01
 def cross_section(
     file: MapFile, road: RoadRecord, tracks: Sequence[LaneTrack], line: PlanViewCurve
 ) -> CrossSection:
-    """The lanes along the curve of the reference line."""
+    """The lanes along the curve of the reference line. Raises RL479 if the road is too short."""
     parts = [_stations(road, number) for number in range(len(road.sections))]
     columns: dict[int, list[Floats]] = {track.id: [] for track in tracks}
     used: list[int] = [number for number, s in enumerate(parts) if len(s)]
+    if not used:
+        raise file.fault(road.element, f"road `{road.id}` is too short: {road.length:g} m")
     for number in used:
         widths = _widths(road, number, parts[number])
         for track in tracks:
