@@ -11,6 +11,7 @@ from tests.cli.command_lines import Done
 from tests.cli.command_lines import roadlang as run
 from tests.formats.opendrive_reader import ReadFile
 from tests.formats.small_maps import crossing, straight, xodr
+from tests.formats.test_read_json_maps import geojson, line
 from tests.formats.test_read_osm import osm, way
 
 
@@ -51,6 +52,13 @@ def test_the_first_scene_of_a_scene_file_is_converted(town: Path, tmp_path: Path
 def test_the_format_may_be_named(town: Path, tmp_path: Path) -> None:
     assert ran("convert", str(town), str(tmp_path / "a.json"), "--emit", "json").returncode == 0
     assert (tmp_path / "a.json").exists()
+
+
+@pytest.mark.parametrize("name", ["road.geojson", "7.geojson", "map.geojson"])
+def test_a_map_may_be_called_like_a_keyword(tmp_path: Path, name: str) -> None:
+    source, target = geojson(tmp_path, line((0, 0), (1, 0))).rename(tmp_path / name), "out.xodr"
+    result = ran("convert", str(source), str(tmp_path / target))
+    assert result.returncode == 0, result.stderr
 
 
 def test_view_draws_next_to_the_map(town: Path) -> None:

@@ -50,5 +50,5 @@ def _scenario(path: Path) -> str:
     if re.search(r'["\\\n\r]', path.name):
         raise click.BadParameter(f"rename {path.name!r}: its name has a quote or a backslash")
     word = re.sub(r"[^A-Za-z0-9_]+", "_", path.stem).strip("_")
-    name = word if re.match(r"[A-Za-z]", word) else f"map_{word}"
-    return f'scenario {name} "{path.name}"\nnetwork town from "{path.name}"\n'
+    # With the prefix, no name is a keyword or begins with a digit.
+    return f'scenario map_{word} "{path.name}"\nnetwork town from "{path.name}"\n'
