@@ -139,6 +139,18 @@ def test_polygons_may_be_buildings(tmp_path: Path) -> None:
     assert GeoJson().read(path).objects == ()
 
 
+@pytest.mark.parametrize("kind", ["Polygon", "MultiPolygon"])
+def test_courtyards_are_no_buildings(tmp_path: Path, kind: str) -> None:
+    rings = [[(x, y), (-x, y), (-x, -y), (x, -y), (x, y)] for x, y in ((0.3, 0.3), (0.1, 0.1))]
+    house = [line(*ring)["geometry"]["coordinates"] for ring in rings]  # type: ignore[index]
+    geometry = {"type": kind, "coordinates": house if kind == "Polygon" else [house, house]}
+    feature = {"type": "Feature", "properties": {"building": "yes"}, "geometry": geometry}
+    path = geojson(tmp_path, line((0, 1), (1, 1)), feature)
+    objects = GeoJson(buildings=True).read(path).objects
+    assert len(objects) == (1 if kind == "Polygon" else 2)
+    assert min(found.length for found in objects) > 40.0
+
+
 @pytest.mark.parametrize(
     ("text", "word"),
     [
@@ -153,6 +165,16 @@ def test_polygons_may_be_buildings(tmp_path: Path) -> None:
         (
             '{"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 99]]}}',
             "not a place",
+        ),
+        ('{"type": "Feature", "geometry": {"type": ["LineString"]}}', "not a string"),
+        (
+            '{"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[true, 0]]}}',
+            "not a pair of numbers",
+        ),
+        (
+            '{"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 1%s]]}}'
+            % ("0" * 400),
+            "not a pair of numbers",
         ),
     ],
 )

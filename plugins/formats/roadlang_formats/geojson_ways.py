@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -15,6 +14,8 @@ _DIGITS = 7
 """Decimals of degrees: points within about a centimeter become one."""
 _LINES = {"LineString": 0, "MultiLineString": 1, "Polygon": 1, "MultiPolygon": 2}
 """Types of geometries, and how deeply their lists of points are nested."""
+_LARGEST = 1e8
+"""Largest absolute value of a coordinate that is a number at all."""
 
 
 def ways_of(content: Any, fault: Fault) -> OsmExtract:
@@ -25,6 +26,8 @@ def ways_of(content: Any, fault: Fault) -> OsmExtract:
     for number, feature in enumerate(_features(content, fault), start=1):
         geometry = feature.get("geometry") or {}
         kind = geometry.get("type") if isinstance(geometry, dict) else None
+        if kind is not None and not isinstance(kind, str):
+            raise fault(f"feature {number} has a geometry whose type is not a string")
         if kind not in _LINES:
             continue
         tags = _tags(feature.get("properties"))
@@ -32,7 +35,7 @@ def ways_of(content: Any, fault: Fault) -> OsmExtract:
             tags = {key: value for key, value in tags.items() if key != "highway"}
         else:
             tags.setdefault("highway", "residential")
-        for line in _lines(geometry.get("coordinates"), _LINES[kind], number, fault):
+        for line in _lines(geometry, kind, number, fault):
             ids = tuple(_node(point, nodes, number, fault) for point in line)
             ways.append(OsmWay(ids, tags))
     return OsmExtract(nodes, tuple(ways))
@@ -63,21 +66,35 @@ def _tags(properties: Any) -> dict[str, str]:
     }
 
 
-def _lines(coordinates: Any, depth: int, number: int, fault: Fault) -> Iterator[list[Any]]:
+def _lines(
+    geometry: Mapping[str, Any], kind: str, number: int, fault: Fault
+) -> Iterator[list[Any]]:
+    """The lists of points of a geometry. Of a polygon only the first, its outline: the others are
+    holes."""
+    coordinates = geometry.get("coordinates")
+    if "Polygon" not in kind:
+        yield from _nested(coordinates, _LINES[kind], number, fault)
+        return
+    for rings in _nested(coordinates, _LINES[kind] - 1, number, fault):
+        yield from _nested(rings[:1], 1, number, fault)
+
+
+def _nested(coordinates: Any, depth: int, number: int, fault: Fault) -> Iterator[list[Any]]:
+    """The lists at a depth of nested lists."""
     if not isinstance(coordinates, list):
         raise fault(f"the coordinates of feature {number} are not a list")
     if not depth:
         yield coordinates
         return
     for part in coordinates:
-        yield from _lines(part, depth - 1, number, fault)
+        yield from _nested(part, depth - 1, number, fault)
 
 
 def _node(point: Any, nodes: dict[str, OsmNode], number: int, fault: Fault) -> str:
     """The id of the node at a point, longitude first."""
     numbers = point[:2] if isinstance(point, list) else []
     if len(numbers) != 2 or not all(
-        isinstance(x, int | float) and math.isfinite(x) for x in numbers
+        type(x) in (int, float) and abs(x) <= _LARGEST for x in numbers
     ):
         raise fault(f"feature {number} has a point that is not a pair of numbers")
     longitude, latitude = (round(float(x), _DIGITS) for x in numbers)
