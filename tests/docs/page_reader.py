@@ -5,7 +5,7 @@ How a code block is meant follows from the words behind its language:
 - `roadlang NAME.rl`: a scene file, saved as NAME.rl; it checks without an error.
 - `roadlang wrong CODE`: a scene file that gives exactly this error.
 - `roadlang fragment`: statements that parse.
-- `python NAME.py`, `toml NAME.toml`, `yaml NAME.yaml`: a file of that name.
+- `python NAME.py`, `toml NAME.toml`, `yaml NAME.yaml`, `xml NAME.osm`: a file of that name.
 - `python` alone: a program that runs.
   `python continued`: its next lines.
 - `console`: the lines that begin `$ roadlang` or `$ pip install ./` run, and succeed.
@@ -91,7 +91,7 @@ class Reader:
             before = self.program if block.words else ""
             self.program = before + block.text
             self.succeeds(sys.executable, "-c", self.program)
-        elif block.language in ("python", "toml", "yaml") and block.words:
+        elif block.language in ("python", "toml", "yaml", "xml") and block.words:
             path = self.folder / block.words[0]
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(block.text, encoding="utf-8")
