@@ -14,6 +14,8 @@ const Cameras := preload("res://view/cameras.gd")
 
 ## Pixels within which the pointer takes a handle.
 const GRIP := 14.0
+## Pixels that the pointer travels before a press becomes a drag.
+const SLACK := 4.0
 const RADIUS := 6.0
 ## Meters beyond which a camera on the ground shows no handles.
 const FAR := 300.0
@@ -36,6 +38,9 @@ var _server: Server
 var _hovered := NOTHING
 var _selected := NOTHING
 var _held := NOTHING
+## The pixel of the press, and whether the pointer has left it since.
+var _pressed := Vector2.ZERO
+var _is_dragged := false
 ## From the pointer's place on the ground to that of what is held.
 var _offset := Vector2.ZERO
 var _to := Vector2.ZERO
@@ -122,12 +127,17 @@ func _take(pixel: Vector2) -> void:
 	_hovered = found
 	if _same(found, NOTHING):
 		return
+	_pressed = pixel
+	_is_dragged = false
 	_drag += 1
 	_to = found["place"]
 	_offset = _to - on_ground(_cameras.camera, pixel)
 
 
 func _move_to(pixel: Vector2, done: bool) -> void:
+	_is_dragged = _is_dragged or pixel.distance_to(_pressed) > SLACK
+	if not _is_dragged:
+		return
 	var to := on_ground(_cameras.camera, pixel) + _offset
 	var is_new := not to.is_equal_approx(_to)
 	_to = to

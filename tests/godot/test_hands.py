@@ -14,6 +14,7 @@ from roadlang.commands import Handle, handles_of
 from roadlang.ir.scene import Scene
 from roadlang_godot.commands.watch import Watcher
 from roadlang_godot.engine import Engine
+from roadlang_godot.live import HandEdit
 from roadlang_godot.protocol import Message
 from roadlang_godot.session import Session
 from tests.godot.godot_engines import started, until
@@ -157,3 +158,25 @@ def test_what_is_dragged_moves_is_saved_and_is_undone(
         desk.wait(lambda: farthest(desk.live.scene, first) == 0.0)
         desk.hand.do("key", "ctrl+y")
         desk.wait(lambda: desk.file.read_text() != before)
+
+
+@pytest.mark.parametrize("name", ["main", "ego", "kiosk"])
+def test_a_click_selects_and_changes_nothing(
+    window: Engine, screen: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    before = SEGMENTS + THINGS.replace("at 5m", "at 2m..9m")
+    with window.connect("desk") as session:
+        desk = Desk(session, Hand(screen), tmp_path / "scene.rl", before)
+        edits: list[HandEdit] = []
+        monkeypatch.setattr(desk.watcher, "take", lambda _, edit: edits.append(edit))
+        handle = desk.handle(name, 100.0)
+        x, y = desk.pixel(handle.x, handle.y)
+        desk.hand.move(x + 3, y)
+        desk.hand.do("mousedown", "1")
+        desk.hand.move(x + 5, y + 1)
+        desk.hand.do("mouseup", "1")
+        desk.hand.do("key", "Delete")
+        desk.wait(lambda: edits)
+        assert [(edit.what, edit.handle and edit.handle.name) for edit in edits] == [
+            ("remove", name)
+        ]

@@ -91,6 +91,23 @@ def test_what_is_dragged_changes_the_scene_and_with_save_the_file(
         assert watched.live.scene.objects[1].start == pytest.approx(50.5, abs=0.5)
 
 
+@pytest.mark.parametrize("origin", ["segments { pieces: [straight(90m)] }", None])
+def test_what_is_dragged_back_is_as_it_was(
+    engine: Engine, tmp_path: Path, origin: str | None
+) -> None:
+    road = "waypoints { points: [(0m, 0m), (40m, 0m), (80m, 0m)] }"
+    text = (TEXT % 0).replace(road, origin or road).replace("at 5m", "at 2m..9m")
+    watched = Watched(engine, tmp_path / "scene.rl", save=True, content=text.encode())
+    with watched.session:
+        first = watched.live.scene
+        for name in ("main", "kiosk", "tree", "ego"):
+            handle = watched.handle(name)
+            watched.drag(handle, (handle.x + 4.0, handle.y + 3.0), (handle.x, handle.y))
+            assert watched.file.read_text() == text, name
+            assert watched.watcher._edited.text == text, name
+            assert watched.live.scene == first, name
+
+
 def test_undo_restores_the_file_byte_for_byte(engine: Engine, tmp_path: Path) -> None:
     before = b"\xef\xbb\xbf" + (TEXT % 0).replace("\n", "\r\n").encode() + b"# end"
     watched = Watched(engine, tmp_path / "scene.rl", save=True, content=before)

@@ -52,6 +52,33 @@ def test_only_the_numbers_of_a_pass_change() -> None:
     assert "at: [40m]  # here" in fewer
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("{ %s, width: 6m }", "{ width: 6m }"),
+        ("{ %s,\n  width: 6m }", "{ \n  width: 6m }"),
+        ("{ %s\n  width: 6m }", "{\n  width: 6m }"),
+        ("{ %s  # moved\n  , width: 6m }", "{   # moved\n  width: 6m }"),
+        ("{\n  %s,\n  width: 6m\n}", "{\n  width: 6m\n}"),
+        ("{\n  %s\n  , width: 6m\n}", "{\n  \n  width: 6m\n}"),
+        ("{\n  # moved\n  %s }", "{\n  # moved\n   }"),
+        ("{\n  # moved,\n  %s, width: 6m }", "{\n  # moved,\n  width: 6m }"),
+        ("{ width: 6m,  # wide,\n  %s }", "{ width: 6m  # wide,\n   }"),
+        ("{ width: 6m  # wide\r\n  %s }", "{ width: 6m  # wide\r\n   }"),
+        ("{ width: 6m,\n  %s }", "{ width: 6m }"),
+        ("{ width: 6m, %s, lanes: 2 }", "{ width: 6m, lanes: 2 }"),
+        ("{ width: 6m\n  %s,  # moved\n  lanes: 2 }", "{ width: 6m\n  # moved\n  lanes: 2 }"),
+        ("{ width: 6m, %s }  # all", "{ width: 6m }  # all"),
+    ],
+)
+def test_what_is_left_without_the_pass_can_be_read(before: str, after: str) -> None:
+    text = f"road m {{ {DRAWN} }}\nroad a from m %s\n"
+    left = with_moved_places(text % before % WORDS, "a", MovedPlaces(), "nudges")
+    assert left == text % after
+    assert len(roadlang.loads(text % before % WORDS).sample()[0].roads) == 2
+    assert len(roadlang.loads(left).sample()[0].roads) == 2
+
+
 def test_nudges_that_are_drawn_at_random_are_left_alone() -> None:
     text = f"road r {{ {DRAWN}, perturb with nudges {{ at: [10m..20m], by: [(1m, 0m)] }} }}\n"
     assert moved_places_of(text, "r") == MovedPlaces()

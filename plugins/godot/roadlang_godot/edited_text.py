@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 MOVING_KIND = "nudges"
 """What roads that are not drawn through points are perturbed with."""
+SAME = 0.005
+"""Meters within which a place is the same: texts are written to the centimeter."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,11 @@ class _Drag:
     text: str
     scene: Scene
     to: tuple[float, float]
+
+    @property
+    def is_back(self) -> bool:
+        """Whether it is where it began."""
+        return math.dist(self.to, (self.handle.x, self.handle.y)) < SAME
 
 
 class EditedText:
@@ -84,7 +92,9 @@ class EditedText:
         if self._drag is None or self._drag.number != edit.drag:
             self._drag = _Drag(edit.drag, handle, self.text, scene, edit.to)
         self._drag = drag = replace(self._drag, to=edit.to)
-        text = dragged(drag.text, drag.scene, drag.handle, edit.to, MOVING_KIND)
+        text: str | None = drag.text
+        if not drag.is_back:
+            text = dragged(drag.text, drag.scene, drag.handle, edit.to, MOVING_KIND)
         if edit.done:
             self._drag = None
             return self._commit(text)

@@ -12,6 +12,7 @@ from .text_edits import (
     place_of,
     replaced,
     with_item,
+    without_comments,
     written_length,
     written_place,
 )
@@ -108,9 +109,17 @@ def _with_pass(text: str, statement: Geometry, places: MovedPlaces, kind: str) -
 
 
 def _without_pass(text: str, found: Pass) -> str:
+    """Without the pass and one comma beside it; comments stay on their lines."""
     start, end = found.span.start, found.span.end
-    first, last = text.rfind("\n", 0, start) + 1, text.find("\n", end)
-    if last >= 0 and not (text[first:start] + text[end:last]).strip():
+    code = without_comments(text)
+    comma = code[end:].lstrip().startswith(",")
+    after = code.index(",", end) + 1 if comma else end
+    first, last = text.rfind("\n", 0, start) + 1, text.find("\n", after)
+    if last >= 0 and not (text[first:start] + text[end : after - comma] + text[after:last]).strip():
         return text[:first] + text[last + 1 :]
-    before = text[:start].rstrip()
-    return before.removesuffix(",") + text[end:]
+    if comma:
+        return text[:start] + text[end : after - 1] + text[after:].lstrip(" \t")
+    before = code[:start].rstrip()
+    kept = len(before.removesuffix(","))
+    between = text[len(before) : start]
+    return text[:kept] + (between if between.strip() else "") + text[end:]

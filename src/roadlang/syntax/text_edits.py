@@ -26,6 +26,14 @@ def declared(text: str, name: str) -> Actor | Geometry | None:
     return next((found for found in statements_of(text) if found.name.text == name), None)
 
 
+def without_comments(text: str) -> str:
+    """The text with blanks for its comments: all else is at the same offsets."""
+    for comment in parse(Source("", text))[0].comments:
+        start, end = comment.span.start, comment.span.end
+        text = f"{text[:start]}{' ' * (end - start)}{text[end:]}"
+    return text
+
+
 def meters_of(value: Expression | None) -> float | None:
     """A length that is written as a number; None of anything else."""
     if isinstance(value, NegateExpression):

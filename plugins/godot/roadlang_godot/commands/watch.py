@@ -174,7 +174,9 @@ class Watcher:
         """Apply changes made in the window to the text."""
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
             echo(f"`{edit.handle.name}` is unchanged: {self._file} cannot express this edit")
-        self._is_previewed = self._preview(live)
+        was_previewed, self._is_previewed = self._is_previewed, self._preview(live)
+        if was_previewed and not self._is_previewed:
+            self._compiled = ""  # what is shown is of no text: the text is compiled anew
 
     def _preview(self, live: LiveScene) -> bool:
         """Show what is dragged, where that needs no compiling; whether it does not."""
