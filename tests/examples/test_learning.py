@@ -34,7 +34,7 @@ def test_a_lane_keeper_of_the_user_is_falsified(folder: Path) -> None:
     assert "all expectations hold in 10 of 10 scenes" in held
     run(folder, "-m", "roadlang", "falsify", "pid_keeper.rl", "--seed", "1", "-o", "failures")
     failures = sorted((folder / "failures" / "failures").glob("????.json"))
-    assert len(failures) == 4
+    assert len(failures) == 5
     name = failures[0].relative_to(folder).as_posix()
     again = run(folder, "-m", "roadlang", "run", name, "-o", "again")
     assert "violated  in_lane" in again

@@ -1,8 +1,7 @@
-"""A model of what was evaluated: how likely a candidate fails, and its descriptor."""
+"""A model of what was evaluated: what value and which descriptor a candidate should have."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -10,19 +9,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
-    Integers = NDArray[np.int64]
 
 _MOST = 600
 """Candidates that values are predicted from: those with the least values."""
-_LENGTH = 0.2
+_LENGTH = 0.5
 """Length scale of the kernel, in root mean square distances of two random points."""
 _LEAST_DISTANCE = 1e-9
-_NOISE = 0.01
-"""Variance of the noise, in parts of that of the process."""
-_LEAST_VARIANCE = 1e-4
-"""In parts of the variance of the process."""
-_FAILING = -0.2
-"""The value of every failure: how badly one fails says little of its neighbors."""
+_NOISE = 0.05
 _DEVIATIONS = 6.0
 """Of the ranks of safe candidates, in the values from 0 to 1."""
 _RIDGE = 1e-2
@@ -30,60 +23,11 @@ _UNKNOWN = 1.0
 """The value far from everything: neither valid nor far from it."""
 
 
-@dataclass(frozen=True)
-class Prediction:
-    """Of n candidates."""
-
-    mean: Floats
-    """(n,) values, below 0 for failures"""
-    descriptors: Floats
-    """(n, D)"""
-    scale: float
-    """variance of the process"""
-    compared: Floats
-    """(n, d) what the kernel compares"""
-    whitened: Floats
-    """(m, n) covariances with what was evaluated, by its Cholesky factor"""
-
-    def rows(self, rows: Integers) -> Prediction:
-        """The same of some of the candidates."""
-        return Prediction(
-            self.mean[rows],
-            self.descriptors[rows],
-            self.scale,
-            self.compared[rows],
-            self.whitened[:, rows],
-        )
-
-    @property
-    def variance(self) -> Floats:
-        """(n,) of the values."""
-        import numpy as np
-
-        left = 1.0 - (self.whitened * self.whitened).sum(axis=0)
-        return np.asarray(np.maximum(self.scale * left, self.least_variance))
-
-    @property
-    def least_variance(self) -> float:
-        """Below this a variance is rounding."""
-        return self.scale * _LEAST_VARIANCE
-
-    @property
-    def covariance(self) -> Floats:
-        """(n, n) of the values."""
-        kernel = _kernel(self.compared, self.compared)
-        return self.scale * (kernel - self.whitened.T @ self.whitened)
-
-    @property
-    def noise(self) -> float:
-        """Variance of what is evaluated beside that of the process."""
-        return self.scale * _NOISE
-
-
 class FailureModel:
-    """Values by a Gaussian process with a Matern kernel of order 3/2 (Rasmussen and Williams
-    2006, algorithm 2.1 and equation 4.17), descriptors by linear regression. The process compares
-    candidates and the descriptors that they should have: alike are those that make like roads."""
+    """Values by the mean of a Gaussian process with a Matern kernel of order 3/2 (Rasmussen
+    and Williams 2006, algorithm 2.1 and equation 4.17), descriptors by linear regression. The
+    process compares candidates and the descriptors that they should have: alike are those that
+    make like roads."""
 
     def __init__(self) -> None:
         self._vectors: list[Floats] = []
@@ -96,22 +40,15 @@ class FailureModel:
         self._values.append(values)
         self._descriptors.append(descriptors)
 
-    def predicted(self, vectors: Floats) -> Prediction:
-        """What should come of candidates (n, columns)."""
+    def predicted(self, vectors: Floats) -> tuple[Floats, Floats]:
+        """(n,) values and (n, D) descriptors of candidates (n, columns)."""
         import numpy as np
-        from scipy.linalg import solve_triangular
 
         known, values = np.concatenate(self._vectors), graded(np.concatenate(self._values))
         best = np.argsort(values, kind="stable")[:_MOST]
         weights = self._regression()
         found, of_known = (_compared(some, weights) for some in (vectors, known[best]))
-        lower = np.linalg.cholesky(_kernel(of_known, of_known) + _NOISE * np.eye(len(best)))
-        right = np.column_stack([values[best] - _UNKNOWN, _kernel(of_known, found)])
-        white = solve_triangular(lower, right, lower=True, check_finite=False)
-        residuals, whitened = white[:, 0], white[:, 1:]
-        scale = float(residuals @ residuals) / len(best)
-        mean = _UNKNOWN + residuals @ whitened
-        return Prediction(mean, _applied(weights, vectors), scale, found, whitened)
+        return _mean(found, of_known, values[best]), _applied(weights, vectors)
 
     def described(self, vectors: Floats) -> Floats:
         """(n, D) descriptors of candidates (n, columns)."""
@@ -149,15 +86,24 @@ def _compared(vectors: Floats, weights: Floats) -> Floats:
     return np.asarray(np.concatenate(parts, axis=1) / np.sqrt(2.0))
 
 
+def _mean(found: Floats, known: Floats, values: Floats) -> Floats:
+    """(n,) of the process, at `found` (n, d) where `known` (m, d) have these values."""
+    import numpy as np
+    from scipy.linalg import cho_factor, cho_solve
+
+    kernel = _kernel(known, known) + _NOISE * np.eye(len(known))
+    weights = cho_solve(cho_factor(kernel, overwrite_a=True), values - _UNKNOWN)
+    return np.asarray(_UNKNOWN + _kernel(found, known) @ weights)
+
+
 def graded(values: Floats) -> Floats:
     """(n,) values between 0 and 1 as normal scores of their ranks: robustness may hardly differ
-    among safe drives and still say which of them came nearest to failing. From 2 on all is alike,
-    and so are all failures.
+    among safe drives and still say which of them came nearest to failing. From 2 on all is alike.
     """
     import numpy as np
     from scipy.special import ndtri
 
-    found = np.where(values < 0.0, _FAILING, np.minimum(values, 2.0))
+    found = np.minimum(values, 2.0)
     safe = np.flatnonzero((values >= 0.0) & (values < 1.0))
     order = np.argsort(values[safe], kind="stable")
     scores = ndtri((np.arange(len(safe)) + 0.5) / max(len(safe), 1))

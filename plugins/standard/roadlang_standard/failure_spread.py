@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from .failure_batch import Unlike, chosen, shortlist
 from .failure_model import FailureModel, squares_apart
 
 if TYPE_CHECKING:
@@ -14,8 +13,8 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_POOL = 24
-"""Children made for each that is chosen."""
+_POOL, _SHORTLIST = 24, 6
+"""Children made, and looked at more closely, for each that is chosen."""
 _ELITE, _FEWEST = 40, 10
 """Safe candidates that are parents: the greatest number, and that with which it begins."""
 _RECENT = 400
@@ -28,11 +27,16 @@ _DIFFERENT = 0.3
 """Share of the children that lie off a failure by the difference of two others."""
 _MOST_DIFFERENCE, _NEIGHBORS, _NOISE = 2.5, 30, 0.02
 """The greatest multiple of the difference, how many neighbors it is of, normal steps beside it."""
+_UNLIKE = (1.0, 2.5)
+"""How far from all failures a child should be (further than 1 is distinct), and what it loses in
+value for what it lacks; the best value is below 0, the worst 1."""
+_UNLIKE_AT_FIRST = (0.5, 0.3)
+"""The same until there are two distinct failures: to find any comes before variety."""
 
 
 class FailureSpread:
     """Distinct failures, the safe candidates of least robustness, and their offspring, of which a
-    model of what was evaluated so far chooses those of which most distinct failures are expected
+    model of what was evaluated so far chooses those that should fail, each unlike all failures
     (surrogate-assisted illumination: Gaier, Asteroth and Mouret 2018, without the grid of cells:
     distances of descriptors count)."""
 
@@ -79,22 +83,18 @@ class FailureSpread:
         import numpy as np
 
         children = self._children(_POOL * count)
-        prediction = self._model.predicted(children)
-        descriptors = np.column_stack([prediction.descriptors, self._choices(children)])
-        # The model's descriptors of failures as well, so that its errors do not count as distance.
-        known = (self._described(some) for some in (self._distinct, self._failures))
-        unlike = Unlike.of(descriptors, *known)
-        rows = shortlist(prediction, unlike, count)
-        best = chosen(prediction.rows(rows), descriptors[rows], unlike.rows(rows), count)
-        return children[rows[best]]
-
-    def _described(self, vectors: list[Floats]) -> Floats:
-        import numpy as np
-
-        if not vectors:
-            return np.empty((0, 0))
-        found = np.stack(vectors)
-        return np.column_stack([self._model.described(found), self._choices(found)])
+        values, predicted = self._model.predicted(children)
+        descriptors = np.column_stack([predicted, self._choices(children)])
+        nearest, unlike = np.full(len(children), np.inf), _UNLIKE_AT_FIRST
+        if len(self) > 1:
+            # As the model has them too: what it cannot tell makes nothing unlike.
+            failures = np.stack(self._distinct)
+            known = np.column_stack([self._model.described(failures), self._choices(failures)])
+            nearest = squares_apart(descriptors, known).min(axis=1)
+            unlike = _UNLIKE
+        best = np.argsort(values + _loss(nearest, unlike), kind="stable")[: _SHORTLIST * count]
+        chosen = _spread(values[best], descriptors[best], nearest[best], unlike, count)
+        return children[best[chosen]]
 
     def _children(self, count: int) -> Floats:
         import numpy as np
@@ -137,3 +137,28 @@ class FailureSpread:
         moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (first - second)
         noise = _NOISE * random.random((count, 1)) * random.standard_normal(base.shape)
         return np.asarray(moved + noise)
+
+
+def _loss(squares: Floats, unlike: tuple[float, float]) -> Floats:
+    """What candidates lose that are as near as this to a failure, or to one that is chosen."""
+    import numpy as np
+
+    apart, similar = unlike
+    return np.asarray(similar * np.maximum(apart - np.sqrt(squares), 0.0))
+
+
+def _spread(
+    values: Floats, descriptors: Floats, nearest: Floats, unlike: tuple[float, float], count: int
+) -> list[int]:
+    """The rows of `count` candidates of little value, each unlike those before it. `nearest`: of
+    each candidate, the squared distance to the nearest failure."""
+    import numpy as np
+
+    values, chosen = values.copy(), []
+    for _ in range(count):
+        best = int((values + _loss(nearest, unlike)).argmin())
+        chosen.append(best)
+        gaps = descriptors - descriptors[best]
+        nearest = np.minimum(nearest, (gaps * gaps).sum(axis=1))
+        values[best] = np.inf
+    return chosen
