@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 import roadlang
-from roadlang.syntax.moved_places import MovedPlaces, moved_places_of, with_moved_places
+from roadlang.syntax.moved_places import LENGTH, MovedPlaces, moved_places_of, with_moved_places
+from roadlang.syntax.network_edits import RADIUS
+from roadlang.world import moved_networks
+from roadlang_standard.perturb_nudges import Nudges
 
 ONE = MovedPlaces((40.0,), ((1.5, -2.0),))
 WORDS = "perturb with nudges { at: [40m], by: [(1.5m, -2m)], length: 80m }"
@@ -88,3 +91,9 @@ def test_nudges_that_are_drawn_at_random_are_left_alone() -> None:
 
 def test_a_road_of_another_file_cannot_be_changed() -> None:
     assert with_moved_places('include "a.rl"\n', "r", ONE, "nudges") is None
+
+
+def test_places_move_as_much_road_as_the_options_say_by_default() -> None:
+    """The text is edited without the plugins, whose defaults hold where nothing is written."""
+    assert Nudges.length == LENGTH
+    assert moved_networks.RADIUS == RADIUS

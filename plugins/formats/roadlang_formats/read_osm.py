@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import ANGLE, Flag, Length, Reader, option, pair_of
+from roadlang.api import Flag, option
+
+from .street_map import StreetMap
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 
 @dataclass(frozen=True)
-class OpenStreetMap(Reader):
+class OpenStreetMap(StreetMap):
     """The streets of an OpenStreetMap extract (`.osm`): lanes, one-way streets, speed limits.
 
     Coordinates are meters in the transverse Mercator projection around the origin.
@@ -21,28 +22,12 @@ class OpenStreetMap(Reader):
 
     name: ClassVar[str] = "osm"
     suffixes: ClassVar[tuple[str, ...]] = (".osm",)
-    reads: ClassVar[tuple[str, ...]] = ("network",)
-    origin: Annotated[tuple[float, float], pair_of(ANGLE, ANGLE)] | None = option(
-        None, help="latitude and longitude of (0, 0); by default the center of the streets"
-    )
-    lane_width: Length = option(3.25, minimum=2, maximum=6, help="width of every lane")
-    traffic: Literal["right", "left"] = option(
-        "right", help="driving side in the map; for left, also write `world { traffic: left }`"
-    )
     service: Flag = option(True, help="whether to include service roads, such as driveways")
-    buildings: Flag = option(False, help="whether buildings become objects")
 
     def read(self, path: Path) -> Any:
         """An `Extraction`. Raises RL479."""
         from .map_xml import read_map_xml
-        from .osm_map.network import OsmOptions, network_of
+        from .osm_map.network import network_of
 
-        origin = None if self.origin is None else tuple(map(math.degrees, self.origin))
-        options = OsmOptions(
-            origin,  # type: ignore[arg-type]
-            self.lane_width,
-            self.traffic == "left",
-            self.service,
-            self.buildings,
-        )
+        options = self.street_options(self.service)
         return network_of(read_map_xml(path, "osm"), options)

@@ -44,7 +44,7 @@ class Nudges(Perturber):
 
         if len(self.at) != len(self.by):
             raise geometry.GeometryError(
-                f"`at` has {len(self.at)} places, `by` has {len(self.by)} displacements"
+                f"the lengths of `at` ({len(self.at)}) and `by` ({len(self.by)}) differ"
             )
         total = np.zeros((1, len(roads.stations), 2))
         for place, move in zip(self.at, self.by, strict=True):

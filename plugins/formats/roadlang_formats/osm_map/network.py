@@ -18,6 +18,7 @@ from roadlang.geometry import (
     WidthProfile,
 )
 from roadlang.geometry.filleting import filleted
+from roadlang.geometry.lanes import Marking
 from roadlang_formats.local_projection import LocalProjection
 from roadlang_formats.map_xml import MapFile
 
@@ -227,6 +228,6 @@ def cross_section(lanes: WayLanes, options: OsmOptions) -> CrossSection:
             )
         )
     total = sum(sides)
-    middle = "solid" if sides[0] == 0 else "broken" if total < 4 else "double"
-    section = CrossSection(tuple(found), middle)  # type: ignore[arg-type]
+    middle: Marking = "solid" if sides[0] == 0 else "broken" if total < 4 else "double"
+    section = CrossSection(tuple(found), middle)
     return section.mirrored() if options.left_hand else section

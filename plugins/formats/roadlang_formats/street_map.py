@@ -1,0 +1,37 @@
+"""The options that all maps of streets have."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from roadlang.api import ANGLE, Flag, Length, Reader, option, pair_of
+
+if TYPE_CHECKING:
+    from .osm_map.network import OsmOptions
+
+
+@dataclass(frozen=True)
+class StreetMap(Reader):
+    """A map whose streets are lines between points in latitude and longitude."""
+
+    reads: ClassVar[tuple[str, ...]] = ("network",)
+    origin: Annotated[tuple[float, float], pair_of(ANGLE, ANGLE)] | None = option(
+        None, help="latitude and longitude of (0, 0); by default the center of the streets"
+    )
+    lane_width: Length = option(3.25, minimum=2, maximum=6, help="width of every lane")
+    traffic: Literal["right", "left"] = option(
+        "right", help="driving side in the map; for left, also write `world { traffic: left }`"
+    )
+    buildings: Flag = option(False, help="whether buildings become objects")
+
+    def street_options(self, service: bool) -> OsmOptions:
+        """As the network is made with them. `service`: with service roads."""
+        from .osm_map.network import OsmOptions
+
+        origin = None
+        if self.origin is not None:
+            latitude, longitude = self.origin
+            origin = math.degrees(latitude), math.degrees(longitude)
+        return OsmOptions(origin, self.lane_width, self.traffic == "left", service, self.buildings)
