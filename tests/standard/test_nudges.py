@@ -55,5 +55,5 @@ def test_numbers_may_be_drawn_for_each_variant(straight: RoadBatch) -> None:
 
 
 def test_each_place_needs_a_displacement(straight: RoadBatch) -> None:
-    with pytest.raises(GeometryError, match="`at` has 2 places, `by` has 1"):
+    with pytest.raises(GeometryError, match=r"the lengths of `at` \(2\) and `by` \(1\) differ"):
         nudges([10.0, 20.0], [(1.0, 1.0)]).displacements(straight, ONE)
