@@ -23,6 +23,12 @@ from tests.golden.formula_views import (
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.interface_views import interface_lines
 from tests.golden.language_views import command_output, fault_lines, kind_lines, scenario_lines
+from tests.golden.map_views import (
+    broken_map_lines,
+    opendrive_lines,
+    street_map_lines,
+    written_map_lines,
+)
 from tests.golden.mistake_views import mistake_lines, set_lines
 from tests.golden.object_views import scene_object_lines, search_object_lines
 from tests.golden.random_views import random_lines
@@ -103,6 +109,7 @@ BUILT = (
     *("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout"),
     *("joined", "tour"),
 )
+WRITTEN = ("cross_signals", "cross_stop", "cross_right", "tour", "joined", "lap", "values")
 SOURCES = (
     "pieces",
     "bent",
@@ -223,6 +230,11 @@ def _cases() -> Iterable[Case]:
     yield Case("geometry", "joined", partial(joined_lines, 1, 8))
     yield Case("geometry", "networks", partial(network_lines, 1, 6))
     yield Case("geometry", "folds", partial(fold_lines, 1, 9))
+    yield Case("maps", "opendrive_maps", partial(opendrive_lines, 1, 9))
+    yield Case("maps", "street_maps", partial(street_map_lines, 1, 6))
+    yield Case("maps", "broken_maps", partial(broken_map_lines, 1))
+    for name in WRITTEN:
+        yield Case("maps", f"{name}.map", partial(written_map_lines, name))
     yield Case("formulas", "formulas", partial(formula_lines, 1, 70))
     yield Case("formulas", "ranges", partial(range_lines, 1000, 160))
     yield Case("formulas", "mining", mining_lines)
