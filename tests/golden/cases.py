@@ -9,6 +9,7 @@ from typing import Any
 
 from tests.golden.command_views import SEQUENCES, sequence_lines
 from tests.golden.comparing import FIGURE, NUMBERS
+from tests.golden.constant_views import PACKAGES, constant_lines
 from tests.golden.engine_views import layout_lines
 from tests.golden.extraction_views import evidence_lines, picture_lines
 from tests.golden.file_views import file_lines
@@ -250,6 +251,8 @@ def _cases() -> Iterable[Case]:
     yield Case("language", "kinds", kind_lines)
     yield Case("language", "set", set_lines)
     yield Case("language", "interface", interface_lines)
+    for package in PACKAGES:
+        yield Case("language", f"{package}.constants", partial(constant_lines, package))
     yield Case("language", "commands", partial(command_output, COMMANDS))
     for name in SEQUENCES:
         yield Case("searches", f"{name}.commands", partial(sequence_lines, name), FIGURE)
