@@ -252,7 +252,7 @@ def _cases() -> Iterable[Case]:
     yield Case("language", "set", set_lines)
     yield Case("language", "interface", interface_lines)
     for package in PACKAGES:
-        yield Case("language", f"{package}.constants", partial(constant_lines, package))
+        yield Case("constants", f"{package}.constants", partial(constant_lines, package))
     yield Case("language", "commands", partial(command_output, COMMANDS))
     for name in SEQUENCES:
         yield Case("searches", f"{name}.commands", partial(sequence_lines, name), FIGURE)
