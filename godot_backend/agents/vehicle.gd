@@ -45,7 +45,7 @@ var _mounts := PackedVector3Array()
 var _ray := PhysicsRayQueryParameters3D.new()
 var _force := Vector3.ZERO
 var _torque := Vector3.ZERO
-## How far above the ground sideways forces act.
+## How far above the ground forces across the body act.
 var _lift := 0.0
 var _looks: Wheels
 var _headless := DisplayServer.get_name() == "headless"
@@ -256,6 +256,7 @@ func _add_wheel_forces(wheel: int, pose: Transform3D, used: float, dt: float) ->
 	# Forces lie in the ground, however the body leans.
 	var along := (pose.basis.z - normal * pose.basis.z.dot(normal)).normalized()
 	var aside := normal.cross(along)
+	var across := aside
 	var stiffness := _stiffness.y
 	if wheel < 2:
 		stiffness = _stiffness.x
@@ -270,7 +271,7 @@ func _add_wheel_forces(wheel: int, pose: Transform3D, used: float, dt: float) ->
 		stiffness / (3.0 * friction),
 		SLOW_SHARE * _stiffness.y * GRAVITY * dt
 	)
-	var straight := normal * load + along * push.x
-	var sideways := aside * push.y
-	_force += straight + sideways
-	_torque += arm.cross(straight) + (arm + normal * _lift).cross(sideways)
+	var force := normal * load + along * push.x + aside * push.y
+	_force += force
+	# Only what acts across the body tips it less: turned wheels that slow it down make it dive.
+	_torque += arm.cross(force) + (normal * _lift).cross(across * force.dot(across))

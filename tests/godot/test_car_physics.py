@@ -83,7 +83,9 @@ def test_commands_below_the_grip_are_followed_and_power_and_drag_limit_the_speed
     assert float(state.poses["speed"][0]) == pytest.approx(top, rel=0.02)
 
 
-@pytest.mark.parametrize(("friction", "speed"), [(0.3, 15.0), (0.6, 20.0), (0.9, 25.0)])
+@pytest.mark.parametrize(
+    ("friction", "speed"), [(0.9, 10.0), (1.0, 10.0), (0.3, 15.0), (0.6, 20.0), (0.9, 25.0)]
+)
 def test_the_peak_lateral_acceleration_is_that_of_friction(
     session: Session, friction: float, speed: float
 ) -> None:
