@@ -41,12 +41,18 @@ func told(most: int) -> void:
 		_untold = _untold.slice(most)
 
 
-## Takes what bodies have touched in the last physics step.
+## Takes what bodies have touched in the last physics step. Physics says it in any order: what one
+## agent touched in the same step is put in the order of the numbers.
 func gather(members: Array[Member], tick: int) -> void:
 	for member in members:
+		var before := _untold.size()
 		for touch: Array in member.agent.body.take_touched():
 			if is_instance_valid(touch[0]):
 				_take(member, touch[0], touch[1], members, tick)
+		if _untold.size() > before + 1:
+			var fresh := _untold.slice(before)
+			fresh.sort_custom(_comes_before)
+			_untold = _untold.slice(0, before) + fresh
 
 
 func _take(member: Member, body: Node, index: int, members: Array[Member], tick: int) -> void:
@@ -71,6 +77,10 @@ func _take(member: Member, body: Node, index: int, members: Array[Member], tick:
 		if _is_new([made.world, low, maxi(made.agent, made.other), -1]):
 			_add(made, [member, other])
 		return
+
+
+static func _comes_before(a: Contact, b: Contact) -> bool:
+	return a.index < b.index if a.other == b.other else a.other < b.other
 
 
 func _is_new(key: Array) -> bool:
