@@ -22,6 +22,7 @@ from tests.golden.formula_views import (
     range_lines,
 )
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
+from tests.golden.habit_views import checked_habit_lines, fault_of_sample_lines, habit_lines
 from tests.golden.interface_views import interface_lines
 from tests.golden.language_views import command_output, fault_lines, kind_lines, scenario_lines
 from tests.golden.map_views import (
@@ -30,7 +31,7 @@ from tests.golden.map_views import (
     street_map_lines,
     written_map_lines,
 )
-from tests.golden.mistake_views import mistake_lines, set_lines
+from tests.golden.mistake_views import edited_mistake_lines, mistake_lines, set_lines
 from tests.golden.object_views import scene_object_lines, search_object_lines
 from tests.golden.random_views import random_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
@@ -247,6 +248,10 @@ def _cases() -> Iterable[Case]:
         yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
+    yield Case("mistakes", "mistakes_edited", partial(edited_mistake_lines, 3))
+    yield Case("mistakes", "habits", partial(habit_lines, 8))
+    yield Case("mistakes", "habits_checked", partial(checked_habit_lines, 2))
+    yield Case("mistakes", "faults_of_samples", partial(fault_of_sample_lines, 6))
     yield Case("language", "files", file_lines, FIGURE)
     yield Case("language", "kinds", kind_lines)
     yield Case("language", "set", set_lines)

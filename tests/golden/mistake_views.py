@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator
 
 from roadlang.plugins.discovery import registry_of
 from roadlang.semantics import check_text
 from tests.golden.comparing import SCENES
+from tests.golden.habit_views import edited
 from tests.golden.language_views import said
 
 _FOLDER = SCENES / "mistakes"
@@ -31,6 +33,23 @@ def set_lines() -> Iterator[str]:
         _, diagnostics = check_text(text, _FOLDER / "scene.rl", settings, registry_of({}))
         for found in diagnostics:
             yield "  " + said(found).replace(str(SCENES), "SCENES").replace("\n", " / ")
+
+
+def edited_mistake_lines(edits: int) -> Iterator[str]:
+    """Each part of `mistakes.txt` with `edits` changes of one token each."""
+    registry = registry_of({})
+    text = (_FOLDER / "mistakes.txt").read_text(encoding="utf-8")
+    rng = random.Random(edits)
+    for part in text.strip().split("\n\n"):
+        for changed in edited(part, rng, edits):
+            yield f"> {changed!r}"
+            try:
+                full = f"{_BEFORE}{changed}\n"
+                _, diagnostics = check_text(full, _FOLDER / "scene.rl", {}, registry)
+            except RecursionError:
+                continue
+            for found in diagnostics[:3]:
+                yield "  " + said(found).replace(str(SCENES), "SCENES").replace("\n", " / ")
 
 
 def mistake_lines() -> Iterator[str]:
