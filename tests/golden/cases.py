@@ -23,6 +23,7 @@ from tests.golden.formula_views import (
 )
 from tests.golden.geometry_views import curve_lines, junction_lines, rectangle_lines
 from tests.golden.habit_views import checked_habit_lines, fault_of_sample_lines, habit_lines
+from tests.golden.handle_views import edit_lines, handle_lines
 from tests.golden.interface_views import interface_lines
 from tests.golden.language_views import command_output, fault_lines, kind_lines, scenario_lines
 from tests.golden.map_views import (
@@ -112,6 +113,10 @@ BUILT = (
     *("joined", "tour"),
 )
 WRITTEN = ("cross_signals", "cross_stop", "cross_right", "tour", "joined", "lap", "values")
+HANDLED = (
+    *("pieces", "bent", "values", "town", "picture", "controllers", "tour", "joined", "drawn"),
+    *("copies", "lap", "places"),
+)
 SOURCES = (
     "pieces",
     "bent",
@@ -232,6 +237,9 @@ def _cases() -> Iterable[Case]:
     yield Case("geometry", "joined", partial(joined_lines, 1, 8))
     yield Case("geometry", "networks", partial(network_lines, 1, 6))
     yield Case("geometry", "folds", partial(fold_lines, 1, 9))
+    yield Case("handles", "edits", edit_lines)
+    for name in HANDLED:
+        yield Case("handles", f"{name}.handles", partial(handle_lines, name))
     yield Case("maps", "opendrive_maps", partial(opendrive_lines, 1, 9))
     yield Case("maps", "street_maps", partial(street_map_lines, 1, 6))
     yield Case("maps", "broken_maps", partial(broken_map_lines, 1))
