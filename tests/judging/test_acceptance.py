@@ -8,6 +8,7 @@ import numpy as np
 
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import ACCEPTED, Acceptance
+from roadlang.world.placement import placed, placed_tries
 from tests.straight_road import STRAIGHT
 
 Requirements = Callable[[str], Acceptance]
@@ -91,3 +92,36 @@ def test_of_each_scene_placements_are_judged_until_one_passes(acceptance: Requir
         assert (wanted.rejected_by[until] == everything.rejected_by[until]).all()
         assert wanted.accepted[after].all()
         assert np.isnan(wanted.rho[last][:, after]).all()
+
+
+CROWDED = STRAIGHT + "agent cars is car on main at 0m..60m { count: 6 }\n"
+
+
+def test_the_result_says_at_which_try_each_copy_was_placed(acceptance: Requirements) -> None:
+    """Whoever places the copies again at these tries finds the same places without a search."""
+    requirements = acceptance(CROWDED)
+    candidates = batch(requirements)
+    result = requirements.judge(candidates)
+    rows = np.flatnonzero(result.accepted)
+    tries = np.stack([result.tries_of(row)["cars"] for row in rows.tolist()])
+    assert tries.shape[1] == 6 and 0 < len(rows) and tries.any()
+    cars = requirements.scenario.actors["cars"]
+    again = CandidateBatch(
+        requirements.scenario,
+        3,
+        candidates.scenes[rows],
+        candidates.attempts[rows],
+        known_tries={"cars": tries},
+    )
+    assert (placed_tries(cars, again) == tries).all()
+    searched, repeated = placed(cars, candidates.take(rows)), placed(cars, again)
+    assert (searched.x == repeated.x).all() and (searched.y == repeated.y).all()
+
+
+def test_a_candidate_that_failed_before_anything_was_placed_has_no_tries(
+    acceptance: Requirements,
+) -> None:
+    requirements = acceptance(CROWDED + BENT + RULES)
+    result = requirements.judge(batch(requirements))
+    unplaced = [row for row in range(40) if not result.tries_of(row)]
+    assert unplaced and not result.accepted[unplaced].any()

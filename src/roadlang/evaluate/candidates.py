@@ -28,7 +28,7 @@ class CandidateBatch:
     hashed of their place. `record`, where one is passed, collects all draws. Whatever is
     computed is kept by `once`, also for the survivors that `take` chooses, so that a later
     requirement pays only for what is new to it; they have no record. `known_tries`: (V, N) by
-    agent or object at which try each copy was placed, where that is known.
+    agent or object at which try each copy is to be placed, where a search has found that.
     """
 
     def __init__(
@@ -48,7 +48,6 @@ class CandidateBatch:
         self.coordinates = coordinates or {}
         self.record = record
         self.known_tries = known_tries or {}
-        self._noted_tries: dict[str, dict[int, Integers]] = {}
         self._computed: dict[Hashable, Any] = {}
         self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
 
@@ -78,20 +77,6 @@ class CandidateBatch:
         chosen = self.take(rows)
         chosen.record = self.record.take(rows, self.count)
         return chosen
-
-    def note_tries(self, name: str, tries: Integers) -> None:
-        """Remember at which try (V, N) each copy of an agent or object was placed."""
-        batch, rows = self, np.arange(self.count)
-        while batch._parent is not None:
-            batch, of_parent = batch._parent
-            rows = of_parent[rows]
-        noted = batch._noted_tries
-        for row, found in zip(rows.tolist(), tries, strict=True):
-            noted.setdefault(name, {})[row] = found
-
-    def noted_tries(self, row: int) -> dict[str, Integers]:
-        """(N,) by agent or object what was noted of the candidate at `row`, or of a survivor."""
-        return {name: rows[row] for name, rows in self._noted_tries.items() if row in rows}
 
     def once(self, key: Hashable, compute: Callable[[], T], *, inherited: bool = True) -> T:
         """What `compute` gives, computed at most once for these candidates.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry.arrays import Booleans, Floats
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.values import Condition
 from .early_verdicts import is_impossible, settled_rows
 from .requirement import Requirement
@@ -25,16 +25,22 @@ ACCEPTED = -1
 class AcceptanceResult:
     """`rejected_by` (V,): the index of the requirement, or `ACCEPTED`. `rho` (R, V): the robustness
     of each requirement, NaN where it was not needed. `settled` (R, V): bounds alone have shown that
-    it holds."""
+    it holds. `tries`: by agent or object and row, (N,) at which try each copy was placed, of the
+    candidates that it was placed in."""
 
     rejected_by: NDArray[np.int64]
     rho: Floats
     settled: Booleans
+    tries: dict[str, dict[int, Integers]] = field(default_factory=dict)
 
     @property
     def accepted(self) -> Booleans:
         """Which candidates satisfy every requirement, (V,)."""
         return np.asarray(self.rejected_by == ACCEPTED)
+
+    def tries_of(self, row: int) -> dict[str, Integers]:
+        """(N,) by agent or object at which try each copy was placed in the candidate at `row`."""
+        return {name: rows[row] for name, rows in self.tries.items() if row in rows}
 
 
 @dataclass(frozen=True)
@@ -176,6 +182,9 @@ class Acceptance:
             unsettled = candidates if not passes.any() else candidates.take(open_rows)
             rho = requirement.rho(unsettled)
             result.rho[index, rows[open_rows]] = rho
+            if requirement.tries is not None:
+                found = zip(rows[open_rows].tolist(), requirement.tries(unsettled), strict=True)
+                result.tries.setdefault(requirement.name, {}).update(found)
             passes = passes.copy()
             passes[open_rows] = requirement.is_satisfied(unsettled, rho)
             result.rejected_by[rows[~passes]] = index

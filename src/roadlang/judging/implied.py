@@ -15,7 +15,7 @@ from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
 from ..ir.values import RandomValue
 from ..world.networks import edge_batch, network_root
-from ..world.placement import blocker_of, room_among_others, room_on_road
+from ..world.placement import blocker_of, placed_tries, room_among_others, room_on_road
 from ..world.roads import road_batch, road_root
 from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
@@ -60,6 +60,7 @@ def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:
         name=actor.name,
         text=f"there is room for `{actor.name}`",
         rho=partial(_room, actor, not causes.is_random),
+        tries=partial(placed_tries, actor),
         cost=0.0,
         last=True,
         names=causes.names,

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ..diagnostics import Span
 from ..evaluate.candidates import CandidateBatch
-from ..geometry.arrays import Booleans, Floats
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.values import Condition, PassCall
 from ..stl.evaluate.satisfaction import Rows, is_satisfied, zero_satisfies
 
@@ -21,6 +21,8 @@ class Requirement:
     satisfies. `names`: the roads, networks and images that it depends on, `is_random`: whether a
     draw has a say in it, `cost`: an estimate of its work for one station. One that
     is `last` is judged of candidates that satisfy all others, and of no more than are wanted.
+    `tries`: of one that there is room for an agent or object, at which try each copy was placed,
+    (V, N).
     """
 
     name: str
@@ -34,6 +36,7 @@ class Requirement:
     test: Condition | PassCall | None = None
     span: Span | None = None
     last: bool = False
+    tries: Callable[[CandidateBatch], Integers] | None = None
 
     @cached_property
     def line(self) -> int | None:

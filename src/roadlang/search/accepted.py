@@ -13,6 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Integers
+from ..judging.acceptance import AcceptanceResult
 from .diversity import expected_nearest, mean_nearest
 from .rejection_report import RejectionStats
 
@@ -38,11 +39,13 @@ class Accepted:
     tries: Mapping[str, Integers] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, candidates: CandidateBatch, row: int, index: int) -> Accepted:
+    def of(
+        cls, candidates: CandidateBatch, judged: AcceptanceResult, row: int, index: int
+    ) -> Accepted:
         """The candidate at `row`, which becomes the scene of that number."""
         chosen = {name: values[row : row + 1] for name, values in candidates.coordinates.items()}
         scene, attempt = int(candidates.scenes[row]), int(candidates.attempts[row])
-        return cls(index, scene, attempt, chosen, candidates.noted_tries(row))
+        return cls(index, scene, attempt, chosen, judged.tries_of(row))
 
 
 def candidates_of(

@@ -59,7 +59,7 @@ def accepted_attempts(
             crowded[scene] = crowded.get(scene, 0) + int(failed[row, last[row]])
             if fine[row, last[row]]:
                 place = row * width + int(last[row])
-                accepted[scene] = Accepted.of(candidates, place, scene)
+                accepted[scene] = Accepted.of(candidates, judged, place, scene)
         pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
         start += width
     return [accepted[scene] for scene in sorted(accepted)], stats

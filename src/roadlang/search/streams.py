@@ -50,7 +50,7 @@ def accepted_of_stream(
         judged = acceptance.judge(candidates)
         rows = np.flatnonzero(judged.accepted)[: wanted - len(accepted)]
         for row in rows:
-            accepted.append(Accepted.of(candidates, int(row), len(accepted)))
+            accepted.append(Accepted.of(candidates, judged, int(row), len(accepted)))
         last = int(rows[-1]) if len(accepted) == wanted and len(rows) else candidates.count
         stats.count(judged, np.arange(candidates.count) <= last)
         if len(accepted) == wanted:

@@ -46,8 +46,9 @@ class Arrangement:
         self._neighbors = PlacedRectangles()
 
     def placed(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
-        """Arrays (V, N): those of `PlacedBatch`, `missing`, the meters that a copy lacks to its
-        neighbors, and `blocker`, the number in the order of what it is too near to, or -1."""
+        """Arrays (V, N): those of `PlacedBatch`, `tries`, at which try each copy was placed,
+        `missing`, the meters that a copy lacks to its neighbors, and `blocker`, the number in the
+        order of what it is too near to, or -1."""
         number = self.numbers[actor.name]
         while self._done <= number:
             self._place(self.order[self._done])
@@ -72,13 +73,15 @@ class Arrangement:
         count, most = self.candidates.count, most_copies(actor, self.candidates)
         if most == 0:
             names = ("present", *POSE, "length", "width", "apart", "missing", "blocker")
-            return dict.fromkeys(names, np.empty((count, 0)))
+            return {
+                **dict.fromkeys(names, np.empty((count, 0))),
+                "tries": np.empty((count, 0), int),
+            }
         present = np.arange(1, most + 1) <= counts(actor, self.candidates)[:, None]
         turn = _Turn.of(actor, self.candidates, present.reshape(-1), self.batch)
         if actor.name not in self.candidates.known_tries:
             self._note(self.numbers[actor.name])
             turn.settle(self._neighbors)
-            self.candidates.note_tries(actor.name, turn.tries.reshape(count, most))
         if self.candidates.record is not None:
             turn.record()
         parts = turn.columns()
@@ -248,8 +251,8 @@ class _Turn:
         """All arrays (R,) by name."""
         pose = {name: getattr(self.poses, name) for name in POSE}
         sizes = {"length": self.kinds.lengths, "width": self.kinds.widths}
-        return {**pose, **sizes, "apart": self.apart, "missing": self.missing,
-                "blocker": self.blocker}  # fmt: skip
+        return {**pose, **sizes, "apart": self.apart, "tries": self.tries,
+                "missing": self.missing, "blocker": self.blocker}  # fmt: skip
 
 
 def _apart(actor: ScenarioActor, copies: CopyBatch) -> Floats:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .arrangement import Arrangement
@@ -92,6 +92,11 @@ def room_among_others(actor: ScenarioActor, candidates: CandidateBatch) -> Float
     found = _arrangement(candidates).placed(actor)
     missing = np.where(found["present"].astype(bool), found["missing"], 0.0)
     return np.asarray(-missing.max(axis=1, initial=0.0))
+
+
+def placed_tries(actor: ScenarioActor, candidates: CandidateBatch) -> Integers:
+    """(V, N) at which try each copy was placed: `known_tries` of candidates placed alike."""
+    return np.asarray(_arrangement(candidates).placed(actor)["tries"])
 
 
 def blocker_of(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
