@@ -99,6 +99,7 @@ from .plugins.kinds import (
     Simulator,
     Standing,
 )
+from .plugins.option_error import OptionError
 from .plugins.options import option
 from .version import API_VERSION
 
@@ -209,7 +210,8 @@ __all__ = [
     "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind", "Label", "LaneKind",
     "LanePlace", "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Mirror",
     "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation", "ObservationBatch",
-    "ObservationVector", "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels",
+    "ObservationVector", "OptionError", "PaintedShape", "Perturber", "Picture", "Piece",
+    "PixelPoint", "Pixels",
     "PlacedBatch", "Point", "Position", "Profile", "Provenance", "Reader", "RightOfWay",
     "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep",
     "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor", "SceneArm",

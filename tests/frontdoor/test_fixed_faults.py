@@ -214,8 +214,67 @@ def test_wrong_weights_of_a_choice(items: str, weights: str) -> None:
         text = STRAIGHT.format("") + f"agent a is {drawn} on main at 5m\n"
     else:
         text = "\n" + f"param a = {drawn}\n"
-    # Where an item or weight is random, only drawing shows whether the others fit.
-    known = ".." not in items + weights
-    assert faults(text) == ([("RL476", 2)] if known else [])
+    assert faults(text) == [("RL476", 2)]  # also where an item or weight is random
     with pytest.raises(roadlang.DiagnosticError, match="RL476"):
         roadlang.loads(text).sample(1)
+
+
+NUDGES = "road bent from main {{ perturb with nudges {{ at: {0}, by: {1} }} }}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "underlined"),
+    [
+        (STRAIGHT.format("") + NUDGES.format("[9m, 50m]", "[(0m, 1m)]"), "[(0m, 1m)]"),
+        (STRAIGHT.format("") + NUDGES.format("[9m]", "[(0m, 1m..2m), (0m, 2m)]"),
+         "[(0m, 1m..2m), (0m, 2m)]"),
+        ("road main { draw with segments { pieces: [straight(9m), arc(9m, 0deg)] } }\n", "0deg"),
+        ("road main { draw with waypoints { points: [(1m, 2m), (1m, 2m)] } }\n",
+         "[(1m, 2m), (1m, 2m)]"),
+        ('network map from "map.osm" { read with osm { origin: (200deg, 10deg) } }\n',
+         "(200deg, 10deg)"),
+        ('network map from "map.osm" { read with osm { origin: (48deg, -181deg) } }\n',
+         "(48deg, -181deg)"),
+        ('network map from "map.osm"\nroad way from map { select: route((1m, 2m), (1m, 2m)) }\n',
+         "(1m, 2m)"),
+    ],
+)  # fmt: skip
+def test_options_that_a_kind_refuses(text: str, underlined: str, tmp_path: Path) -> None:
+    """Its own class says so, and the option is underlined."""
+    (tmp_path / "map.osm").write_text("<osm/>")
+    (error,) = roadlang.loads(text, folder=tmp_path).check()
+    assert error.code == "RL480"
+    assert error.span is not None
+    assert error.span.text == underlined
+
+
+def test_options_that_a_kind_refuses_only_in_some_scenes() -> None:
+    """The draws decide, so that there may be scenes."""
+    text = STRAIGHT.format("") + "param where = choice(10m, 20m, weights: [0..1, 0..1])\n"
+    assert faults(text) == []
+    piece = "arc(9m, 0deg..20deg)"
+    assert faults(f"road main {{ draw with segments {{ pieces: [{piece}] }} }}\n") == []
+
+
+@pytest.mark.parametrize(
+    ("over", "wrong"),
+    [
+        ("[120m, 140m]", True),
+        ("[100m, 140m]", True),
+        ("[90m, 140m]", False),
+        ("[90m..120m, 140m]", False),
+        ("[110m..120m, 140m]", True),
+    ],
+)
+@pytest.mark.parametrize("length", ["100m", "90m..100m"])
+def test_an_interval_beyond_the_end_of_its_road(over: str, wrong: bool, length: str) -> None:
+    road = STRAIGHT.format("").replace("100m", length)
+    sine = f"perturb with sine {{ amplitude: 1m, wavelength: 50m, over: {over}, taper: 1m }}"
+    known = length == "100m"  # else only drawing shows how long it is
+    found = faults(road + f"road bent from main {{ {sine} }}\n")
+    assert found == ([("RL414", 2)] if wrong and known else [])
+
+
+def test_a_negative_standard_deviation_is_found_by_check() -> None:
+    assert faults("param a = normal(5m, -1m)\n") == [("RL208", 1)]
+    assert faults("param a = normal(5m, 0m)\n") == []

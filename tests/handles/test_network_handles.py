@@ -93,7 +93,9 @@ def test_what_would_fold_the_network_stays() -> None:
     ("options", "code"),
     [
         ("moved_at: [(0m, 0m)], moved_by: [(60m, 0m)]", "RL472"),
-        ("moved_at: [(0m, 0m)]", "RL472"),
+        ("moved_at: [(0m, 0m)]", "RL480"),
+        ("moved_by: [(0m, 0m)]", "RL480"),
+        ("moved_at: [(0m, 0m)], moved_by: [(1m, 0m), (0m, 1m)]", "RL480"),
         ("moved_at: [(0m..9m, 0m)], moved_by: [(6m, 0m)]", "RL229"),
     ],
 )
@@ -101,6 +103,7 @@ def test_moves_that_cannot_be_made_are_said(options: str, code: str) -> None:
     text = f"{PICTURE}network town from plan {{ {options} }}\n"
     with pytest.raises(DiagnosticError, match=code):
         roadlang.loads(text).sample(1)
+    assert code == "RL472" or [found.code for found in roadlang.loads(text).check()] == [code]
 
 
 def test_only_networks_that_were_found_are_moved() -> None:

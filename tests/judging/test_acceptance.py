@@ -104,7 +104,8 @@ def test_the_result_says_at_which_try_each_copy_was_placed(acceptance: Requireme
     result = requirements.judge(candidates)
     rows = np.flatnonzero(result.accepted)
     tries = np.stack([result.tries_of(row)["cars"] for row in rows.tolist()])
-    assert tries.shape[1] == 6 and 0 < len(rows) and tries.any()
+    assert tries.shape == (len(rows), 6)
+    assert tries.any()
     cars = requirements.scenario.actors["cars"]
     again = CandidateBatch(
         requirements.scenario,
@@ -115,7 +116,8 @@ def test_the_result_says_at_which_try_each_copy_was_placed(acceptance: Requireme
     )
     assert (placed_tries(cars, again) == tries).all()
     searched, repeated = placed(cars, candidates.take(rows)), placed(cars, again)
-    assert (searched.x == repeated.x).all() and (searched.y == repeated.y).all()
+    assert (searched.x == repeated.x).all()
+    assert (searched.y == repeated.y).all()
 
 
 def test_a_candidate_that_failed_before_anything_was_placed_has_no_tries(
@@ -124,4 +126,5 @@ def test_a_candidate_that_failed_before_anything_was_placed_has_no_tries(
     requirements = acceptance(CROWDED + BENT + RULES)
     result = requirements.judge(batch(requirements))
     unplaced = [row for row in range(40) if not result.tries_of(row)]
-    assert unplaced and not result.accepted[unplaced].any()
+    assert 0 < len(unplaced) < 40
+    assert not result.accepted[unplaced].any()

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from roadlang.api import ANGLE, Flag, Length, Reader, option, pair_of
+from roadlang.api import ANGLE, Flag, Length, OptionError, Reader, option, pair_of
 
 if TYPE_CHECKING:
     from .osm_map.network import OsmOptions
@@ -25,6 +25,15 @@ class StreetMap(Reader):
         "right", help="driving side in the map; for left, also write `world { traffic: left }`"
     )
     buildings: Flag = option(False, help="whether buildings become objects")
+
+    def __post_init__(self) -> None:
+        """Raises RL480 for an origin that is not on the earth."""
+        latitude, longitude = map(math.degrees, self.origin or (0.0, 0.0))
+        if abs(latitude) > 90.0:
+            raise OptionError("origin", f"has the latitude {latitude:g}deg; the poles are at 90deg",
+                "it is written `(latitude, longitude)`")  # fmt: skip
+        if abs(longitude) > 180.0:
+            raise OptionError("origin", f"has the longitude {longitude:g}deg, beyond 180deg")
 
     def street_options(self, service: bool) -> OsmOptions:
         """As the network is made with them. `service`: with service roads."""

@@ -17,7 +17,7 @@ class Normal(Distribution):
 
     name: ClassVar[str] = "normal"
     mean: Like = option(help="mean")
-    sd: Like = option(help="standard deviation, not negative")
+    sd: Like = option(minimum=0, help="standard deviation")
     within: Between = option(None, help="`[low, high]`: truncation bounds")
 
     def quantile(self, uniform: Floats) -> Floats:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Drawer, Length, ListOf, Point, Word, geometry, option
+from roadlang.api import Drawer, Length, ListOf, OptionError, Point, Word, geometry, option
 
 
 @dataclass(frozen=True)
@@ -31,6 +31,13 @@ class Waypoints(Drawer):
         maximum=1e6,
         help="radius of the corners of a `polyline`, smaller where lines are too short for it",
     )
+
+    def __post_init__(self) -> None:
+        """Raises RL480 where the points are all the same."""
+        x, y = self.points[0]
+        numbers = ((n, m) for p in self.points for n, m in zip(p, (x, y), strict=True))
+        if all(isinstance(n, int | float) and n == m for n, m in numbers):
+            raise OptionError("points", "are all the same")
 
     def draw(self, closed: bool) -> geometry.Curve:
         """A closed road goes back to the first point."""

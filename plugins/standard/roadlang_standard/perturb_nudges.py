@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Length, ListOf, Perturber, Point, geometry, option
+from roadlang.api import Length, ListOf, OptionError, Perturber, Point, option
 
 if TYPE_CHECKING:
     from roadlang.api import BatchRandom, RoadBatch
@@ -38,14 +38,15 @@ class Nudges(Perturber):
         80.0, above=0, help="arc length of the stretch of road that moves with each place"
     )
 
+    def __post_init__(self) -> None:
+        """Raises RL480 where places and moves do not belong together."""
+        if len(self.at) != len(self.by):
+            raise OptionError("by", f"has {len(self.by)} moves, but `at` has {len(self.at)} places")
+
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         """The sum of by * (1 - x^2)^3 for x in [-1, 1] around each place."""
         import numpy as np
 
-        if len(self.at) != len(self.by):
-            raise geometry.GeometryError(
-                f"the lengths of `at` ({len(self.at)}) and `by` ({len(self.by)}) differ"
-            )
         total = np.zeros((1, len(roads.stations), 2))
         for place, move in zip(self.at, self.by, strict=True):
             share = np.atleast_2d(

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from roadlang.api import Angle, Curvature, Length, Piece, geometry, option
+from roadlang.api import Angle, Curvature, Length, OptionError, Piece, geometry, option
 
 MOST_TURN = math.radians(3600)
 
@@ -36,6 +36,11 @@ class ArcPiece(Piece):
     angle: Angle = option(
         minimum=-MOST_TURN, maximum=MOST_TURN, help="angle of the turn, positive to the left"
     )
+
+    def __post_init__(self) -> None:
+        """Raises RL480 for an arc that does not turn."""
+        if isinstance(self.angle, int | float) and self.angle == 0:
+            raise OptionError("angle", "is 0", "for a piece that does not turn, write `straight`")
 
     def to_segment(self, curvature: float) -> Any:
         """The piece as geometry has it, behind a piece that ends with `curvature`."""

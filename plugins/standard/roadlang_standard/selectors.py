@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from roadlang.api import Integer, Point, Selector, geometry, option
+from roadlang.api import Integer, OptionError, Point, Selector, geometry, option
 
 
 @dataclass(frozen=True)
@@ -15,6 +15,12 @@ class Route(Selector):
     name: ClassVar[str] = "route"
     start: Point = option(help="a point near the start of the path")
     end: Point = option(help="a point near the end of the path")
+
+    def __post_init__(self) -> None:
+        """Raises RL480 where the path would begin where it ends."""
+        pairs = zip(self.start, self.end, strict=True)
+        if all(isinstance(n, int | float) and n == m for n, m in pairs):
+            raise OptionError("end", "is the same point as `start`")
 
     def select(self, network: geometry.RoadNetwork) -> geometry.Path:
         """The way between the places of the network nearest to the points."""

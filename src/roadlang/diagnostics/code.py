@@ -199,6 +199,7 @@ class Code:
     UNREADABLE_TABLE: Final = "RL477"
     NON_FINITE_VALUE: Final = "RL478"
     DAMAGED_MAP: Final = "RL479"
+    INVALID_OPTION: Final = "RL480"
     GODOT_NOT_FOUND: Final = "RL500"
     GODOT_NOT_STARTED: Final = "RL501"
     GODOT_NOT_ANSWERING: Final = "RL502"

@@ -170,7 +170,7 @@ def build(
             fields[option.name] = frozen(option_value)
         elif not option.required:
             fields[option.name] = option.default
-    with plugin_guard(entry, call.span):
+    with plugin_guard(entry, call.span, call.option_spans):
         return KindInstance(kind(**fields), entry, call)
 
 

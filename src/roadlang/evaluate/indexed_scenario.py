@@ -7,7 +7,7 @@ from contextlib import suppress
 from functools import cached_property
 from typing import Any, TypeVar
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..ir.contained_values import values_in
 from ..ir.scenario import (
     LANE_OPTIONS,
@@ -109,19 +109,22 @@ class IndexedScenario:
         for value in values_in(self.source):
             yield from self.dependencies.draws(value)
 
+    def calls(self) -> Iterator[PassCall]:
+        """Every kind that the scenario names, with its options; each place once."""
+        places: dict[tuple[Span | None, str, str], PassCall] = {}
+        for value in values_in(self.source):
+            for item in self.dependencies.contents(value):
+                if isinstance(item, PassCall):
+                    places.setdefault((item.span, item.verb, item.place), item)
+        yield from places.values()
+
     def origins(self) -> dict[str, str]:
         """The distributions that bring the kinds of the scenario, and their versions."""
         return self.once("origins", self._origins)
 
     def _origins(self) -> dict[str, str]:
-        calls = (
-            item
-            for value in values_in(self.source)
-            for item in self.dependencies.contents(value)
-            if isinstance(item, PassCall)
-        )
         found = {}
-        for call in calls:
+        for call in self.calls():
             with suppress(KeyError):
                 origin = self.registry.find(call.verb, call.kind).origin
                 found[origin.distribution] = origin.version

@@ -28,7 +28,7 @@ class KindInstance:
     @property
     def guarded(self) -> AbstractContextManager[None]:
         """What the kind raises inside is reported with the name of its plugin."""
-        return plugin_guard(self.entry, self.call.span)
+        return plugin_guard(self.entry, self.call.span, self.call.option_spans)
 
 
 def row_of_kind(kind: Any, row: int) -> Any:
@@ -85,7 +85,7 @@ def check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:
         raise DiagnosticError(
             diagnose(
                 Code.DRAWN_VALUE_OUT_OF_BOUNDS,
-                call.span,
+                call.option_spans.get(option.name, call.span),
                 option=option.name,
                 kind=call.kind.rpartition(".")[2],
                 value=f"{found:g}",

@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from ..diagnostics import Span
 from .dimension import Dimension
 from .read_only import FrozenDict
-from .values import NO_OPTIONS, Condition, Options, PassCall, Value
+from .values import NO_OPTIONS, NO_SPANS, Condition, Options, PassCall, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
 
-NO_SPANS: FrozenDict[str, Span] = FrozenDict()
 
 LANE_OPTIONS = (
     "lanes",

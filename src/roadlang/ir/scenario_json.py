@@ -20,7 +20,7 @@ from .contained_values import nodes
 from .dimension import Dimension
 from .read_only import FrozenDict
 from .scenario import SCENARIO_SCHEMA, Scenario
-from .schema import DataclassWriter, any_of, array, document, reference
+from .schema import DataclassWriter, any_of, array, document, reference, written_fields
 
 
 def scenario_to_json(scenario: Scenario) -> dict[str, Any]:
@@ -93,7 +93,7 @@ def _plain(value: Any) -> Any:
         return {**place, "start": value.start, "end": value.end}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         members = {
-            field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)
+            field.name: _plain(getattr(value, field.name)) for field in written_fields(value)
         }
         return {"is": type(value).__name__, **members}
     if isinstance(value, FrozenDict):  # pairs: a JSON object promises no order

@@ -69,6 +69,15 @@ def schema_of_dataclass(
     return document(version, body, definitions={**writer.definitions, **(definitions or {})})
 
 
+UNWRITTEN: Mapping[str, bool] = {"unwritten": True}
+"""The metadata of a field that JSON leaves out: where something was read, which may be forgotten"""
+
+
+def written_fields(kind: Any) -> tuple[dataclasses.Field[Any], ...]:
+    """The fields of a dataclass that JSON has."""
+    return tuple(f for f in dataclasses.fields(kind) if not f.metadata.get("unwritten"))
+
+
 class DataclassWriter:
     """Writes the schemas of types; `definitions` gathers the dataclasses met on the way.
 
@@ -132,7 +141,7 @@ class DataclassWriter:
         if self._tag:
             properties[self._tag] = {"const": kind.__name__}
         required = list(properties)
-        for field in dataclasses.fields(kind):
+        for field in written_fields(kind):
             known = self._members.get(f"{kind.__name__}.{field.name}")
             schema = dict(self.of(hints[field.name]) if known is None else known)
             if field.name in docs:

@@ -6,15 +6,17 @@ batch of variants at a time.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from ..diagnostics import Span
 from ..stl import Formula
 from .dimension import PURE, Dimension
 from .read_only import FrozenDict
+from .schema import UNWRITTEN
 
 NO_OPTIONS: Options = FrozenDict()
+NO_SPANS: FrozenDict[str, Span] = FrozenDict()
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +152,9 @@ class PassCall:
     place: str
     span: Span | None = None
     common: Options = NO_OPTIONS
+    option_spans: FrozenDict[str, Span] = field(
+        default=NO_SPANS, compare=False, metadata=UNWRITTEN
+    )  # where the values are written, for diagnostics
 
     def option(self, name: str) -> Value | None:
         """The value given for an option, or None."""

@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from types import TracebackType
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..geometry.errors import GeometryError
+from ..ir.values import NO_SPANS
 from .attribution import PluginFault, attributed
 from .kinds import base_of
+from .option_error import OptionError
 from .registry import KindEntry
 
 
 class plugin_guard(attributed):
-    """Turn whatever a kind raises into RL470; its own diagnostics pass, at this place."""
+    """Turn whatever a kind raises into RL470; its own diagnostics pass, at this place.
 
-    __slots__ = ("_entry", "_span")
+    `option_spans`: where the values of options are written.
+    """
 
-    def __init__(self, entry: KindEntry, span: Span | None) -> None:
+    __slots__ = ("_entry", "_option_spans", "_span")
+
+    def __init__(
+        self,
+        entry: KindEntry,
+        span: Span | None,
+        option_spans: Mapping[str, Span] = NO_SPANS,
+    ) -> None:
         self._entry = entry
         self._span = span
+        self._option_spans = option_spans
 
     def __exit__(
         self,
@@ -36,6 +48,9 @@ class plugin_guard(attributed):
         entry, cause = self._entry, fault.__cause__
         if isinstance(cause, DiagnosticError):
             return DiagnosticError(*(_at(d, self._span) for d in cause.diagnostics))
+        if isinstance(cause, OptionError):
+            span = self._option_spans.get(cause.option, self._span)
+            return DiagnosticError(_invalid_option(entry, span, cause))
         if isinstance(cause, GeometryError) and base_of(entry.verb).geometry_is_user_input:
             return DiagnosticError(_impossible(entry, self._span, cause))
         return DiagnosticError(_failed(entry, self._span, fault))
@@ -44,6 +59,17 @@ class plugin_guard(attributed):
 def _impossible(entry: KindEntry, span: Span | None, error: GeometryError) -> Diagnostic:
     what = f"{entry.verb} {entry.name}"
     return diagnose(Code.IMPOSSIBLE_GEOMETRY, span, what=what, reason=str(error))
+
+
+def _invalid_option(entry: KindEntry, span: Span | None, error: OptionError) -> Diagnostic:
+    return diagnose(
+        Code.INVALID_OPTION,
+        span,
+        option=error.option,
+        kind=f"{entry.verb} {entry.name}",
+        reason=error.reason,
+        help=error.help or (),
+    )
 
 
 def _failed(entry: KindEntry, span: Span | None, fault: PluginFault) -> Diagnostic:

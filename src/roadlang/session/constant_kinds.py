@@ -1,9 +1,11 @@
-"""Kinds whose options are all constant, made before anything is drawn."""
+"""Kinds made before anything is drawn: from constant options, or the ends of their ranges."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
+from ..diagnostics import DiagnosticError
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
@@ -11,19 +13,32 @@ from ..plugins.stated_bounds import OptionRange, corners
 
 
 def constant_kind(call: PassCall, scenario: IndexedScenario) -> Any:
-    """A kind with its options, where all of them are constant; None elsewhere."""
-    entry, kind = scenario.kind(call)
+    """A kind with its options, where all of them are constant and it takes them; None elsewhere."""
+    combinations = option_corners(call, scenario)
+    if combinations is None or len(combinations) != 1:
+        return None
+    try:
+        return kind_at(combinations[0], call, scenario)
+    except DiagnosticError:
+        return None  # `refused_options` reports it
+
+
+def option_corners(call: PassCall, scenario: IndexedScenario) -> list[dict[str, Any]] | None:
+    """Every combination of the ends that options have; None where one is not known."""
     bounds = scenario.value_bounds
     calls = {name: _constant_calls(value, scenario) for name, value in call.options.items()}
     options = {
         name: calls[name] if calls[name] is not None else bounds.option(value)
         for name, value in call.options.items()
     }
-    combinations = corners(kind, options)
-    if combinations is None or len(combinations) != 1:
-        return None
-    with plugin_guard(entry, call.span):
-        return kind(**combinations[0])
+    return corners(scenario.kind(call)[1], options)
+
+
+def kind_at(options: Mapping[str, Any], call: PassCall, scenario: IndexedScenario) -> Any:
+    """The kind with these options. Raises what it refuses them with."""
+    entry, kind = scenario.kind(call)
+    with plugin_guard(entry, call.span, call.option_spans):
+        return kind(**options)
 
 
 def _constant_calls(value: Any, scenario: IndexedScenario) -> Any:

@@ -14,7 +14,7 @@ def interval_off_road(
     reason = "it has no length" if low == high else f"the road is {length:.1f}m long"
     return diagnose(
         Code.INTERVAL_OFF_ROAD,
-        call.span,
+        call.option_spans.get("over", call.span),
         interval=f"[{low:g}m, {high:g}m]",
         road=road,
         reason=reason,

@@ -109,7 +109,7 @@ def lower_call(
         return None
     options, rest = divided(bound.values, names)
     verb, kind = found.entry.verb, found.entry.qualified
-    return PassCall(verb, kind, options, context.place, span, rest)
+    return PassCall(verb, kind, options, context.place, span, rest, bound.spans)
 
 
 def lower_options(

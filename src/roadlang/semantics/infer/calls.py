@@ -175,7 +175,8 @@ def of_kind(
     random = any(typed.random for typed in bound.stated.values())
     names = {option.name for option in found.schema}
     options, common = divided(bound.values, names)
-    value = PassCall(verb, found.entry.qualified, options, name, call.span, common)
+    kind, spans = found.entry.qualified, bound.spans
+    value = PassCall(verb, kind, options, name, call.span, common, spans)
     return TypedExpression(call.span, KindCallType(verb), value, random)
 
 

@@ -31,7 +31,8 @@ def draw_of(
         return unknown(call.span)
     place = checker.draw_place(context)
     options = bound.values
-    drawn = PassCall("distribution", found.entry.qualified, options, place, call.span)
+    name, spans = found.entry.qualified, bound.spans
+    drawn = PassCall("distribution", name, options, place, call.span, option_spans=spans)
     if _is_reversed(checker, drawn, found):
         return checker.report(
             Code.REVERSED_RANGE, call.span, what="range", help="the lower end comes first"

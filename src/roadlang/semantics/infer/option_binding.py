@@ -40,6 +40,11 @@ class BoundOptions:
             name: typed.value for name, typed in self.stated.items() if typed.value is not None
         })  # fmt: skip
 
+    @property
+    def spans(self) -> FrozenDict[str, Span]:
+        """Where the values are written."""
+        return FrozenDict({name: typed.span for name, typed in self.stated.items()})
+
 
 def divided(options: Options, names: Container[str]) -> tuple[Options, Options]:
     """The options of these names, and the others."""

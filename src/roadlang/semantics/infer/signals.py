@@ -32,7 +32,8 @@ def measured(
         return unknown(span)
     verb = found.entry.verb
     text = name if member or not bound.values else call_text(name, bound.values)
-    call = PassCall(verb, found.entry.qualified, bound.values, text, span)
+    kind_name, values = found.entry.qualified, bound.values
+    call = PassCall(verb, kind_name, values, text, span, option_spans=bound.spans)
     if verb == "number":
         kind = Quantity(dimension, is_integer=found.kind.is_integer)
         return TypedExpression(span, kind, Measure(call), random=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -213,7 +214,22 @@ def _options_belong(
             span = options[name].key.span
             checker.report(Code.INCOMPATIBLE_SOURCE, span, verb=name, expected=expected)
             return False
-    return True
+    return _moves_have_places(checker, options)
+
+
+def _moves_have_places(checker: Checker, options: Mapping[str, ast.Option]) -> bool:
+    """Whether `moved_at` and `moved_by` have as many members, where both are written as lists."""
+    values = [options[name].value for name in ("moved_at", "moved_by") if name in options]
+    counts = [len(value.items) for value in values if isinstance(value, ast.ListValue)]
+    if not values or (len(counts) == 2 and counts[0] == counts[1]) or len(counts) < len(values):
+        return True
+    at, by = counts if len(counts) == 2 else (counts[0], 0)
+    if "moved_at" not in options:
+        at, by = by, at
+    reason = f"has {by} moves, but `moved_at` has {at} places"
+    span = values[-1].span
+    checker.report(Code.INVALID_OPTION, span, option="moved_by", kind="network", reason=reason)
+    return False
 
 
 def _with_default(

@@ -13,7 +13,7 @@ from ...plugins.options import Constraints, OptionSchema
 from ..checker import Checker
 from . import expression_types as ty
 from .describe_option import describe
-from .dimensions import common_dimension, unit_missing
+from .dimensions import common_dimension, dimension_of, unit_missing
 from .matching import matches
 from .option_limits import check_limits
 from .range_or_interval import other_form
@@ -60,6 +60,9 @@ def _checked(
             return _point(checker, typed, expected, what)
         case opt.MapType(item):
             return _map(checker, typed, item, limits, what)
+        case opt.LikeType() if isinstance(typed.type, ty.Quantity):
+            dimension = dimension_of(typed)
+            return typed if check_limits(checker, typed, limits, what, dimension) else None
         case _ if matches(typed, expected):
             return typed
     return _mismatch(checker, typed, expected, limits, what)
