@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from roadlang import DiagnosticError, NoSceneError, testing
 from tests.golden.random_scenes import RandomScene
-from tests.golden.summaries import array, of_svg, plain
+from tests.golden.random_towns import RandomTown
+from tests.golden.summaries import array, of_json, of_svg, plain
 from tests.golden.traffic_views import agent_lines
+
+
+def town_lines(seeds: range) -> Iterator[str]:
+    """Random towns: as `random_lines` has them, with routes, junctions and who goes first there."""
+    yield from _lines((seed, RandomTown(seed).text()) for seed in seeds)
 
 
 def random_lines(seeds: range) -> Iterator[str]:
     """Each scene that is found: its roads, things and verdicts; some of them driven or drawn."""
-    for seed in seeds:
-        text = RandomScene(seed).text()
+    yield from _lines((seed, RandomScene(seed).text()) for seed in seeds)
+
+
+def _lines(texts: Iterable[tuple[int, str]]) -> Iterator[str]:
+    for seed, text in texts:
         yield f"--- {seed}"
         try:
             scenes = testing.sample(text, 1, seed=seed)
@@ -46,6 +55,11 @@ def _scene_lines(record: dict[str, Any]) -> Iterator[str]:
             thing.get(key) for key in ("kind", "road", "lane", "start", "start_speed", "facing")
         ]
         yield f"  {thing['name']}: {array(numbers)} {more}"
+        if thing.get("route"):
+            yield from of_json(thing["route"], "    route")
+    for network in record["networks"]:
+        for junction in network["junctions"]:
+            yield f"  junction {junction['id']} {plain(json.dumps(junction['control']))[:300]}"
     for kind in ("requirements", "expectations"):
         for one in record[kind]:
             profiles = [v for profile in one["profiles"] for v in profile["values"]]
