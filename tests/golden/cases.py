@@ -29,6 +29,7 @@ from tests.golden.language_views import command_output, fault_lines, kind_lines,
 from tests.golden.map_views import (
     broken_map_lines,
     opendrive_lines,
+    place_lines,
     street_map_lines,
     written_map_lines,
 )
@@ -112,7 +113,10 @@ BUILT = (
     *("pieces", "values", "town", "cross_signals", "controllers", "picture", "roundabout"),
     *("joined", "tour"),
 )
-WRITTEN = ("cross_signals", "cross_stop", "cross_right", "tour", "joined", "lap", "values")
+WRITTEN = (
+    *("cross_signals", "cross_stop", "cross_right", "tour", "joined", "lap", "values", "pieces"),
+    *("bent", "places", "right_places", "drawn"),
+)
 HANDLED = (
     *("pieces", "bent", "values", "town", "picture", "controllers", "tour", "joined", "drawn"),
     *("copies", "lap", "places"),
@@ -242,6 +246,7 @@ def _cases() -> Iterable[Case]:
     yield Case("handles", "edits", edit_lines)
     for name in HANDLED:
         yield Case("handles", f"{name}.handles", partial(handle_lines, name))
+    yield Case("maps", "places_on_earth", place_lines)
     yield Case("maps", "opendrive_maps", partial(opendrive_lines, 1, 9))
     yield Case("maps", "street_maps", partial(street_map_lines, 1, 6))
     yield Case("maps", "broken_maps", partial(broken_map_lines, 1))

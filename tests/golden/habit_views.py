@@ -11,12 +11,20 @@ from roadlang.diagnostics import Source
 from roadlang.plugins.discovery import registry_of
 from roadlang.semantics import check_text
 from roadlang.syntax import parse
+from roadlang.syntax.recovery.foreign_notation import SYMBOLS
 from tests.golden.comparing import SCENES
 from tests.golden.language_views import said
 from tests.semantics.test_habits import EGO, HABITS, ROAD
 from tests.syntax.test_mistakes import FAULTS, SAMPLES
 
 _TOKEN = re.compile(r'"[^"\n]*"|[\w.]+|\.\.|[^\w\s]')
+_COMMANDS = (
+    *("leq", "le", "leqslant", "lt", "geq", "ge", "geqslant", "gt", "neq", "ne", "cdot", "times"),
+    *("infty", "top", "bot", "Box", "square", "Diamond", "lozenge", "bigcirc", "neg", "lnot"),
+    *("land", "wedge", "lor", "vee", "to", "rightarrow", "Rightarrow", "implies", "iff"),
+    *("leftrightarrow", "mathcal", "mathbf", "mathrm", "text", "operatorname", "alpha", "quad"),
+    *("left", "right", "bigl", "bigr", "mathcal{U}", "mathbf{G}", "text{F}", "mathit{S}"),
+)
 _OTHERS = (
     "(",
     ")",
@@ -92,12 +100,46 @@ _MORE = (
     "emit json emit svg",
     "emit json with { size: 3px }",
     "world { time_of_day: 14:30, rain: 0.4 to 0.9 }",
+    "param w = 1,5m",
+    "param w = 3m\nparam v = 1 ,5m",
+    "road a from b { width: 7,5m }",
+    "param w = 5. m",
+    "param w = 5.m",
+    "param w = .5m",
+    "param w = 5 %",
+    "param w = 5 \t % of it",
+    "param w = (5) %",
+    "% w",
+    "param w = [#2e7d32, #abcdef, #12345, #123456 ]",
+    "param w = f(#2e7d32) + g(a, #AABBCC)",
+    "param w = #fff\nparam v = 3",
+    "road a from b { color: #fff, width: 3m }",
+    "param größe = 3m\nparam v = größe + ähm",
+    "param w = 3€ + 4m",
+    "param w = a ¿¿¿ b",
+    "param w = a \u200b\u200b b",
+    "param w = a ? b : c",
+    "param w = 'text'",
+    "param w = 'text",
+    "param w = `text`",
+    "param w = a /* b */ + c",
+    "param w = a /* b",
+    "param w = a // b",
+    "param w = 3m; param v = 4m;",
+    'image i from """"',
+    "agent ego is car on main at 20m ahead of lead by 7m",
+    "agent ego is car on main at ahead lead by 7m",
+    "object tree is tree at ego behind lead",
 )
 
 
 def habit_lines(edits: int) -> Iterator[str]:
     """Each text as it is, and with `edits` changes of one token each."""
     rng = random.Random(edits)
+    for symbol in SYMBOLS:
+        yield from _parsed(f"require r: p {symbol} q {symbol}{symbol} s")
+    for command in _COMMANDS:
+        yield from _parsed(rf"require r: p \{command} q \{command}{{x}}_{{[1, 2]}}")
     for text in [*dict.fromkeys(written for written, *_ in HABITS), *_MORE]:
         yield from _parsed(text)
         for changed in edited(text, rng, edits):

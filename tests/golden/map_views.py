@@ -18,10 +18,12 @@ from roadlang import DiagnosticError
 from roadlang.api import Extraction
 from roadlang.geometry import Edge, RoadNetwork
 from roadlang_formats.emit_opendrive import OpenDriveBackend
+from roadlang_formats.local_projection import LocalProjection
 from roadlang_formats.read_geojson import GeoJson
 from roadlang_formats.read_opendrive import OpenDriveMap
 from roadlang_formats.read_osm import OpenStreetMap
 from roadlang_formats.read_scene import SceneMap
+from tests.formats.small_maps import straight, xodr
 from tests.golden.geometry_views import plain_value
 from tests.golden.language_views import said
 from tests.golden.random_maps import lines_of_streets, opendrive_map, street_extract
@@ -116,6 +118,38 @@ def street_map_lines(first: int, count: int) -> Iterator[str]:
             lines = GeoJson(**options, origin=None if seed % 2 else (0.8378, 0.192))
             text = json.dumps(lines_of_streets(seed))
             yield from _read(lines.read, folder / "a.geojson", text)
+
+
+_REFERENCES = (
+    "+proj=utm +zone=32 +lat_0=48 +lon_0=11",
+    "+lat_0=48 +lon_0=11 +x_0=0 +y_0=-0.0",
+    "+proj=tmerc +lat_0=48 +lon_0=11 +x_0=500000",
+    "+proj=tmerc +lat_0=48 +lon_0=11 +y_0=3.5",
+    "+proj=stere +lat_0=-89.5 +lon_0=180",
+    "+proj=laea +lat_0=91 +lon_0=11",
+    "+proj=aeqd +lat_0=90 +lon_0=-180.5",
+    "+proj=tmerc +lat_0=a +lon_0=11",
+    "+proj=tmerc +lon_0=11",
+    "EPSG:25832",
+    "",
+)
+
+
+def place_lines() -> Iterator[str]:
+    """Places in degrees by meters from an origin, and the origins that headers state."""
+    for origin in ((0.0, 7.0), (48.1, 11.5), (-33.9, 151.2), (64.0, -179.9)):
+        projection = LocalProjection(*origin)
+        for north in (-3.0, 0.0, 0.01, 2.5):
+            row = [
+                projection.point(origin[0] + north, origin[1] + east) for east in (-5.0, 0.1, 3.7)
+            ]
+            yield f"{origin} {north}: {_numbers(row)}"
+    with tempfile.TemporaryDirectory() as folder:
+        for reference in _REFERENCES:
+            header = f"<geoReference>{reference}</geoReference>"
+            text = xodr(straight(1, 0.0, 0.0), header=header)
+            lines = list(_read(OpenDriveMap().read, Path(folder) / "a.xodr", text))
+            yield f"{reference}: {lines[0].split(' bounds')[0]}"
 
 
 def broken_map_lines(values: int) -> Iterator[str]:
