@@ -23,7 +23,10 @@ agent ego is choice(car, truck) on bent at 5m { drive with brake { when: time > 
 object trees is tree on bent at 0%..100% { count: integer(3, 5), side: left }
 require phi: always[0m, inf] (deviation(bent, main) < reach)
 require long: length(bent) > 50m
-expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
+expect in_lane: always (abs(ego.cross_track_error) < 1.5m) { robustness: average }
+let near = ego.cross_track_error < 1m
+expect careful: always (near and ego.speed < 20m/s) { weights: { near: 3 } }
+expect smooth: always (near) { semantics: linear }
 world { sun: { azimuth: 0deg..360deg }, weather: choice(clear, rain) }
 emit json
 """
@@ -44,6 +47,10 @@ def test_it_comes_back_the_same(scenario: Scenario) -> None:
     record = json.loads(json.dumps(scenario_to_json(scenario)))
     again = scenario_from_json(record)
     assert again.requirements[0].test.formula == scenario.requirements[0].test.formula  # type: ignore[union-attr]
+    assert [e.test.evaluation for e in again.expectations] == [  # type: ignore[union-attr]
+        e.test.evaluation  # type: ignore[union-attr]
+        for e in scenario.expectations
+    ]
     assert scenario_to_json(dataclasses.replace(again)).keys() == record.keys()
     assert [road.name for road in again.roads] == ["main", "bent"]
 

@@ -24,6 +24,7 @@ from roadlang.ir.values import NO_OPTIONS, Condition, Entity, PassCall, SignalBi
 from roadlang.judging.drives import judge
 from roadlang.plugins.discovery import registry_of
 from roadlang.scenes.sampling import sample_scenes
+from roadlang.stl.formula.evaluation_options import EvaluationOptions, Measure
 from roadlang.stl.formula.formulas import ComparisonOperator
 from tests.scene_texts import scenario_of
 from tests.stl_draws import NAMES, FormulaDraw
@@ -189,6 +190,21 @@ def test_every_part_gives_the_verdict_of_boolean_evaluation(seed: int) -> None:
     truth = formula.satisfied(POSITIONS, signals, wrap=float(SAMPLES))
     verdict = formula.verdict(POSITIONS, signals, wrap=float(SAMPLES))
     assert verdict == ("satisfied" if truth else "violated")
+
+
+@pytest.mark.parametrize("measure", ["average", "time", "time_left"])
+@pytest.mark.parametrize("seed", range(70))
+def test_no_measure_of_robustness_changes_a_verdict(seed: int, measure: Measure) -> None:
+    draw = EdgeDraw(seed)
+    formula, signals = draw.formula(seed % 4), draw.signals()
+    VALUES.update(signals)
+    expected = Reference(POSITIONS.tolist(), signals).satisfied(formula)[0]
+    options = EvaluationOptions(robustness=measure)
+    road, drive = (replace(of(formula), evaluation=options) for of in (of_road, of_drive))
+    scene = scene_with(road, drive)
+    over_drive = judge(scene, drive_of(), REGISTRY).verdicts[1]
+    assert is_accepted(road) is expected
+    assert (scene.expectations[0].satisfied, over_drive.satisfied) == (expected, expected)
 
 
 def test_the_formulas_are_drawn_at_the_edges() -> None:

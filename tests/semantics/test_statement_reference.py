@@ -20,6 +20,7 @@ image plan from "town.png" { SCALE }
 network town from plan
 road main { draw with waypoints { points: [(0m, 0m), (160m, 0m)] }, lanes: 2 }
 agent lead is car on main at 20m
+let centered = abs(curvature(main)) < 1/m
 expect in_lane: always (abs(lead.cross_track_error) < 1m)
 expect arrives: eventually[0s, 60s] (lead.progress > 99%)
 """
@@ -31,6 +32,8 @@ PLACES = {
     "object": "object IT is tree on main at 5m {{ {} }}",
     "world": "world {{ {} }}",
     "falsify": "falsify {{ {} }}",
+    "require": "require r: always (centered and length(main) > 1m) {{ {} }}",
+    "expect": "expect e: always (centered and length(main) > 1m) {{ {} }}",
 }
 OPTIONS = [(statement.word, option) for statement in REFERENCE for option in statement.options]
 

@@ -230,8 +230,10 @@ class _Grower:
             for field in dataclasses.fields(node)
             if not field.kw_only
         }
-        if node is ast.Constraint:  # a formula, or a kind with its block
-            left_out = self.one_of(lambda _: ["formula"], lambda _: ["kind", "block"])(0)
+        if node is ast.Constraint:  # a formula or a kind, with or without a block
+            left_out = self.one_of(
+                lambda _: ["formula"], lambda _: ["kind", "block"], lambda _: ["kind"]
+            )(0)
             values |= dict.fromkeys(left_out)
         made: ast.Statement = node(**values, span=NOWHERE)
         return made

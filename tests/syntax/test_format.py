@@ -189,3 +189,9 @@ def test_an_override_has_one_form() -> None:
 def test_override_is_free_as_the_name_of_an_option() -> None:
     text = "agent ego is car on main at 5m { override: 3m }\n"
     assert formatted(text) == text
+
+
+def test_the_options_of_a_formula_stay_behind_it() -> None:
+    text = "require a: always (x < 3) {robustness:average}\nrequire b: x < 3 {}\n"
+    expected = "require a: always (x < 3) { robustness: average }\nrequire b: x < 3 {}\n"
+    assert formatted(text) == expected

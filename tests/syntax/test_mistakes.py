@@ -37,6 +37,7 @@ FAULTS = [
     ('paper', 'implies', 'implise', 'RL021', 'implise'),
     ('paper', 'implies', 'impies', 'RL021', 'impies'),
     ('paper', 'd1 < 6m and e1', 'd1 < 6m adn e1', 'RL021', 'adn'),
+    ('paper', 'require phi1: always (e1 < 10m)', 'require phi1: with margin {}', 'RL001', ':'),
     ('paper', '{ scale: 0.35m/px }', 'scale: 0.35m/px }', 'RL001', 'scale'),
     ('paper', 'require phi1: always (e1 < 10m)', 'require phi1: always (e1 < 10m', 'RL003', '(e1'),
     ('paper', 'require phi1: always (e1 < 10m)', 'require phi1: always e1 < 10m)', 'RL004', ')'),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
@@ -13,9 +13,8 @@ from .console import echo, report
 
 if TYPE_CHECKING:
     from ..stl import Formula
-    from ..stl.dense.evaluation import Semantics
-    from ..stl.evaluate.measured_robustness import Measure
     from ..stl.formats.trace_files import Columns
+    from ..stl.formula.evaluation_options import Measure, Semantics
 
 
 @click.command("monitor")
@@ -166,12 +165,14 @@ def _finding(
     }
 
 
-def _measured(formula: Formula, columns: Columns, measure: Measure) -> dict[str, Any]:
+def _measured(formula: Formula, columns: Columns, measure: str) -> dict[str, Any]:
     """Robustness by another measure."""
     from ..stl.evaluate.measured_robustness import measured_robustness
+    from ..stl.formula.evaluation_options import EvaluationOptions
 
     _, positions, signals = columns
-    shown = _shown(measured_robustness(formula, positions, signals, measure).tolist())
+    options = EvaluationOptions(robustness=cast("Measure", measure.replace("-", "_")))
+    shown = _shown(measured_robustness(formula, positions, signals, options).tolist())
     return {"measure": measure, "robustness": shown[0], "trace": shown}
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from ..ir.scene import Call
 from ..ir.values import Condition, Entity, PassCall
 from ..plugins.options import schema_of
+from ..stl.formats.evaluation_json import evaluation_to_json
 from ..stl.formats.json_form import to_json
 from .candidates import CandidateBatch
 from .evaluation import evaluate
@@ -36,6 +37,7 @@ def condition_json(
     condition: Condition, candidates: CandidateBatch, element: int = 0
 ) -> dict[str, Any]:
     """A formula with its signals and numbers: what judges it later needs nothing else."""
+    evaluation = evaluation_to_json(condition.evaluation)
     return {
         "text": condition.text,
         "formula": _finite(to_json(condition.formula)),
@@ -53,6 +55,7 @@ def condition_json(
             binding.variable: _finite(float(scalar(evaluate(binding.value, candidates, element))))
             for binding in condition.numbers
         },
+        **({"evaluation": _finite(evaluation)} if evaluation else {}),
     }
 
 

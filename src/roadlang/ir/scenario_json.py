@@ -10,10 +10,11 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, get_origin, get_type_hints
+from typing import Any, get_args, get_origin, get_type_hints
 
 from ..diagnostics import Source, Span
 from ..stl.formats.json_schema import FORMULA, formula_definitions
+from ..stl.formula.evaluation_options import EvaluationOptions, Measure, Semantics
 from ..stl.formula.formulas import Formula
 from . import values as value_nodes
 from .contained_values import nodes
@@ -46,7 +47,12 @@ def scenario_schema() -> dict[str, Any]:
     """The JSON Schema of a scenario, derived from the dataclasses."""
     writer = DataclassWriter(
         {"Scenario.schema": {"const": SCENARIO_SCHEMA}},
-        special={Formula: FORMULA, Dimension: reference("Dimension"), Span: reference("Span")},
+        special={
+            Formula: FORMULA,
+            EvaluationOptions: reference("EvaluationOptions"),
+            Dimension: reference("Dimension"),
+            Span: reference("Span"),
+        },
         tag="is",
         number=any_of([{"type": "number"}, {"enum": ["inf", "-inf", "nan"]}]),
     )
@@ -56,6 +62,15 @@ def scenario_schema() -> dict[str, Any]:
 
 
 _SPECIAL: dict[str, Any] = {
+    "EvaluationOptions": {
+        "description": "how the formula is evaluated, where it is not by its margins at samples",
+        "type": "object",
+        "properties": {
+            "semantics": {"enum": list(get_args(Semantics))},
+            "robustness": {"enum": list(get_args(Measure))},
+            "weights": array(array({"anyOf": [FORMULA, {"type": "number"}]}, 2, 2)),
+        },
+    },
     "Dimension": {
         "description": "exponents of length, pixel, time, angle and mass",
         "type": "object",
@@ -86,6 +101,10 @@ def _plain(value: Any) -> Any:
         from ..stl.formats.json_form import to_json
 
         return to_json(value)
+    if isinstance(value, EvaluationOptions):
+        from ..stl.formats.evaluation_json import evaluation_to_json
+
+        return evaluation_to_json(value)
     if isinstance(value, Dimension):
         return {"is": "Dimension", "unit": value.unit, "exponents": list(value.exponents)}
     if isinstance(value, Span):
@@ -119,19 +138,24 @@ def _revived(value: Any) -> Any:
         raise ValueError(f"there is no node `{value['is']}`")
     members = {name: member for name, member in value.items() if name != "is"}
     if kind is value_nodes.Condition:
-        from ..stl.formats.json_form import from_json
-
-        members["formula"] = from_json(members["formula"])
+        return _condition(members)
     if kind is value_nodes.ConstantValue:
         members["value"] = float(members["value"])
-    revived: dict[str, Any] = {
-        name: member if isinstance(member, Formula) else _revived(member)
-        for name, member in members.items()
-    }
+    revived: dict[str, Any] = {name: _revived(member) for name, member in members.items()}
     return kind(**{
         name: FrozenDict(revived[name]) if name in _options_of(kind) else revived[name]
         for name in revived
     })  # fmt: skip
+
+
+def _condition(members: dict[str, Any]) -> value_nodes.Condition:
+    from ..stl.formats.evaluation_json import evaluation_from_json
+    from ..stl.formats.json_form import from_json
+
+    formula = from_json(members.pop("formula"))
+    evaluation = evaluation_from_json(members.pop("evaluation", {}))
+    revived: dict[str, Any] = {name: _revived(member) for name, member in members.items()}
+    return value_nodes.Condition(formula=formula, evaluation=evaluation, **revived)
 
 
 @cache

@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from ..diagnostics import Span
 from ..stl import Formula
+from ..stl.formula.evaluation_options import PLAIN, EvaluationOptions
 from .dimension import PURE, Dimension
 from .read_only import FrozenDict
 from .schema import UNWRITTEN
@@ -127,7 +128,7 @@ class Condition:
     """A formula with what its variables stand for.
 
     `domain` is "road" (over arc length), "drive" (over time) or "scene" (numbers alone).
-    `text` is the formula as written, in canonical form.
+    `text` is the formula as written, in canonical form, with its options in braces.
     """
 
     text: str
@@ -135,6 +136,7 @@ class Condition:
     domain: str
     signals: tuple[SignalBinding, ...] = ()
     numbers: tuple[NumberBinding, ...] = ()
+    evaluation: EvaluationOptions = PLAIN
 
 
 @dataclass(frozen=True, slots=True)

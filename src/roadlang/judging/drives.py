@@ -19,7 +19,10 @@ from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry, Registry
 from ..stl import Formula, from_json
+from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
 from ..stl.evaluate.satisfaction import zero_satisfies
+from ..stl.formats.evaluation_json import evaluation_from_json
+from ..stl.formula.evaluation_options import EvaluationOptions
 from .verdicts import decided
 
 
@@ -70,19 +73,28 @@ class DriveCondition:
     @property
     def rho(self) -> float:
         """Robustness, of the worst member."""
-        formula, time = self.formula, self.trace.time
-        return min((float(formula.rho(time, v)) for _, v in self.choices()), default=math.inf)
+        return min((self.rho_of(values) for _, values in self.choices()), default=math.inf)
 
     @property
     def truth(self) -> bool:
         """Boolean satisfaction, by every member."""
-        formula, time = self.formula, self.trace.time
-        return all(bool(formula.satisfied(time, values)) for _, values in self.choices())
+        formula, time, options = self.formula, self.trace.time, self.evaluation
+        choices = (values for _, values in self.choices())
+        return all(bool(satisfied_by(formula, time, values, options)) for values in choices)
+
+    def rho_of(self, values: Mapping[str, Any]) -> float:
+        """Robustness for the values of one choice of members."""
+        return float(measured_rho(self.formula, self.trace.time, values, self.evaluation))
 
     @property
     def formula(self) -> Formula:
         """The formula by itself."""
         return from_json(self.condition["formula"])
+
+    @property
+    def evaluation(self) -> EvaluationOptions:
+        """How it is evaluated."""
+        return evaluation_from_json(self.condition.get("evaluation", {}))
 
     def choices(self) -> Iterator[tuple[dict[str, AgentTrace], dict[str, Any]]]:
         """For every choice of a member of each group: the members by group, and the variables of

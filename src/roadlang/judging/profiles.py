@@ -11,6 +11,7 @@ from ..ir.scenario import NamedSignal
 from ..ir.scene import Profile, RoadPlace, SceneSignal
 from ..ir.values import Condition
 from ..stl import Always, Eventually, Formula
+from ..stl.evaluate.measured_robustness import measured_robustness
 from .road_conditions import traces_of_copy
 
 
@@ -67,7 +68,9 @@ def _profiles(
             continue
         if trace.absent is not None and trace.absent[0]:  # a group without any copy
             continue
-        along = formula.robustness(trace.positions, trace.values, wrap=trace.wrap)
+        along = measured_robustness(
+            formula, trace.positions, trace.values, condition.evaluation, trace.wrap
+        )
         along = np.broadcast_to(np.atleast_2d(along)[0], trace.positions.shape)
         # Windows beyond the end of a road hold no sample: their robustness is infinite.
         inside = np.isfinite(along)

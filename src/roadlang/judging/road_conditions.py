@@ -14,6 +14,7 @@ from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Booleans, Floats
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
+from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
 from ..world.copies import is_absent, most_copies
 from ..world.signals import EvaluatedRoad, axes_of, signal
 
@@ -39,7 +40,11 @@ def condition_rho(condition: Condition, candidates: CandidateBatch) -> Floats:
     """(V,) robustness of a formula over roads or numbers; of a network, on its worst road."""
     worst = np.full(1, np.inf)
     for trace in condition_traces(condition, candidates):
-        rho = np.atleast_1d(condition.formula.rho(trace.positions, trace.values, wrap=trace.wrap))
+        rho = np.atleast_1d(
+            measured_rho(
+                condition.formula, trace.positions, trace.values, condition.evaluation, trace.wrap
+            )
+        )
         worst = np.minimum(
             worst, rho if trace.absent is None else np.where(trace.absent, np.inf, rho)
         )
@@ -50,8 +55,11 @@ def condition_truth(condition: Condition, candidates: CandidateBatch) -> Boolean
     """(V,) Boolean satisfaction of a formula; of a network, on all of its roads."""
     holds = np.ones(1, dtype=bool)
     for trace in condition_traces(condition, candidates):
-        truth = condition.formula.satisfied(trace.positions, trace.values, wrap=trace.wrap)
-        truth = np.atleast_1d(truth)
+        truth = np.atleast_1d(
+            satisfied_by(
+                condition.formula, trace.positions, trace.values, condition.evaluation, trace.wrap
+            )
+        )
         holds = holds & (truth if trace.absent is None else truth | trace.absent)
     return np.broadcast_to(holds, (candidates.count,))
 

@@ -9,6 +9,7 @@ from ..ir.scene import Verdict
 from ..ir.trace import Trace
 from ..plugins.registry import Registry
 from ..stl import Always
+from ..stl.evaluate.measured_robustness import measured_robustness
 from .drives import DriveCondition
 
 
@@ -20,7 +21,10 @@ def robustness_series(verdict: Verdict, trace: Trace, registry: Registry) -> Flo
     condition = DriveCondition(verdict.formula, trace, registry)
     formula = condition.formula
     inner = formula.operand if isinstance(formula, Always) else formula
-    series = [inner.robustness(trace.time, values) for _, values in condition.choices()]
+    options = condition.evaluation
+    series = [
+        measured_robustness(inner, trace.time, values, options) for _, values in condition.choices()
+    ]
     if not series:
         return None
     return np.asarray(np.min([np.broadcast_to(s, trace.time.shape) for s in series], axis=0))

@@ -8,7 +8,6 @@ from ..diagnostics import DiagnosticError
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import Trace
 from ..plugins.registry import Registry
-from ..stl.evaluate.verdicts import verdict
 from .drives import DriveCondition, judge
 
 
@@ -29,9 +28,11 @@ def _certain(found: Verdict, trace: Trace, registry: Registry) -> bool | None:
     if found.formula is None or "monitor" in found.formula or found.robustness is None:
         return None
     condition = DriveCondition(found.formula, trace, registry)
+    formula, time, semantics = condition.formula, trace.time, condition.evaluation.semantics
     try:
         of_members = {
-            str(verdict(condition.formula, trace.time, values)) for _, values in condition.choices()
+            str(formula.verdict(time, values, semantics=semantics))
+            for _, values in condition.choices()
         }
     except DiagnosticError:
         return None

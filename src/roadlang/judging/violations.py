@@ -24,7 +24,9 @@ def violated_stretches(
     for trace in condition_traces(condition, candidates):
         if trace.absent is not None and trace.absent[0]:
             continue
-        truth = np.atleast_2d(inner.truth(trace.positions, trace.values, wrap=trace.wrap))[0]
+        semantics = condition.evaluation.semantics
+        truth = inner.truth(trace.positions, trace.values, wrap=trace.wrap, semantics=semantics)
+        truth = np.atleast_2d(truth)[0]
         counted = np.ones(len(trace.positions), dtype=bool)
         if isinstance(formula, Always) and formula.interval is not None:
             counted = _in_window(formula, trace)

@@ -92,17 +92,17 @@ REFERENCE = (
     ),
     StatementReference(
         "require",
-        "require NAME: formula",
-        "A requirement: only scenes that satisfy it are generated. `require NAME with KIND "
-        "{ ... }` uses a monitor of a plugin.",
+        "require NAME: formula { ... }",
+        "A requirement: only scenes that satisfy it are generated. The block is optional. "
+        "`require NAME with KIND { ... }` uses a monitor of a plugin.",
         _ROAD + "require gentle: always (abs(curvature(main)) < 0.1/m)",
     ),
     StatementReference(
         "expect",
-        "expect NAME: formula",
+        "expect NAME: formula { ... }",
         "An expectation of the system under test: judged over roads when scenes are generated, and "
-        "over drives when they are driven. `expect NAME with KIND { ... }` uses a monitor of a "
-        "plugin.",
+        "over drives when they are driven. The block is optional. `expect NAME with KIND { ... }` "
+        "uses a monitor of a plugin.",
         _ROAD + "agent ego is car on main at 5m { drive with pure_pursuit }\n"
         "expect arrives: eventually[0s, 90s] (ego.progress > 95%)",
     ),

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from ...ir.dimension import LENGTH
+from ...ir.dimension import LENGTH, PURE
 from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Word
 from ...plugins.option_types import (
     CallType,
@@ -17,6 +17,7 @@ from ...plugins.option_types import (
     ListType,
     MapType,
     PointType,
+    QuantityType,
     RecordType,
     UnionType,
 )
@@ -53,6 +54,38 @@ class ImageOptions:
         help="meaning of each character of a text image, or of each color of a drawing; "
         "`eastbound` is a one-way road to the east, as far as a road of it goes that way",
         example='{ "#": road, "T": tree }',
+    )
+
+
+Weights = Annotated[dict[str, float], MapType(QuantityType(PURE))]
+
+
+@dataclass(frozen=True)
+class FormulaOptions:
+    """Options of `require` and `expect` with a formula. None of the measures of robustness changes
+    what satisfies the formula."""
+
+    robustness: Word = option(
+        "space",
+        words=("space", "time", "time_left", "average"),
+        help="what robustness measures: how much signals may change before the verdict does "
+        "(`space`), how far they may be shifted to later or to earlier times or places (`time`, "
+        "`time_left`), or the change averaged over windows (`average`)",
+        example="average",
+    )
+    weights: Weights = option(
+        None,
+        above=0,
+        help="how much operands of `and` and `or` count, by the names that `let` gives them; the "
+        "others count 1",
+        example="{ centered: 3 }",
+    )
+    semantics: Word = option(
+        "sampled",
+        words=("sampled", "held", "linear"),
+        help="what signals are between two samples: not looked at, the value of the earlier one, "
+        "or on the line between both",
+        example="linear",
     )
 
 

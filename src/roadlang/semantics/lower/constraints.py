@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...plugins.kinds import Monitor
+from ...syntax.printing.nodes import one_line
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -14,6 +17,7 @@ from ..infer.kinds import find_kind
 from ..infer.statement_spec import StatementSpec
 from ..infer.triviality import warn_if_trivial
 from ..names.program import Declaration
+from .evaluation import lower_evaluation
 
 
 def lower_constraint(
@@ -43,8 +47,17 @@ def lower_constraint(
             found="the drive", help=help_,
         )  # fmt: skip
         return None
+    evaluation = lower_evaluation(checker, spec, statement, typed)
     warn_if_trivial(checker, statement, typed)
-    return ir.ScenarioConstraint(name, condition_of(statement.formula, typed), statement.span)
+    if evaluation is None:
+        return None
+    condition = condition_of(statement.formula, typed)
+    if statement.block is not None and not evaluation.is_plain:
+        options = statement.block.options
+        written = ", ".join(f"{item.key.text}: {one_line(item.value)}" for item in options)
+        text = f"{condition.text} {{ {written} }}"
+        condition = replace(condition, text=text, evaluation=evaluation)
+    return ir.ScenarioConstraint(name, condition, statement.span)
 
 
 def _judged(

@@ -11,7 +11,13 @@ from ...plugins.common_options import (
     PerturbOptions,
     PlacementOptions,
 )
-from ..infer.statement_options import ImageOptions, NetworkOptions, RoadOptions, WorldOptions
+from ..infer.statement_options import (
+    FormulaOptions,
+    ImageOptions,
+    NetworkOptions,
+    RoadOptions,
+    WorldOptions,
+)
 from ..infer.statement_spec import StatementSpec
 from .actors import lower_actor
 from .constraints import lower_constraint
@@ -33,8 +39,8 @@ _SPECS = (
         "road", "roads", lower_geometry, RoadOptions,
         {"draw": None, "read": None, "perturb": PerturbOptions},
     ),
-    StatementSpec("require", "requirements", lower_constraint, as_written=True),
-    StatementSpec("expect", "expectations", lower_constraint, as_written=True),
+    StatementSpec("require", "requirements", lower_constraint, FormulaOptions, as_written=True),
+    StatementSpec("expect", "expectations", lower_constraint, FormulaOptions, as_written=True),
     StatementSpec("agent", "agents", lower_actor, AgentOptions, {"drive": DriveOptions}),
     StatementSpec("object", "objects", lower_actor, PlacementOptions),
     StatementSpec("world", "world", lower_settings, WorldOptions, once=True),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import reduce
-from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -15,14 +14,12 @@ from ..evaluate.operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
 from ..evaluate.trace import FloatArray, Positions
 from ..formula import formulas as f
 from ..formula import terms as t
+from ..formula.evaluation_options import Semantics
 from ..formula.interval import UNBOUNDED
 from ..formula.normal_form import normal_form
 from .grids import GridSignals, GridsOrSignals
 from .piecewise import PiecewiseLinear, constant, extreme_of, holding, joined, together
 from .windows import reaching, sliding
-
-Semantics: TypeAlias = Literal["sampled", "held", "linear"]
-"""What a signal is between two samples: not looked at, that of the earlier one, or on the line."""
 
 
 def dense_rho(

@@ -9,7 +9,8 @@ import numpy as np
 from ...diagnostics import Code, DiagnosticError
 from ..evaluate.trace import Positions
 from ..formula import formulas as f
-from .evaluation import Semantics, sampling_error
+from ..formula.evaluation_options import Semantics
+from .evaluation import sampling_error
 from .grids import GridSignals, GridsOrSignals
 
 

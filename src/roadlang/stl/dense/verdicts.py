@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from ..evaluate.satisfaction import is_satisfied
 from ..evaluate.trace import FloatArray, Positions
 from ..formula import formulas as f
+from ..formula.evaluation_options import Semantics
 from ..formula.normal_form import normal_form
 from ..formula.strengthening import strengthened
 from .bounds import DenseBounds
-from .evaluation import DenseEvaluation, Semantics, refuse_laps
+from .evaluation import DenseEvaluation, refuse_laps
 from .grids import GridSignals, GridsOrSignals
 from .piecewise import PiecewiseLinear
 

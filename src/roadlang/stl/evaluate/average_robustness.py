@@ -10,11 +10,12 @@ from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
 from .axis import SamplePositions
-from .evaluation import everywhere
+from .evaluation import at_start, everywhere
 from .kernels import GREATEST, LEAST, Extreme
 from .operations import BOOLEAN
+from .schedule import Span
 from .trace import FloatArray, Positions, SampledSignals, Signals
-from .windows import Windows
+from .windows import BoolArray, Windows
 
 _OPERAND = "operand"
 
@@ -33,79 +34,101 @@ def average_robustness(
     DiagnosticError as `robustness` does.
     """
     trace = SampledSignals.of(positions, signals, formula.variables, wrap)
-    plain = normal_form(formula)
     satisfied = everywhere(formula, trace, BOOLEAN) > 0
-    parts = (_Averages(trace, sign).values(plain) for sign in (1, -1))
-    values: FloatArray = np.where(satisfied, *parts)
+    values = _averaged(formula, trace, satisfied, (0, trace.samples - 1))
     return values if trace.batched else values[0]
 
 
+def average_rho(
+    formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
+) -> FloatArray:
+    """Averaged robustness at the first sample, (V,) or a scalar; computes no more than it needs."""
+    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    satisfied = at_start(formula, trace, BOOLEAN)[:, None] > 0
+    values = _averaged(formula, trace, satisfied, (0, 0))[:, 0]
+    return values if trace.batched else values[0]
+
+
+def _averaged(
+    formula: f.Formula, trace: SampledSignals, satisfied: BoolArray, span: Span
+) -> FloatArray:
+    plain = normal_form(formula)
+    parts = (_Averages(trace, sign).values(plain, span) for sign in (1, -1))
+    values: FloatArray = np.where(satisfied, *parts)
+    return values
+
+
 class _Averages:
-    """Values (V, S) made of the positive (`sign` 1) or negative parts of all margins."""
+    """Values made of the positive (`sign` 1) or negative parts of all margins."""
 
     def __init__(self, trace: SampledSignals, sign: int) -> None:
         self.trace, self.sign = trace, sign
         self.axis = SamplePositions.of(trace.positions, trace.wrap)
 
-    def values(self, formula: f.Formula) -> FloatArray:
-        """Of a formula in normal form."""
+    def values(self, formula: f.Formula, span: Span) -> FloatArray:
+        """Of a formula in normal form at the samples first..last, (V, last - first + 1)."""
         match formula:
             case f.Truth() | f.Comparison():
-                return self._clipped(everywhere(formula, self.trace))
+                margins = everywhere(formula, self.trace)[:, span[0] : span[1] + 1]
+                return self._clipped(margins, span)
             case f.Not(operand):
-                return -_Averages(self.trace, -self.sign).values(operand)
+                return -_Averages(self.trace, -self.sign).values(operand, span)
             case f.LogicalJunction(operands):
                 extreme = LEAST if formula.least else GREATEST
-                nothing = self._clipped(np.full(self._shape, extreme.identity))
-                return reduce(extreme.ufunc, map(self.values, operands), nothing)
-            case f.UnaryTemporal(_, operand):
-                return self._mean_extreme(formula, self.values(operand))
-            case f.BinaryTemporal(_, left, right):
-                return self._mean_witness(formula, self.values(left), self.values(right))
+                parts = (self.values(operand, span) for operand in operands)
+                return reduce(extreme.ufunc, parts, self._nothing(extreme, span))
+            case f.UnaryTemporal():
+                return self._mean_extreme(formula, span)
+            case f.BinaryTemporal():
+                return self._mean_witness(formula, span)
             case f.SampleStep() | f.AtLeast():
-                return self._as_robustness(formula)
+                return self._as_robustness(formula, span)
         raise TypeError(f"not in normal form: {formula!r}")
 
-    @property
-    def _shape(self) -> tuple[int, int]:
-        return self.trace.variants, self.trace.samples
+    def _nothing(self, extreme: Extreme, span: Span) -> FloatArray:
+        return self._clipped(np.full((1, 1), extreme.identity), span)
 
-    def _clipped(self, values: FloatArray) -> FloatArray:
+    def _clipped(self, values: FloatArray, span: Span) -> FloatArray:
         limit = np.maximum if self.sign > 0 else np.minimum
-        return np.array(np.broadcast_to(limit(values, 0.0), self._shape))
+        shape = self.trace.variants, span[1] - span[0] + 1
+        return np.array(np.broadcast_to(limit(values, 0.0), shape))
 
-    def _as_robustness(self, formula: f.SampleStep | f.AtLeast) -> FloatArray:
+    def _as_robustness(self, formula: f.SampleStep | f.AtLeast, span: Span) -> FloatArray:
         """What is not averaged: the operator over the values of its operand."""
-        columns = {_OPERAND: self.values(formula.operand)}
+        columns = {_OPERAND: self.values(formula.operand, (0, self.trace.samples - 1))}
         margin = f.Comparison(">", t.Variable(_OPERAND), t.Constant(0.0))
         trace = SampledSignals.of(self.trace.positions, columns, columns, self.trace.wrap)
-        return self._clipped(everywhere(formula.with_parts([margin]), trace))
+        found = everywhere(formula.with_parts([margin]), trace)
+        return self._clipped(found[:, span[0] : span[1] + 1], span)
 
-    def _mean_extreme(self, formula: f.UnaryTemporal, operand: FloatArray) -> FloatArray:
+    def _mean_extreme(self, formula: f.UnaryTemporal, span: Span) -> FloatArray:
         extreme = LEAST if formula.least else GREATEST
-        windows = self.axis.windows(formula.reach, (0, self.trace.samples - 1), past=formula.past)
+        windows = self.axis.windows(formula.reach, span, past=formula.past)
         if windows is None:
-            return self._clipped(np.full(self._shape, extreme.identity))
-        values = _ordered(operand, windows)
-        latest = np.full((operand.shape[0], windows.count), extreme.identity)
+            return self._nothing(extreme, span)
+        values = _ordered(self.values(formula.operand, windows.span), windows)
+        if windows.count == 1:
+            reached = values[:, windows.starts[0] : windows.ends[0] + 1]
+            total = extreme.ufunc.accumulate(reached, axis=1).sum(axis=1, keepdims=True)
+            return self._means(total, windows, extreme, span)
+        latest = np.full((values.shape[0], windows.count), extreme.identity)
         total = np.zeros_like(latest)
         for step in range(int((windows.ends - windows.starts).max()) + 1):
             inside = windows.starts + step <= windows.ends
             reached = values[:, (windows.starts + step)[inside]]
             latest[:, inside] = extreme.ufunc(latest[:, inside], reached)
             total[:, inside] += latest[:, inside]
-        return self._means(total, windows, extreme)
+        return self._means(total, windows, extreme, span)
 
-    def _mean_witness(
-        self, formula: f.BinaryTemporal, left: FloatArray, right: FloatArray
-    ) -> FloatArray:
-        span = (0, self.trace.samples - 1)
+    def _mean_witness(self, formula: f.BinaryTemporal, span: Span) -> FloatArray:
         windows = self.axis.windows(formula.reach, span, past=formula.past, path=True)
         if windows is None:
-            return self._clipped(np.full(self._shape, -np.inf))
-        on_path, witness = _ordered(left, windows), _ordered(right, windows)
+            return self._nothing(GREATEST, span)
+        on_path, witness = (
+            _ordered(self.values(part, windows.span), windows) for part in formula.parts
+        )
         present = windows.first + np.arange(windows.count)
-        best = np.full((left.shape[0], windows.count), -np.inf)
+        best = np.full((witness.shape[0], windows.count), -np.inf)
         held, total = np.full_like(best, np.inf), np.zeros_like(best)
         for step in range(int((windows.ends - present).max()) + 1):
             place = np.minimum(present + step, witness.shape[1] - 1)
@@ -114,16 +137,16 @@ class _Averages:
             best = np.where(inside, np.maximum(best, found), best)
             total[:, inside] += best[:, inside]
             held = np.minimum(held, on_path[:, place])
-        return self._means(total, windows, GREATEST)
+        return self._means(total, windows, GREATEST, span)
 
-    def _means(self, total: FloatArray, windows: Windows, extreme: Extreme) -> FloatArray:
+    def _means(
+        self, total: FloatArray, windows: Windows, extreme: Extreme, span: Span
+    ) -> FloatArray:
         counts = windows.ends - windows.starts + 1
         means = np.where(counts > 0, total / np.maximum(counts, 1), extreme.identity)
-        return self._clipped(means[:, ::-1] if windows.flipped else means)
+        return self._clipped(means[:, ::-1] if windows.flipped else means, span)
 
 
 def _ordered(values: FloatArray, windows: Windows) -> FloatArray:
-    """(V, n) the samples of the span as the windows count them."""
-    low, high = windows.span
-    chosen = values[:, low : high + 1]
-    return np.tile(chosen[:, ::-1] if windows.flipped else chosen, (1, windows.laps))
+    """(V, n) the samples of the span of the windows, as they count them."""
+    return np.tile(values[:, ::-1] if windows.flipped else values, (1, windows.laps))

@@ -87,7 +87,8 @@ class SampledSignals:
         array = self.signals[name]
         part = array if array.shape[0] == 1 else array[first:last]
         values = np.asarray(part, dtype=np.float64)
-        has_finite_sum = bool(np.isfinite(values.sum()))
+        with np.errstate(invalid="ignore"):  # infinities of both signs
+            has_finite_sum = bool(np.isfinite(values.sum()))
         if not has_finite_sum:
             _check_numbers(name, values, first, self.positions)
         return values, has_finite_sum

@@ -7,12 +7,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..dense.evaluation import DenseEvaluation, Semantics, refuse_laps
+from ..dense.evaluation import DenseEvaluation, refuse_laps
 from ..dense.grids import GridSignals, GridsOrSignals
 from ..dense.piecewise import PiecewiseLinear
 from ..dense.verdicts import dense_range, dense_verdict
 from ..evaluate.trace import Positions
 from ..formula import formulas as f
+from ..formula.evaluation_options import Semantics
 from ..formula.interval import UNBOUNDED
 from ..formula.normal_form import normal_form
 from .causes import ViolationInterval

@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ..dense.evaluation import Semantics
     from ..dense.grids import GridsOrSignals
     from ..evaluate.trace import FloatArray, Positions
     from ..evaluate.verdicts import Range, Verdict
     from ..explain.explanation import Explanation
+    from .evaluation_options import Semantics
     from .formulas import Formula
 
 

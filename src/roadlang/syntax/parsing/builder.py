@@ -58,6 +58,18 @@ class Builder:
         read = tuple(statement for statement in statements if statement is not None)
         return ast.File(read, span=Span(self.source, 0, len(self.source.text)))
 
+    def formula_constraint(
+        self,
+        start: int,
+        end: int,
+        word: Token,
+        name: Token,
+        formula: ast.Expression,
+        block: ast.Block | None,
+    ) -> ast.Constraint:
+        span = Span(self.source, start, end)
+        return ast.Constraint(word[1], self._word(name), formula, None, block, span=span)
+
     def judged_constraint(
         self,
         start: int,

@@ -157,9 +157,11 @@ def _statement(node: ast.Statement) -> Part:
         if piece == "{block}":
             return Part(joined(" ", [*docs, *words]), value)
         if value is not None and words in ([":"], ["="]):
-            sign = ":" if words == [":"] else " ="
-            return _valued((joined(" ", docs), sign), value)
-        if value is not None:
+            head = (joined(" ", docs), ":" if words == [":"] else " =")
+            if isinstance(value, ast.MapValue):
+                return Part(head, value)
+            docs = [head, expression(value)]
+        elif value is not None:
             docs.extend([*words, value if isinstance(value, str) else expression(value)])
         words.clear()
     return Part(joined(" ", docs))

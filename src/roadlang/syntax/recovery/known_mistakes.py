@@ -31,6 +31,7 @@ from .form_mistakes import actor_order, interval_form, list_operand, option_with
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .placement_habits import position_on_road
 from .sign_mistakes import (
+    colon_before_monitor,
     equal_for_word,
     extra_sign,
     power_of_python,
@@ -93,6 +94,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     bare_file_name,
     list_operand,
     specifier,
+    colon_before_monitor,
     extra_sign,
 )
 

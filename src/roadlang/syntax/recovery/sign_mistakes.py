@@ -74,6 +74,24 @@ def stray_closer(place: ErrorPosition) -> Mistake | None:
     return Mistake(found, Edit(place.index, place.index + 1))
 
 
+def colon_before_monitor(place: ErrorPosition) -> Mistake | None:
+    """`expect calm: with comfort { ... }`: a colon stands before formulas alone."""
+    if place.first_kind not in ("REQUIRE", "EXPECT") or place.index != 3:
+        return None
+    if (place.kind(-1), place.kind()) != ("COLON", "WITH"):
+        return None
+    span = place.span(-1, -1)
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        span,
+        expected="`with`",
+        found="`:`",
+        help=f"write `{place.word(-3)} {place.word(-2)} with {place.word(1)}`",
+        fixes=[Fix(span, "")],
+    )
+    return Mistake(found, Edit(place.index - 1, place.index))
+
+
 def extra_sign(place: ErrorPosition) -> Mistake | None:
     """A comma or a `with` that can be left out."""
     if place.kind() not in ("COMMA", "WITH") or not place.continues(skip=1):

@@ -127,11 +127,15 @@ def bare_letter(place: ErrorPosition) -> Mistake | None:
 
 def subscript(place: ErrorPosition) -> Mistake | None:
     """`G_{[0, 10]}` or `G_[0, 10]`: LaTeX without a backslash."""
-    letter = place.word(-1).rstrip("_")
-    meant = letters("temporal", "binding").get(letter)
-    if meant is None or not place.word(-1).endswith("_") or place.kind() not in ("LBRACE", "LSQB"):
+    # The brace may have been read as the beginning of a block.
+    word = -2 if place.kind() == "LSQB" and place.kind(-1) == "LBRACE" else -1
+    if not place.word(word).endswith("_") or place.kind(word + 1) not in ("LBRACE", "LSQB"):
         return None
-    return Mistake(diagnose(Code.LATEX_FORMULA, place.span(-1, 0), help=f"write `{meant}[a, b]`"))
+    meant = letters("temporal", "binding").get(place.word(word).rstrip("_"))
+    if meant is None:
+        return None
+    found = diagnose(Code.LATEX_FORMULA, place.span(word, word + 1), help=f"write `{meant}[a, b]`")
+    return Mistake(found, culprit=place.index + word)
 
 
 def bare_file_name(place: ErrorPosition) -> Mistake | None:

@@ -93,7 +93,7 @@ class Geometry(Statement):
 
 @dataclass(frozen=True, slots=True)
 class Constraint(Statement):
-    """`require | expect NAME: formula` or `... NAME with KIND { ... }`."""
+    """`require | expect NAME: formula { ... }` or `... NAME with KIND { ... }`."""
 
     words = ("require", "expect")
     layout = "{word} {name}: {formula} with {kind} {block}"
