@@ -29,6 +29,13 @@ SLOW, FAST = 6.0, 10.0
 """m/s: up to the first, cars keep to the line exactly; from the second on they steer to a point."""
 NEAREST = 0.1
 """Meters: gaps count as no smaller."""
+SLIP, SLIP_OF_PURSUIT = 0.0085, 0.005
+"""Radians for each m/s^2 to the side by which a car steers more, as its tires slip (R. Rajamani,
+Vehicle Dynamics and Control, ch. 3): along the line exactly, and to a point ahead."""
+CAR_BASE = 3.5
+"""Meters between the axles, from which on a vehicle takes bends the slower, the longer it is."""
+SLIP_PREVIEW = 0.12
+"""Seconds ahead at which it does."""
 
 
 FORESIGHT = 2.0
@@ -76,7 +83,8 @@ class Traffic(Controller):
         stop, merging, speed = seen.right_of_way(self.politeness, self.aggression)
         ahead = np.minimum(ahead, np.maximum(follow.behind(merging, speed), -MERGING * braking))
         ahead = np.minimum(ahead, follow.to_stop(stop))
-        bends = bend_speed(seen, target, 2.0 + 3.0 * boldness, braking)
+        lateral = (2.0 + 3.0 * boldness) * np.minimum(1.0, CAR_BASE / seen.wheelbase)
+        bends = bend_speed(seen, target, lateral, braking)
         slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)
         acceleration = np.minimum(ahead, np.where(bends < target, slower, most))
         return ControlBatch(_steering(seen), np.maximum(acceleration, -HARDEST))
@@ -100,9 +108,14 @@ def _steering(seen: ObservationBatch) -> Floats:
     """(N,) exact at the speed of turns, calm at that of straight roads."""
     import numpy as np
 
+    _, _, _, curvature = seen.line_ahead(SLIP_PREVIEW * seen.speed)
+    aside = seen.speed * seen.speed * curvature
+
     share = np.minimum(np.maximum((seen.speed - SLOW) / (FAST - SLOW), 0.0), 1.0)
     lookahead = np.minimum(np.maximum(LOOKAHEAD * seen.speed, NEAR), FAR)
-    return np.asarray((1.0 - share) * along_line(seen) + share * pursuit(seen, lookahead))
+    exact = along_line(seen) + SLIP * aside
+    calm = pursuit(seen, lookahead) + SLIP_OF_PURSUIT * aside
+    return np.asarray((1.0 - share) * exact + share * calm)
 
 
 @dataclass(frozen=True)

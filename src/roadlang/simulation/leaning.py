@@ -18,7 +18,7 @@ from ..ir.scene_actor import SceneActor
 from .bodies import vehicle_parameters
 from .lines import LineSource
 from .route_lines import LineLeg, RouteLine
-from .smoothing import smoothed
+from .wider_bends import with_wider_bends
 
 LONG = 7.0
 """Meters: shorter vehicles have room enough in their lanes."""
@@ -48,48 +48,63 @@ def leaned_source(
     front = base + 0.5 * length
     least = SPARE * math.hypot(2.0 * base / math.tan(max_steering), base)
     gain = max(0.0, 0.25 * front * front - 0.5 * base * base)
-    s = np.linspace(0.0, source.length, max(2, math.ceil(source.length / SPACING)) + 1)
-    x, y, heading = _cut(source, s, least)
-    bend = _mean_bend(source, s, heading, length)
-    free = np.maximum(1.0 / np.maximum(np.abs(bend), 1e-6) - least, 0.0)
-    left = np.sign(bend) * np.minimum(gain * np.abs(bend), free)
-    turned = np.arctan2(np.gradient(left, s), np.maximum(1.0 - bend * left, 0.1))
+    s, gone, x, y, heading = _even(source, least)
+    bend = _mean_bend(gone, heading, source.closed, length)
+    left = _leaning(gain * bend, gone, heading, length, least)
+    turned = np.arctan2(np.gradient(left, gone), np.maximum(1.0 - bend * left, 0.1))
     x, y = x - np.sin(heading) * left, y + np.cos(heading) * left
     width = source.width
     if isinstance(width, np.ndarray):
         width = np.interp(s, source.s, width)
-    gone = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    gone = _chords(x, y)
     return LineSource(gone, x, y, heading + turned, width, source.closed), s, gone
 
 
-def _cut(source: LineSource, s: Floats, least: float) -> tuple[Floats, Floats, Floats]:
-    """x, y and heading at arc lengths, with a radius of at least about `least` everywhere."""
+def _even(source: LineSource, least: float) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """Arc lengths of `source`, and those, x, y and heading of the same line with no bends tighter
+    than about `least`."""
+    s = _evenly(source.length)
     x, y, heading = (np.interp(s, source.s, c) for c in (source.x, source.y, source.heading))
-    bend = np.gradient(heading, s)
-    tight = s[np.abs(np.convolve(bend, np.full(5, 0.2))[2:-2]) > 1.0 / least]
-    if not len(tight):
-        return x, y, heading
-    reach = math.sqrt(2.0) * least
-    even, smooth_x, smooth_y, _ = smoothed(x, y, reach)
-    away = np.abs(s[:, None] - tight).min(axis=1)
-    share = np.minimum(np.maximum(2.0 - away / reach, 0.0), 1.0)
-    share = share * share * (3.0 - 2.0 * share)
-    along = even * (s[-1] / even[-1])
-    x = x + share * (np.interp(s, along, smooth_x) - x)
-    y = y + share * (np.interp(s, along, smooth_y) - y)
-    course = np.arctan2(np.gradient(y, s), np.gradient(x, s))
-    difference = (course - heading + np.pi) % (2.0 * np.pi) - np.pi
-    return x, y, heading + np.where(share > 0.0, difference, 0.0)
+    line = with_wider_bends((s, x, y, heading), least)
+    gone = _chords(line[1], line[2])
+    even = _evenly(float(gone[-1]))
+    s, x, y, heading = (np.interp(even, gone, column) for column in line)
+    return s, even, x, y, heading
 
 
-def _mean_bend(source: LineSource, s: Floats, heading: Floats, length: float) -> Floats:
+def _evenly(length: float) -> Floats:
+    return np.linspace(0.0, length, max(2, math.ceil(length / SPACING)) + 1)
+
+
+def _chords(x: Floats, y: Floats) -> Floats:
+    """Arc lengths of points."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+
+
+def _leaning(wanted: Floats, s: Floats, heading: Floats, length: float, least: float) -> Floats:
+    """Meters to the left that the line is moved: less than `wanted` where the bend is nearly as
+    tight as a vehicle can drive, and without steps."""
+    around = math.ceil(0.5 * length / (s[1] - s[0]))
+    bend = np.abs(np.gradient(heading, s))
+    windows = np.lib.stride_tricks.sliding_window_view(np.pad(bend, around), 2 * around + 1)
+    spare = np.maximum(1.0 / np.maximum(windows.max(axis=1), 1e-6) - least, 0.0)
+    left = wanted * spare / np.maximum(np.abs(wanted) + spare, 1e-9)
+    quarter = max(1, around // 2)
+    box = np.full(2 * quarter + 1, 1.0 / (2 * quarter + 1))
+    for _ in range(2):
+        left = np.convolve(np.pad(left, quarter, mode="edge"), box, mode="valid")
+    return np.asarray(left)
+
+
+def _mean_bend(s: Floats, heading: Floats, closed: bool, length: float) -> Floats:
     """Curvature, averaged twice over half of a length: over the ground that the vehicle covers."""
     h = 0.25 * length
-    fine = np.arange(-2.0 * h, source.length + 2.0 * h + SPACING, SPACING)
-    if source.closed:
-        laps = np.floor(fine / source.length)
+    last = float(s[-1])
+    fine = np.arange(-2.0 * h, last + 2.0 * h + SPACING, SPACING)
+    if closed:
+        laps = np.floor(fine / last)
         turn = heading[-1] - heading[0]
-        wide = np.interp(fine - laps * source.length, s, heading) + laps * turn
+        wide = np.interp(fine - laps * last, s, heading) + laps * turn
     else:
         wide = np.interp(fine, s, heading)
     area = np.concatenate([[0.0], np.cumsum(0.5 * (wide[1:] + wide[:-1]) * SPACING)])

@@ -13,6 +13,9 @@ from .world import World
 
 BESIDE = 8.0
 """Meters from a line, as long as it is not moved: what is farther away is never in the way."""
+BENT, PIECE = 0.1, 1.0
+"""Radians by which a line turns beside an object, from which on the object is cut into pieces of so
+many meters."""
 MARGIN = 0.1
 """Meters to each side between an agent and an object that it passes."""
 
@@ -83,10 +86,26 @@ class Obstacles:
 
 
 def _beside(world: World, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
-    """Begin, middle and half of the width of the objects near one line."""
+    """Begin, middle and half of the width of the objects near one line. Where it bends beside them,
+    those of their pieces."""
+    whole, turned = _on_line(world, row, objects)
+    bent = turned > BENT
+    if not bent.any():
+        return whole
+    pieces, _ = _on_line(world, row, objects.take(np.flatnonzero(bent)).pieces(PIECE))
+    straight, _ = _on_line(world, row, objects.take(np.flatnonzero(~bent)))
+    begin, left, half = (np.concatenate(pair) for pair in zip(straight, pieces, strict=True))
+    return begin, left, half
+
+
+def _on_line(
+    world: World, row: int, objects: Outlines
+) -> tuple[tuple[Floats, Floats, Floats], Floats]:
+    """Begin, middle and half of the width of those near one line, and of all objects (K,) by how
+    much the line turns beside each, in radians."""
     lines = world.track.lines
-    first = row * lines.cells
-    cells = slice(first, first + int(lines.last[row]) + 1)
+    first, last = row * lines.cells, int(lines.last[row])
+    cells = slice(first, first + last + 1)
     off_x = objects.x[:, None] - lines.x[cells]
     off_y = objects.y[:, None] - lines.y[cells]
     cell = (off_x * off_x + off_y * off_y).argmin(axis=1)
@@ -99,6 +118,10 @@ def _beside(world: World, row: int, objects: Outlines) -> tuple[Floats, Floats, 
     across = np.abs(objects.sine * cosine - objects.cosine * sine)
     half = objects.half_length * across + objects.half_width * along
     deep = objects.half_length * along + objects.half_width * across
-    begin = lines.origin[row] + cell * lines.spacing[row] + ahead - deep
+    spacing = lines.spacing[row]
+    begin = lines.origin[row] + cell * spacing + ahead - deep
     near = np.abs(left) < BESIDE + half
-    return begin[near], left[near], half[near]
+    around = np.ceil(deep / spacing).astype(np.int64)
+    ends = (np.clip(cell + side * around, 0, last) for side in (-1, 1))
+    low, high = (lines.heading[first + end] for end in ends)
+    return (begin[near], left[near], half[near]), np.where(near, np.abs(high - low), 0.0)

@@ -44,3 +44,13 @@ class Outlines:
     def take(self, rows: Any) -> Outlines:
         """Some of them."""
         return Outlines(*(getattr(self, field.name)[rows] for field in fields(self)))
+
+    def pieces(self, longest: float) -> Outlines:
+        """Each cut across into pieces of the same length, at most `longest` meters."""
+        count = np.maximum(np.ceil(2.0 * self.half_length / longest - 1e-9), 1.0).astype(np.int64)
+        whole = self.take(np.repeat(np.arange(len(count)), count))
+        number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+        half = whole.half_length / count.repeat(count)
+        ahead = (2.0 * number + 1.0) * half - whole.half_length
+        x, y = whole.x + whole.cosine * ahead, whole.y + whole.sine * ahead
+        return Outlines(x, y, whole.cosine, whole.sine, half, whole.half_width)
