@@ -122,6 +122,8 @@ def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | Non
     if wanted is not None and not isinstance(wanted, InitialSpeed):
         fault = f"gave {type(wanted).__name__} for `initial_speed`, not an InitialSpeed"
         raise wrong_result(entry, None, fault)
+    if wanted is not None and not 0.0 <= float(wanted.speed or 0.0) < math.inf:
+        raise wrong_result(entry, None, f"gave the initial speed {wanted.speed}")
     return wanted
 
 

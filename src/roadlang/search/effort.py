@@ -6,6 +6,8 @@ machine.
 
 from __future__ import annotations
 
+import operator
+
 import numpy as np
 
 from ..evaluate.candidates import fixed_candidate
@@ -35,10 +37,18 @@ WITH_PICTURES = 20
 """Attempts where every candidate is extracted from a picture of its own: seconds each."""
 
 
+def count_or_none(value: object, name: str) -> int | None:
+    """A count or None. Raises `TypeError` for anything else, `ValueError` below 0."""
+    count = None if value is None else operator.index(value)  # type: ignore[arg-type]
+    if count is not None and count < 0:
+        raise ValueError(f"its {name} is {count}")
+    return count
+
+
 def attempts_of(sampler: KindInstance, acceptance: Acceptance) -> int:
     """The sampler's own limit, or as many as are done in about five seconds."""
     with sampler.guarded:
-        limit: int | None = sampler.kind.limit()
+        limit = count_or_none(sampler.kind.limit(), "limit")
     return limit if limit is not None else default_attempts(acceptance)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -16,7 +15,7 @@ from ..judging.acceptance import Acceptance
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
 from .accepted import Accepted
-from .effort import attempts_of, batch_size
+from .effort import attempts_of, batch_size, count_or_none
 from .rejection_report import RejectionStats
 from .samplers import DrawnPlace, drawn_values
 
@@ -41,7 +40,7 @@ def accepted_of_stream(
     of an endless one."""
     draws = drawn_values(acceptance.scenario)
     with sampler.guarded:
-        size = _size(sampler.kind.size(draws))
+        size = count_or_none(sampler.kind.size(draws), "size")
     wanted = n if n is not None else (size or 1)
     limit = size if size is not None else attempts_of(sampler, acceptance)
     stats = RejectionStats.empty(len(acceptance.requirements))
@@ -58,14 +57,6 @@ def accepted_of_stream(
     is_short = bool(accepted) and (size is None or n is not None)
     missing = range(len(accepted), wanted) if is_short else range(0 if accepted else 1)
     return StreamResult(wanted, tuple(accepted), tuple(missing), stats)
-
-
-def _size(value: object) -> int | None:
-    """A count or None. Raises `TypeError` for anything else, `ValueError` below 0."""
-    size = None if value is None else operator.index(value)  # type: ignore[arg-type]
-    if size is not None and size < 0:
-        raise ValueError(f"its size is {size}")
-    return size
 
 
 def _stream(

@@ -44,7 +44,11 @@ def features_of_candidates(
     built = build(call, candidates, element)
     with built.guarded:
         stated = built.kind.shortest_feature(length, closed)
-    parts = [_checked(stated, built.entry, call)]
+    lengths = _checked(stated, built.entry, call)
+    if len(lengths) not in (1, candidates.count):
+        fault = f"gave {len(lengths)} shortest features for {candidates.count} candidates"
+        raise wrong_result(built.entry, call.span, fault)
+    parts = [lengths]
     options = call.common
     if "over" in options:
         low, high = (flat(end) for end in evaluate(options["over"], candidates, element))
@@ -106,7 +110,8 @@ def _feature_of_window(size: Floats, taper: Floats) -> Floats:
 
 
 def _checked(stated: Any, entry: KindEntry, call: PassCall) -> Floats:
-    lengths = np.asarray(stated, dtype=np.float64).reshape(-1)
+    with plugin_guard(entry, call.span):
+        lengths = np.asarray(stated, dtype=np.float64).reshape(-1)
     if lengths.size == 0 or np.isnan(lengths).any():
         raise wrong_result(entry, call.span, f"gave a shortest feature that is no length: {stated}")
     return lengths
