@@ -39,7 +39,7 @@ _GEOMETRY = (
 )  # fmt: skip
 _ELSEWHERE = (
     "API_VERSION",
-    "USUAL_SPEED",
+    "STANDING_GAP",
     "Dimension",
     "Kind",
     "ListOf",
@@ -62,7 +62,8 @@ def api_page() -> str:
         f"stable](plugins.md#what-is-stable). `API_VERSION` is {api.API_VERSION}.",
         "",
         "Shapes: *variants* is the number of candidates in a batch, *stations* the number of",
-        "positions along a road. Units are SI units and radians throughout.",
+        "positions along a road. Units are SI units and radians throughout. `STANDING_GAP`,",
+        f"{api.STANDING_GAP:g} m, is what traffic leaves between vehicles that stand in a row.",
         "",
         *_hooks(),
         *_options(),

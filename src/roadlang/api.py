@@ -69,6 +69,7 @@ from .plugins.annotations import (
     record_of,
 )
 from .plugins.kinds import (
+    STANDING_GAP,
     Adjuster,
     AgentKind,
     Axis,
@@ -201,7 +202,8 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 
 __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURVATURE", "FORCE", "FREQUENCY", "JERK",
-    "LENGTH", "MASS", "PIXELS", "PURE", "SCALE", "SPEED", "TIME", "Acceleration", "Adjuster",
+    "LENGTH", "MASS", "PIXELS", "PURE", "SCALE", "SPEED", "STANDING_GAP", "TIME", "Acceleration",
+    "Adjuster",
     "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
     "BatchRandom", "Between", "Body", "Call", "Code", "Condition", "ConstraintNames", "Contact",
     "Control", "ControlBatch", "Controller", "Curvature", "Decision", "Diagnostic",

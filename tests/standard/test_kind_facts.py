@@ -8,6 +8,9 @@ from typing import Any
 import pytest
 
 from roadlang.plugins.discovery import load_registry
+from roadlang.simulation.observation_vector import ObservationVector
+from roadlang_standard.drive_onnx import OnnxController
+from roadlang_standard.process import messages
 
 
 @cache
@@ -143,3 +146,10 @@ def test_signals_cost_what_is_computed_for_each_station() -> None:
     numbers = facts("number", "cost")
     assert numbers["confidence"] < numbers["sup_distance"] < numbers["lp_distance"]
     assert numbers["frechet"] == max(numbers.values())
+
+
+def test_policies_observe_by_default_what_environments_do() -> None:
+    """Programs that drive have a protocol of their own version, with the same distances."""
+    policy, vector = OnnxController("policy.onnx"), ObservationVector()
+    assert (policy.distances, policy.agents) == (vector.distances, vector.agents)
+    assert vector.distances == messages.DISTANCES

@@ -12,7 +12,7 @@ from roadlang.api import geometry
 
 CURB_HEIGHT = 0.12
 """Meters."""
-_SAME_WIDTH = 0.01
+_LOOKS_EQUAL = 0.01
 """Meters."""
 
 
@@ -109,7 +109,7 @@ def _go_on(lane: geometry.Lane, other: geometry.Lane, marking: str) -> bool:
     if not both_marked or marking != "broken":
         return False
     apart = np.abs(lane.width.widths - other.width.at(lane.width.stations))
-    return bool((apart < _SAME_WIDTH).all())
+    return bool((apart < _LOOKS_EQUAL).all())
 
 
 def _line(markings: tuple[str, ...], place: int, raised: bool) -> BorderLine:

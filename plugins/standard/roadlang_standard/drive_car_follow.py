@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
+from roadlang.api import STANDING_GAP, Acceleration, Duration, Length, Speed, option
 
-from .driving_options import lateral_acceleration_option, target_speed_option
-from .steering import ahead_in_lane, along_line, bend_speed, toward
+from .driving_options import SlowsForBends, lateral_acceleration_option, target_speed_option
+from .steering import ahead_in_lane, along_line, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
@@ -20,20 +20,17 @@ SLOWEST = 0.1
 
 
 @dataclass(frozen=True)
-class CarFollow(Controller):
+class CarFollow(SlowsForBends):
     """Follow the vehicle ahead in the lane, and stop before objects that stand in it (intelligent
     driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
     speed: Speed = target_speed_option()
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")
-    gap: Length = option(2.0, minimum=0, help="desired gap at standstill")
+    gap: Length = option(STANDING_GAP, minimum=0, help="desired gap at standstill")
     acceleration: Acceleration = option(1.5, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(2.0, above=0, maximum=20, help="comfortable deceleration")
     lateral_acceleration: Acceleration = lateral_acceleration_option()
-
-    def initial_speed(self) -> InitialSpeed:
-        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np
@@ -41,7 +38,7 @@ class CarFollow(Controller):
         from roadlang.api import ControlBatch
 
         seen, speed = observations, observations.speed
-        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        target = self.target_speed(seen)
         share = speed / np.maximum(target, SLOWEST)
         gap, ahead = ahead_in_lane(seen)
         braking = speed * (speed - ahead)

@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, InitialSpeed, Speed, option
+from roadlang.api import Acceleration, Speed, option
 
-from .driving_options import lateral_acceleration_option, target_speed_option
-from .steering import along_line, bend_speed, toward
+from .driving_options import SlowsForBends, lateral_acceleration_option, target_speed_option
+from .steering import along_line, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
 
 
 @dataclass(frozen=True)
-class LaneFollow(Controller):
+class LaneFollow(SlowsForBends):
     """Follow the center of the lane exactly, at a given speed."""
 
     name: ClassVar[str] = "lane_follow"
@@ -24,13 +24,10 @@ class LaneFollow(Controller):
     deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")
     lateral_acceleration: Acceleration = lateral_acceleration_option()
 
-    def initial_speed(self) -> InitialSpeed:
-        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
-
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         from roadlang.api import ControlBatch
 
         seen = observations
-        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        target = self.target_speed(seen)
         acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
         return ControlBatch(along_line(seen), acceleration)

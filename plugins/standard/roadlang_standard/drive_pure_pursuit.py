@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Acceleration, Controller, Duration, InitialSpeed, Length, Speed, option
+from roadlang.api import Acceleration, Duration, Length, Speed, option
 
-from .driving_options import lateral_acceleration_option, target_speed_option
-from .steering import bend_speed, pursuit, toward
+from .driving_options import SlowsForBends, lateral_acceleration_option, target_speed_option
+from .steering import pursuit, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
 
 
 @dataclass(frozen=True)
-class PurePursuit(Controller):
+class PurePursuit(SlowsForBends):
     """Steer along the arc to a point ahead in the lane (Coulter 1992)."""
 
     name: ClassVar[str] = "pure_pursuit"
@@ -28,14 +28,11 @@ class PurePursuit(Controller):
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")
     lateral_acceleration: Acceleration = lateral_acceleration_option()
 
-    def initial_speed(self) -> InitialSpeed:
-        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
-
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         from roadlang.api import ControlBatch
 
         seen = observations
         steering = pursuit(seen, self.lookahead + self.lookahead_time * seen.speed)
-        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        target = self.target_speed(seen)
         acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
         return ControlBatch(steering, acceleration)

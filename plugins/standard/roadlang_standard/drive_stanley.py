@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from roadlang.api import FREQUENCY, Acceleration, Controller, InitialSpeed, Speed, option, quantity
+from roadlang.api import FREQUENCY, Acceleration, Speed, option, quantity
 
-from .driving_options import lateral_acceleration_option, target_speed_option
-from .steering import bend_speed, difference, toward
+from .driving_options import SlowsForBends, lateral_acceleration_option, target_speed_option
+from .steering import difference, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
@@ -18,7 +18,7 @@ YAW_DAMPING = 0.1
 
 
 @dataclass(frozen=True)
-class Stanley(Controller):
+class Stanley(SlowsForBends):
     """Steer by heading error and cross-track error at the front axle, with damping of the yaw
     rate (Hoffmann et al. 2007)."""
 
@@ -31,9 +31,6 @@ class Stanley(Controller):
     acceleration: Acceleration = option(3.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="maximum deceleration")
     lateral_acceleration: Acceleration = lateral_acceleration_option()
-
-    def initial_speed(self) -> InitialSpeed:
-        return InitialSpeed(self.speed, self.lateral_acceleration, self.deceleration)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np
@@ -48,6 +45,6 @@ class Stanley(Controller):
         turn = difference(seen.heading, direction)
         steering = turn - np.arctan2(self.gain * left, self.softening + seen.speed)
         steering = steering - YAW_DAMPING * (seen.yaw_rate - seen.speed * curvature)
-        target = bend_speed(seen, self.speed, self.lateral_acceleration, self.deceleration)
+        target = self.target_speed(seen)
         acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
         return ControlBatch(steering, acceleration)

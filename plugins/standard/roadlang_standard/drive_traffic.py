@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Controller, Duration, InitialSpeed, Speed, option
+from roadlang.api import STANDING_GAP, Controller, Duration, InitialSpeed, Speed, option
 
 from .steering import SPEED_GAIN, along_line, bend_speed, pursuit
 
@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
     from roadlang.geometry import Floats
 
-STANDING_GAP = 2.0
-"""Meters between two that stand in a row."""
 HARDEST = 8.0
 """m/s^2: deceleration in an emergency."""
 LATE = 0.7

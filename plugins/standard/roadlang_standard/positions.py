@@ -22,10 +22,6 @@ if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 
-_ROOM = 12.0
-"""Meters of a lane behind its stop line, where there are lanes that long"""
-
-
 def _along(other: Any, length: Floats, gap: Floats | float, ahead: bool) -> Standing:
     """In the lane of the other, `gap` meters between the two bumpers."""
     import numpy as np
@@ -135,5 +131,5 @@ def _nearest_junction(lanes: geometry.LaneGraph, point: tuple[float, float]) -> 
 def _before(lanes: geometry.LaneGraph, lane: int, distance: float) -> geometry.RoutePlace:
     length, end = lanes.length(lane), lanes.end[lane]
     away = min(distance, length)
-    too_short = max(distance + _ROOM - length, 0.0)
+    too_short = max(distance + geometry.ROOM_TO_BEGIN - length, 0.0)
     return geometry.RoutePlace(lane, end - away if lanes.forward(lane) else end + away, too_short)

@@ -104,6 +104,12 @@ class IndexedScenario:
         """What a `param` or `let` stands for."""
         return self.values[name].value
 
+    def resolved(self, value: Value | None) -> Value | None:
+        """The value behind a name, and behind the name that it may stand for."""
+        while isinstance(value, Reference):
+            value = self.value_of(value.name)
+        return value
+
     def draws(self) -> Iterator[RandomValue]:
         """Every draw of the scenario; one that is used twice comes twice."""
         for value in values_in(self.source):
@@ -168,9 +174,8 @@ class IndexedScenario:
 
     def _entities(self, value: Value) -> list[Entity]:
         """The named things of a value or a list, in their order."""
-        while isinstance(value, Reference):
-            value = self.value_of(value.name)
-        items = value.items if isinstance(value, Items) else (value,)
+        found = self.resolved(value)
+        items = found.items if isinstance(found, Items) else (found,)
         return [item for item in items if isinstance(item, Entity)]
 
     def ancestry(

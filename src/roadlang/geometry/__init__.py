@@ -83,6 +83,7 @@ if TYPE_CHECKING:
     from .profile import OffsetProfile as OffsetProfile
     from .road import Road as Road
     from .routes.lane_graph import LaneGraph as LaneGraph
+    from .routes.shortest import ROOM_TO_BEGIN as ROOM_TO_BEGIN
     from .routes.shortest import RoutePlace as RoutePlace
     from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
@@ -146,6 +147,7 @@ _HOMES = {
     "MapJunction": "map_junctions",
     "MapTurn": "map_junctions",
     "LaneGraph": "routes.lane_graph",
+    "ROOM_TO_BEGIN": "routes.shortest",
     "RoutePlace": "routes.shortest",
     "Node": "network",
     "Edge": "network",

@@ -8,6 +8,9 @@ from .annotations import Length, Speed
 from .kinds.lanes import LaneMarking
 from .options import option
 
+SAME_WIDTH = 1e-3
+"""Meters by which the lanes that are written may differ from the width of their road."""
+
 
 @dataclass(frozen=True)
 class LaneOptions:

@@ -15,7 +15,7 @@ Place = Callable[[Floats, Floats], tuple[Floats, Floats]]
 _WIDE, _TALL = 360.0, 190.0
 _LEFT, _RIGHT, _TOP, _BOTTOM = 44.0, 8.0, 10.0, 34.0
 _QUANTILES = (0.01, 0.99)
-_ROOM = 0.08
+_MARGIN = 0.08
 UNITS = {"curvature": "1/m", "speed": "m/s", "gap": "m"}
 TITLES = {
     "curvature": "Greatest curvature",
@@ -37,7 +37,7 @@ def progress_chart(
     if not len(x):
         return ""
     low, high = min(float(y.min()), 0.0), float(np.quantile(y, _QUANTILES[1]))
-    room = _ROOM * max(high - low, 1e-9)
+    room = _MARGIN * max(high - low, 1e-9)
     low, high = low - room, max(high, 0.0) + room
     end = max(float(x.max()), 1.0)
 

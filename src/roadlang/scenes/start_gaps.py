@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 
 from ..ir.scene import SceneNetwork
 from ..ir.scene_actor import SceneActor
+from ..plugins.kinds import STANDING_GAP
 
-STANDING_GAP = 2.0
-"""Meters between two that stand in a row."""
 BRAKING = 3.0
 """m/s^2 with which an agent can brake as long as it has that gap."""
 FARTHEST = 150.0

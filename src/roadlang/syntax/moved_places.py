@@ -9,14 +9,15 @@ from .text_edits import (
     Place,
     declared,
     meters_of,
-    place_of,
+    options_of,
+    places_of,
     replaced,
     with_item,
     without_comments,
     written_length,
-    written_place,
+    written_places,
 )
-from .tree.nodes import Expression, Geometry, ListValue, Pass
+from .tree.nodes import Geometry, ListValue, Pass
 
 LENGTH = 80.0
 """Meters of road that move with a place, from end to end, where nothing is said."""
@@ -64,8 +65,9 @@ def with_moved_places(text: str, road: str, places: MovedPlaces, kind: str) -> s
         return _with_pass(text, statement, places, kind) if places.at else text
     if not places.at:
         return _without_pass(text, last)
-    options = _options(last)
-    return replaced(text, [(options["at"].span, _at(places)), (options["by"].span, _by(places))])
+    at, by = _at(places), written_places(places.by)
+    options = options_of(last.block)
+    return replaced(text, [(options["at"].span, at), (options["by"].span, by)])
 
 
 def _last_pass(statement: object) -> Pass | None:
@@ -75,36 +77,28 @@ def _last_pass(statement: object) -> Pass | None:
     return perturbing[-1] if perturbing else None
 
 
-def _options(found: Pass) -> dict[str, Expression]:
-    return {} if found.block is None else {o.key.text: o.value for o in found.block.options}
-
-
 def _read(found: Pass | None) -> MovedPlaces | None:
     if found is None:
         return None
-    options = _options(found)
-    at, by = options.get("at"), options.get("by")
-    if not isinstance(at, ListValue) or not isinstance(by, ListValue):
+    options = options_of(found.block)
+    at, moves = options.get("at"), places_of(options.get("by"))
+    if not isinstance(at, ListValue) or moves is None:
         return None
     stations = [number for item in at.items if (number := meters_of(item)) is not None]
-    moves = [place for item in by.items if (place := place_of(item)) is not None]
     length = meters_of(options["length"]) if "length" in options else LENGTH
-    if not len(stations) == len(moves) == len(at.items) == len(by.items) or length is None:
+    if not len(stations) == len(moves) == len(at.items) or length is None:
         return None
-    return MovedPlaces(tuple(stations), tuple(moves), length)
+    return MovedPlaces(tuple(stations), moves, length)
 
 
 def _at(places: MovedPlaces) -> str:
     return f"[{', '.join(map(written_length, places.at))}]"
 
 
-def _by(places: MovedPlaces) -> str:
-    return f"[{', '.join(map(written_place, places.by))}]"
-
-
 def _with_pass(text: str, statement: Geometry, places: MovedPlaces, kind: str) -> str:
     length = written_length(places.length)
-    words = f"perturb with {kind} {{ at: {_at(places)}, by: {_by(places)}, length: {length} }}"
+    by = written_places(places.by)
+    words = f"perturb with {kind} {{ at: {_at(places)}, by: {by}, length: {length} }}"
     return with_item(text, statement, words)
 
 

@@ -8,12 +8,13 @@ from .text_edits import (
     Place,
     declared,
     meters_of,
-    place_of,
+    options_of,
+    places_of,
     replaced,
     with_item,
-    written_place,
+    written_places,
 )
-from .tree.nodes import Expression, Geometry, ListValue, Name
+from .tree.nodes import Expression, Geometry, Name
 
 RADIUS = 80.0
 """Meters around a place that move with it, where nothing is said."""
@@ -48,7 +49,7 @@ def network_moves_of(text: str, name: str) -> NetworkMoves | None:
     options = _options(text, name)
     if options is None:
         return None
-    at, by = _places(options.get("moved_at")), _places(options.get("moved_by"))
+    at, by = places_of(options.get("moved_at")), places_of(options.get("moved_by"))
     written = options.get("moved_radius")
     radius = RADIUS if written is None else meters_of(written)
     if at is None or by is None or len(at) != len(by) or radius is None:
@@ -61,7 +62,7 @@ def with_network_moves(text: str, name: str, moves: NetworkMoves) -> str | None:
     statement, options = declared(text, name), _options(text, name)
     if options is None or not isinstance(statement, Geometry) or not moves.at:
         return None
-    at, by = (f"[{', '.join(map(written_place, places))}]" for places in (moves.at, moves.by))
+    at, by = written_places(moves.at), written_places(moves.by)
     if "moved_at" in options and "moved_by" in options:
         return replaced(text, [(options["moved_at"].span, at), (options["moved_by"].span, by)])
     return with_item(text, statement, f"moved_at: {at}, moved_by: {by}")
@@ -71,14 +72,4 @@ def _options(text: str, name: str) -> dict[str, Expression] | None:
     statement = declared(text, name)
     if not isinstance(statement, Geometry):
         return None
-    block = statement.block
-    return {} if block is None else {option.key.text: option.value for option in block.options}
-
-
-def _places(value: Expression | None) -> tuple[Place, ...] | None:
-    if value is None:
-        return ()
-    if not isinstance(value, ListValue):
-        return None
-    found = [place for item in value.items if (place := place_of(item)) is not None]
-    return tuple(found) if len(found) == len(value.items) else None
+    return options_of(statement.block)

@@ -7,7 +7,16 @@ from functools import lru_cache
 
 from ..diagnostics import Source, Span
 from .parsing.parser import parse
-from .tree.nodes import Actor, Block, Expression, Geometry, NegateExpression, NumberLiteral, Point
+from .tree.nodes import (
+    Actor,
+    Block,
+    Expression,
+    Geometry,
+    ListValue,
+    NegateExpression,
+    NumberLiteral,
+    Point,
+)
 
 Place = tuple[float, float]
 
@@ -50,6 +59,27 @@ def place_of(value: Expression | None) -> Place | None:
         return None
     x, y = (meters_of(item) for item in value.items)
     return None if x is None or y is None else (x, y)
+
+
+def places_of(value: Expression | None) -> tuple[Place, ...] | None:
+    """Points of a list that are written as numbers; none where there is no list, None of anything
+    else."""
+    if value is None:
+        return ()
+    if not isinstance(value, ListValue):
+        return None
+    found = [place for item in value.items if (place := place_of(item)) is not None]
+    return tuple(found) if len(found) == len(value.items) else None
+
+
+def written_places(places: Iterable[Place]) -> str:
+    """A list of points as it is written."""
+    return f"[{', '.join(map(written_place, places))}]"
+
+
+def options_of(block: Block | None) -> dict[str, Expression]:
+    """What is written for each option; nothing without a block."""
+    return {} if block is None else {option.key.text: option.value for option in block.options}
 
 
 def written_length(meters: float) -> str:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.lanes import lane_ids
 from ..ir.scenario import LANE_OPTIONS, ScenarioNetwork, ScenarioRoad
-from ..ir.values import Flag, Items, PassCall, Reference, TextValue, Value
+from ..ir.values import Flag, Items, PassCall, TextValue, Value
 
 
 @dataclass(frozen=True)
@@ -65,11 +64,12 @@ def lane_calls(value: Value | None, scenario: IndexedScenario) -> tuple[PassCall
     """The calls of a list of lanes, from the middle outwards; None where they are drawn."""
     if value is None:
         return ()
-    value = _resolved(value, scenario)
-    if not isinstance(value, Items):
+    written = scenario.resolved(value)
+    if not isinstance(written, Items):
         return None
-    calls = tuple(_resolved(item, scenario) for item in value.items)
-    return calls if all(isinstance(call, PassCall) for call in calls) else None
+    found = (scenario.resolved(item) for item in written.items)
+    calls = tuple(call for call in found if isinstance(call, PassCall))
+    return calls if len(calls) == len(written.items) else None
 
 
 def is_fixed(plan: LanePlan, scenario: IndexedScenario) -> bool:
@@ -115,9 +115,3 @@ def counted_ids(count: int, oneway: bool, left_hand: bool, extra: int = 0) -> tu
     if left_hand:
         left, right = right, left
     return (*range(left, 0, -1), *range(-1, -right - 1, -1))
-
-
-def _resolved(value: Any, scenario: IndexedScenario) -> Any:
-    while isinstance(value, Reference):
-        value = scenario.value_of(value.name)
-    return value

@@ -13,7 +13,12 @@ from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
-from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
+from ..geometry.routes.shortest import (
+    ROOM_TO_BEGIN,
+    PlannedRoute,
+    RoutePlace,
+    shortest_route,
+)
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
@@ -27,9 +32,6 @@ from .road_poses import LaneStart, WrittenPlace
 from .route_points import FARTHEST, RoutePoints, route_points
 from .route_positions import lane_places_of
 from .spots import UNREACHED, Spots
-
-_ROOM = 12.0
-"""Meters of a lane that is long enough to begin in at random, where there are such"""
 
 
 def begins_in_network(
@@ -228,7 +230,8 @@ def _at_share(shares: Floats, ends: Any) -> tuple[Integers, Floats]:
     those that are long enough, where there are such."""
     begin, end = np.array(ends, float).T
     lengths = np.abs(end - begin)
-    counted = np.where(lengths >= _ROOM, lengths, 0.0) if (lengths >= _ROOM).any() else lengths
+    is_long = lengths >= ROOM_TO_BEGIN
+    counted = np.where(is_long, lengths, 0.0) if is_long.any() else lengths
     sums = np.concatenate([[0.0], np.cumsum(counted)])
     at = np.clip(shares, 0.0, 1.0) * sums[-1]
     numbers = np.clip(np.searchsorted(sums, at, side="right") - 1, 0, len(lengths) - 1)

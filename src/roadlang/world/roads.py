@@ -22,6 +22,7 @@ from ..ir.batch import RoadBatch
 from ..ir.scenario import FileSource, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall, Value
 from ..plugins.guard import wrong_result
+from ..plugins.lane_options import SAME_WIDTH
 from .joined_roads import PartOfRoad, joined_root
 from .lane_building import built_lanes
 from .lane_plan import LanePlan, is_fixed, lane_plan
@@ -35,7 +36,6 @@ from .selection import selected
 from .stations import station_spacing
 from .verified import verified
 
-_SAME_WIDTH = 1e-3
 """Meters."""
 
 
@@ -102,7 +102,7 @@ def _require_sum(road: ScenarioRoad, width: Floats, candidates: CandidateBatch) 
     """Raises RL246 where the lanes of the same statement do not add up to its width."""
     extent = _extent(road, lane_plan(road, candidates.scenario), candidates)
     apart = np.abs(width - extent)
-    if not (apart < _SAME_WIDTH).all():
+    if not (apart < SAME_WIDTH).all():
         row = int(apart.max(axis=1).argmax())
         lanes, written = (float(part[min(row, len(part) - 1), 0]) for part in (extent, width))
         raise DiagnosticError(

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 PROTOCOL = "roadlang.drive/1"
 DISTANCES = (5.0, 10.0, 20.0, 30.0, 50.0)
-"""Meters ahead at which programs see the path."""
+"""Meters ahead at which programs see the path; they belong to this version of the protocol."""
 AGENTS = 8
 _NUMBERS = (
     "time", "x", "y", "heading", "speed", "acceleration", "yaw_rate", "steering",

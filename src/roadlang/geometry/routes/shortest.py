@@ -12,6 +12,10 @@ CHANGE_COST = 30.0
 """Meters of detour that a change of lane is worth"""
 
 
+ROOM_TO_BEGIN = 12.0
+"""Meters of a lane that is long enough for an agent to begin in, where there are such"""
+
+
 @dataclass(frozen=True, slots=True)
 class RoutePlace:
     """A place in a lane of a graph: an arc length of the edge; `penalty` is what it costs to choose

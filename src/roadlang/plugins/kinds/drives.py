@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from ...ir.trace import Trace
 
 
+STANDING_GAP = 2.0
+"""Meters between two vehicles that stand in a row: what drives traffic, who gives way to it and who
+begins behind it leave as much."""
+
+
 @dataclass(frozen=True)
 class InitialSpeed:
     """How fast an agent is when its drive begins, as its controller wants it: no faster than the

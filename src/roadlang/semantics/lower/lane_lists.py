@@ -10,6 +10,7 @@ from ...ir.dimension import LENGTH
 from ...ir.scenario import LANE_OPTIONS
 from ...ir.values import Flag, Items, PassCall, Value
 from ...plugins.describing import value_text
+from ...plugins.lane_options import SAME_WIDTH
 from ...plugins.option_types import QuantityType
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -17,7 +18,6 @@ from ..types.expression_types import TypedExpression
 from .randomness import is_random
 from .references import resolved
 
-_SAME_WIDTH = 1e-3
 """Meters."""
 
 Stated = Mapping[str, TypedExpression]
@@ -124,7 +124,7 @@ def _widths_fit(checker: Checker, name: str, lanes: list[PassCall], width: Typed
     low, high = checker.bounds_of(width.value)
     if shares and least < high:
         return True
-    if not shares and least - _SAME_WIDTH <= high and low <= most + _SAME_WIDTH:
+    if not shares and least - SAME_WIDTH <= high and low <= most + SAME_WIDTH:
         return True
     checker.report(
         Code.LANES_DISAGREE_WITH_WIDTH,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...plugins.kinds import STANDING_GAP
 from ..crossings import STOP_GAP
 from . import rules
 from .approaches import COMFORTABLE, braking_to_stop, horizon
@@ -118,7 +119,7 @@ def _could(
     may_go = rules.let_go(meetings, grants)
     used = rules.space_for_others(meetings, may_go, crowd.length)
     free = meetings.of_agents(_room(crowd, asking) - crowd.length) - used
-    return np.asarray(wants & meetings.of_agents(may) & (free >= rules.STANDING_GAP))
+    return np.asarray(wants & meetings.of_agents(may) & (free >= STANDING_GAP))
 
 
 def _is_free(crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans) -> Booleans:

@@ -7,14 +7,13 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats
+from ...plugins.kinds import STANDING_GAP
 from .approaches import Approaches, braking_to_stop, seconds_for
 from .grants import NEVER, Grants
 from .junction_tables import CROSS, MERGE
 from .meetings import Meetings
 from .swept_paths import SPACING
 
-STANDING_GAP = 2.0
-"""Meters between two that stand in a row."""
 CLEARANCE = 0.8
 """Seconds between two that cross, for the calmest; none for the boldest."""
 HEADWAY = 0.6

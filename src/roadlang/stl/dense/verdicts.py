@@ -28,10 +28,9 @@ def dense_truth(
     wrap: float | None = None,
 ) -> NDArray[np.bool_]:
     """Whether the formula is satisfied at each of `positions`, (V, S) or (S,)."""
-    refuse_laps(wrap, semantics)
-    grids = GridSignals.of(positions, signals, formula.variables)
+    grids, truths = _truths(formula, positions, signals, semantics, wrap)
     stations = grids.checked(positions)
-    found = [truth.limits(stations)[1] > 0 for truth in _truths(formula, grids, semantics)]
+    found = [truth.limits(stations)[1] > 0 for truth in truths]
     return np.array(found) if grids.batched else found[0]
 
 
@@ -43,19 +42,25 @@ def dense_satisfied(
     wrap: float | None = None,
 ) -> NDArray[np.bool_]:
     """Whether the formula is satisfied at the start, (V,) or a scalar."""
-    refuse_laps(wrap, semantics)
-    grids = GridSignals.of(positions, signals, formula.variables)
-    found = np.array([truth.at[0] > 0 for truth in _truths(formula, grids, semantics)])
+    grids, truths = _truths(formula, positions, signals, semantics, wrap)
+    found = np.array([truth.at[0] > 0 for truth in truths])
     return found if grids.batched else found[0]
 
 
 def _truths(
-    formula: f.Formula, grids: GridSignals, semantics: Semantics
-) -> Iterator[PiecewiseLinear]:
-    """1 where a variant satisfies the formula and -1 where it does not."""
-    plain = normal_form(formula)
-    for variant in range(grids.variants):
-        yield DenseEvaluation(grids, semantics, variant, boolean=True).formula(plain)
+    formula: f.Formula,
+    positions: Positions,
+    signals: GridsOrSignals,
+    semantics: Semantics,
+    wrap: float | None,
+) -> tuple[GridSignals, Iterator[PiecewiseLinear]]:
+    """The signals, and for each variant 1 where it satisfies the formula and -1 where not."""
+    refuse_laps(wrap, semantics)
+    grids, plain = GridSignals.of(positions, signals, formula.variables), normal_form(formula)
+    variants = range(grids.variants)
+    return grids, (
+        DenseEvaluation(grids, semantics, v, boolean=True).formula(plain) for v in variants
+    )
 
 
 def dense_range(
