@@ -9,10 +9,10 @@ from typing import Any
 
 def floats_text(values: Sequence[float], separator: str = ", ") -> str:
     """Floating point numbers as the items of a JSON list; `null` where one is not finite."""
-    text: str = _encoder().encode(values).decode()[1:-1]
-    if "e" in text or _SMALL in text:
-        text = _as_python_writes(text)
-    return text.replace(",", separator)
+    content: bytes = _encoder().encode(values)
+    if b"e" in content or _SMALL.encode() in content:
+        return _as_python_writes(content[1:-1].decode()).replace(",", separator)
+    return content[1:-1].replace(b",", separator.encode()).decode()
 
 
 def _as_python_writes(text: str) -> str:

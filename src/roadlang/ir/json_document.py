@@ -1,0 +1,188 @@
+"""Values of the IR as the text of JSON documents: one member a line, lists of numbers on one line.
+
+Scenes of one run have roads, networks and options in common, as the same objects. Their text is
+written once: what the last document was made of is known by identity. That is sound because those
+parts cannot change, and bounded because only the last document is known.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+from operator import attrgetter
+from typing import Any
+
+from .number_text import floats_text, is_floats
+from .read_only import FrozenDict, FrozenList
+from .scene import SceneNetwork, SceneRoad, Verdict
+from .scene_actor import Call
+
+_SHARED = frozenset((FrozenDict, SceneRoad, SceneNetwork, Verdict, Call))
+"""Unchanging types that several scenes have the same instance of."""
+_FEW = 8
+"""Numbers that are written as soon as looked up."""
+
+Texts = dict[tuple[int, int], tuple[Any, str]]
+"""By the identity of a part and its depth: the part, so that no other gets its identity, and its
+text."""
+_last: list[Texts] = [{}]
+"""Those of the last document."""
+
+
+def document(value: Any) -> str:
+    """The text of a dataclass or map. Raises `ValueError` for a number that is not finite."""
+    writer = _Writer(_last[0])
+    text = writer.top(value)
+    _last[0] = writer.texts
+    return text
+
+
+class _Writer:
+    """Writes one document; `known` are the texts of another."""
+
+    def __init__(self, known: Texts) -> None:
+        self.known = known
+        self.texts: Texts = {}
+
+    def top(self, value: Any) -> str:
+        """With `schema` first, so that a reader sees at once what it has."""
+        if not dataclasses.is_dataclass(value):
+            value = plain(value)
+            if isinstance(value, dict) and "schema" in value:
+                value = {"schema": value["schema"], **value}
+            return self.written(value, 0)
+        names, _, members = _form(type(value), 0)
+        values = dict(zip(names, members(value), strict=True))
+        if "schema" in values:
+            values = {"schema": values["schema"], **values}
+        return self._members(tuple(map(_prefix, values, [0] * len(values))), values.values(), 0)
+
+    def written(self, value: Any, depth: int) -> str:
+        kind = type(value)
+        leaf = _LEAVES.get(kind)
+        if leaf is not None:
+            return leaf(value)
+        if kind in _SEQUENCES:
+            return self._sequence(value, depth)
+        if kind in _SHARED:
+            return self._known(value, depth, self._mapping if kind is FrozenDict else self._record)
+        if kind is dict:
+            return self._mapping(value, depth)
+        if dataclasses.is_dataclass(value):
+            return self._record(value, depth)
+        converted = plain(value)
+        return _other(converted) if type(converted) is kind else self.written(converted, depth)
+
+    def _known(self, value: Any, depth: int, write: Callable[[Any, int], str]) -> str:
+        key = id(value), depth
+        found = self.known.get(key) or self.texts.get(key)
+        if found is None:
+            found = value, write(value, depth)
+        self.texts[key] = found
+        return found[1]
+
+    def _record(self, value: Any, depth: int) -> str:
+        _, prefixes, members = _form(type(value), depth)
+        return self._members(prefixes, members(value), depth)
+
+    def _mapping(self, value: Mapping[Any, Any], depth: int) -> str:
+        if not value:
+            return "{}"
+        names = sorted(value)
+        prefixes = tuple([_prefix(name, depth) for name in names])
+        return self._members(prefixes, [value[name] for name in names], depth)
+
+    def _members(self, prefixes: tuple[str, ...], values: Any, depth: int) -> str:
+        leaves, written = _LEAVES, self.written
+        lines = [
+            prefix
+            + (leaf(value) if (leaf := leaves.get(type(value))) else written(value, depth + 1))
+            for prefix, value in zip(prefixes, values, strict=True)
+        ]
+        return "{\n" + ",\n".join(lines) + "\n" + "  " * depth + "}"
+
+    def _sequence(self, value: Any, depth: int) -> str:
+        kinds = set(map(type, value))
+        if kinds == _FLOATS:
+            return self._known(value, 0, _floats) if len(value) > _FEW else _floats(value, 0)
+        if kinds <= _PLAIN:
+            return _other(value)
+        if any(map(_is_spread, kinds)):
+            inner = "  " * (depth + 1)
+            lines = [inner + self.written(item, depth + 1) for item in value]
+            return "[\n" + ",\n".join(lines) + "\n" + "  " * depth + "]"
+        converted = plain(value)
+        spread = any(isinstance(item, dict | list) for item in converted)
+        return (
+            self._sequence(converted, depth)
+            if spread or is_floats(converted)
+            else _other(converted)
+        )
+
+
+def plain(value: Any) -> Any:
+    """Maps, lists, words and numbers. Raises `TypeError` for what JSON cannot hold."""
+    import msgspec
+
+    return msgspec.to_builtins(value, enc_hook=_plain_number, order="deterministic")
+
+
+def _plain_number(value: Any) -> Any:
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{type(value).__name__} cannot be written as JSON")
+
+
+@lru_cache(maxsize=256)
+def _form(
+    kind: Any, depth: int
+) -> tuple[tuple[str, ...], tuple[str, ...], Callable[[Any], tuple[Any, ...]]]:
+    """The names of the members of a dataclass, as they begin a line, and what reads them."""
+    names = tuple(field.name for field in dataclasses.fields(kind))
+    read = attrgetter(*names)
+    one = len(names) == 1
+    return (
+        names,
+        tuple(_prefix(name, depth) for name in names),
+        ((lambda value: (read(value),)) if one else read),
+    )
+
+
+@lru_cache(maxsize=8192)
+def _prefix(name: Any, depth: int) -> str:
+    return "  " * (depth + 1) + _other(name) + ": "
+
+
+def _is_spread(kind: Any) -> bool:
+    """Whether what holds a value of this type has a line for each of its items."""
+    return issubclass(kind, dict | list) or dataclasses.is_dataclass(kind)
+
+
+def _floats(values: Any, depth: int) -> str:
+    text = floats_text(values)
+    if "null" in text:
+        raise ValueError("a number is not finite")
+    return f"[{text}]"
+
+
+def _number(value: float) -> str:
+    text = repr(value)
+    if "n" in text:  # nan, inf
+        raise ValueError("a number is not finite")
+    return text
+
+
+_other = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
+_SEQUENCES = frozenset((tuple, list, FrozenList))
+_FLOATS = {float}
+_PLAIN = frozenset((str, float, int, bool, type(None)))
+_LEAVES: Mapping[type, Callable[[Any], str]] = {
+    str: json.encoder.encode_basestring,
+    float: _number,
+    int: repr,
+    bool: {False: "false", True: "true"}.__getitem__,
+    type(None): {None: "null"}.__getitem__,
+}
+"""What `_other` gives, in a fraction of its time"""
