@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .candidate_rows import rows_of
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -40,3 +43,47 @@ class DrawRecord:
         )
         partly = {name: absent[name] for name in absent.keys() - missing if absent[name].any()}
         return DrawRecord(coordinates, values, partly)
+
+    def add_alone(self, records: Mapping[int, DrawRecord], count: int) -> None:
+        """Add what single candidates, by row of `count`, have drawn that is not here yet."""
+        for into, columns in (
+            (self.coordinates, {row: record.coordinates for row, record in records.items()}),
+            (self.values, {row: record.values for row, record in records.items()}),
+        ):
+            names = dict.fromkeys(name for drawn in columns.values() for name in drawn)
+            for name in names.keys() - into.keys():
+                found = {row: drawn[name] for row, drawn in columns.items() if name in drawn}
+                into[name] = _column(found, count)
+                if len(found) < count:
+                    absent = np.ones(count, bool)
+                    absent[list(found)] = False
+                    self.absent[name] = absent
+
+    def rows(self, columns: Mapping[str, Sequence[T]], count: int) -> list[dict[str, T]]:
+        """Lists (V,) by name as a map for each candidate, without what it has not drawn."""
+        names = tuple(columns)
+        if not names:
+            return [{} for _ in range(count)]
+        found = [dict(zip(names, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+        for name in self.absent.keys() & columns.keys():
+            for row in np.flatnonzero(np.broadcast_to(self.absent[name], (count,))).tolist():
+                del found[row][name]
+        return found
+
+    def coordinates_of_rows(self, count: int) -> list[dict[str, float]]:
+        """The coordinates of each candidate by name."""
+        columns: dict[str, list[float]] = {}
+        for name, values in self.coordinates.items():
+            numbers = values.tolist()
+            columns[name] = numbers if len(numbers) == count else numbers * count
+        return self.rows(columns, count)
+
+
+def _column(found: Mapping[int, Any], count: int) -> NDArray[Any]:
+    """What was drawn at some rows, each in an array of one row, as one array."""
+    first = next(iter(found.values()))
+    kind = object if first.dtype.kind == "U" else first.dtype
+    column = np.zeros((count, *first.shape[1:]), kind)
+    for row, values in found.items():
+        column[row] = values.tolist()[0] if kind is object else values[0]
+    return column

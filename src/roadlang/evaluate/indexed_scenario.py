@@ -187,6 +187,11 @@ class IndexedScenario:
             for part in self.joined_roads(link):
                 yield from self.ancestry(part)
 
+    @cached_property
+    def has_fixed_roots(self) -> bool:
+        """Whether the root of no road or network is drawn, so that arrays hold many candidates."""
+        return not any(map(self.is_varying, (*self.roads, *self.networks)))
+
     def is_varying(self, name: str) -> bool:
         """Whether the root of a road, network or image (what it is before any `perturb`) is drawn.
 
@@ -196,12 +201,12 @@ class IndexedScenario:
 
     def _is_varying(self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
         return any(
-            self._is_drawn(link) or any(map(self._is_random, self.joined_roads(link)))
+            self._is_drawn(link) or any(map(self.is_random, self.joined_roads(link)))
             for link in self.chain(declaration)
         )
 
-    def _is_random(self, road: ScenarioRoad) -> bool:
-        """Whether anything of a road that others are joined of differs between candidates."""
+    def is_random(self, road: ScenarioRoad) -> bool:
+        """Whether anything of a road is drawn, by its statement or by the kinds of its passes."""
         for link in self.ancestry(road):
             if any(self.kind(call)[1].is_random for call in link.passes):
                 return True

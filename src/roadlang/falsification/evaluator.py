@@ -21,8 +21,7 @@ from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.finding import entry_of
 from ..plugins.kinds import Axis
 from ..plugins.registry import Registry
-from ..scenes.instantiate import driven_scene, instantiate
-from ..scenes.preparing import prepare_scenes
+from ..scenes.instantiate import driven_scenes_or_faults, instantiate
 from ..world.index import index_scenario
 from .axes import axes_of
 from .descriptors import descriptor, measures, moment_of, protagonist
@@ -100,23 +99,20 @@ class Evaluator:
         scenes: dict[int, Scene] = {}
         rows = np.flatnonzero(is_valid)
         valid = candidates.take_recorded(rows)
-        if len(rows):
-            prepare_scenes(valid)
-        for place, row in enumerate(rows.tolist()):
-            single = valid.take_recorded(np.array([place]))
-            try:
-                scene = driven_scene(single, proposals[row].index, self.task.overrides)
-            except DiagnosticError as error:
-                if not _is_of_draws(error):
-                    raise
-                worst = float(len(self.acceptance.requirements) + 1)
-                outcomes[row] = self._invalid(proposals[row], worst, measured.rho[:, row])
-            else:
-                scenes[row] = self._with_simulator(scene)
+        numbers = [proposals[row].index for row in rows.tolist()]
+        made = driven_scenes_or_faults(valid, numbers, self.task.overrides) if numbers else []
+        for row, found in zip(rows.tolist(), made, strict=True):
+            if isinstance(found, Scene):
+                scenes[row] = self._with_simulator(found)
+                continue
+            if not _is_of_draws(found):
+                raise found
+            worst = float(len(self.acceptance.requirements) + 1)
+            outcomes[row] = self._invalid(proposals[row], worst, measured.rho[:, row])
         if scenes:
             driven = drive_scenes(list(scenes.values()), self.task.registry, None, {})
-            for row, found in zip(scenes, driven, strict=True):
-                outcomes[row] = self.outcome(proposals[row], found, measured.rho[:, row])
+            for row, drive in zip(scenes, driven, strict=True):
+                outcomes[row] = self.outcome(proposals[row], drive, measured.rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
 
     def full_scene(self, proposal: Proposal) -> Scene:
@@ -128,8 +124,7 @@ class Evaluator:
         if not proposals:
             return []
         candidates = self._candidates(proposals)
-        prepare_scenes(candidates)
-        singles = [candidates.take_recorded(np.array([row])) for row in range(len(proposals))]
+        singles = (candidates.take_recorded(np.array([row])) for row in range(len(proposals)))
         return [
             self._with_simulator(instantiate(single, proposal.index, self.task.overrides).scene)
             for single, proposal in zip(singles, proposals, strict=True)

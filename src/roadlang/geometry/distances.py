@@ -26,7 +26,8 @@ def lp_norm(values: Floats, weights: Floats, p: ArrayLike) -> Floats:
     Of pointwise distances and the weights of `quadrature` the paper's d_p, in m^(1 + 1/p).
     """
     largest = np.maximum(np.abs(values).max(axis=1, keepdims=True), np.finfo(float).tiny)
-    integral = (np.abs(values) / largest) ** p @ weights
+    # Row by row: a product of matrices rounds a row by how many there are beside it.
+    integral = np.array([row @ weights for row in (np.abs(values) / largest) ** p])
     return np.asarray(largest[:, 0] * integral ** (1.0 / np.ravel(p)))
 
 

@@ -48,12 +48,13 @@ class _Writer:
 
     def top(self, value: Any) -> str:
         """With `schema` first, so that a reader sees at once what it has."""
-        if not dataclasses.is_dataclass(value):
+        kind: Any = type(value)
+        if not hasattr(kind, "__dataclass_fields__"):
             value = plain(value)
             if isinstance(value, dict) and "schema" in value:
                 value = {"schema": value["schema"], **value}
             return self.written(value, 0)
-        names, _, members = _form(type(value), 0)
+        names, _, members = _form(kind, 0)
         values = dict(zip(names, members(value), strict=True))
         if "schema" in values:
             values = {"schema": values["schema"], **values}
@@ -84,7 +85,8 @@ class _Writer:
         return found[1]
 
     def _record(self, value: Any, depth: int) -> str:
-        _, prefixes, members = _form(type(value), depth)
+        kind: Any = type(value)
+        _, prefixes, members = _form(kind, depth)
         return self._members(prefixes, members(value), depth)
 
     def _mapping(self, value: Mapping[Any, Any], depth: int) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, NoReturn, TypeVar
@@ -61,6 +62,8 @@ def frozen(value: Any) -> Any:
     """
     if type(value) in _READ_ONLY:
         return value
+    if isinstance(value, Frozen):
+        return value
     flags = getattr(value, "flags", None)
     if flags is not None:
         return _read_only()(value) if flags.writeable else value
@@ -72,8 +75,11 @@ def frozen(value: Any) -> Any:
         return FrozenDict({key: frozen(item) for key, item in value.items()})
     if type(value) is list or type(value) is tuple:
         plain = _READ_ONLY.issuperset(map(type, value))
-        items = value if plain else [frozen(item) for item in value]
-        return FrozenList(items) if type(value) is list else tuple(items)
+        if type(value) is list:
+            return FrozenList(value if plain else [frozen(item) for item in value])
+        items = value if plain else tuple([frozen(item) for item in value])
+        is_same = plain or all(map(operator.is_, items, value))
+        return value if is_same else items
     return value
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -50,36 +50,7 @@ def listed_lanes(
     return CrossSection(lanes, center_marking, offset)
 
 
-def lane_members(section: CrossSection, stations: Floats) -> dict[str, Any]:
-    """`lane_list`, `center_marking` and `center_offset` of a road with these stations."""
-    offset = section.center_offset
-    return {
-        "lane_list": tuple(
-            SceneLane(
-                lane.id,
-                lane.kind,
-                lane.direction,
-                _numbers(lane.width.at(stations)),
-                lane.drivable,
-                lane.speed_limit,
-                lane.marking,
-                lane.users,
-                lane.raised,
-            )
-            for lane in section.lanes
-        ),
-        "center_marking": section.center_marking,
-        "center_offset": () if offset is None else _numbers(offset.at(stations)),
-    }
-
-
 def _profile(stations: tuple[float, ...], values: tuple[float, ...]) -> tuple[Floats, Floats]:
     """One number is for all of the road."""
     places = np.array(stations) if len(values) > 1 else np.zeros(1)
     return places, np.array(values)
-
-
-def _numbers(values: Floats) -> tuple[float, ...]:
-    """One number where all are the same."""
-    numbers: list[float] = values.tolist()
-    return tuple(numbers[:1]) if len(set(numbers)) == 1 else tuple(numbers)

@@ -1,13 +1,13 @@
-"""The agents and objects of one candidate, as a scene holds them."""
+"""The agents and objects of scenes."""
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-from ..evaluate.candidates import CandidateBatch
+from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
 from ..ir.read_only import frozen
@@ -17,22 +17,29 @@ from ..ir.values import Measure, RandomValue
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
-from ..world.copies import is_group, kinds_of, most_copies
+from ..world.copies import counts, element_of, is_group, kinds_of, most_copies
 from ..world.named_roads import name_of_road
 from ..world.networks import network_root
 from ..world.placement import placed
-from .routes import on_network, scene_routes
+from .routes import may_be_on_network, on_network, scene_routes
+from .scene_rows import SceneRows
 from .start_speeds import start_speeds
 
 _UNUSUAL_HEIGHT = 3.0
 _DEFAULT_HEIGHT = 1.5
+_POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")
+Drives = list[tuple[Call, ...]]
+"""The controllers of each copy, or, where all copies have the same, of all."""
 
 
 def scene_actors(
-    actors: tuple[ScenarioActor, ...], candidates: CandidateBatch
-) -> tuple[SceneActor, ...]:
-    """Each actor, or each copy of a group (`trees[0]`), of a single candidate."""
-    return tuple(placed for actor in actors for placed in _copies_of(actor, candidates))
+    actors: tuple[ScenarioActor, ...], rows: SceneRows
+) -> list[tuple[SceneActor, ...]]:
+    """Each actor, or each copy of a group (`trees[0]`)."""
+    columns = [_copies_of(actor, rows) for actor in actors]
+    if len(columns) == 1:
+        return columns[0]
+    return [sum(parts, ()) for parts in zip(*columns, strict=True)] if columns else rows.same(())
 
 
 def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
@@ -67,46 +74,97 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
     return tuple(found)
 
 
-def _copies_of(actor: ScenarioActor, candidates: CandidateBatch) -> Iterator[SceneActor]:
+def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, ...]]:
+    candidates = rows.candidates
     where = placed(actor, candidates)
-    kinds = kinds_of(actor, candidates)
-    grouped = is_group(actor)
-    distinct = {id(found): found for found in kinds.instances}
-    options = {key: _concrete_options(found) for key, found in distinct.items()}
-    drives = _drives(actor, candidates)
-    is_agent = actor in candidates.scenario.source.agents
-    speeds = start_speeds(actor, where, drives, candidates) if is_agent else []
-    routes = scene_routes(actor, candidates) if is_agent else []
-    columns = [getattr(where, name)[0].tolist() for name in _POSE]
-    for copy, (x, y, heading, length, width, start, offset, lane, backward, road) in enumerate(
-        zip(*columns, strict=True)
-    ):
-        instance = kinds.instances[copy]
-        on_road = actor.on is not None
-        found = SceneActor(
-            f"{actor.name}[{copy}]" if grouped else actor.name,
-            actor.name,
-            instance.entry.name,
-            x,
-            y,
-            heading,
-            length,
-            width,
-            float(options[id(instance)].get("height") or _DEFAULT_HEIGHT),
-            name_of_road(actor, road),
-            start if on_road else None,
-            offset if on_road else None,
-            lane or None,
-            "back" if backward else "forward",
-            options[id(instance)],
-            drives[copy] if len(drives) > 1 else drives[0],
-            speeds[copy] if is_agent else None,
-            routes[copy] if routes else None,
+    present = counts(actor, candidates).tolist()
+    columns = [getattr(where, name).tolist() for name in _POSE]
+    kinds = _kinds(actor, rows)
+    drives = _drives(actor, rows)
+    is_agent = actor.name in rows.scenario.agents
+    speeds = start_speeds(actor, where, drives, rows) if is_agent else rows.same(())
+    routes = scene_routes(actor, rows) if is_agent else rows.same(())
+    names = _names(actor, max(present, default=0))
+    found = [
+        tuple(
+            _placed_copy(actor, name, kind, pose, drive, speed, route)
+            for name, kind, pose, drive, speed, route in zip(
+                names[:count], kinds[row], zip(*(column[row] for column in columns), strict=True),
+                _of_copies(drives[row], count, ()), _of_copies(speeds[row], count, None),
+                _of_copies(routes[row], count, None), strict=False,
+            )
         )
-        yield on_network(actor, found, candidates) if is_agent else found
+        for row, count in enumerate(present)
+    ]  # fmt: skip
+    if is_agent and may_be_on_network(actor, rows.scenario):
+        return [
+            tuple(on_network(actor, copy, rows.alone(row)) for copy in copies)
+            for row, copies in enumerate(found)
+        ]
+    return found
 
 
-_POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")
+def _placed_copy(
+    actor: ScenarioActor,
+    name: str,
+    kind: tuple[str, float, Any],
+    pose: tuple[Any, ...],
+    drive: tuple[Call, ...],
+    speed: float | None,
+    route: Any,
+) -> SceneActor:
+    x, y, heading, length, width, start, offset, lane, backward, road = pose
+    kind_name, height, options = kind
+    on_road = actor.on is not None
+    return SceneActor(
+        name,
+        actor.name,
+        kind_name,
+        x,
+        y,
+        heading,
+        length,
+        width,
+        height,
+        name_of_road(actor, road),
+        start if on_road else None,
+        offset if on_road else None,
+        lane or None,
+        "back" if backward else "forward",
+        options,
+        drive,
+        speed,
+        route,
+    )
+
+
+def _names(actor: ScenarioActor, count: int) -> list[str]:
+    return [f"{actor.name}[{copy}]" for copy in range(count)] if is_group(actor) else [actor.name]
+
+
+def _of_copies(values: Sequence[Any], count: int, without: Any) -> Sequence[Any]:
+    """A value for each copy, of which there may be one for all, or none."""
+    return values if len(values) >= count else [*(values or (without,))] * count
+
+
+def _kinds(actor: ScenarioActor, rows: SceneRows) -> list[list[tuple[str, float, Any]]]:
+    """The name, the height and the options of the kind of each copy."""
+    if rows.differ(actor.kind):
+        return rows.each(lambda candidate: _shown(kinds_of(actor, candidate).instances))
+    most = most_copies(actor, rows.candidates)
+    instances = kinds_of(actor, rows.candidates).instances[:1]
+    key = ("shown kind", actor.name)
+    shown = rows.scenario.once(key, lambda: _shown(instances)) if instances else []
+    return rows.same(shown * most)
+
+
+def _shown(instances: Sequence[KindInstance]) -> list[tuple[str, float, Any]]:
+    distinct = {id(found): found for found in instances}
+    shown = {}
+    for key, found in distinct.items():
+        options = _concrete_options(found)
+        shown[key] = found.entry.name, float(options.get("height") or _DEFAULT_HEIGHT), options
+    return [shown[id(found)] for found in instances]
 
 
 def _concrete_options(found: KindInstance) -> Any:
@@ -114,15 +172,19 @@ def _concrete_options(found: KindInstance) -> Any:
     return frozen({field.name: concrete(getattr(found.kind, field.name)) for field in fields})
 
 
-def _drives(actor: ScenarioActor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
-    """The controllers of each copy, or, where all copies have the same, of all."""
-    if not is_group(actor) and not candidates.scenario.dependencies.differ(*actor.drive):
-        key = ("controllers", actor.name)
-        return candidates.root(key, is_drawn=False, make=partial(_all_drives, actor))
-    return _all_drives(actor, candidates)
+def _drives(actor: ScenarioActor, rows: SceneRows) -> list[Drives]:
+    if rows.differ(*actor.drive):
+        return rows.each(partial(_drives_of_one, actor))
+    element = element_of(actor)
+
+    def make() -> Drives:
+        fixed = fixed_candidate(rows.scenario)
+        return [tuple(call_of(call, fixed, element) for call in actor.drive)]
+
+    return rows.same(rows.scenario.once(("controllers", actor.name), make))
 
 
-def _all_drives(actor: ScenarioActor, candidates: CandidateBatch) -> list[tuple[Call, ...]]:
+def _drives_of_one(actor: ScenarioActor, candidates: CandidateBatch) -> Drives:
     count = most_copies(actor, candidates)
     values = [
         value for call in actor.drive for value in candidates.scenario.dependencies.contents(call)

@@ -1,10 +1,10 @@
-"""One candidate made into a scene."""
+"""Candidates made into scenes."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
 from functools import cache, partial
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import PurePath
@@ -12,23 +12,25 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Diagnostic
+from ..diagnostics import Diagnostic, DiagnosticError
 from ..evaluate.candidates import CandidateBatch, draw_place, fixed_candidate
-from ..evaluate.concrete import call_of, concrete
-from ..evaluate.draw_record import DrawRecord
+from ..evaluate.concrete import call_of
 from ..evaluate.evaluation import evaluate, named
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..ir.read_only import FrozenDict
 from ..ir.scenario import Input, ScenarioConstraint
-from ..ir.scene import Provenance, Scene, Verdict
-from ..ir.values import Condition, PassCall
-from ..judging.profiles import robustness_profiles, scene_signals, tightest
-from ..judging.verdicts import verdict
-from ..world.aliasing import aliasing_remarks
+from ..ir.scene import Call, Provenance, Scene, SceneSignal, Verdict
+from ..ir.values import Condition, PassCall, Value
+from ..judging.profiles import scene_signals, with_profiles
+from ..judging.verdicts import verdict, verdicts
+from ..world.aliasing import aliasing_remarks, has_silent_passes
+from ..world.copies import is_group
 from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
 from .junction_warnings import junction_warnings
 from .roads import scene_networks, scene_roads
+from .scene_rows import SceneRows
 from .start_gaps import slowed_behind
 from .start_speeds import keep_distance
 
@@ -42,80 +44,190 @@ class ConcreteScene:
     warnings: tuple[Diagnostic, ...] = ()
 
 
+def concrete_scenes(
+    candidates: CandidateBatch, numbers: Sequence[int], overrides: Mapping[str, str]
+) -> list[ConcreteScene]:
+    """The scenes of candidates, which have a record; `numbers` are those of the scenes.
+
+    A scene has the same bytes whatever it is made with. Raises DiagnosticError where one of them
+    cannot be made, alone or with the others.
+    """
+    rows = SceneRows(candidates)
+    source = rows.scenario.source
+    members = _driven(rows, numbers, overrides)
+    members |= {
+        "signals": _signals(rows),
+        "requirements": _judged(source.requirements, rows),
+        "expectations": _judged(source.expectations, rows),
+    }
+    roots = [network_root(network, candidates) for network in source.networks]
+    remarks = [[remark for root in roots for remark in root.remarks]] * rows.count
+    if has_silent_passes(rows.scenario):
+        # Without the record of draws: what is run again is not drawn again.
+        singles = (candidates.take(np.array([row])) for row in range(rows.count))
+        aliased = [aliasing_remarks(single) for single in singles]
+        remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
+    warnings = rows.same(junction_warnings(source.networks, candidates))
+    scenes = _finished(members, rows)
+    return [
+        ConcreteScene(scene, tuple(found), warned)
+        for scene, found, warned in zip(scenes, remarks, warnings, strict=True)
+    ]
+
+
+def driven_scenes(
+    candidates: CandidateBatch, numbers: Sequence[int], overrides: Mapping[str, str]
+) -> list[Scene]:
+    """The scenes without what only people and figures want: requirements, signals, profiles.
+
+    They are driven as those of `concrete_scenes` are, and made in a fraction of the time.
+    """
+    rows = SceneRows(candidates)
+    expected = [_expected(item, rows) for item in rows.scenario.source.expectations]
+    members = _driven(rows, numbers, overrides)
+    members["expectations"] = list(zip(*expected, strict=True)) if expected else rows.same(())
+    return _finished(members, rows)
+
+
+def driven_scenes_or_faults(
+    candidates: CandidateBatch, numbers: Sequence[int], overrides: Mapping[str, str]
+) -> list[Scene | DiagnosticError]:
+    """As `driven_scenes`; in place of a scene that cannot be made, why."""
+    if candidates.count > 1 and candidates.scenario.has_fixed_roots:
+        with suppress(DiagnosticError):
+            return [*driven_scenes(candidates, numbers, overrides)]
+    found: list[Scene | DiagnosticError] = []
+    for row, number in enumerate(numbers):
+        try:
+            single = candidates.take_recorded(np.array([row]))
+            found.append(driven_scene(single, number, overrides))
+        except DiagnosticError as error:
+            found.append(error)
+    return found
+
+
 def instantiate(
     candidates: CandidateBatch, index: int, overrides: Mapping[str, str]
 ) -> ConcreteScene:
-    """The scene of the only candidate, which has a record; `index` is the scene's number.
-
-    Evaluated alone, so that its bytes do not depend on the batch that it was found in.
-    """
-    source = candidates.scenario.source
-    scene = replace(
-        _driven(candidates, index, overrides),
-        signals=scene_signals(candidates),
-        requirements=tuple(_judged(item, candidates) for item in source.requirements),
-        expectations=tuple(_judged(item, candidates) for item in source.expectations),
-    )
-    scene = _with_draws(scene, candidates)
-    roots = [network_root(network, candidates) for network in source.networks]
-    remarks = [remark for root in roots for remark in root.remarks]
-    # Without the record of draws: what is run again is not drawn again.
-    remarks += aliasing_remarks(candidates.take(np.zeros(1, dtype=np.intp)))
-    return ConcreteScene(scene, tuple(remarks), junction_warnings(source.networks, candidates))
+    """The scene of a single candidate, which has a record."""
+    return concrete_scenes(candidates, [index], overrides)[0]
 
 
 def driven_scene(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]) -> Scene:
-    """The scene without what only people and figures want: requirements, signals, profiles.
-
-    It is driven as the scene of `instantiate` is, and made in a fraction of the time.
-    """
-    return _with_draws(_driven(candidates, index, overrides), candidates)
+    """As `driven_scenes`, of a single candidate."""
+    return driven_scenes(candidates, [index], overrides)[0]
 
 
-def _driven(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]) -> Scene:
-    """The same, without what was drawn."""
-    source = candidates.scenario.source
-    values = {item.name: _plain(named(item.name, candidates), candidates) for item in source.values}
-    world = {
-        name: _plain(evaluate(value, candidates), candidates)
-        for name, value in source.world.items()
+def _driven(
+    rows: SceneRows, numbers: Sequence[int], overrides: Mapping[str, str]
+) -> dict[str, Sequence[Any]]:
+    """Members of the scenes by name, without what was drawn; a list (V,) of each."""
+    source, candidates = rows.scenario.source, rows.candidates
+    values = {item.name: rows.plain(named(item.name, candidates)) for item in source.values}
+    world = {name: rows.plain(evaluate(value, candidates)) for name, value in source.world.items()}
+    objects = scene_actors(source.objects, rows)
+    legend = legend_objects(candidates)
+    if legend:
+        objects = [(*found, *legend) for found in objects]
+    networks = scene_networks(rows)
+    agents = scene_actors(source.agents, rows)
+    slowed = [
+        slowed_behind(placed, things, keep_distance(source.agents, placed, rows.scenario), places)
+        for placed, things, places in zip(agents, objects, networks, strict=True)
+    ]
+    simulate = source.simulate
+    return {
+        "index": numbers,
+        "provenance": _provenances(rows, numbers, overrides),
+        "values": _maps(values, rows),
+        "networks": networks,
+        "roads": scene_roads(rows),
+        "agents": slowed,
+        "objects": objects,
+        "world": _maps(world, rows),
+        "simulate": rows.same(None) if simulate is None else _calls(simulate, rows),
     }
-    objects = (*scene_actors(source.objects, candidates), *legend_objects(candidates))
-    networks = scene_networks(candidates)
-    agents = scene_actors(source.agents, candidates)
-    free = keep_distance(source.agents, agents, candidates)
-    return Scene(
-        name=source.header.name,
-        title=source.header.title,
-        index=index,
-        provenance=provenance(candidates, index, overrides),
-        values=values,
-        networks=networks,
-        roads=scene_roads(candidates),
-        agents=slowed_behind(agents, objects, free, networks),
-        objects=objects,
-        world=world,
-        expectations=tuple(_expected(item, candidates) for item in source.expectations),
-        simulate=None if source.simulate is None else call_of(source.simulate, candidates),
-    )
 
 
-def _expected(constraint: ScenarioConstraint, candidates: CandidateBatch) -> Verdict:
+def _calls(call: PassCall, rows: SceneRows) -> list[Call]:
+    if rows.differ(call):
+        return rows.each(lambda candidate: call_of(call, candidate))
+    key = ("simulate", call.kind)
+    return rows.same(rows.scenario.once(key, lambda: call_of(call, rows.candidates)))
+
+
+def _maps(columns: Mapping[str, list[Any]], rows: SceneRows) -> list[FrozenDict[str, Any]]:
+    """A map for each scene; the same one where nothing in it differs."""
+    if not columns:
+        return rows.same(FrozenDict({}))
+    names = tuple(columns)
+    return [FrozenDict(zip(names, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
+def _expected(constraint: ScenarioConstraint, rows: SceneRows) -> list[Verdict]:
     """What is expected of a drive is made once where it is the same in every scene."""
-    test, dependencies = constraint.test, candidates.scenario.dependencies
+    test = constraint.test
     is_of_drive = isinstance(test, Condition) and test.domain == "drive"
-    if not is_of_drive or dependencies.differ(test):
-        return verdict(constraint, candidates)
-    return candidates.root(
-        ("expected", constraint.name), is_drawn=False, make=partial(verdict, constraint)
-    )
+    if not is_of_drive:
+        return _verdicts(constraint, rows)
+    if rows.differ(test):
+        return rows.each(partial(verdict, constraint))
+    make = partial(verdict, constraint)
+    key = ("expected", constraint.name)
+    return rows.same(rows.candidates.root(key, is_drawn=False, make=make))
 
 
-def _with_draws(scene: Scene, candidates: CandidateBatch) -> Scene:
-    """The scene with all that was drawn so far."""
-    assert candidates.record is not None
-    draws = _draws(candidates.record, candidates)
-    return replace(scene, draws=draws, units=_units(candidates.scenario, draws))
+def _verdicts(constraint: ScenarioConstraint, rows: SceneRows) -> list[Verdict]:
+    test = constraint.test
+    of_drive = not isinstance(test, Condition) and rows.scenario.kind(test)[1].domain == "drive"
+    if of_drive or _names_group(test, rows.scenario):
+        return rows.each(partial(verdict, constraint))
+    return verdicts(constraint, rows.candidates)
+
+
+def _names_group(value: Value, scenario: IndexedScenario) -> bool:
+    """Whether a value speaks of copies that some scenes may lack."""
+    entities = scenario.dependencies.entities(value)
+    actors = [scenario.actors[each.name] for each in entities if each.role in ("agent", "object")]
+    return any(map(is_group, actors))
+
+
+def _signals(rows: SceneRows) -> list[tuple[SceneSignal, ...]]:
+    conditions = (signal.condition for signal in rows.scenario.source.signals)
+    if any(_names_group(condition, rows.scenario) for condition in conditions):
+        return rows.each(lambda candidate: scene_signals(candidate)[0])
+    return scene_signals(rows.candidates)
+
+
+def _judged(
+    constraints: Sequence[ScenarioConstraint], rows: SceneRows
+) -> list[tuple[Verdict, ...]]:
+    columns = [_with_profiles(constraint, rows) for constraint in constraints]
+    return list(zip(*columns, strict=True)) if columns else rows.same(())
+
+
+def _with_profiles(constraint: ScenarioConstraint, rows: SceneRows) -> list[Verdict]:
+    test, found = constraint.test, _expected(constraint, rows)
+    if not isinstance(test, Condition):
+        return found
+    if _names_group(test, rows.scenario):
+        return [with_profiles(test, [each], rows.alone(row))[0] for row, each in enumerate(found)]
+    return with_profiles(test, found, rows.candidates)
+
+
+def _finished(members: Mapping[str, Sequence[Any]], rows: SceneRows) -> list[Scene]:
+    """The scenes, with all that was drawn so far."""
+    header, names = rows.scenario.source.header, tuple(members)
+    draws = rows.draws()
+    units: dict[tuple[str, ...], FrozenDict[str, str]] = {}
+    scenes = []
+    for drawn, values in zip(draws, zip(*members.values(), strict=True), strict=True):
+        places = tuple(drawn)
+        if places not in units:
+            units[places] = FrozenDict(_units(rows.scenario, drawn))
+        shown = dict(zip(names, values, strict=True))
+        scenes.append(Scene(header.name, header.title, draws=drawn, units=units[places], **shown))
+    return scenes
 
 
 def fixed_remarks(scenario: IndexedScenario) -> tuple[str, ...]:
@@ -125,27 +237,18 @@ def fixed_remarks(scenario: IndexedScenario) -> tuple[str, ...]:
     return tuple(remark for root in roots for remark in root.remarks)
 
 
-def _judged(constraint: ScenarioConstraint, candidates: CandidateBatch) -> Verdict:
-    found = verdict(constraint, candidates)
-    if not isinstance(constraint.test, Condition):
-        return found
-    profiles = robustness_profiles(constraint.test, candidates)
-    return replace(found, profiles=profiles, tightest=tightest(constraint.test, profiles))
-
-
-def provenance(candidates: CandidateBatch, index: int, overrides: Mapping[str, str]) -> Provenance:
-    """What a scene was made from and by."""
-    scenario = candidates.scenario
-    return Provenance(
-        roadlang=_version("roadlang"),
-        seed=candidates.seed,
-        scene=index,
-        attempt=int(candidates.attempts[0]),
-        inputs={item.path: item.sha256 for item in _inputs(candidates)},
-        plugins=scenario.origins(),
-        source=_scene_file(scenario),
-        overrides=dict(overrides),
-    )
+def _provenances(
+    rows: SceneRows, numbers: Sequence[int], overrides: Mapping[str, str]
+) -> list[Provenance]:
+    """What scenes were made from and by."""
+    scenario, seed = rows.scenario, rows.candidates.seed
+    inputs = FrozenDict({item.path: item.sha256 for item in _inputs(rows.candidates)})
+    plugins, source = FrozenDict(scenario.origins()), _scene_file(scenario)
+    stated, roadlang = FrozenDict(overrides), _version("roadlang")
+    return [
+        Provenance(roadlang, seed, number, attempt, inputs, plugins, source, stated)
+        for number, attempt in zip(numbers, rows.candidates.attempts.tolist(), strict=True)
+    ]
 
 
 def _scene_file(scenario: IndexedScenario) -> str:
@@ -172,11 +275,6 @@ def _inputs(candidates: CandidateBatch) -> list[Input]:
     return sorted(found, key=lambda item: item.path)
 
 
-def _draws(record: DrawRecord, candidates: CandidateBatch) -> dict[str, Any]:
-    """Every random value by its place; where there are several, by number (`place[2]`)."""
-    return {name: _plain(value, candidates) for name, value in sorted(record.values.items())}
-
-
 def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str]:
     """The SI units of values and draws that are quantities; other values have none."""
     named = {
@@ -189,15 +287,3 @@ def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str
     )
     named |= {name: drawn.get(draw_place(name), "") for name in draws}
     return {name: unit for name, unit in sorted(named.items()) if unit}
-
-
-def _plain(value: Any, candidates: CandidateBatch) -> Any:
-    if isinstance(value, np.ndarray) and value.dtype == float and value.size == 1:
-        number: float = value.item()
-        if math.isfinite(number):
-            return number
-    if isinstance(value, PassCall):
-        return value.kind.rpartition(".")[2]
-    if isinstance(value, np.ndarray) and value.dtype == object:
-        return _plain(value.reshape(-1)[0], candidates)
-    return concrete(value, candidates)

@@ -1,4 +1,4 @@
-"""The roads and networks of one candidate, as a scene holds them."""
+"""The roads and networks of scenes."""
 
 from __future__ import annotations
 
@@ -7,49 +7,140 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..evaluate.kind_instance import scalar
-from ..geometry import Edge, WidthProfile
+from ..geometry import Edge
 from ..ir.batch import RoadBatch
 from ..ir.contained_values import values_in
-from ..ir.scenario import ScenarioNetwork, ScenarioRoad
+from ..ir.scenario import LANE_OPTIONS, ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..ir.scene_road import SpeedZone
-from ..ir.scene_section import lane_members
-from ..world.cross_sections import LaneBatch
-from ..world.junction_control import right_of_way_rules
+from ..world.junction_control import controls_of, right_of_way_rules
 from ..world.lane_plan import lane_plan, traffic_side
 from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
-from ..world.road_lanes import lanes_of
+from ..world.road_lanes import lane_parts, lanes_of
 from ..world.road_strips import has_descendants, has_perturbed_descendants
 from ..world.roads import road_batch, road_root
-from ..world.selected_roads import parts_of_network
+from ..world.selected_roads import parts_of_network, steps_in_network
 from .junctions import scene_junctions
+from .road_rows import road_rows
+from .scene_rows import SceneRows
 
 
-def scene_roads(candidates: CandidateBatch) -> tuple[SceneRoad, ...]:
+def scene_roads(rows: SceneRows) -> list[tuple[SceneRoad, ...]]:
     """Declared roads and the edges of all networks (`town/3`)."""
-    scenario = candidates.scenario
-    roads = [_declared(road, candidates) for road in scenario.roads.values()]
+    scenario = rows.scenario
+    columns = [_declared(road, rows) for road in scenario.roads.values()]
     for network in scenario.networks.values():
-        derived = not has_perturbed_descendants(network, scenario)
-        bottom = _bottom(network, scenario)
-        root = network_root(network, candidates)
-        for edge in root.edges:
-            batch = edge_batch(network, edge.id, candidates)
-            name, origin = f"{network.name}/{edge.id}", f"{bottom}/{edge.id}"
-            lanes = lanes_of_edge(network, edge.id, candidates)
-            limit = _speed_limit(network, candidates)
-            road = scene_road(name, origin, batch, lanes, limit, derived)
-            trim = _trim(road, edge.length, root.junctions.plans[network.name].trims[edge.id])
-            road = replace(road, network=network.name, edge=edge.id, trim=trim, street=edge.name)
-            roads.append(replace(road, elevation=_elevation(edge, batch)))
-    return tuple(roads)
+        edges = network_root(network, rows.candidates).edges
+        columns += [_edge(network, edge, rows) for edge in edges]
+    return list(zip(*columns, strict=True)) if columns else rows.same(())
+
+
+def scene_networks(rows: SceneRows) -> list[tuple[SceneNetwork, ...]]:
+    """Nodes, the names of the roads, and the mask for tiles."""
+    columns = []
+    for network in rows.scenario.networks.values():
+        make = partial(_network, network)
+        if _is_equal_network(network, rows) and not rows.differ(
+            *controls_of(network, rows.scenario)
+        ):
+            key = ("scene network", network.name)
+            columns.append(rows.same(rows.scenario.once(key, partial(make, rows.alone(0)))))
+        else:
+            columns.append(rows.each(make))
+    return list(zip(*columns, strict=True)) if columns else rows.same(())
+
+
+def _declared(road: ScenarioRoad, rows: SceneRows) -> list[SceneRoad]:
+    if _is_equal(road, rows):
+        key = ("scene road", road.name)
+        return rows.same(rows.scenario.once(key, lambda: _made(road, rows.alone(0))[0]))
+    differ = len(lane_parts(road.name, rows.candidates)) > 1
+    if differ or steps_in_network(road, rows.candidates) is not None:
+        return rows.each(lambda candidate: _made(road, candidate)[0])
+    made = _made(road, rows.candidates)
+    return made if len(made) == rows.count else made * rows.count
+
+
+def _is_equal(road: ScenarioRoad, rows: SceneRows) -> bool:
+    """Whether a road is the same in all scenes."""
+    scenario = rows.scenario
+    values = [value for link in scenario.ancestry(road) for value in values_in(link)]
+    return not scenario.is_random(road) and not rows.differ(*values, traffic_side(scenario))
+
+
+def _made(road: ScenarioRoad, candidates: CandidateBatch) -> list[SceneRoad]:
+    """A declared road of each candidate that has the same lanes; one where all are equal."""
+    scenario = candidates.scenario
+    batch, lanes = road_batch(road.name, candidates), lanes_of(road.name, candidates)
+    along = parts_of_network(road, candidates)
+    derived = not has_descendants(road, scenario)
+    found = road_rows(
+        batch,
+        lanes,
+        _speed_limits(road, candidates),
+        scenario,
+        name=road.name,
+        root=_root_name(road, candidates),
+        derived=derived and not (along and _is_network_built(road, candidates)),
+        along=along,
+    )
+    if not road_root(road.name, candidates).limits:
+        return found
+    return [replace(made, speed_zones=_speed_zones(made, road, candidates)) for made in found]
+
+
+def _is_network_built(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
+    network = road_root(road.name, candidates).network
+    return network is not None and not has_perturbed_descendants(network, candidates.scenario)
+
+
+def _edge(network: ScenarioNetwork, edge: Edge, rows: SceneRows) -> list[SceneRoad]:
+    if _is_equal_network(network, rows):
+        key = ("scene road", network.name, edge.id)
+        return rows.same(
+            rows.scenario.once(key, lambda: _made_edge(network, edge, rows.alone(0))[0])
+        )
+    scenario, plan = rows.scenario, lane_plan(network, rows.scenario)
+    if rows.differ(*(getattr(plan, name) for name in LANE_OPTIONS), traffic_side(scenario)):
+        return rows.each(lambda candidate: _made_edge(network, edge, candidate)[0])
+    made = _made_edge(network, edge, rows.candidates)
+    return made if len(made) == rows.count else made * rows.count
+
+
+def _is_equal_network(network: ScenarioNetwork, rows: SceneRows) -> bool:
+    """Whether all roads of a network are the same in all scenes."""
+    scenario = rows.scenario
+    if any(scenario.is_varying(link.name) for link in scenario.chain(network)):
+        return False
+    links = [link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork)]
+    passes = [call for link in links for call in link.passes if call.verb == "perturb"]
+    options = [value for link in links for value in link.options.values()]
+    return not passes and not scenario.dependencies.differ(*options, traffic_side(scenario))
+
+
+def _made_edge(network: ScenarioNetwork, edge: Edge, candidates: CandidateBatch) -> list[SceneRoad]:
+    """An edge of each candidate that has the same lanes; one where all are equal."""
+    scenario, root = candidates.scenario, network_root(network, candidates)
+    batch = edge_batch(network, edge.id, candidates)
+    found = road_rows(
+        batch,
+        lanes_of_edge(network, edge.id, candidates),
+        _speed_limits(network, candidates),
+        scenario,
+        name=f"{network.name}/{edge.id}",
+        root=f"{_bottom(network, scenario)}/{edge.id}",
+        derived=not has_perturbed_descendants(network, scenario),
+        network=network.name,
+        edge=edge.id,
+        street=edge.name,
+        elevation=_elevation(edge, batch),
+    )
+    trims = root.junctions.plans[network.name].trims[edge.id]
+    return [replace(road, trim=_trim(road, edge.length, trims)) for road in found]
 
 
 def _elevation(edge: Edge, batch: RoadBatch) -> tuple[float, ...]:
@@ -57,97 +148,17 @@ def _elevation(edge: Edge, batch: RoadBatch) -> tuple[float, ...]:
     if edge.elevations is None:
         return ()
     places = np.linspace(0.0, edge.length, len(edge.elevations))
-    return _floats(np.interp(batch.stations, places, edge.elevations))
+    return tuple(np.interp(batch.stations, places, edge.elevations).tolist())
 
 
-def scene_networks(candidates: CandidateBatch) -> tuple[SceneNetwork, ...]:
-    """Nodes, the names of the roads, and the mask for tiles."""
-    return tuple(_network(network, candidates) for network in candidates.scenario.networks.values())
-
-
-def scene_road(
-    name: str,
-    root: str,
-    batch: RoadBatch,
-    lanes: LaneBatch,
-    speed_limit: float | None,
-    derived: bool,
-) -> SceneRoad:
-    """The first variant of a batch. Raises RL475 where it is no road any more."""
-    points, count = batch.points[0], len(batch.stations)
-    steps = np.hypot(*np.diff(points, axis=0).T)
-    arc = np.concatenate([[0.0], np.cumsum(steps)])
-    heading, curvature = batch.heading[0], batch.curvature[0]
-    width = np.broadcast_to(batch.width, (1, count))[0]
-    numbers = (arc, points, heading, curvature, width)
-    if not all(np.isfinite(array).all() for array in numbers) or not (steps > 0).all():
-        raise DiagnosticError(diagnose(Code.DEGENERATE_ROAD, None, name=name))
-    length = float(batch.length[0, 0])
-    profile = WidthProfile(arc, width, length if batch.closed else None)
-    section = lanes.cross_section(profile, batch.stations)
-    return SceneRoad(
-        name=name,
-        stations=_floats(arc),
-        reference_stations=_floats(batch.stations),
-        x=_floats(points[:, 0]),
-        y=_floats(points[:, 1]),
-        heading=_floats(heading),
-        curvature=_floats(curvature),
-        width=_floats(width),
-        lanes=section.lane_count,
-        closed=batch.closed,
-        length=length,
-        root=root,
-        derived=derived,
-        speed_limit=speed_limit,
-        **lane_members(section, arc),
-    )
-
-
-def share_equal_roads(candidates: CandidateBatch) -> None:
-    """Make the roads once of which nothing is drawn; every candidate that is taken has them."""
-    for road in candidates.scenario.roads.values():
-        if candidates.count > 1 and _is_equal(road, candidates):
-            shared = _declared(road, candidates.take(np.zeros(1, dtype=np.intp)))
-            candidates.once(("scene road", road.name), partial(_same, shared))
-
-
-def _same(road: SceneRoad) -> SceneRoad:
-    return road
-
-
-def _is_equal(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
-    scenario = candidates.scenario
-    if road_batch(road.name, candidates).variants > 1:
-        return False
-    values = [value for link in scenario.ancestry(road) for value in values_in(link)]
-    return not scenario.dependencies.draws(*values, traffic_side(scenario))
-
-
-def _declared(road: ScenarioRoad, candidates: CandidateBatch) -> SceneRoad:
-    scenario = candidates.scenario
-
-    def make() -> SceneRoad:
-        batch = road_batch(road.name, candidates)
-        root = _root_name(road, candidates)
-        lanes, limit = lanes_of(road.name, candidates), _speed_limit(road, candidates)
-        along = parts_of_network(road, candidates)
-        derived = not has_descendants(road, scenario) and not (along and is_network_built())
-        found = scene_road(road.name, root, batch, lanes, limit, derived)
-        return replace(found, along=along, speed_zones=_speed_zones(found, road, candidates))
-
-    def is_network_built() -> bool:
-        network = road_root(road.name, candidates).network
-        return network is not None and not has_perturbed_descendants(network, scenario)
-
-    return candidates.once(("scene road", road.name), make)
-
-
-def _speed_limit(
+def _speed_limits(
     source: ScenarioRoad | ScenarioNetwork, candidates: CandidateBatch
-) -> float | None:
+) -> list[float | None]:
+    """Of each candidate, or one for all."""
     value = lane_plan(source, candidates.scenario).speed_limit
-    return None if value is None else float(scalar(evaluate(value, candidates)))
+    if value is None:
+        return [None]
+    return np.asarray(evaluate(value, candidates), float).reshape(-1).tolist()
 
 
 def _speed_zones(
@@ -228,7 +239,3 @@ def _mask(root: NetworkRoot) -> str | None:
 
     fine, content = cv2.imencode(".png", np.asarray(root.mask, np.uint8) * 255)
     return base64.b64encode(content.tobytes()).decode() if fine else None
-
-
-def _floats(values: NDArray[np.float64]) -> tuple[float, ...]:
-    return tuple(values.tolist())

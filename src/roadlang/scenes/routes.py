@@ -1,37 +1,53 @@
-"""The routes of the agents of one candidate, as a scene holds them."""
+"""The routes of the agents of scenes."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.junctions.model import NO_JUNCTION
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.shortest import Leg, PlannedRoute
-from ..ir.scenario import ScenarioActor
+from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene_actor import SceneActor
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from ..world.lane_graphs import lanes_of_network
 from ..world.placement import placed_routes
 from ..world.road_places import from_root
 from ..world.routes import has_route
+from ..world.selected_roads import has_lanes_of_network
 from ..world.selected_routes import route_on_selected
+from .scene_rows import SceneRows
 
 _FIRST = np.zeros(2, np.intp)
 
 
-def scene_routes(actor: ScenarioActor, candidates: CandidateBatch) -> list[SceneRoute | None]:
-    """The route of each copy of an agent of a single candidate; empty where none has one."""
-    if not has_route(actor, candidates):
-        return []
+def scene_routes(actor: ScenarioActor, rows: SceneRows) -> list[list[SceneRoute | None]]:
+    """The route of each copy of an agent; nothing where none has one."""
+    if not has_route(actor, rows.candidates):
+        return rows.same([])
+    return rows.each(partial(_routes_of_one, actor))
+
+
+def _routes_of_one(actor: ScenarioActor, candidates: CandidateBatch) -> list[SceneRoute | None]:
     lanes = lanes_of_network(candidates.scenario.networks[str(actor.on)], candidates)
     found = placed_routes(actor, candidates)[0].tolist()
     return [
         None if route is None else _route(route, str(actor.on), lanes, candidates)
         for route in found
     ]
+
+
+def may_be_on_network(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
+    """Whether `on_network` can change an agent."""
+    road = scenario.roads.get(str(actor.on))
+    if road is None or not actor.drive or not has_lanes_of_network(road, scenario):
+        return False
+    return any(isinstance(link, ScenarioNetwork) for link in scenario.ancestry(road))
 
 
 def on_network(actor: ScenarioActor, placed: SceneActor, candidates: CandidateBatch) -> SceneActor:

@@ -23,8 +23,7 @@ from ..search.scene_search import SceneSearch
 from ..search.searching import search
 from ..search.worker_pool import ALONE, Workers
 from ..world.index import index_scenario
-from .instantiate import ConcreteScene, fixed_remarks, instantiate
-from .preparing import prepare_scenes
+from .instantiate import ConcreteScene, concrete_scenes, fixed_remarks
 
 SceneObserver = Callable[[int, PassCall, Any], None]
 """Called with the number of a scene, a pass and what it made; see `PassObserver`."""
@@ -78,11 +77,11 @@ def sample_scenes(
     or a plugin; that nothing was accepted is no error: the result shows it.
     """
     scenario = index_scenario(source, registry)
-    concretize: Concretize[ConcreteScene] = partial(instantiate, overrides=overrides or {})
+    concretize: Concretize[ConcreteScene] = partial(concrete_scenes, overrides=overrides or {})
     if observer is not None:
         concretize = partial(_observed, concretize, observer)
         workers = Workers(progress=workers.progress)
-    task = SceneSearch(scenario, seed, concretize, prepare_scenes)
+    task = SceneSearch(scenario, seed, concretize)
     impossible = _impossible(task.acceptance, seed)
     if impossible:
         return _nothing(task.acceptance, impossible, n or 1)
@@ -116,13 +115,23 @@ def _observed(
     concretize: Concretize[ConcreteScene],
     observer: SceneObserver,
     candidates: CandidateBatch,
-    index: int,
-) -> ConcreteScene:
-    """The scene made from nothing that was computed before, so that every pass runs once."""
-    scenario = index_scenario(candidates.scenario.source, candidates.scenario.registry)
-    scenario.observer = partial(observer, index)
-    identity = (candidates.seed, candidates.scenes, candidates.attempts, candidates.coordinates)
-    return concretize(CandidateBatch(scenario, *identity, DrawRecord()), index)
+    numbers: Sequence[int],
+) -> list[ConcreteScene]:
+    """Scenes made one by one from nothing that was computed before, so that every pass runs once
+    for each."""
+    found = []
+    for row, number in enumerate(numbers):
+        scenario = index_scenario(candidates.scenario.source, candidates.scenario.registry)
+        scenario.observer = partial(observer, number)
+        one = candidates.take(np.array([row]))
+        identity = (candidates.seed, one.scenes, one.attempts, one.coordinates)
+        single = CandidateBatch(scenario, *identity, DrawRecord())
+        found += concretize(single, [number])
+        record = single.record
+        assert record is not None
+        assert candidates.record is not None
+        candidates.record.add_alone({row: record}, candidates.count)
+    return found
 
 
 _CHECKED_BY = 16

@@ -11,24 +11,29 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
-from ..geometry.arrays import Floats
+from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry.arrays import Booleans, Floats
 from ..geometry.bend_speeds import square_before, squares_in_bends
+from ..ir.batch import RoadBatch
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
 from ..ir.scene_actor import SceneActor
 from ..ir.surroundings import DEFAULT_SPEED
+from ..ir.values import Value
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, InitialSpeed
 from ..plugins.options import schema_of
+from ..plugins.registry import Registry
 from ..world.bends import bends_of_route
-from ..world.copies import element_of
+from ..world.copies import counts, element_of, most_copies
 from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
 from ..world.road_places import to_root
 from ..world.roads import road_root
 from ..world.routes import has_route
+from .scene_rows import SceneRows
 
 STOPS_BEFORE = 1.0
 """Meters before a stop line."""
@@ -37,22 +42,50 @@ STOPS_BEFORE = 1.0
 def start_speeds(
     actor: ScenarioActor,
     where: PlacedBatch,
-    drives: list[tuple[Call, ...]],
-    candidates: CandidateBatch,
-) -> list[float]:
-    """m/s of each copy of an agent of a single candidate: as the scene file says; else, of agents
-    in a lane, what the controller in charge at the start wants, and the bends ahead allow."""
-    count = where.x.shape[1]
-    if not count:
-        return []
+    drives: Sequence[Sequence[tuple[Call, ...]]],
+    rows: SceneRows,
+) -> list[list[float]]:
+    """m/s of each copy of an agent: as the scene file says; else, of agents in a lane, what the
+    controller in charge at the start wants, and the bends ahead allow. `drives` has for each scene
+    the controllers of each copy, or of all."""
+    most = where.x.shape[1]
+    if not most:
+        return rows.same([])
     written = actor.options.get("start_speed")
     if written is not None:
-        copies = CopyBatch.every(candidates, count)
-        value = np.asarray(evaluate(written, copies, element_of(actor)), float).reshape(-1)
-        if candidates.record is not None:
-            copies.record_in(candidates.record)
-        return list(np.broadcast_to(value, (count,)).tolist())
-    each = drives if len(drives) == count else drives * count
+        return _written_speeds(actor, written, most, rows)
+    if rows.differ(*actor.drive) or not _is_simple(actor, rows.candidates):
+        return [
+            _speeds_of_one(actor, drives[row], where.of_candidate(row), rows.alone(row))
+            for row in range(rows.count)
+        ]
+    columns = [
+        _wanted_by_all(drives[0][0], actor, where, copy, rows.candidates) for copy in range(most)
+    ]
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def _written_speeds(
+    actor: ScenarioActor, written: Value, most: int, rows: SceneRows
+) -> list[list[float]]:
+    candidates = rows.candidates
+    copies = CopyBatch.every(candidates, most)
+    value = np.asarray(evaluate(written, copies, element_of(actor)), float).reshape(-1)
+    present = np.arange(1, most + 1) <= counts(actor, candidates)[:, None]
+    copies.record_in(rows.record, present.reshape(-1))
+    table = np.broadcast_to(value, (rows.count * most,)).reshape(rows.count, most)
+    speeds: list[list[float]] = table.tolist()
+    return [speeds[row][:count] for row, count in enumerate(present.sum(axis=1).tolist())]
+
+
+def _speeds_of_one(
+    actor: ScenarioActor,
+    drives: Sequence[tuple[Call, ...]],
+    where: PlacedBatch,
+    candidates: CandidateBatch,
+) -> list[float]:
+    count = most_copies(actor, candidates)
+    each = drives if len(drives) == count else [*drives] * count
     in_lane = where.lane[0].tolist()
     return [
         _wanted(calls, actor, where, copy, candidates) if in_lane[copy] else 0.0
@@ -60,25 +93,69 @@ def start_speeds(
     ]
 
 
+def _is_simple(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
+    """Whether the speeds of an agent in many scenes are found at once: on a declared road."""
+    if actor.on is None:
+        return True
+    is_declared = actor.on in candidates.scenario.roads
+    return is_declared and len(named_lanes(actor.on, candidates)) == 1
+
+
+def _wanted_by_all(
+    calls: tuple[Call, ...],
+    actor: ScenarioActor,
+    where: PlacedBatch,
+    copy: int,
+    candidates: CandidateBatch,
+) -> list[float]:
+    """As `_wanted`, of a copy in all candidates."""
+    wanted = _initial(calls, candidates)
+    in_lane = where.lane[:, copy] != 0
+    if wanted is None or actor.on is None or not in_lane.any():
+        return [0.0] * candidates.count
+    road = named_road(actor.on, candidates)
+    start, backward = where.start[:, copy : copy + 1], where.backward[:, copy : copy + 1]
+    fastest = _fastest(road, start, backward, wanted.lateral_acceleration, wanted.deceleration)
+    speed = wanted.speed
+    if speed is None:
+        starts, lanes = start[:, 0].tolist(), where.lane[:, copy].tolist()
+        limits = [
+            _limit(actor.on, lane, at, candidates, row) if lane else 0.0
+            for row, (lane, at) in enumerate(zip(lanes, starts, strict=True))
+        ]
+    else:
+        limits = [float(speed)] * candidates.count
+    return [
+        min(limit, most) if present else 0.0
+        for limit, most, present in zip(limits, fastest, in_lane.tolist(), strict=True)
+    ]
+
+
 def keep_distance(
-    actors: Sequence[ScenarioActor], placed: Sequence[SceneActor], candidates: CandidateBatch
+    actors: Sequence[ScenarioActor], placed: Sequence[SceneActor], scenario: IndexedScenario
 ) -> list[bool]:
-    """Which of the agents of a candidate keep their distance from the start on: whose speed at the
+    """Which of the agents of a scene keep their distance from the start on: whose speed at the
     start the scene file does not say, and whose first controller does that."""
     stated = {actor.name for actor in actors if "start_speed" in actor.options}
-    registry = candidates.scenario.registry
-    known: dict[str, bool] = {}
 
     def keeps(kind: str) -> bool:
-        if kind not in known:
-            loaded = find_entry(registry, "drive", kind).load()
-            known[kind] = bool(getattr(loaded, "keeps_distance", False))
-        return known[kind]
+        key = ("keeps distance", kind)
+        return scenario.once(key, lambda: _keeps_distance(kind, scenario.registry))
 
     return [
         bool(agent.drive) and agent.group not in stated and keeps(agent.drive[0].kind)
         for agent in placed
     ]
+
+
+def _keeps_distance(kind: str, registry: Registry) -> bool:
+    return bool(getattr(find_entry(registry, "drive", kind).load(), "keeps_distance", False))
+
+
+def _initial(calls: tuple[Call, ...], candidates: CandidateBatch) -> InitialSpeed | None:
+    """What the first controller wants, unless it waits for something."""
+    first = calls[0] if calls and calls[0].when is None and calls[0].during is None else None
+    return None if first is None else _initial_speed(first, candidates)
 
 
 def _wanted(
@@ -88,9 +165,8 @@ def _wanted(
     copy: int,
     candidates: CandidateBatch,
 ) -> float:
-    """What the first controller wants, unless it waits for something."""
-    first = calls[0] if calls and calls[0].when is None and calls[0].during is None else None
-    wanted = _initial_speed(first, candidates) if first is not None else None
+    """The speed of a copy of a single candidate."""
+    wanted = _initial(calls, candidates)
     if wanted is None:
         return 0.0
     road = str(name_of_road(actor, int(where.road[0, copy])))
@@ -104,8 +180,10 @@ def _wanted(
         front = 0.5 * float(where.length[0, copy]) + STOPS_BEFORE if stops else None
         ahead, curvature = bends_of_route(route, str(actor.on), candidates, front=front)
         return min(float(speed), _slowest(ahead, curvature, lateral, braking))
-    start, backward = float(where.start[0, copy]), bool(where.backward[0, copy])
-    return min(float(speed), _fastest(road, start, backward, lateral, braking, candidates))
+    only = where.copy(copy + 1)
+    line = named_road(road, candidates)
+    (fastest,) = _fastest(line, only.start, only.backward, lateral, braking)
+    return min(float(speed), fastest)
 
 
 def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | None:
@@ -127,41 +205,45 @@ def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | Non
     return wanted
 
 
-def _limit(road: str, lane: int, start: float, candidates: CandidateBatch) -> float:
-    """The speed limit of a lane, m/s, or what is usual where there is none."""
+def _limit(road: str, lane: int, start: float, candidates: CandidateBatch, row: int = 0) -> float:
+    """The speed limit of a lane, m/s, in the candidate at a row, or what is usual where there is
+    none."""
     ((_, lanes),) = named_lanes(road, candidates)
     limit = lanes.speed_limits.get(lane)
     if limit is None and lane in lanes.pattern.ids:
         limit = lanes.pattern.lane(lane).speed_limit
     if limit is None:
-        limit = _zone_limit(road, start, candidates)
-    return DEFAULT_SPEED if limit is None else float(np.ravel(limit)[0])
+        limit = _zone_limit(road, start, candidates, row)
+    if limit is None:
+        return DEFAULT_SPEED
+    limits = np.ravel(limit)
+    return float(limits[min(row, len(limits) - 1)])
 
 
-def _zone_limit(road: str, start: float, candidates: CandidateBatch) -> float | None:
+def _zone_limit(road: str, start: float, candidates: CandidateBatch, row: int) -> float | None:
     """The speed limit where something starts on a road that is joined of several."""
     changes = road_root(road, candidates).limits if road in candidates.scenario.roads else ()
     if not changes:
         return None
-    at = float(to_root(road, candidates, np.zeros(1, np.intp), np.array([start]))[0])
+    at = float(to_root(road, candidates, np.array([row]), np.array([start]))[0])
     return [change.speed_limit for change in changes if change.start <= max(at, 0.0)][-1]
 
 
 def _fastest(
-    name: str,
-    start: float,
-    backward: bool,
-    lateral: float,
-    braking: float,
-    candidates: CandidateBatch,
-) -> float:
-    """The greatest speed from which braking in time suffices for every bend ahead of `start`."""
-    road = named_road(name, candidates)
-    arc = np.concatenate([[0.0], np.cumsum(road.curves.steps[0])])[: len(road.stations)]
-    ahead = start - arc if backward else arc - start
+    road: RoadBatch, start: Floats, backward: Booleans, lateral: float, braking: float
+) -> list[float]:
+    """(V) the greatest speeds from which braking in time suffices for every bend ahead of `start`
+    (V, 1)."""
+    steps = road.curves.steps
+    arc = np.concatenate([np.zeros((len(steps), 1)), np.cumsum(steps, axis=1)], axis=1)
+    arc = arc[:, : len(road.stations)]
+    ahead = np.where(backward, start - arc, arc - start)
     if road.closed:
-        ahead = np.mod(ahead, float(road.length[0, 0]))
-    return _slowest(ahead, road.curvature[0], lateral, braking)
+        ahead = np.mod(ahead, road.length)
+    limits = squares_in_bends(road.curvature, lateral) + 2.0 * braking * ahead
+    squares = np.where(ahead >= 0.0, limits, np.inf).min(axis=1, initial=np.inf)
+    speeds: list[float] = np.sqrt(squares).tolist()
+    return speeds
 
 
 def _slowest(ahead: Floats, curvature: Floats, lateral: float, braking: float) -> float:

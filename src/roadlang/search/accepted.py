@@ -18,10 +18,9 @@ from .diversity import expected_nearest, mean_nearest
 from .rejection_report import RejectionStats
 
 T = TypeVar("T")
-Concretize = Callable[[CandidateBatch, int], T]
-"""From the one accepted candidate, which has a record, and the number of its scene to the scene."""
-Prepare = Callable[[CandidateBatch], None]
-"""Computes what all scenes of several accepted candidates need; no scene depends on it."""
+Concretize = Callable[[CandidateBatch, Sequence[int]], list[T]]
+"""From accepted candidates, which have a record, and the numbers of their scenes to the scenes.
+Raises DiagnosticError where that cannot be done of all together, or of one."""
 
 
 @dataclass(frozen=True)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import groupby
 from typing import Any, Generic, TypeVar
 
-import numpy as np
-
-from ..evaluate.candidates import CandidateBatch
+from ..diagnostics import DiagnosticError
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
 from ..judging.acceptance import Acceptance
-from .accepted import Accepted, Concretize, Prepare, Sample, SearchedBlock, candidates_of
+from .accepted import Accepted, Concretize, Sample, SearchedBlock, candidates_of
 from .attempts import accepted_attempts
 from .guiding import guided_attempts
 from .samplers import is_steering, sampler_of
@@ -22,24 +21,21 @@ T = TypeVar("T")
 
 
 class SceneSearch(Generic[T]):
-    """`concretize` makes the scene of an accepted candidate, after `prepare` was called with it
-    and others; both are pickled with the scenario."""
+    """`concretize` makes the scenes of accepted candidates; it is pickled with the scenario."""
 
     def __init__(
         self,
         scenario: IndexedScenario,
         seed: int,
         concretize: Concretize[T],
-        prepare: Prepare | None = None,
     ) -> None:
         self.acceptance = Acceptance(scenario)
         self.seed = seed
         self.concretize = concretize
-        self.prepare = prepare
 
     def __reduce__(self) -> tuple[Any, ...]:
         # By its parts: a worker indexes requirements again, which is less than to send them.
-        parts = (self.acceptance.scenario, self.seed, self.concretize, self.prepare)
+        parts = (self.acceptance.scenario, self.seed, self.concretize)
         return SceneSearch, parts
 
     @cached_property
@@ -70,16 +66,15 @@ class SceneSearch(Generic[T]):
 
     def _samples(self, accepted: Sequence[Accepted]) -> list[Sample[T]]:
         """Of those of which the same coordinates were chosen."""
-        candidates = candidates_of(accepted, self.acceptance.scenario, self.seed)
-        if self.prepare is not None and len(accepted) > 1:
-            self.prepare(candidates)
-        return [
-            self._sample(candidates.take_recorded(np.array([row])), each.index)
-            for row, each in enumerate(accepted)
-        ]
+        if len(accepted) > 1 and self.acceptance.scenario.has_fixed_roots:
+            # What cannot be made together is made one by one, until one fails alone.
+            with suppress(DiagnosticError):
+                return self._made(accepted)
+        return [sample for each in accepted for sample in self._made([each])]
 
-    def _sample(self, candidate: CandidateBatch, index: int) -> Sample[T]:
-        result = self.concretize(candidate, index)
-        assert candidate.record is not None
-        drawn = candidate.record.coordinates.items()
-        return Sample(result, {name: float(values[0]) for name, values in drawn})
+    def _made(self, accepted: Sequence[Accepted]) -> list[Sample[T]]:
+        candidates = candidates_of(accepted, self.acceptance.scenario, self.seed)
+        results = self.concretize(candidates, [each.index for each in accepted])
+        assert candidates.record is not None
+        drawn = candidates.record.coordinates_of_rows(candidates.count)
+        return [Sample(*pair) for pair in zip(results, drawn, strict=True)]

@@ -15,6 +15,7 @@ import numpy as np
 from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import CurveFrame
 from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioNetwork
@@ -30,6 +31,16 @@ TOLERANCE = 0.15
 """Share of the displacement; a straight line misses a wave of six stations by so much."""
 FINER = 7
 """A prime: waves of whole stations, and of halves and thirds, are not zero at all of these."""
+
+
+def has_silent_passes(scenario: IndexedScenario) -> bool:
+    """Whether any pass has a kind that does not say how fast it changes."""
+    sources: tuple[Root, ...] = (*scenario.networks.values(), *scenario.roads.values())
+    return any(
+        call.verb == "perturb" and not states_feature(call, scenario)
+        for source in sources
+        for call in source.passes
+    )
 
 
 def aliasing_remarks(candidate: CandidateBatch) -> tuple[str, ...]:

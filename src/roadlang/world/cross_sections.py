@@ -31,6 +31,12 @@ class LaneBatch:
     source: ScenarioRoad | ScenarioNetwork | None = None
     """The statement that is at fault where the lanes do not fit the road."""
 
+    @property
+    def variants(self) -> int:
+        """V, or 1 where all candidates have the same lanes."""
+        columns = (*self.widths.values(), *self.speed_limits.values())
+        return max((len(column) for column in map(np.atleast_1d, columns)), default=1)
+
     def border_offsets(self, width: Floats, s: Floats) -> Floats:
         """(L + 1, V, n) offsets of the borders, from left to right, left positive.
 

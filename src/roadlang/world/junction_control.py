@@ -10,6 +10,7 @@ from typing import get_args
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance, scalar
 from ..geometry.junctions.model import Junction, JunctionPlan
 from ..ir.scenario import ScenarioNetwork
@@ -36,7 +37,7 @@ def right_of_way_rules(
     plan = root.junctions.plans[network.name]
     edges = [edge.id for edge in root.edges]
     found: dict[int, RightOfWay] = {}
-    for call in _controls(network, candidates):
+    for call in controls_of(network, candidates.scenario):
         junctions = _chosen(call, plan, candidates)
         for junction in junctions:
             built = build(call, candidates, junction.id, single=True)
@@ -48,9 +49,9 @@ def right_of_way_rules(
     return found
 
 
-def _controls(network: ScenarioNetwork, candidates: CandidateBatch) -> list[PassCall]:
-    """Those of the network that it is made from come first."""
-    chain = [link for link in candidates.scenario.chain(network) if hasattr(link, "passes")]
+def controls_of(network: ScenarioNetwork, scenario: IndexedScenario) -> list[PassCall]:
+    """The `control` passes of a network; those of what it is made from come first."""
+    chain = [link for link in scenario.chain(network) if hasattr(link, "passes")]
     return [call for link in reversed(chain) for call in link.passes if call.verb == "control"]
 
 

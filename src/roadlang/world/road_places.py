@@ -33,16 +33,16 @@ def places_along(
     Arc lengths are those along the road itself; beyond an end, the end.
     """
     lines = _lines_of(name, candidates)
-    stations = lines["along"]
     names = ("x", "y", "heading", "width", "station")
     found = np.empty((5, len(at)))
-    variants = np.minimum(rows, len(stations) - 1)
+    # A road that is the same in all candidates may be of another width in each.
+    variants = np.minimum(rows, max(map(len, lines.values())) - 1)
     for variant in np.unique(variants).tolist():
         chosen = variants == variant
-        where = np.minimum(np.maximum(at[chosen], 0.0), stations[variant, -1])
-        for into, number in zip(found, (lines[name] for name in names), strict=True):
-            row = number[min(variant, len(number) - 1)]
-            into[chosen] = np.interp(where, stations[variant], row)
+        row = {key: line[min(variant, len(line) - 1)] for key, line in lines.items()}
+        where = np.minimum(np.maximum(at[chosen], 0.0), row["along"][-1])
+        for into, key in zip(found, names, strict=True):
+            into[chosen] = np.interp(where, row["along"], row[key])
     return RoadPlaces(*found)
 
 

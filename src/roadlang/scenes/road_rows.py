@@ -1,0 +1,122 @@
+"""A road in many scenes: its arrays as the numbers that scenes have."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..evaluate.indexed_scenario import IndexedScenario
+from ..geometry import GeometryError
+from ..geometry.arrays import Booleans, Floats
+from ..ir.batch import RoadBatch
+from ..ir.scene_lane import SceneLane
+from ..ir.scene_road import SceneRoad
+from ..world.cross_sections import LaneBatch
+from ..world.station_numbers import station_numbers
+
+Numbers = tuple[float, ...]
+
+
+def road_rows(
+    batch: RoadBatch,
+    lanes: LaneBatch,
+    speed_limits: Sequence[float | None],
+    scenario: IndexedScenario,
+    **members: Any,
+) -> list[SceneRoad]:
+    """A road of each variant of a batch, or of its lanes and limits; one where all are equal.
+
+    `speed_limits` has one for each, or one for all; `members` are those that all have. Raises
+    RL475 where a variant is no road any more.
+    """
+    count = max(batch.variants, lanes.variants, len(speed_limits))
+    arc = _arc_lengths(batch, members["name"])
+    widths = np.broadcast_to(batch.width, (len(batch.width), len(batch.stations)))
+    section = lanes.pattern
+    offset = section.center_offset
+    center = () if offset is None else _fewest(offset.at(batch.stations).tolist())
+    listed = _lane_lists(lanes, widths, batch.stations)
+    columns = (
+        _numbers(arc), _numbers(batch.points[..., 0]), _numbers(batch.points[..., 1]),
+        _numbers(batch.heading), _numbers(batch.curvature), _numbers(widths),
+        listed, batch.length[:, 0].tolist(), speed_limits,
+    )  # fmt: skip
+    reference = station_numbers(batch.stations, scenario)
+    return [
+        SceneRoad(
+            stations=stations,
+            reference_stations=reference,
+            x=x,
+            y=y,
+            heading=heading,
+            curvature=curvature,
+            width=width,
+            lanes=section.lane_count,
+            closed=batch.closed,
+            length=length,
+            lane_list=lane_list,
+            center_marking=section.center_marking,
+            center_offset=center,
+            speed_limit=limit,
+            **members,
+        )
+        for stations, x, y, heading, curvature, width, lane_list, length, limit in zip(
+            *(column if len(column) == count else [*column] * count for column in columns),
+            strict=True,
+        )
+    ]
+
+
+def _arc_lengths(batch: RoadBatch, name: str) -> Floats:
+    """(V, S) of the points, along each road."""
+    apart = np.diff(batch.points, axis=1)
+    steps = np.hypot(apart[..., 0], apart[..., 1])
+    arc = np.concatenate([np.zeros((len(steps), 1)), np.cumsum(steps, axis=1)], axis=1)
+    numbers = (arc, batch.points, batch.heading, batch.curvature, batch.width)
+    if not all(np.isfinite(array).all() for array in numbers) or not (steps > 0).all():
+        raise DiagnosticError(diagnose(Code.DEGENERATE_ROAD, None, name=name))
+    return arc
+
+
+def _lane_lists(lanes: LaneBatch, width: Floats, stations: Floats) -> list[tuple[SceneLane, ...]]:
+    """The lanes of each row of `width`, or of the lanes; one list where all are equal."""
+    count = max(len(width), lanes.variants)
+    widths = lanes.lane_widths(width, stations)  # (L, V, S)
+    if not ((widths >= 0.0).all() and widths.any(axis=2).all()):
+        raise GeometryError("a width must be positive")
+    even: Booleans = (widths == widths[..., :1]).all(axis=2)
+    columns = []
+    for lane, across, is_even in zip(lanes.pattern.lanes, widths, even, strict=True):
+        limit = lanes.speed_limits.get(lane.id, lane.speed_limit)
+        limits = [None] if limit is None else np.asarray(limit, float).reshape(-1).tolist()
+        shown = _fewest_of_rows(across, is_even)
+        columns.append(
+            [
+                SceneLane(lane.id, lane.kind, lane.direction, shown[row % len(shown)],
+                    lane.drivable, limits[row % len(limits)], lane.marking, lane.users, lane.raised)
+                for row in range(max(len(shown), len(limits)))
+            ]
+        )  # fmt: skip
+    count = max(map(len, columns))
+    return list(zip(*(column * (count // len(column)) for column in columns), strict=True))
+
+
+def _fewest_of_rows(widths: Floats, even: Booleans) -> list[Numbers]:
+    """One number for each row in which all are the same; one row where that is so of all rows."""
+    if even.all() and (widths[:, 0] == widths[0, 0]).all():
+        return [(float(widths[0, 0]),)]
+    rows = zip(widths, even.tolist(), strict=True)
+    return [(float(row[0]),) if is_even else tuple(row.tolist()) for row, is_even in rows]
+
+
+def _fewest(numbers: list[float]) -> Numbers:
+    """One number where all are the same."""
+    return tuple(numbers[:1]) if len(set(numbers)) == 1 else tuple(numbers)
+
+
+def _numbers(rows: Floats) -> list[Numbers]:
+    """(V, S) as a tuple for each row."""
+    return list(map(tuple, rows.tolist()))
