@@ -18,6 +18,9 @@ from ..world.cross_sections import LaneBatch
 from ..world.station_numbers import station_numbers
 
 Numbers = tuple[float, ...]
+_COLUMNS = (
+    "stations", "x", "y", "heading", "curvature", "width", "lane_list", "length", "speed_limit",
+)  # fmt: skip
 
 
 def road_rows(
@@ -44,30 +47,18 @@ def road_rows(
         _numbers(batch.heading), _numbers(batch.curvature), _numbers(widths),
         listed, batch.length[:, 0].tolist(), speed_limits,
     )  # fmt: skip
-    reference = station_numbers(batch.stations, scenario)
-    return [
-        SceneRoad(
-            stations=stations,
-            reference_stations=reference,
-            x=x,
-            y=y,
-            heading=heading,
-            curvature=curvature,
-            width=width,
-            lanes=section.lane_count,
-            closed=batch.closed,
-            length=length,
-            lane_list=lane_list,
-            center_marking=section.center_marking,
-            center_offset=center,
-            speed_limit=limit,
-            **members,
-        )
-        for stations, x, y, heading, curvature, width, lane_list, length, limit in zip(
-            *(column if len(column) == count else [*column] * count for column in columns),
-            strict=True,
-        )
-    ]
+    every = {
+        **members,
+        "reference_stations": station_numbers(batch.stations, scenario),
+        "lanes": section.lane_count,
+        "closed": batch.closed,
+        "center_marking": section.center_marking,
+        "center_offset": center,
+    }
+    rows = zip(
+        *(column if len(column) == count else [*column] * count for column in columns), strict=True
+    )
+    return [SceneRoad(**every, **dict(zip(_COLUMNS, row, strict=True))) for row in rows]
 
 
 def _arc_lengths(batch: RoadBatch, name: str) -> Floats:
