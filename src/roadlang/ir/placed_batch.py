@@ -49,7 +49,3 @@ class PlacedBatch(Frozen):
         """The copy of that number, counted from 1: arrays (V, 1)."""
         columns = slice(number - 1, number)
         return PlacedBatch(*(getattr(self, field.name)[:, columns] for field in fields(self)))
-
-    def of_candidate(self, row: int) -> PlacedBatch:
-        """The copies of one candidate: arrays (1, N)."""
-        return PlacedBatch(*(getattr(self, field.name)[row : row + 1] for field in fields(self)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import fields
 from typing import cast
 
 import numpy as np
@@ -56,7 +57,7 @@ def start_speeds(
         return _written_speeds(actor, written, most, rows)
     if rows.differ(*actor.drive) or not _is_simple(actor, rows.candidates):
         return [
-            _speeds_of_one(actor, drives[row], where.of_candidate(row), rows.alone(row))
+            _speeds_of_one(actor, drives[row], _of_candidate(where, row), rows.alone(row))
             for row in range(rows.count)
         ]
     columns = [
@@ -91,6 +92,12 @@ def _speeds_of_one(
         _wanted(calls, actor, where, copy, candidates) if in_lane[copy] else 0.0
         for copy, calls in enumerate(each)
     ]
+
+
+def _of_candidate(where: PlacedBatch, row: int) -> PlacedBatch:
+    """The copies of one candidate: arrays (1, N)."""
+    names = (field.name for field in fields(where))
+    return PlacedBatch(*(getattr(where, name)[row : row + 1] for name in names))
 
 
 def _is_simple(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
