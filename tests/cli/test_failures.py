@@ -110,6 +110,14 @@ def test_the_scene_goes_where_the_option_says(failure: Path) -> None:
     assert not shrunk_of(failure).exists()
 
 
+def test_what_is_shrunk_has_the_ending_of_a_scene(
+    failure: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(["shrink", str(failure), "-o", "simple"])
+    assert "written to simple.json" in capsys.readouterr().out
+    assert run(["run", "simple.json", "-o", "again"]) == 4
+
+
 def test_an_explanation_names_the_moment_and_what_matters(
     failure: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -190,7 +190,7 @@ def test_tables_of_failing_and_safe_scenes() -> None:
     assert len(tables["failing"]) + len(tables["safe"]) == 12
     assert all(float(row["slow"]) <= 0 for row in tables["failing"])
     assert all(float(row["slow"]) >= 0 for row in tables["safe"])
-    assert all(row["worst station"] for row in tables["failing"])
+    assert all(row["violation station"] for row in tables["failing"])
 
 
 def test_fewer_failures_of_another_search_replace_the_earlier_ones() -> None:

@@ -10,7 +10,7 @@ from .outcome import Outcome
 
 def row_of(outcome: Outcome, axes: Sequence[str]) -> dict[str, Any]:
     """Evaluation, params, draws, coordinates of what a pass draws for itself, robustness, and the
-    moment that decides a violated expectation. `axes` names the coordinates."""
+    moment at which a violated expectation begins to be violated. `axes` names the coordinates."""
     passes = {k: v for k, v in zip(axes, outcome.point, strict=True) if k not in outcome.draws}
     row: dict[str, Any] = {"evaluation": outcome.index, "random": outcome.is_random}
     row |= {**outcome.draws, **passes, **outcome.expectations}
@@ -18,5 +18,5 @@ def row_of(outcome: Outcome, axes: Sequence[str]) -> dict[str, Any]:
     if outcome.is_failure:
         moment = outcome.moment
         for name in ("time", "agent", "x", "y", "station", "partner"):
-            row[f"worst {name}"] = None if moment is None else getattr(moment, name)
+            row[f"violation {name}"] = None if moment is None else getattr(moment, name)
     return row

@@ -10,7 +10,11 @@ from .results import ResultRow, Results
 
 MOST_CELLS = 100_000
 """Of a table; in a longer one rows that do not fail are left out."""
-_PLACE_UNITS = {"worst time": "s", "worst x": "m", "worst y": "m", "worst station": "m"}
+_PLACE_UNITS = {
+    f"{moment} {name}": unit
+    for moment in ("worst", "violation")
+    for name, unit in (("time", "s"), ("x", "m"), ("y", "m"), ("station", "m"))
+}
 
 
 def table_record(results: Results, units: Mapping[str, str], drives: Mapping[int, int]) -> Any:

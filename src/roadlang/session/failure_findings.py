@@ -13,12 +13,15 @@ from .falsification import Failure
 from .falsification_files import EXPLANATION, SHRUNK
 
 EXPLANATION_SCHEMA = "roadlang.explanation/1"
+_SCENE = ".json"
 
 
 def write_shrunk(simple: Failure, file: Path, target: Path | None = None) -> Path:
     """Write the simplest scene that still fails, and its figure, beside the `file` of the failure
-    or into `target`. Raises `DiagnosticError` RL460."""
+    or into `target`, whose name ends in `.json` then. Raises `DiagnosticError` RL460."""
     path = (_beside(file, SHRUNK) if target is None else target).absolute()
+    if path.suffix != _SCENE:  # `run` reads anything else as a scene file
+        path = path.with_name(path.name + _SCENE)
     figure = path.with_suffix(".svg").name
     write_all(path.parent, {path.name: simple.scene.to_json(), figure: simple.drive.svg()})
     return path

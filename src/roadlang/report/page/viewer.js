@@ -142,7 +142,7 @@ class Viewer {
       if (index) line.append(make("br"));
       line.append(make("span", { class: word.replace(" ", "-") }, word), ` ${verdict.name} `, make("code", {}, verdict.text));
       if (verdict.robustness !== null) line.append(`, robustness ${shown(verdict.robustness, verdict.unit)}`);
-      if (verdict.name === drive.worst && drive.place) line.append(`, at ${drive.place}`);
+      if (verdict.name === drive.worst && drive.place) line.append(`, ${drive.failed ? "first violated" : "worst"} at ${drive.place}`);
     });
     const command = make("p", {}, "Drive it again: ", make("code", {}, `roadlang run ${drive.name}.json`));
     byId("drive-notes").replaceChildren(command, ...foundByCommands(drive));
