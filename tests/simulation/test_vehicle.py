@@ -88,6 +88,24 @@ def test_braking_in_a_bend_costs_lateral_grip() -> None:
     assert peak_lateral(25.0, 0.8, -30.0) < 0.8 * grip
 
 
+@pytest.mark.parametrize("friction", [0.35, 0.6])
+@pytest.mark.parametrize("speed", [18.0, 33.0])
+def test_tires_alone_change_the_velocity_of_a_car_that_spins(speed: float, friction: float) -> None:
+    parts = car(speed, friction)
+    motion, bodies, _ = parts
+    motion.slide[:], motion.yaw_rate[:] = -0.6 * speed, 1.5
+    greatest = friction * vehicle.GRAVITY + bodies.drag[0] * speed**2 * 2 + 0.012 * vehicle.GRAVITY
+    velocities = []
+    for _ in range(300):
+        go(parts, 0.3, 4.0, 1)
+        along, left = motion.speed[0], motion.slide[0]
+        east = along * motion.cosine[0] - left * motion.sine[0]
+        velocities.append((east, along * motion.sine[0] + left * motion.cosine[0]))
+    changes = np.hypot(*np.diff(velocities, axis=0).T) / DT
+    assert motion.speed.min() >= 0.0
+    assert changes.max() <= 1.05 * greatest
+
+
 def test_power_and_drag_limit_the_speed() -> None:
     parts = car(30.0, 0.9)
     motion = go(parts, 0.0, 30.0, 20_000)

@@ -75,6 +75,8 @@ def kernel() -> Any:
         vehicle.moved,
     ):  # fmt: skip
         register_jitable(**options)(formula)
+    # numba compiles anew when this file changes, but not when `vehicle.py` does: then delete
+    # `__pycache__/compiled.*.nbi`.
     return numba.njit(cache=True, nogil=True, **options)(_advanced)
 
 

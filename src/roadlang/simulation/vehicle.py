@@ -92,6 +92,7 @@ def loads(acceleration: Any, transfer: Any) -> Any:
 def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any, dt: float) -> Any:
     """Speeds after a step: along, to the left, yaw rate; and the acceleration along the car.
 
+    Nothing rolls backward: who spins turns until it slides sideways, and slides on like that.
     `motion`: the same before; `inertia`: square of the radius of gyration, m^2; `drag`: quadratic
     in 1/m and rolling resistance in m/s^2.
     """
@@ -99,10 +100,13 @@ def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any
     front_along, front_left, rear_along, rear_left = force
     rolling = np.minimum(drag[1], vx / dt)
     along = front_along + rear_along - drag[0] * vx * vx - rolling
+    ahead = vx + (along + vy * yaw_rate) * dt
+    turning = yaw_rate + half_base * (front_left - rear_left) / inertia * dt
+    across = ahead <= 0.0
     return (
-        np.maximum(vx + (along + vy * yaw_rate) * dt, 0.0),
+        np.maximum(np.maximum(ahead, (vx + along * dt) * across), 0.0),
         vy + (front_left + rear_left - vx * yaw_rate) * dt,
-        yaw_rate + half_base * (front_left - rear_left) / inertia * dt,
+        turning * (ahead > 0.0),
         along,
     )
 
