@@ -7,10 +7,11 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, Falsification, Scene
-from roadlang.falsification.evaluator import Proposal
+from roadlang.falsification.evaluator import Evaluator, Proposal
 from roadlang.falsification.outcome import Outcome
 from roadlang.session.loading import LoadedScenario
 from roadlang.testing import scenario
@@ -55,6 +56,25 @@ def test_what_violates_a_requirement_is_not_driven_and_worth_less_than_any_that_
         assert outcome.requirements["gentle"] is not None
         assert outcome.requirements["gentle"] < 0
         assert not outcome.expectations
+
+
+def test_screening_judges_by_the_requirements_as_evaluating_does() -> None:
+    text = TEXT.replace("1 / 14m", "1 / 38m")
+    found = slides(text).falsify(**FEW, searcher="random")
+    screened = found.evaluator.screen(np.array([outcome.point for outcome in found.outcomes]))
+    violations = [outcome.violation for outcome in found.outcomes]
+    np.testing.assert_array_equal(screened, [0.0 if v is None else 1.0 + v for v in violations])
+    assert None in violations
+    assert len(set(violations)) > 10
+    few = found.evaluator.screen(np.array([outcome.point for outcome in found.outcomes[3:5]]))
+    np.testing.assert_array_equal(few, screened[3:5])
+
+
+def test_cma_evaluates_hardly_any_candidate_that_violates_a_requirement() -> None:
+    found = slides(TEXT.replace("1 / 14m", "1 / 38m")).falsify(evaluations=400, seed=3)
+    later = [outcome for outcome in found.outcomes[80:] if not outcome.is_random]
+    assert sum(outcome.is_valid for outcome in later) > 0.95 * len(later)
+    assert not all(outcome.is_valid for outcome in found.outcomes if outcome.is_random)
 
 
 def test_each_failure_replays_exactly(search: Falsification, tmp_path: Path) -> None:
@@ -207,13 +227,14 @@ def test_the_more_important_expectation_ranks_first() -> None:
 
 
 class Counting:
-    """An executor that counts the candidates, and works in this process."""
+    """An executor that counts the candidates that it evaluates, and works in this process."""
 
     def __init__(self) -> None:
         self.evaluated = 0
 
     def submit(self, function: Callable[..., Any], /, *arguments: Any) -> Future[list[Outcome]]:
-        self.evaluated += len(arguments[-1])
+        _, work, candidates = arguments
+        self.evaluated += len(candidates) if work is Evaluator.evaluate else 0
         future: Future[list[Outcome]] = Future()
         future.set_result(function(*arguments))
         return future

@@ -17,6 +17,7 @@ from roadlang_standard.falsify_elites import Archive, Elites
 from roadlang_standard.falsify_grid import Grid
 from roadlang_standard.falsify_halton import Halton
 from roadlang_standard.falsify_random import Random
+from roadlang_standard.learned_kernel import LearnedKernel
 
 Floats = NDArray[np.float64]
 CONTINUOUS = tuple(Axis(f"road/{number}") for number in range(5))
@@ -37,6 +38,12 @@ def searched(
         points.append(asked)
         values.append(found)
     return np.concatenate(points), np.concatenate(values)
+
+
+def spread_of(encoding: CubeEncoding) -> FailureSpread:
+    """One that no requirement restricts."""
+    random = np.random.Generator(np.random.Philox(key=1))
+    return FailureSpread(random, encoding.choices, lambda vectors: np.zeros(len(vectors)))
 
 
 def rare(points: Floats) -> Floats:
@@ -111,6 +118,49 @@ def test_cma_climbs_out_of_requirements_that_are_violated() -> None:
     assert (values < 0).any()
 
 
+def test_cma_asks_for_few_points_that_violate_a_requirement_where_it_can_screen_them() -> None:
+    """Strips that violate a requirement lie across all that may be driven."""
+
+    def walled(points: Floats) -> Floats:
+        violated = np.sin(60.0 * points[:, 0]) > 0.0
+        return np.asarray(np.where(violated, 1.5, np.abs(points - 0.8).mean(axis=1) - 0.05))
+
+    def screen(points: Floats) -> Floats:
+        assert ((points >= 0.0) & (points < 1.0)).all()
+        return np.where(walled(points) >= 1.0, 1.5, 0.0)
+
+    screened, blind = (Cma().start(CONTINUOUS, seed=0) for _ in range(2))
+    screened.screen_with(screen)
+    violated = []
+    for search in (screened, blind):
+        _, values = searched(search, walled, 800)
+        violated.append(int((values[40:] >= 1.0).sum()))
+    assert violated[0] < 20
+    assert violated[1] > 100
+
+
+def test_the_model_learns_in_which_directions_values_change() -> None:
+    random = np.random.default_rng(0)
+    known, others = random.random((200, 8)), random.random((300, 8))
+
+    def value(vectors: Floats) -> Floats:
+        return np.asarray(np.sin(4.0 * (vectors[:, 0] - vectors[:, 1])))
+
+    kernel, errors = LearnedKernel(mean=0.0), []
+    for _ in range(5):
+        kernel.fit(known, value(known))
+        errors.append(float(np.abs(kernel.predicted(others) - value(others)).mean()))
+    assert errors[-1] < 0.5 * errors[0]
+
+
+def test_a_model_of_one_value_or_of_one_place_predicts_it() -> None:
+    kernel = LearnedKernel(mean=0.3)
+    for known in (np.random.default_rng(0).random((20, 3)), np.full((20, 3), 0.5)):
+        for _ in range(2):
+            kernel.fit(known, np.full(20, 0.3))
+            np.testing.assert_allclose(kernel.predicted(known), 0.3)
+
+
 def test_a_grid_visits_each_value_once_and_ends() -> None:
     search = Grid(steps=3).start((CONTINUOUS[0], WEATHER), seed=0)
     points = np.concatenate([search.ask(4), search.ask(40)])
@@ -145,7 +195,7 @@ def test_unordered_values_are_searched_one_hot_and_ordered_ones_as_numbers() -> 
 
 def test_children_of_failures_spread_over_the_unordered_values() -> None:
     encoding = CubeEncoding(MIXED)
-    spread = FailureSpread(np.random.Generator(np.random.Philox(key=1)), encoding.choices)
+    spread = spread_of(encoding)
     vectors = np.random.default_rng(2).random((60, encoding.columns))
     values = np.where(vectors[:, 0] < 0.5, -0.5, 0.5)  # fails, whatever the weather
     spread.tell(vectors, values, 0.1 * vectors[:, :3])
@@ -159,7 +209,7 @@ def test_children_of_failures_spread_over_the_unordered_values() -> None:
 
 def test_the_safe_candidates_that_came_nearest_have_children_until_something_fails() -> None:
     encoding = CubeEncoding(CONTINUOUS)
-    spread = FailureSpread(np.random.Generator(np.random.Philox(key=1)), encoding.choices)
+    spread = spread_of(encoding)
     vectors = np.random.default_rng(2).random((60, encoding.columns))
     spread.tell(vectors[:5], np.full(5, 1.5), np.full((5, 0), np.nan))
     assert not spread.has_parents, "nothing could be driven"

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from .failure_model import FailureModel, squares_apart
+from .failure_model import FailureModel
+from .learned_kernel import squares_apart
 
 if TYPE_CHECKING:
     import numpy as np
@@ -13,8 +14,10 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_POOL, _SHORTLIST = 24, 6
+_POOL, _SHORTLIST = 24, 12
 """Children made, and looked at more closely, for each that is chosen."""
+_ROUNDS = 6
+"""How often children that violate a requirement are replaced by others."""
 _ELITE, _FEWEST = 40, 10
 """Safe candidates that are parents: the greatest number, and that with which it begins."""
 _RECENT = 400
@@ -40,11 +43,17 @@ class FailureSpread:
     (surrogate-assisted illumination: Gaier, Asteroth and Mouret 2018, without the grid of cells:
     distances of descriptors count)."""
 
-    def __init__(self, random: np.random.Generator, choices: Callable[[Floats], Floats]) -> None:
+    def __init__(
+        self,
+        random: np.random.Generator,
+        choices: Callable[[Floats], Floats],
+        screen: Callable[[Floats], Floats],
+    ) -> None:
         """`choices`: (n, c) the unordered values that vectors stand for; failures with others are
-        unlike each other."""
+        unlike each other. `screen`: (n,) from 1 on for vectors that violate a requirement."""
         self._random = random
         self._choices = choices
+        self._screen = screen
         self._distinct: list[Floats] = []
         self._descriptors: list[Floats] = []
         self._failures: list[Floats] = []
@@ -93,8 +102,22 @@ class FailureSpread:
             nearest = squares_apart(descriptors, known).min(axis=1)
             unlike = _UNLIKE
         best = np.argsort(values + _loss(nearest, unlike), kind="stable")[: _SHORTLIST * count]
-        chosen = _spread(values[best], descriptors[best], nearest[best], unlike, count)
-        return children[best[chosen]]
+        shortlist = _Shortlist(values[best], descriptors[best], nearest[best], unlike)
+        return children[best[self._valid(children[best], shortlist, count)]]
+
+    def _valid(self, children: Floats, shortlist: _Shortlist, count: int) -> list[int]:
+        """The rows of `count` children that satisfy the requirements, as far as some rounds find
+        as many, and others."""
+        chosen: list[int] = []
+        for _ in range(_ROUNDS):
+            rows = shortlist.take(count - len(chosen))
+            is_valid = self._screen(children[rows]) < 1.0
+            valid = [row for row, holds in zip(rows, is_valid.tolist(), strict=True) if holds]
+            shortlist.keep_apart(valid)
+            chosen += valid
+            if len(chosen) == count:
+                return chosen
+        return chosen + shortlist.take(count - len(chosen))
 
     def _children(self, count: int) -> Floats:
         import numpy as np
@@ -147,18 +170,41 @@ def _loss(squares: Floats, unlike: tuple[float, float]) -> Floats:
     return np.asarray(similar * np.maximum(apart - np.sqrt(squares), 0.0))
 
 
-def _spread(
-    values: Floats, descriptors: Floats, nearest: Floats, unlike: tuple[float, float], count: int
-) -> list[int]:
-    """The rows of `count` candidates of little value, each unlike those before it. `nearest`: of
-    each candidate, the squared distance to the nearest failure."""
-    import numpy as np
+class _Shortlist:
+    """Candidates of which some are taken after each other: of little value, and unlike failures and
+    unlike each other. `nearest`: of each, the squared distance to the nearest failure."""
 
-    values, chosen = values.copy(), []
-    for _ in range(count):
-        best = int((values + _loss(nearest, unlike)).argmin())
-        chosen.append(best)
-        gaps = descriptors - descriptors[best]
-        nearest = np.minimum(nearest, (gaps * gaps).sum(axis=1))
-        values[best] = np.inf
-    return chosen
+    def __init__(
+        self, values: Floats, descriptors: Floats, nearest: Floats, unlike: tuple[float, float]
+    ) -> None:
+        self._values = values.copy()
+        self._descriptors = descriptors
+        self._nearest = nearest
+        self._unlike = unlike
+        self._left = len(values)
+
+    def take(self, count: int) -> list[int]:
+        """The rows of at most `count` candidates, which are not taken again."""
+        import numpy as np
+
+        nearest, rows = self._nearest, list[int]()
+        for _ in range(min(count, self._left)):
+            best = int((self._values + _loss(nearest, self._unlike)).argmin())
+            rows.append(best)
+            self._values[best] = np.inf
+            nearest = np.minimum(nearest, self._squares(best))
+        self._left -= len(rows)
+        return rows
+
+    def keep_apart(self, rows: Sequence[int]) -> None:
+        """Those that are taken from now on are to be unlike these, too."""
+        import numpy as np
+
+        for row in rows:
+            self._nearest = np.minimum(self._nearest, self._squares(row))
+
+    def _squares(self, row: int) -> Floats:
+        import numpy as np
+
+        gaps = self._descriptors - self._descriptors[row]
+        return np.asarray((gaps * gaps).sum(axis=1))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Axis, Number, Search, Searcher, option
+from roadlang.api import Axis, Number, Screen, Search, Searcher, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -63,11 +63,15 @@ class CmaSearch(Search):
         self._random = np.random.Generator(np.random.Philox(key=seed % 2**64))
         self._encoding = CubeEncoding(axes)
         self._options = options
-        self._spread = FailureSpread(self._random, self._encoding.choices)
+        self._screen: Screen = _unscreened
+        self._spread = FailureSpread(self._random, self._encoding.choices, self._screened)
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
         self._pending: list[tuple[_Run | FailureSpread, Floats]] = []
+
+    def screen_with(self, screen: Screen) -> None:
+        self._screen = screen
 
     def ask(self, count: int) -> Floats:
         import numpy as np
@@ -101,6 +105,9 @@ class CmaSearch(Search):
                 self._runs.remove(source)
             self._spread.tell(vectors, values[part], descriptors[part])
 
+    def _screened(self, vectors: Floats) -> Floats:
+        return self._screen(self._encoding.points(vectors))
+
     def _new_run(self) -> _Run:
         import numpy as np
 
@@ -108,6 +115,13 @@ class CmaSearch(Search):
         start = self._random.random(columns) if self._started else np.full(columns, 0.5)
         self._started += 1
         return _Run(start, self._options.sigma, self._population, self._random)
+
+
+def _unscreened(points: Floats) -> Floats:
+    """Every point may satisfy the requirements, where nothing can tell."""
+    import numpy as np
+
+    return np.zeros(len(points))
 
 
 class _Run:

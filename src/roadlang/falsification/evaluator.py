@@ -14,7 +14,7 @@ from ..diagnostics import DiagnosticError
 from ..drive.simulators import Driven, drive_scenes, simulator_call
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
@@ -31,6 +31,8 @@ AFTER_VIOLATION = "after_violation"
 """The option of simulators that can end a drive early."""
 _PILOT, _PILOT_SIZE = -2, 64
 """Candidates that the usual size of violations is learned from."""
+_SCREENED = -3
+"""The scene of points that are only screened: it keys what no axis chooses."""
 
 
 @dataclass(frozen=True)
@@ -115,6 +117,13 @@ class Evaluator:
                 outcomes[row] = self.outcome(proposals[row], drive, measured.rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
 
+    def screen(self, points: Floats) -> Floats:
+        """(n,) of points (n, axes): 0 where the requirements hold, else 1 and by how much they are
+        violated, as for a search."""
+        unused = np.zeros(len(points), np.int64)
+        measured = self.acceptance.measure(self._batch(points, unused + _SCREENED, unused))
+        return np.where(measured.satisfied.all(axis=0), 0.0, 1.0 + self._violations(measured))
+
     def full_scene(self, proposal: Proposal) -> Scene:
         """The scene of a point with all that people and figures want."""
         return self.full_scenes([proposal])[0]
@@ -187,9 +196,11 @@ class Evaluator:
     def _candidates(self, proposals: Sequence[Proposal]) -> CandidateBatch:
         points = np.array([proposal.point for proposal in proposals])
         points = points.reshape(len(proposals), len(self.task.axes))
-        coordinates = {name: points[:, column] for column, name in enumerate(self.task.axes)}
         attempts = np.array([proposal.index for proposal in proposals])
-        scenes = np.zeros_like(attempts)
+        return self._batch(points, np.zeros_like(attempts), attempts)
+
+    def _batch(self, points: Floats, scenes: Integers, attempts: Integers) -> CandidateBatch:
+        coordinates = {name: points[:, column] for column, name in enumerate(self.task.axes)}
         record = DrawRecord()
         return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, coordinates, record)
 

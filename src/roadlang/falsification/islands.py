@@ -8,7 +8,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats, read_only
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Axis, Search
+from ..plugins.kinds import Axis, Screen, Search
 from ..plugins.results import real_numbers
 from .evaluator import Proposal
 from .outcome import Outcome
@@ -16,15 +16,18 @@ from .plan import Plan
 
 
 class Islands:
-    """The searches of a plan. Each gives a batch of points in every round."""
+    """The searches of a plan. Each gives a batch of points in every round. `screen` judges points
+    by the requirements."""
 
-    def __init__(self, plan: Plan, axes: Sequence[Axis]) -> None:
+    def __init__(self, plan: Plan, axes: Sequence[Axis], screen: Screen) -> None:
         self._plan = plan
         self._axes = tuple(axes)
         self._searches: list[Search] = []
         for island in range(plan.islands):
             with plugin_guard(plan.entry, None):
-                self._searches.append(plan.searcher.start(self._axes, _seed(plan.seed, island)))
+                search = plan.searcher.start(self._axes, _seed(plan.seed, island))
+                search.screen_with(screen)
+            self._searches.append(search)
         self._pending: list[tuple[Search, list[int], Floats]] = []
 
     def ask(self, first: int, most: int) -> list[Proposal]:

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
+from ..geometry.arrays import Floats
 from ..plugins.kinds import Axis
 from ..search.worker_pool import WorkerPool
 from .distinct import DistinctFailures
@@ -39,7 +42,8 @@ def search_failures(
     expired: Expired = lambda: False,
 ) -> SearchResult:
     """Search by the plan. `expired` tells whether the time is over."""
-    islands, grading = Islands(plan, axes), Grading(expects)
+    islands = Islands(plan, axes, lambda points: _screened(points, pool))
+    grading = Grading(expects)
     outcomes: list[Outcome] = []
     distinct = DistinctFailures()
     values: dict[int, float] = {}
@@ -76,6 +80,12 @@ def _add(
     return False
 
 
+def _screened(points: Floats, pool: WorkerPool[Evaluator]) -> Floats:
+    """Points judged by the requirements alone, where evaluations are done."""
+    parts = [points[part] for part in _parts(len(points), pool.workers)]
+    return np.concatenate([*pool.map(Evaluator.screen, parts), np.empty(0)])
+
+
 def _evaluated(
     proposals: Sequence[Proposal], pool: WorkerPool[Evaluator], journal: Journal
 ) -> Iterator[Outcome]:
@@ -83,17 +93,18 @@ def _evaluated(
     known = {proposal.index: journal.known(proposal) for proposal in proposals}
     new = [proposal for proposal in proposals if known[proposal.index] is None]
     found: dict[int, Outcome] = {}
-    for outcomes in pool.map(Evaluator.evaluate, _parts(new, pool.workers)):
+    parts = [new[part] for part in _parts(len(new), pool.workers)]
+    for outcomes in pool.map(Evaluator.evaluate, parts):
         journal.append(outcomes)
         found |= {outcome.index: outcome for outcome in outcomes}
     for proposal in proposals:
         yield known[proposal.index] or found[proposal.index]
 
 
-def _parts(proposals: Sequence[Proposal], workers: int) -> list[Sequence[Proposal]]:
+def _parts(candidates: int, workers: int) -> list[slice]:
     """Equal parts, one for each worker where that is worth it."""
-    if not proposals:
+    if not candidates:
         return []
-    count = max(1, min(workers, len(proposals) // FEWEST_AT_ONCE))
-    ends = [len(proposals) * part // count for part in range(count + 1)]
-    return [proposals[ends[part] : ends[part + 1]] for part in range(count)]
+    count = max(1, min(workers, candidates // FEWEST_AT_ONCE))
+    ends = [candidates * part // count for part in range(count + 1)]
+    return [slice(ends[part], ends[part + 1]) for part in range(count)]

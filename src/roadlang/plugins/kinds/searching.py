@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, ClassVar
@@ -42,8 +42,18 @@ class Axis:
         return tuple((step + 0.5) / steps for step in range(steps))
 
 
+Screen = Callable[["Floats"], "Floats"]
+"""Judges points (n, axes) by the requirements alone, without a drive: (n,) 0 where they hold; where
+one is violated, the value from 1 on that `Search.tell` would have."""
+
+
 class Search:
     """A search in progress: `ask` gives points to evaluate, `tell` takes their results."""
+
+    def screen_with(self, screen: Screen) -> None:
+        """Take a function that judges points before they are asked for, called once, before the
+        first `ask`. What it judges is not counted as an evaluation: it costs a small part of a
+        drive. A search that has no use for it inherits this method, which does nothing."""
 
     def ask(self, count: int) -> Floats:
         """The next points, (count, axes) numbers in [0, 1).

@@ -1,0 +1,100 @@
+"""Regression with a kernel that learns along which directions the values change."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+_NOISE = 0.05
+"""Variance of the noise, in parts of that of the values."""
+_RIDGE = 0.1
+"""What the metric keeps of every direction, in parts of what it has in a usual one."""
+_LEAST = 1e-12
+
+
+class LearnedKernel:
+    """Kernel ridge regression, which is the mean of a Gaussian process (Rasmussen and Williams
+    2006, equation 2.25), with a Matern kernel of order 3/2 (equation 4.17) of Mahalanobis
+    distances. Their metric is the mean outer product of the gradients of the regression before
+    (recursive feature machine: Radhakrishnan, Beaglehole, Pandit and Belkin 2024): a direction in
+    which the values hardly change makes candidates hardly less alike. Each fit is one step of that
+    recursion, so the metric follows what is known as it grows.
+
+    `mean`: the value far from everything."""
+
+    def __init__(self, mean: float) -> None:
+        self._mean = mean
+        self._metric: Floats | None = None
+        self._map = self._known = self._weights = _none()
+
+    def fit(self, vectors: Floats, values: Floats) -> None:
+        """Learn from vectors (m, columns) with their values (m,)."""
+        import numpy as np
+        from scipy.linalg import cho_factor, cho_solve
+
+        metric = np.eye(vectors.shape[1]) if self._metric is None else self._metric
+        self._map = _scaled(_square_root(metric), vectors)
+        self._known = vectors @ self._map
+        apart = np.sqrt(3.0 * squares_apart(self._known, self._known))
+        decay = np.exp(-apart)
+        kernel = (1.0 + apart) * decay
+        kernel[np.diag_indices(len(kernel))] += _NOISE
+        factor = cho_factor(kernel, lower=True, overwrite_a=True, check_finite=False)
+        self._weights = cho_solve(factor, values - self._mean, check_finite=False)
+        decay *= self._weights
+        # Of each known vector the gradient of the regression, but for a constant factor.
+        gradients = (decay.sum(axis=1)[:, None] * vectors - decay @ vectors) @ metric
+        self._metric = _metric_of(gradients, metric)
+
+    def predicted(self, vectors: Floats) -> Floats:
+        """(n,) values of vectors (n, columns), by the last fit."""
+        import numpy as np
+
+        apart = np.sqrt(3.0 * squares_apart(vectors @ self._map, self._known))
+        return np.asarray(self._mean + ((1.0 + apart) * np.exp(-apart)) @ self._weights)
+
+
+def squares_apart(a: Floats, b: Floats) -> Floats:
+    """(n, m) squared distances of rows (n, D) and (m, D), to rounding."""
+    import numpy as np
+
+    square = (a * a).sum(axis=1)[:, None] + (b * b).sum(axis=1) - 2.0 * (a @ b.T)
+    return np.asarray(np.maximum(square, 0.0))
+
+
+def _scaled(root: Floats, vectors: Floats) -> Floats:
+    """The map with which two of the vectors usually (root mean square) are 1 apart."""
+    import numpy as np
+
+    usual = np.sqrt(2.0 * (vectors @ root).var(axis=0).sum())
+    return np.asarray(root / max(float(usual), _LEAST))
+
+
+def _square_root(metric: Floats) -> Floats:
+    """(D, D) R with R R' the metric."""
+    import numpy as np
+
+    values, vectors = np.linalg.eigh(metric)
+    return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0)))
+
+
+def _metric_of(gradients: Floats, before: Floats) -> Floats:
+    """The metric of the next fit: `before`, where nothing changes."""
+    import numpy as np
+
+    product = gradients.T @ gradients
+    trace = float(np.trace(product))
+    if trace < _LEAST:
+        return before
+    return np.asarray(product * (len(product) / trace) + _RIDGE * np.eye(len(product)))
+
+
+def _none() -> Floats:
+    import numpy as np
+
+    return np.empty((0, 0))
