@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Axis, Number, Screen, Search, Searcher, option
+from roadlang.api import Axis, Number, Search, Searcher, option
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,7 +23,9 @@ _STALE = 10
 
 @dataclass(frozen=True)
 class Cma(Searcher):
-    """CMA-ES (Hansen and Ostermeier 2001) with restarts: the default."""
+    """CMA-ES (Hansen and Ostermeier 2001) with restarts, and a model of what was evaluated: the
+    default. Most candidates that violate a requirement are replaced before they are evaluated,
+    which costs a small part of a drive; they are not counted."""
 
     name: ClassVar[str] = "cma"
     is_default: ClassVar[bool] = True
@@ -52,7 +54,8 @@ class CmaSearch(Search):
     """Runs of the strategy, each with half of a batch as its generation; the first begins in the
     middle of the cube, all others at random points, and what is over is replaced. As soon as some
     candidates could be driven, a share of each batch (by default all) is spread around failures
-    and the safe candidates that came nearest to failing; the runs get the rest."""
+    and the safe candidates that came nearest to failing, and screened by the requirements; the
+    runs get the rest."""
 
     def __init__(self, axes: Sequence[Axis], seed: int, options: Cma) -> None:
         import numpy as np
@@ -63,14 +66,14 @@ class CmaSearch(Search):
         self._random = np.random.Generator(np.random.Philox(key=seed % 2**64))
         self._encoding = CubeEncoding(axes)
         self._options = options
-        self._screen: Screen = _unscreened
+        self._screen: Callable[[Floats], Floats] = _unscreened
         self._spread = FailureSpread(self._random, self._encoding.choices, self._screened)
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
         self._pending: list[tuple[_Run | FailureSpread, Floats]] = []
 
-    def screen_with(self, screen: Screen) -> None:
+    def screen_with(self, screen: Callable[[Floats], Floats]) -> None:
         self._screen = screen
 
     def ask(self, count: int) -> Floats:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from ..geometry.arrays import Floats, read_only
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Axis, Screen, Search
+from ..plugins.kinds import Axis, Search
 from ..plugins.results import real_numbers
 from .evaluator import Proposal
 from .outcome import Outcome
@@ -19,7 +19,9 @@ class Islands:
     """The searches of a plan. Each gives a batch of points in every round. `screen` judges points
     by the requirements."""
 
-    def __init__(self, plan: Plan, axes: Sequence[Axis], screen: Screen) -> None:
+    def __init__(
+        self, plan: Plan, axes: Sequence[Axis], screen: Callable[[Floats], Floats]
+    ) -> None:
         self._plan = plan
         self._axes = tuple(axes)
         self._searches: list[Search] = []

@@ -16,7 +16,7 @@ from .pictures import Adjuster, Extractor, Reader
 from .placing import Position, Standing
 from .roads import Drawer, Perturber, Piece, Selector
 from .sampling import Distribution, DrawnValue, Sampler
-from .searching import Axis, Screen, Search, Searcher
+from .searching import Axis, Search, Searcher
 from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
@@ -71,7 +71,6 @@ __all__ = [
     "RightOfWay",
     "RoadNumber",
     "Sampler",
-    "Screen",
     "Search",
     "Searcher",
     "Selector",

@@ -42,18 +42,17 @@ class Axis:
         return tuple((step + 0.5) / steps for step in range(steps))
 
 
-Screen = Callable[["Floats"], "Floats"]
-"""Judges points (n, axes) by the requirements alone, without a drive: (n,) 0 where they hold; where
-one is violated, the value from 1 on that `Search.tell` would have."""
-
-
 class Search:
     """A search in progress: `ask` gives points to evaluate, `tell` takes their results."""
 
-    def screen_with(self, screen: Screen) -> None:
-        """Take a function that judges points before they are asked for, called once, before the
-        first `ask`. What it judges is not counted as an evaluation: it costs a small part of a
-        drive. A search that has no use for it inherits this method, which does nothing."""
+    def screen_with(self, screen: Callable[[Floats], Floats]) -> None:
+        """Take a function that judges points by the requirements, called once, before the first
+        `ask`.
+
+        `screen` takes points (n, axes) and gives (n,) values: 0 where all requirements hold; where
+        one is violated, the value from 1 on that `tell` would have. What is screened is not driven
+        and not counted as an evaluation. By default a search makes no use of it.
+        """
 
     def ask(self, count: int) -> Floats:
         """The next points, (count, axes) numbers in [0, 1).
