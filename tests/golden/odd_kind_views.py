@@ -40,6 +40,7 @@ _TOWN = 'image plan from """\n####\n.#..\n.#..\n""" { scale: 16m/px, legend: { "
 _FOUND = _TOWN + "network town from plan { lanes: 2 }\n"
 _SWAY = "road bent from main { perturb with sine { amplitude: 1m..3m, wavelength: 80m } }\n"
 _EGO = STRAIGHT + "agent ego is car on main at 20m { drive with odd }\n"
+_REASON = re.compile(r"\): (\w+): .* / this")
 _PLACE_OF_CODE = re.compile(r"\([\w/.\\-]+\.py:\d+\)")
 _LINE = Curve.through([(0.0, 0.0), (40.0, 0.0), (90.0, 9.0)])
 _ANY: tuple[Any, ...] = (
@@ -172,11 +173,12 @@ def _outcome(text: str, kind: type[Kind]) -> Iterator[str]:
         yield "no scene"
     except DiagnosticError as error:
         yield from (_said(found) for found in error.diagnostics[:2])
-    except Exception as error:  # noqa: BLE001 - which ones there are is what is compared
-        yield f"{type(error).__name__}: {error}"
+    except Exception:  # noqa: BLE001 - what is not reported is what is compared
+        yield "an exception, no diagnostic"
 
 
 def _said(found: Any) -> str:
     place = f"{found.span.line}:{found.span.column} " if found.span is not None else ""
     said = f"{place}{found.code} {found.message} / {' / '.join(found.help)}"
+    said = _REASON.sub(r"): \1 / this", said)  # its words differ from Python to Python
     return _PLACE_OF_CODE.sub("(FILE)", said).replace("\n", " / ")
