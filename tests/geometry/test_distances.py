@@ -179,6 +179,22 @@ def test_roads_that_meet_at_a_junction_are_not_near_each_other_there() -> None:
     assert clearance(east, [apart]).min() == 0.0
 
 
+@pytest.mark.parametrize(("mine", "theirs"), [(1, 1), (1, -1), (-1, 1), (-1, -1)])
+@pytest.mark.parametrize("beyond", [0.0, 1e-9])
+def test_at_whichever_ends_roads_meet_they_do_not_cross_there(
+    mine: int, theirs: int, beyond: float
+) -> None:
+    """Also where one is a rounding error longer, so that their last steps do cross."""
+    s = np.linspace(0.0, 50.0, 26)
+    east = CurveBatch(s, np.stack([s - beyond, 0 * s], axis=-1)[None, ::mine])
+    north = CurveBatch(s, np.stack([0 * s, s - beyond], axis=-1)[None, ::theirs])
+    assert len(crossings(east, north)[0]) == 1
+    assert np.isinf(clearance(east, [north])).all()
+    past = CurveBatch(s, np.stack([0 * s, s - 3.0], axis=-1)[None, ::theirs])
+    touched = np.flatnonzero(clearance(east, [past])[0] == 0.0)
+    assert touched.tolist() == ([0, 1] if mine == 1 else [24, 25])
+
+
 @given(st.integers(0, 10_000), st.booleans(), st.integers(10, 60))
 def test_crossings_are_those_of_an_exhaustive_search(seed: int, closed: bool, count: int) -> None:
     rng = np.random.default_rng(seed)
