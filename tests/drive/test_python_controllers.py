@@ -2,11 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+import numpy as np
+import pytest
+
 from roadlang import testing
-from roadlang.api import Call, Control, Controller, Observation, Scene, SceneActor, Speed, option
+from roadlang.api import (
+    Call,
+    Control,
+    ControlBatch,
+    Controller,
+    Number,
+    Observation,
+    ObservationBatch,
+    Scene,
+    SceneActor,
+    Speed,
+    option,
+)
 from roadlang.drive.controllers import python_controllers
 from roadlang.ir.scene import Provenance
 from roadlang.plugins.discovery import registry_of
@@ -30,7 +46,28 @@ class Elsewhere(Controller):
     name: ClassVar[str] = "elsewhere"
 
 
-REGISTRY = registry_of({"acme": testing.plugin_of(Steady, Elsewhere)})
+@dataclass(frozen=True)
+class Wheel(Controller):
+    """Steers, and leaves the pedals to whoever drove before."""
+
+    name: ClassVar[str] = "wheel"
+    angle: Number = option(0.2, help="radians")
+
+    def controls(self, observations: ObservationBatch, state: Any) -> ControlBatch:
+        return ControlBatch(np.array([self.angle]), np.array([math.nan]))
+
+
+@dataclass(frozen=True)
+class Pedals(Controller):
+    """Accelerates, and leaves the wheel to whoever drove before."""
+
+    name: ClassVar[str] = "pedals"
+
+    def controls(self, observations: ObservationBatch, state: Any) -> ControlBatch:
+        return ControlBatch(np.array([math.nan]), np.array([1.5]))
+
+
+REGISTRY = registry_of({"acme": testing.plugin_of(Steady, Elsewhere, Wheel, Pedals)})
 
 
 SEEN = Observation(0, 0.02, "ego", 0, 0, 0, 2.0, 0, 0, 0, 0, 2.7, lambda d: (d, 0, 0, 0))
@@ -59,3 +96,23 @@ def test_a_conditional_controller_is_not_the_steady_one() -> None:
 
 def test_nobody_drives_what_does_not_drive() -> None:
     assert driven() == {}
+
+
+@pytest.mark.parametrize(
+    ("drive", "steering", "acceleration"),
+    [
+        ((Call("wheel"),), 0.2, 0.0),
+        ((Call("pedals"),), 0.0, 1.5),
+        ((Call("steady"), Call("wheel")), 0.2, 3.0),
+        ((Call("steady"), Call("pedals")), 0.0, 1.5),
+        ((Call("wheel"), Call("pedals")), 0.2, 1.5),
+        ((Call("wheel", {"angle": 0.1}), Call("pedals"), Call("wheel")), 0.2, 1.5),
+        ((Call("wheel"), Call("steady")), 0.0, 3.0),
+        ((Call("wheel", {"angle": 0.1}), Call("steady"), Call("wheel")), 0.2, 3.0),
+    ],
+)
+def test_what_a_controller_leaves_open_is_decided_by_those_before(
+    drive: tuple[Call, ...], steering: float, acceleration: float
+) -> None:
+    """Where nobody decides it, it is 0."""
+    assert driven(*drive)["ego"].control(SEEN) == Control(steering, acceleration)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import sys
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -113,6 +114,19 @@ def test_workers_with_another_version_are_refused(
     match = f"RL704.*it has roadlang {platform.python_version()}, not 9.9"
     with pytest.raises(DiagnosticError, match=match), cluster(address, 1):
         pass
+
+
+def test_without_distributed_a_cluster_says_how_to_install_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(DiagnosticError) as caught, cluster("tcp://127.0.0.1:9", 1):
+        pass
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL704"
+    assert "tcp://127.0.0.1:9" in found.message
+    assert "`distributed` is not installed" in found.message
+    assert found.help == ('pip install "roadlang[dask]"',)
 
 
 def test_without_an_address_there_are_processes() -> None:

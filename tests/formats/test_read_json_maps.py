@@ -85,6 +85,21 @@ def test_what_was_read_may_be_perturbed(tmp_path: Path) -> None:
     assert max(np.abs(road.curvature).max() for road in again.roads) > 0.01
 
 
+@pytest.mark.parametrize("ids", [(0, 5), (5, 0), (1, 3)])
+def test_roads_of_one_network_keep_their_numbers(tmp_path: Path, ids: tuple[int, int]) -> None:
+    path = tmp_path / "town.xodr"
+    path.write_text(xodr(*(straight(id, 0, 90 * id) for id in ids)))
+    again = read_again(sampled(f'network town from "{path}"\n'), tmp_path)
+    assert [found.edge for found in again.roads] == list(ids)
+
+
+def test_roads_of_two_networks_are_numbered_anew(tmp_path: Path) -> None:
+    path = tmp_path / "town.xodr"
+    path.write_text(xodr(straight(4, 0, 0)))
+    both = sampled(f'network one from "{path}"\nnetwork two from "{path}"\n')
+    assert [found.edge for found in read_again(both, tmp_path).roads] == [0, 1]
+
+
 def test_declared_roads_are_numbered(tmp_path: Path) -> None:
     road = "road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (110m, 50m)] } }\n"
     again = read_again(sampled(road), tmp_path)
