@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections import Counter
 from typing import TextIO
 
 _lock = threading.Lock()
-_depths: Counter[int] = Counter()
+_depths: dict[int, int] = {}
 """how many calls of plugins are nested in each thread that runs any"""
 _output: TextIO = sys.stdout
 """what `sys.stdout` was before the first of them"""
@@ -31,7 +30,8 @@ def begin_redirection() -> None:
     with _lock:
         if not _depths:
             _output = sys.stdout
-        _depths[threading.get_ident()] += 1
+        thread = threading.get_ident()
+        _depths[thread] = _depths.get(thread, 0) + 1
         sys.stdout = sys.stderr
 
 

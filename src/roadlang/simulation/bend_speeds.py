@@ -8,6 +8,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats, Integers
 from ..geometry.bend_speeds import squares_before, squares_in_bends
+from . import compiled
 from .lines import Lines
 from .motion import Track
 from .world import World
@@ -23,7 +24,8 @@ class BendSpeeds:
         self._plans = np.zeros((count, cells))
         self._first = self._agents * cells - world.track.first
         self._latest: tuple[Any, ...] = ()
-        """agents and limits whose plans were last seen to be there: controllers look twice"""
+        """agents and limits whose plans were last seen to be there: controllers look twice, and
+        at every step with the same"""
 
     def at(
         self,
@@ -39,12 +41,15 @@ class BendSpeeds:
         if not self._was_latest(rows, lateral, braking):
             self._plan(track, rows, lateral, braking)
             self._latest = (rows, lateral, braking)
-        cell, _ = track.cell(track.wrapped(world.motion.along[rows] + distance))
-        return np.asarray(self._plans.ravel()[cell + self._first[rows]])
+        along = track.wrapped(world.motion.along[rows] + distance)
+        if compiled.is_loaded():
+            return compiled.looked_up(self._plans.ravel(), self._first[rows], track, along)
+        cell, _ = track.cell(along)
+        return np.asarray(self._plans.ravel().take(cell + self._first[rows]))
 
     def _was_latest(self, *wanted: Any) -> bool:
         latest = self._latest
-        return len(latest) == 3 and all(latest[i] is wanted[i] for i in range(3))
+        return len(latest) == 3 and all(map(_is_same, latest, wanted))
 
     def _plan(
         self, track: Track, rows: Any, lateral: Floats | float, braking: Floats | float
@@ -64,6 +69,15 @@ class BendSpeeds:
         self._limits, self._plans = self._limits[:, agents], self._plans[agents]
         moved = (self._agents - agents) * self._plans.shape[1]
         self._first, self._latest = self._first[agents] + moved, ()
+
+
+def _is_same(one: Any, other: Any) -> bool:
+    """Whether two indices, numbers or columns are equal; they may be shown to be without a look."""
+    if one is other:
+        return True
+    if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
+        return len(one) == len(other) and not np.count_nonzero(one != other)
+    return type(one) is type(other) and bool(one == other)
 
 
 def planned(lines: Lines, row: Integers, lateral: Floats, braking: Floats) -> Floats:

@@ -119,6 +119,7 @@ def _carry_lines(before: World, after: World, rows: Continued) -> None:
         column = getattr(lateral, name).copy()
         column[..., new] = getattr(was, name)[..., old]
         setattr(lateral, name, column)
+    lateral.moves = lateral.moves or was.moves
     target = np.full(len(after.filled), math.nan)
     for then, now in zip(old.tolist(), new.tolist(), strict=True):
         settled = was.target[then] == was.start[then]

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Floats
-from . import vehicle
+from ..geometry.arrays import Floats, Integers
+from . import lines, vehicle
 from .bodies import Bodies
 from .motion import Motion, Track
 
@@ -29,13 +29,27 @@ def advance(
         motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
     )  # fmt: skip
     after = np.empty((len(before), len(motion.along)))
-    lines = (track.lines.heading, track.lines.curvature)
     places = (track.first, track.places)
-    kernel()((before, after), car.stacked, car.walks, wanted, places, lines, steps, dt)
+    kernel()((before, after), car.stacked, car.walks, wanted, places, track.lines.table, steps, dt)
     (
         motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
         motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
     ) = after  # fmt: skip
+
+
+def line_frames(track: Track, along: Floats) -> Floats:
+    """What `poses.line_frames` does of (N,), to the last bit."""
+    out = np.empty((5, len(along)))
+    frames_kernel()(along, track.first, track.places, track.lines.table, out)
+    return out
+
+
+def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> Floats:
+    """(N,) the values of the cells at arc lengths; those of an agent are `shift` after those that
+    the table of its line has."""
+    out = np.empty(len(along))
+    lookup_kernel()(values, shift, along, track.first, track.places, out)
+    return out
 
 
 LOADING = 0.5
@@ -80,13 +94,53 @@ def kernel() -> Any:
     return numba.njit(cache=True, nogil=True, **options)(_advanced)
 
 
+@cache
+def frames_kernel() -> Any:
+    """The compiled loop over places on lines."""
+    import numba
+    from numba.extending import register_jitable
+
+    options: dict[str, Any] = {"error_model": "numpy"}
+    register_jitable(**options)(lines.on_arc)
+    return numba.njit(cache=True, nogil=True, **options)(_framed)
+
+
+def _framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
+    """Fill `out`, (5, N)."""
+    for i in range(along.shape[0]):
+        last, origin, spacing, per_meter = numbers[:, i]
+        advance = along[i] - origin
+        place = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
+        cell = table[first[i] + place]
+        x, y, heading = lines.on_arc(cell, advance - place * spacing, spacing)
+        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = x, y, heading, cell[6], cell[7]
+
+
+@cache
+def lookup_kernel() -> Any:
+    """The compiled loop over values of cells."""
+    import numba
+
+    return numba.njit(cache=True, nogil=True, error_model="numpy")(_looked_up)
+
+
+def _looked_up(
+    values: Any, shift: Any, along: Any, first: Any, numbers: Any, out: Any
+) -> None:  # fmt: skip
+    """Fill `out`, (N,)."""
+    for i in range(along.shape[0]):
+        last, origin, _, per_meter = numbers[:, i]
+        advance = along[i] - origin
+        cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
+        out[i] = values[shift[i] + first[i] + cell]
+
+
 def _advanced(
-    motions: Any, columns: Any, walks: Any, wanted: Any, places: Any, lines: Any, steps: Any,
+    motions: Any, columns: Any, walks: Any, wanted: Any, places: Any, table: Any, steps: Any,
     dt: Any,
 ) -> None:  # fmt: skip
     """Fill the second of `motions`, (10, N), from the first, 10 columns."""
     before, after = motions
-    headings, curvatures = lines
     first, numbers = places
     for i in range(after.shape[1]):
         s, n, speed = before[0][i], before[1][i], before[2][i]
@@ -97,7 +151,7 @@ def _advanced(
         last, origin, spacing, per_meter = numbers[:, i]
         advance = s - origin
         cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
-        curvature = curvatures[first[i] + cell]
+        curvature = table[first[i] + cell, 4]
         for _ in range(steps):
             tangent = vehicle.steered(tangent, wanted[0][i], c[11], c[12])
             motion = (speed, slide, yaw_rate)
@@ -110,8 +164,8 @@ def _advanced(
             s, n = vehicle.moved((s, n), speeds, (cosine, sine), curvature, dt)
             advance = s - origin
             cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
-            curvature = curvatures[first[i] + cell]
-            heading = headings[first[i] + cell] + curvature * (advance - cell * spacing)
+            curvature = table[first[i] + cell, 4]
+            heading = table[first[i] + cell, 5] + curvature * (advance - cell * spacing)
             angle = yaw_rate * dt - (heading - line)
             cosine, sine = vehicle.turned(cosine, sine, angle)
             line = heading

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from .outlines import Outlines
-from .poses import line_points
+from .poses import frames_in
 from .sorted_groups import sorted_groups
 from .world import World
 
@@ -58,8 +58,7 @@ class Window:
         track = world.track.of_rows(agents)
         along = track.wrapped(world.motion.along[agents] + s[:, None])
         cell, rest = track.cell(along)
-        x, y = line_points(track, cell, rest)
-        heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
+        x, y, heading, _, _ = frames_in(track, cell, rest)
         cosine, sine = np.cos(heading), np.sin(heading)
         offset = world.line_offset[agents]
         x, y = x - sine * offset, y + cosine * offset

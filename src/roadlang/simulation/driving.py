@@ -50,17 +50,17 @@ class DriverGroup:
         """What all agents are to do until the next step. Moves the lines that they follow."""
         view = self.view(world, poses)
         in_charge = self._triggers.in_charge(world, poses)
-        out = Decision.open(in_charge >= 0)
         if in_charge is not self._in_charge:
             self._in_charge = in_charge
             self._chosen = [np.flatnonzero(in_charge[g.rows] == g.place) for g in self._groups]
+        out = Decision.open(in_charge >= 0)
         for group, chosen in zip(self._groups, self._chosen, strict=True):
             if len(chosen):
                 found = _decided(group, chosen, view)
                 out.put(group.rows[chosen], found)
                 if found.line_offset is not None:
                     _move_lines(world, group.rows[chosen], found)
-        if out.is_open.any():
+        if out.is_open:
             self._ask_earlier(in_charge, view, out)
             _keep_to_lines(world, view, out)
             out.close()
@@ -111,7 +111,7 @@ class DriverGroup:
         """A controller that does not steer, or does not accelerate, leaves that to the last one
         before it that does."""
         for group in reversed(self._groups):
-            open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
+            open_ = out.open_agents[group.rows] & (in_charge[group.rows] > group.place)
             chosen = np.flatnonzero(open_)
             if len(chosen):
                 rows = group.rows[chosen]

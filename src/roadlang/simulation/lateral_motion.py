@@ -30,6 +30,8 @@ class LateralMotion:
     """(6, N) coefficients"""
     offset: Floats
     """now"""
+    moves: bool = False
+    """whether any line may be moving"""
 
     @classmethod
     def at_rest(cls, offset: Floats) -> LateralMotion:
@@ -53,7 +55,7 @@ class LateralMotion:
         """Those of some agents."""
         return LateralMotion(
             self.start[rows], self.target[rows], self.time[rows], self.share[rows],
-            self.powers[:, rows], self.offset[rows],
+            self.powers[:, rows], self.offset[rows], self.moves,
         )  # fmt: skip
 
     def move(self, target: Floats, time: Floats | None) -> None:
@@ -74,21 +76,25 @@ class LateralMotion:
         self.target[new], self.time[new] = target[new], lasting
         self.share[new] = np.where(smooth, 0.0, 1.0)
         self.offset[new] = np.where(smooth, place, target[new])
+        self.moves = self.moves or bool(smooth.any())
 
     def advance(self, speed: Floats, seconds: float) -> None:
         """Time passes; agents go at these speeds."""
-        if (self.share >= 1.0).all():
+        if not self.moves:
             return
         share = self.share + self._pace(speed) * seconds
         self.share = np.minimum(share, 1.0)
         place = _values(self.powers, self.share)[0]
         self.offset = np.where(self.share >= 1.0, self.target, place)
+        self.moves = bool((self.share < 1.0).any())
 
     def ahead(self, rows: Any, distance: Floats | float, speed: Floats) -> Any:
         """Of some agents: offset, slope (1) and curvature (1/m) of the line a distance on, and
         which lines move at all (None: none does)."""
-        moving: Booleans = self.share[rows] < 1.0
         offset = self.offset[rows]
+        if not self.moves:
+            return offset, None, None, None
+        moving: Booleans = self.share[rows] < 1.0
         if not moving.any():
             return offset, None, None, None
         part = replace(

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,23 @@ FINEST = 0.25
 """Meters between two nodes of a table, at least, where the road has them closer."""
 AROUND = 2.0
 """Meters to each side over which the curvature ahead is averaged, as drivers see it."""
+
+
+CELL = ("x", "y", "slope_x", "slope_y", "curvature", "heading", "seen_curvature", "width")
+"""What is tabled of a cell: x and y where it begins, what they and the heading change by for each
+meter of it, the heading where it begins, the curvature around there, the width of the road."""
+
+
+def on_arc(cell: Any, rest: Any, spacing: Any) -> Any:
+    """x, y and heading `rest` meters into a cell; within it a line is an arc. One source for
+    arrays and numbers, as in `vehicle`."""
+    bend = cell[4] * rest
+    bulge = 0.5 * bend * (rest - spacing)
+    return (
+        cell[0] + cell[2] * rest - cell[3] * bulge,
+        cell[1] + cell[3] * rest + cell[2] * bulge,
+        cell[5] + bend,
+    )
 
 
 @dataclass(frozen=True)
@@ -93,14 +111,8 @@ class Lines:
     closed: Booleans
     turn: Floats
     """(L,) by how much a closed line turns in all, radians"""
-    heading: Floats
-    curvature: Floats
-    """1/m, constant in each cell: the slope of the heading"""
-    seen_curvature: Floats
-    """1/m, averaged over 4 m"""
-    x: Floats
-    y: Floats
-    width: Floats
+    table: Floats
+    """(L M, 8) of each cell, side by side in memory, in the order of `CELL`"""
 
     @classmethod
     def of(cls, sources: Sequence[LineSource], margin: float) -> Lines:
@@ -119,26 +131,42 @@ class Lines:
         ends = [
             source.heading[-1] - source.heading[0] if source.closed else 0.0 for source in sources
         ]
-        curvature = np.zeros((len(sources), nodes))
-        curvature[:, :-1] = (heading[:, 1:] - heading[:, :-1]) / spacing[:, None]
         return cls(
             nodes, -np.array(pads) * spacing, spacing,
             np.array(counts) + 2 * np.array(pads) - 1, length,
             np.array([source.closed for source in sources], dtype=bool),
-            np.array(ends, dtype=float),
-            heading.ravel(), curvature.ravel(), _averaged(heading, spacing).ravel(),
-            x.ravel(), y.ravel(), width.ravel(),
+            np.array(ends, dtype=float), _table(x, y, heading, width, spacing),
         )  # fmt: skip
 
     @cached_property
-    def cell_rows(self) -> Floats:
-        """(L M, 5) of each cell, side by side in memory: x and y where it begins, and what they,
-        and the heading, change by for each meter of it."""
-        slopes = np.zeros((2, len(self.x)))
-        per_meter = np.repeat(1.0 / self.spacing, self.cells)[:-1]
-        slopes[0, :-1] = (self.x[1:] - self.x[:-1]) * per_meter
-        slopes[1, :-1] = (self.y[1:] - self.y[:-1]) * per_meter
-        return np.stack((self.x, self.y, slopes[0], slopes[1], self.curvature), axis=1)
+    def x(self) -> Floats:
+        """(L M,) where cells begin."""
+        return self.table[:, CELL.index("x")]
+
+    @cached_property
+    def y(self) -> Floats:
+        """(L M,) where cells begin."""
+        return self.table[:, CELL.index("y")]
+
+    @cached_property
+    def heading(self) -> Floats:
+        """(L M,) where cells begin."""
+        return self.table[:, CELL.index("heading")]
+
+    @cached_property
+    def curvature(self) -> Floats:
+        """(L M,) 1/m, constant in each cell: the slope of the heading."""
+        return self.table[:, CELL.index("curvature")]
+
+    @cached_property
+    def seen_curvature(self) -> Floats:
+        """(L M,) 1/m, averaged over 4 m."""
+        return self.table[:, CELL.index("seen_curvature")]
+
+    @cached_property
+    def width(self) -> Floats:
+        """(L M,) of the road."""
+        return self.table[:, CELL.index("width")]
 
     def column(self, values: Floats) -> Floats:
         """(L, M) of a flat column."""
@@ -172,6 +200,18 @@ def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> 
             y[end] += step * math.sin(heading[end])
     for column in row:
         column[used:] = column[used - 1]
+
+
+def _table(x: Floats, y: Floats, heading: Floats, width: Floats, spacing: Floats) -> Floats:
+    """(L M, 8) of arrays (L, M) at the nodes."""
+    out = np.zeros((*x.shape, len(CELL)))
+    per_meter = (1.0 / spacing)[:, None]
+    out[:, :, 0], out[:, :, 1] = x, y
+    out[:, :-1, 2] = (x[:, 1:] - x[:, :-1]) * per_meter
+    out[:, :-1, 3] = (y[:, 1:] - y[:, :-1]) * per_meter
+    out[:, :-1, 4] = (heading[:, 1:] - heading[:, :-1]) / spacing[:, None]
+    out[:, :, 5], out[:, :, 6], out[:, :, 7] = heading, _averaged(heading, spacing), width
+    return out.reshape(-1, len(CELL))
 
 
 def _averaged(heading: Floats, spacing: Floats) -> Floats:

@@ -17,7 +17,7 @@ from .lazy_observations import LazyObservations
 from .leaders import Leaders, leaders
 from .neighbors import Nearby, StandingObjects
 from .obstacles import Obstacles
-from .poses import Poses, line_points
+from .poses import Poses, line_frames
 from .road_lanes import LanesHere, RoadLanes, lane_values
 from .speed_zones import has_limit
 from .traffic.right_of_way import RightOfWayGrants
@@ -127,10 +127,8 @@ class View:
         """(N,) x, y, heading and curvature of the lines to follow, a distance on."""
         world = self.world
         track = world.track.of_rows(rows)
-        cell, rest = track.cell(track.wrapped(world.motion.along[rows] + distance))
-        x, y = line_points(track, cell, rest)
-        heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
-        curvature = track.lines.seen_curvature[cell]
+        along = track.wrapped(world.motion.along[rows] + distance)
+        x, y, heading, curvature, _ = line_frames(track, along)
         speed = world.motion.speed[rows]
         offset, slope, bend, moving = world.lateral.ahead(rows, distance, speed)
         x -= np.sin(heading) * offset
@@ -147,7 +145,7 @@ class View:
         track = world.track.of_rows(rows)
         along = track.wrapped(world.motion.along[rows] + distances[:, None])
         cell, rest = track.cell(along)
-        found = track.lines.cell_rows.take(cell, axis=0)
+        found = track.lines.table.take(cell, axis=0)[:, :, :5]
         x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
         bend = curvature * rest
         bulge = 0.5 * bend * (rest - track.spacing)

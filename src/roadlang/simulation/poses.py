@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Floats
+from . import compiled
+from .lines import on_arc
 from .motion import Motion, Track
 
 
@@ -27,23 +29,30 @@ class Poses:
 
 def poses_of(motion: Motion, track: Track) -> Poses:
     """Where agents in motion are."""
-    cell, rest = track.cell(motion.along)
-    x, y = line_points(track, cell, rest)
+    x, y, _, _, width = line_frames(track, motion.along)
     along = motion.line_heading
     heading = along + np.arctan2(motion.sine, motion.cosine)
-    x -= np.sin(along) * motion.offset
-    y += np.cos(along) * motion.offset
-    return Poses(x, y, heading, track.lines.width[cell])
+    return Poses(
+        x - np.sin(along) * motion.offset, y + np.cos(along) * motion.offset, heading, width
+    )
 
 
-def line_points(track: Track, cell: Any, rest: Floats) -> tuple[Floats, Floats]:
-    """Points of lines, `rest` meters into cells; within a cell a line is an arc."""
-    lines, beyond = track.lines, cell + 1
-    x, y = lines.x[cell], lines.y[cell]
-    slope_x = (lines.x[beyond] - x) * track.per_meter
-    slope_y = (lines.y[beyond] - y) * track.per_meter
-    bulge = 0.5 * lines.curvature[cell] * rest * (rest - track.spacing)
-    return x + slope_x * rest - slope_y * bulge, y + slope_y * rest + slope_x * bulge
+def line_frames(track: Track, along: Floats) -> Floats:
+    """(5, N) x, y, heading, curvature around there and width of the road, at arc lengths of lines;
+    within a cell a line is an arc."""
+    if compiled.is_loaded():
+        return compiled.line_frames(track, along)
+    return frames_in(track, *track.cell(along))
+
+
+def frames_in(track: Track, cell: Any, rest: Floats) -> Floats:
+    """(5, ...) the same `rest` meters into cells."""
+    found = track.lines.table.take(cell, axis=0)
+    columns = found.T if found.ndim == 2 else found.transpose(2, 0, 1)
+    out = np.empty((5, *cell.shape))
+    out[0], out[1], out[2] = on_arc(columns, rest, track.spacing)
+    out[3:] = columns[6:]
+    return out
 
 
 def foot_points(track: Track, x: Floats, y: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
@@ -52,9 +61,8 @@ def foot_points(track: Track, x: Floats, y: Floats, along: Floats) -> tuple[Floa
     offset = np.zeros(len(along))
     for _ in range(2):
         cell, rest = track.cell(along)
-        line_x, line_y = line_points(track, cell, rest)
+        line_x, line_y, heading, _, _ = frames_in(track, cell, rest)
         curvature = track.lines.curvature[cell]
-        heading = track.lines.heading[cell] + curvature * rest
         off_x, off_y = x - line_x, y - line_y
         offset = np.cos(heading) * off_y - np.sin(heading) * off_x
         ahead = np.cos(heading) * off_x + np.sin(heading) * off_y

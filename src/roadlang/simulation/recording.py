@@ -18,6 +18,7 @@ from .violations import ViolationWatch
 from .world import World
 
 ENGINE = "the embedded engine"
+_RECORDED = tuple(COLUMNS[name] for name in RECORDED)
 
 
 class Recorder:
@@ -45,7 +46,9 @@ class Recorder:
         """One sample of all scenes; a scene in which all have arrived ends with it, and one that
         has violated all that is expected of it for long enough."""
         self._times.append(world.time)
-        sample = np.stack([COLUMNS[name](world, poses) for name in RECORDED])
+        sample = np.empty((len(RECORDED), len(world.present)))
+        for place, column in enumerate(_RECORDED):
+            sample[place] = column(world, poses)
         self._samples.append(sample)
         done = None if self._watch is None else self._watch.done(world.time, sample)
         finished = world.finished if done is None else world.finished | done

@@ -15,7 +15,7 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..leaders import Leaders
 from ..leaning import LONG
-from ..poses import line_points
+from ..poses import frames_in
 from ..world import World
 from .approaches import braking_to_stop, seconds_for
 
@@ -143,8 +143,7 @@ class _Samples:
         track = world.track.of_rows(agents)
         along = world.motion.along[agents] + s
         cell, rest = track.cell(track.wrapped(along))
-        x, y = line_points(track, cell, rest)
-        heading = track.lines.heading[cell] + track.lines.curvature[cell] * rest
+        x, y, heading, _, road_width = frames_in(track, cell, rest)
         cosine, sine = np.cos(heading), np.sin(heading)
         offset, width = world.line_offset[agents], 0.5 * world.bodies.width[agents]
         left, right = world.sweeps.at(agents, cell - track.first)
@@ -152,7 +151,7 @@ class _Samples:
         # Others that are longer have more samples, which may not change what this one sees.
         over |= s > VIEW + half
         in_lane = world.has_route[agents] & (world.bodies.length[agents] <= LONG)
-        spare = np.where(in_lane, 0.5 * track.lines.width[cell] - width - 0.5 * MARGIN, 0.0)
+        spare = np.where(in_lane, 0.5 * road_width - width - 0.5 * MARGIN, 0.0)
         is_wide = (np.maximum(left, right) > np.maximum(spare, LEAST_SWEPT)) & ~over
         return cls(
             agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
