@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
-from . import lines, vehicle
+from . import kernels, lines, vehicle
 from .bodies import Bodies
 from .motion import Motion, Track
 
@@ -79,96 +80,47 @@ def pays(steps: float, agents: int) -> bool:
 @cache
 def kernel() -> Any:
     """The compiled loop over agents and steps."""
-    import numba  # takes half a second, and more where it has to compile
-    from numba.extending import register_jitable
-
-    options: dict[str, Any] = {"error_model": "numpy"}  # never `fastmath`: it changes bits
-    for formula in (
-        vehicle.steered, vehicle.brush, vehicle.demand, vehicle.forces, vehicle.loads,
-        vehicle.accelerated, vehicle.walked, vehicle.displaced, vehicle.turned, vehicle.driven,
-        vehicle.moved,
-    ):  # fmt: skip
-        register_jitable(**options)(formula)
-    # numba compiles anew when this file changes, but not when `vehicle.py` does: then delete
-    # `__pycache__/compiled.*.nbi`.
-    return numba.njit(cache=True, nogil=True, **options)(_advanced)
+    return _compiled(kernels.advanced)
 
 
 @cache
 def frames_kernel() -> Any:
     """The compiled loop over places on lines."""
-    import numba
-    from numba.extending import register_jitable
-
-    options: dict[str, Any] = {"error_model": "numpy"}
-    register_jitable(**options)(lines.on_arc)
-    return numba.njit(cache=True, nogil=True, **options)(_framed)
-
-
-def _framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
-    """Fill `out`, (5, N)."""
-    for i in range(along.shape[0]):
-        last, origin, spacing, per_meter = numbers[:, i]
-        advance = along[i] - origin
-        place = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
-        cell = table[first[i] + place]
-        x, y, heading = lines.on_arc(cell, advance - place * spacing, spacing)
-        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = x, y, heading, cell[6], cell[7]
+    return _compiled(kernels.framed)
 
 
 @cache
 def lookup_kernel() -> Any:
     """The compiled loop over values of cells."""
+    return _compiled(kernels.looked_up)
+
+
+_OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
+
+
+def _compiled(loop: Callable[..., None]) -> Any:
+    """Takes half a second the first time, and more where it has to compile: anew when `kernels.py`
+    changes, but not when `vehicle.py` does. Then delete `__pycache__/kernels.*.nbi`."""
     import numba
 
-    return numba.njit(cache=True, nogil=True, error_model="numpy")(_looked_up)
+    _register_formulas()
+    return numba.njit(cache=True, nogil=True, **_OPTIONS)(loop)
 
 
-def _looked_up(
-    values: Any, shift: Any, along: Any, first: Any, numbers: Any, out: Any
-) -> None:  # fmt: skip
-    """Fill `out`, (N,)."""
-    for i in range(along.shape[0]):
-        last, origin, _, per_meter = numbers[:, i]
-        advance = along[i] - origin
-        cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
-        out[i] = values[shift[i] + first[i] + cell]
+@cache
+def _register_formulas() -> None:
+    """Make the functions that loops call known to numba."""
+    from numba.extending import overload, register_jitable
 
-
-def _advanced(
-    motions: Any, columns: Any, walks: Any, wanted: Any, places: Any, table: Any, steps: Any,
-    dt: Any,
-) -> None:  # fmt: skip
-    """Fill the second of `motions`, (10, N), from the first, 10 columns."""
-    before, after = motions
-    first, numbers = places
-    for i in range(after.shape[1]):
-        s, n, speed = before[0][i], before[1][i], before[2][i]
-        slide, yaw_rate, cosine, sine = before[3][i], before[4][i], before[5][i], before[6][i]
-        tangent, line, acceleration = before[7][i], before[8][i], before[9][i]
-        c = columns[:, i]
-        car = (c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10])
-        last, origin, spacing, per_meter = numbers[:, i]
-        advance = s - origin
-        cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
-        curvature = table[first[i] + cell, 4]
-        for _ in range(steps):
-            tangent = vehicle.steered(tangent, wanted[0][i], c[11], c[12])
-            motion = (speed, slide, yaw_rate)
-            if walks[i]:
-                found = vehicle.walked(motion, tangent, wanted[1][i], c[0], dt)
-            else:
-                found = vehicle.driven(motion, tangent, acceleration, wanted[1][i], car, dt)
-            speeds = (speed, found[0], found[1])
-            speed, slide, yaw_rate, acceleration = found
-            s, n = vehicle.moved((s, n), speeds, (cosine, sine), curvature, dt)
-            advance = s - origin
-            cell = int(np.minimum(np.maximum(advance * per_meter, 0.0), last))
-            curvature = table[first[i] + cell, 4]
-            heading = table[first[i] + cell, 5] + curvature * (advance - cell * spacing)
-            angle = yaw_rate * dt - (heading - line)
-            cosine, sine = vehicle.turned(cosine, sine, angle)
-            line = heading
-        after[0, i], after[1, i], after[2, i], after[3, i] = s, n, speed, slide
-        after[4, i], after[5, i], after[6, i], after[7, i] = yaw_rate, cosine, sine, tangent
-        after[8, i], after[9, i] = line, acceleration
+    for formula in (
+        vehicle.steered, vehicle.brush, vehicle.demand, vehicle.forces, vehicle.loads,
+        vehicle.accelerated, vehicle.walked, vehicle.displaced, vehicle.turned, vehicle.driven,
+        vehicle.moved, lines.on_arc,
+    ):  # fmt: skip
+        register_jitable(**_OPTIONS)(formula)
+    for part in (kernels.fill, kernels.place_on_line, kernels.drive):
+        # Into the loop itself: only there is it seen that agents do not depend on each other.
+        register_jitable(inline="always", **_OPTIONS)(part)
+    # Of numbers, and with NaN only where both are NaN.
+    overload(vehicle.least, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
+    overload(vehicle.greatest, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)

@@ -1,6 +1,6 @@
 """The motion of a car for one short time step: a dynamic bicycle on brush tires.
 
-One source for two machines: the formulas use `+ - * /`, `sqrt`, `minimum` and `maximum` alone, so
+One source for two machines: the formulas use `+ - * /`, `sqrt`, `least` and `greatest` alone, so
 that numpy on arrays and numba on numbers give the same bits.
 
 - single track model with load transfer: R. Rajamani, Vehicle Dynamics and Control, ch. 2 and 4
@@ -29,6 +29,16 @@ LEAST_SCALE = 0.1
 """how much shorter the inside of a bend may be than its middle, at most"""
 
 
+def least(a: Any, b: Any) -> Any:
+    """The lesser of two, as compiled loops have it too."""
+    return np.minimum(a, b)
+
+
+def greatest(a: Any, b: Any) -> Any:
+    """The greater of two."""
+    return np.maximum(a, b)
+
+
 def steered(tangent: Any, wanted: Any, lag: Any, rate: Any) -> Any:
     """The tangent of the steering angle after one step.
 
@@ -36,12 +46,12 @@ def steered(tangent: Any, wanted: Any, lag: Any, rate: Any) -> Any:
     more than `rate` radians for each step.
     """
     most = rate * (1.0 + tangent * tangent)
-    return tangent + np.minimum(np.maximum((wanted - tangent) * lag, -most), most)
+    return tangent + least(greatest((wanted - tangent) * lag, -most), most)
 
 
 def brush(slip: Any) -> Any:
     """Share of the grip that a tire uses, -1 to 1, at a slip of 1 where it begins to slide."""
-    part = np.minimum(np.maximum(slip, -1.0), 1.0)
+    part = least(greatest(slip, -1.0), 1.0)
     return part * (3.0 - 3.0 * np.abs(part) + part * part)
 
 
@@ -51,9 +61,9 @@ def demand(wanted: Any, speed: Any, power: Any, grip: Any, dt: float) -> Any:
     `wanted`: acceleration; `power`: of the engine, W/kg; `grip`: friction times gravity. Brakes
     hold what stands, and do not push it back.
     """
-    driven = np.minimum(wanted, power / np.maximum(speed, LEAST_POWER_SPEED))
-    held = np.maximum(driven, -speed / dt)
-    return np.minimum(np.maximum(held / grip, -1.0), 1.0)
+    driven = least(wanted, power / greatest(speed, LEAST_POWER_SPEED))
+    held = greatest(driven, -speed / dt)
+    return least(greatest(held / grip, -1.0), 1.0)
 
 
 def forces(vx: Any, vy: Any, yaw_rate: Any, tangent: Any, used: Any, load: Any, car: Any) -> Any:
@@ -64,13 +74,13 @@ def forces(vx: Any, vy: Any, yaw_rate: Any, tangent: Any, used: Any, load: Any, 
     half_base, friction, front_slope, rear_slope, slow = car
     swing = half_base * yaw_rate
     side = vy + swing
-    front_slip = (side - vx * tangent) / np.maximum(vx + side * tangent, slow)
-    rear_slip = (vy - swing) / np.maximum(vx, slow)
+    front_slip = (side - vx * tangent) / greatest(vx + side * tangent, slow)
+    rear_slip = (vy - swing) / greatest(vx, slow)
     front = brush(front_slip * front_slope)
     rear = brush(rear_slip * rear_slope)
     of_both = used * used
-    front_grip = friction * load[0] / np.maximum(np.sqrt(of_both + front * front), 1.0)
-    rear_grip = friction * load[1] / np.maximum(np.sqrt(of_both + rear * rear), 1.0)
+    front_grip = friction * load[0] / greatest(np.sqrt(of_both + front * front), 1.0)
+    rear_grip = friction * load[1] / greatest(np.sqrt(of_both + rear * rear), 1.0)
     cosine = 1.0 / np.sqrt(1.0 + tangent * tangent)
     along, left = used * front_grip, -front * front_grip
     return (
@@ -85,7 +95,7 @@ def loads(acceleration: Any, transfer: Any) -> Any:
     """Load of the front and the rear axle for each kilogram of the car, m/s^2; the center of mass
     lies between them. `transfer`: its height over the wheelbase."""
     half = 0.5 * GRAVITY
-    moved = np.minimum(np.maximum(transfer * acceleration, -half), half)
+    moved = least(greatest(transfer * acceleration, -half), half)
     return half - moved, half + moved
 
 
@@ -98,13 +108,13 @@ def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any
     """
     vx, vy, yaw_rate = motion
     front_along, front_left, rear_along, rear_left = force
-    rolling = np.minimum(drag[1], vx / dt)
+    rolling = least(drag[1], vx / dt)
     along = front_along + rear_along - drag[0] * vx * vx - rolling
     ahead = vx + (along + vy * yaw_rate) * dt
     turning = yaw_rate + half_base * (front_left - rear_left) / inertia * dt
     across = ahead <= 0.0
     return (
-        np.maximum(np.maximum(ahead, (vx + along * dt) * across), 0.0),
+        greatest(greatest(ahead, (vx + along * dt) * across), 0.0),
         vy + (front_left + rear_left - vx * yaw_rate) * dt,
         turning * (ahead > 0.0),
         along,
@@ -113,7 +123,7 @@ def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any
 
 def walked(motion: Any, tangent: Any, wanted: Any, half_base: Any, dt: float) -> Any:
     """What `accelerated` gives, of someone on foot: no tires, no sliding."""
-    speed = np.maximum(motion[0] + wanted * dt, 0.0)
+    speed = greatest(motion[0] + wanted * dt, 0.0)
     return speed, 0.0 * speed, speed * tangent / (2.0 * half_base), wanted
 
 
@@ -122,7 +132,7 @@ def displaced(along: Any, left: Any, cosine: Any, sine: Any, offset: Any, curvat
 
     `cosine`, `sine`: of the car's heading from that of the line.
     """
-    scale = np.maximum(1.0 - offset * curvature, LEAST_SCALE)
+    scale = greatest(1.0 - offset * curvature, LEAST_SCALE)
     return (along * cosine - left * sine) / scale, along * sine + left * cosine
 
 

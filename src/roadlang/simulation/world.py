@@ -84,8 +84,7 @@ class World:
     """the tick at which that began"""
     advance: Advance = advance
     """the equations of motion"""
-    _known_arrived: tuple[Floats, Floats, Booleans] | None = None
-    """`at_end`, and the arc lengths of which it is"""
+    _arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
 
     @property
     def time(self) -> float:
@@ -116,10 +115,8 @@ class World:
         self.motion.put(agents, self.start)
         self.present[agents] = self.filled[agents]
         self.halted[agents] = ~self.filled[agents]
-        counted = (self.contacts, self.collision, self.red_lights, self.traveled)
-        for column in (*counted, *self.pace):
+        for column in (self.contacts, self.collision, self.red_lights, self.traveled, *self.pace):
             column[agents] = 0.0
-        self._known_arrived = None
         self.lateral.restart(agents)
         self.began[agents] = self.tick
 
@@ -137,9 +134,7 @@ class World:
         bodies, motion = self.bodies, self.motion
         limit = bodies.max_steering
         angle = np.minimum(np.maximum(steering, -limit), limit)
-        acceleration = self.limited(acceleration)
-        if np.count_nonzero(self.halted):
-            acceleration = np.where(self.halted, -END_BRAKING, acceleration)
+        acceleration = np.where(self.halted, -END_BRAKING, self.limited(acceleration))
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
         held = (np.tan(angle), acceleration)
@@ -163,10 +158,8 @@ class World:
 
     def limited(self, acceleration: Floats) -> Floats:
         """(N,) accelerations with the braking of those who have arrived at the end of a road."""
-        arrived = self.at_end
-        if not np.count_nonzero(arrived):
-            return acceleration
-        return np.minimum(acceleration, np.where(arrived & ~self.closed, -END_BRAKING, math.inf))
+        most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
+        return np.minimum(acceleration, most)
 
     def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `passed`: whether a
@@ -198,18 +191,15 @@ class World:
 
     def _leave(self) -> None:
         """Who has arrived is no longer there, unless it began where it would arrive."""
-        at_end = self.at_end
-        if not np.count_nonzero(at_end):
-            return
-        arrived = at_end & ~self.closed & (self.traveled > ARRIVED)
-        if np.count_nonzero(arrived):
+        arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
+        if arrived.any():
             self.present = self.filled & ~arrived
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
         front = before + 0.5 * self.bodies.length
         lap = np.where(self.closed, self.length, math.inf)
-        everyone, span = np.arange(len(front)), (self.age, seconds)
-        crossed = self.stop_lines.crossed_at_red(everyone, front, moved, lap, span)
+        everyone = np.arange(len(front))
+        crossed = self.stop_lines.crossed_at_red(everyone, front, moved, lap, (self.age, seconds))
         self.red_lights = self.red_lights + crossed
 
     @property
@@ -230,15 +220,13 @@ class World:
     @property
     def at_end(self) -> Booleans:
         """(N,) who has arrived at the end of its line, or has gone all around."""
-        along, traveled, known = self.motion.along, self.traveled, self._known_arrived
-        if known is not None and known[0] is along and known[1] is traveled:
-            return known[2]
-        arrived = self.end - along < ARRIVED
-        if self.track.has_closed:
-            arrived = np.where(self.closed, traveled >= self.length, arrived)
-        found: Booleans = self.has_road & arrived
-        self._known_arrived = along, traveled, found
-        return found
+        along, traveled, known = self.motion.along, self.traveled, self._arrived
+        if known is None or known[0] is not along or known[1] is not traveled:
+            arrived = self.end - along < ARRIVED
+            if self.track.has_closed:
+                arrived = np.where(self.closed, traveled >= self.length, arrived)
+            known = self._arrived = along, traveled, np.asarray(self.has_road & arrived)
+        return known[2]
 
     @property
     def finished(self) -> Booleans:
@@ -252,8 +240,8 @@ class World:
         """(N,) arc length along the road, within its ends."""
         along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
         station = np.where(self.backward, self.length - along, along)
-        if np.count_nonzero(self.has_route):
-            rows = np.flatnonzero(self.has_route)
+        rows = np.flatnonzero(self.has_route)
+        if len(rows):
             station[rows] = self.table.station(rows, along[rows])
         return station
 
@@ -276,7 +264,7 @@ class World:
 
     def halt(self, agent: int, seconds: float) -> None:
         """An agent stands, from where it was some seconds ago."""
-        motion, self._known_arrived = self.motion, None
+        motion, self._arrived = self.motion, None
         motion.along[agent] -= self.pace[0][agent] * seconds
         motion.offset[agent] -= self.pace[1][agent] * seconds
         self.traveled[agent] -= self.pace[0][agent] * seconds
