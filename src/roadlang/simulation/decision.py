@@ -28,13 +28,13 @@ class Decision:
         return cls(np.where(driven, math.nan, 0.0), np.where(driven, math.nan, -UNDRIVEN_BRAKING))
 
     @property
-    def is_open(self) -> bool:
+    def has_open(self) -> bool:
         """Whether something is not decided of anybody."""
         total = np.add.reduce(self.steering) + np.add.reduce(self.acceleration)
-        return not math.isfinite(total) and bool(self.open_agents.any())
+        return not math.isfinite(total) and bool(self.is_open.any())
 
     @property
-    def open_agents(self) -> Booleans:
+    def is_open(self) -> Booleans:
         """(N,) of whom something is not decided."""
         return np.isnan(self.steering) | np.isnan(self.acceleration)
 

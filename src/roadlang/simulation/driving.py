@@ -60,7 +60,7 @@ class DriverGroup:
                 out.put(group.rows[chosen], found)
                 if found.line_offset is not None:
                     _move_lines(world, group.rows[chosen], found)
-        if out.is_open:
+        if out.has_open:
             self._ask_earlier(in_charge, view, out)
             _keep_to_lines(world, view, out)
             out.close()
@@ -111,7 +111,7 @@ class DriverGroup:
         """A controller that does not steer, or does not accelerate, leaves that to the last one
         before it that does."""
         for group in reversed(self._groups):
-            open_ = out.open_agents[group.rows] & (in_charge[group.rows] > group.place)
+            open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
             chosen = np.flatnonzero(open_)
             if len(chosen):
                 rows = group.rows[chosen]
