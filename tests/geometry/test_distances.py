@@ -259,3 +259,11 @@ def test_what_cannot_be_compared_is_said_in_the_order_of_the_arguments() -> None
         pointwise(other, one)
     with pytest.raises(GeometryError, match="only at the same stations"):
         pointwise(one, sample(road, s[:-1]))
+
+
+def test_a_norm_does_not_depend_on_the_rows_beside_it() -> None:
+    random = np.random.Generator(np.random.Philox(key=1))
+    values, weights = random.random((33, 451)), random.random(451)
+    together = lp_norm(values, weights, 2.0)
+    alone = [lp_norm(row[None, :], weights, 2.0)[0] for row in values]
+    assert together.tolist() == alone

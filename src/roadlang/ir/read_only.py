@@ -55,6 +55,10 @@ class ReadOnlyMapping(Mapping[K, V]):
 _READ_ONLY = frozenset((float, int, str, bool, type(None), FrozenDict, FrozenList))
 
 
+_FROZEN_RECORDS: set[type] = set()
+"""Frozen dataclasses that were met, which `frozen` returns as they are."""
+
+
 def frozen(value: Any) -> Any:
     """Maps, lists and arrays, also inside one another, as values that cannot be changed.
 
@@ -62,7 +66,7 @@ def frozen(value: Any) -> Any:
     """
     if type(value) in _READ_ONLY:
         return value
-    if isinstance(value, Frozen):
+    if type(value) in _FROZEN_RECORDS:
         return value
     flags = getattr(value, "flags", None)
     if flags is not None:
@@ -74,12 +78,16 @@ def frozen(value: Any) -> Any:
             return FrozenDict(value)
         return FrozenDict({key: frozen(item) for key, item in value.items()})
     if type(value) is list or type(value) is tuple:
-        plain = _READ_ONLY.issuperset(map(type, value))
+        kinds = set(map(type, value))
+        plain = kinds <= _READ_ONLY or kinds <= _FROZEN_RECORDS
         if type(value) is list:
             return FrozenList(value if plain else [frozen(item) for item in value])
         items = value if plain else tuple([frozen(item) for item in value])
         is_same = plain or all(map(operator.is_, items, value))
         return value if is_same else items
+    parameters = getattr(type(value), "__dataclass_params__", None)
+    if parameters is not None and parameters.frozen:
+        _FROZEN_RECORDS.add(type(value))
     return value
 
 

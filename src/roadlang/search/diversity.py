@@ -10,6 +10,8 @@ import numpy as np
 from ..geometry.arrays import Floats
 
 _MOST = 2_000
+_TOGETHER = 64
+"""Points whose distances to all are in memory at a time."""
 
 
 def mean_nearest(points: Sequence[Any]) -> float | None:
@@ -45,6 +47,10 @@ def _in_cube(points: Sequence[Any]) -> Floats | None:
 
 def _mean_nearest(cube: Floats) -> float:
     square = (cube * cube).sum(axis=1)
-    gaps = square[:, None] + square[None, :] - 2.0 * cube @ cube.T
-    np.fill_diagonal(gaps, np.inf)
-    return float(np.sqrt(np.maximum(gaps.min(axis=1), 0.0)).mean())
+    nearest = np.empty(len(cube))
+    for start in range(0, len(cube), _TOGETHER):
+        rows = np.arange(start, min(start + _TOGETHER, len(cube)))
+        gaps = square[rows, None] + square - 2.0 * cube[rows] @ cube.T
+        gaps[rows - start, rows] = np.inf
+        nearest[rows] = gaps.min(axis=1)
+    return float(np.sqrt(np.maximum(nearest, 0.0)).mean())

@@ -12,13 +12,14 @@ from .scene_search import SceneSearch
 from .streams import accepted_of_stream
 from .worker_pool import ALONE, WorkerPool, Workers
 
-BLOCK, LARGE_BLOCK, MANY = 16, 64, 16
-"""Scenes searched for together: few, or many where more than `MANY` blocks would be needed. No
-scene depends on it, and workers do not change it."""
+BLOCKS = ((64, 16), (1024, 64))
+"""Up to how many scenes how many of them are searched for together: a batch of candidates costs as
+much as hundreds of them. No scene depends on it, and workers do not change it."""
+LARGEST_BLOCK = 256
 _FEWEST_FOR_PROCESSES = 8
 _PARTS = 4
 """Parts of the work for each worker: few, for each costs a message, but all should end together."""
-_MOST_BLOCKS, _MOST_SAMPLES = 16, 64
+_MOST_BLOCKS, _MOST_SAMPLES = 4, 64
 """The most of them in a part, so that a lost worker loses little."""
 T = TypeVar("T")
 J = TypeVar("J")
@@ -38,7 +39,7 @@ def _search_scenes(
     """Scene 0 first and alone: if it is given up, so is everything."""
     found = AcceptedSamples[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
-    size = BLOCK if n <= MANY * BLOCK else LARGE_BLOCK
+    size = next((size for most, size in BLOCKS if n <= most), LARGEST_BLOCK)
     blocks += [range(start, min(start + size, n)) for start in range(1, n, size)]
     for part in (blocks[:1], blocks[1:]):
         shares = _shares(part, pool.workers, _MOST_BLOCKS)
@@ -64,7 +65,7 @@ def _search_stream(
     stream = accepted_of_stream(task.acceptance, task.sampler, task.seed, n)
     found = AcceptedSamples[T](stream.wanted, stream.stats, missing=list(stream.missing))
     workers = pool.workers if len(stream.accepted) >= _FEWEST_FOR_PROCESSES else 1
-    shares = _shares(stream.accepted, workers, _MOST_SAMPLES, alone=BLOCK)
+    shares = _shares(stream.accepted, workers, _MOST_SAMPLES, alone=_MOST_SAMPLES)
     for samples in pool.map(SceneSearch.samples, shares):
         found.samples.extend(samples)
         if progress is not None:

@@ -34,18 +34,12 @@ _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 def objects(scene: Scene, viewport: Viewport) -> str:
     """Everything that does not move; trees last, their crowns over the rest."""
     ordered = sorted(scene.objects, key=lambda actor: _plain(actor.kind) in _GREENERY)
-    drawn = [
-        _drawn(actor, index, viewport, _SMALLEST_OBJECT) for index, actor in enumerate(ordered)
-    ]
-    return group(drawn, class_="objects")
+    return group(_drawn(ordered, viewport, _SMALLEST_OBJECT), class_="objects")
 
 
 def agents(scene: Scene, viewport: Viewport) -> str:
     """Everything that moves."""
-    drawn = [
-        _drawn(agent, index, viewport, _SHORTEST_AGENT) for index, agent in enumerate(scene.agents)
-    ]
-    return group(drawn, class_="agents")
+    return group(_drawn(scene.agents, viewport, _SHORTEST_AGENT), class_="agents")
 
 
 def labels(scene: Scene, viewport: Viewport, size: float) -> str:
@@ -68,9 +62,18 @@ def labels(scene: Scene, viewport: Viewport, size: float) -> str:
     )
 
 
-def _drawn(actor: SceneActor, index: int, viewport: Viewport, least: float) -> str:
-    x, y = viewport.place([actor.x, actor.y]).tolist()
-    scale = viewport.pixels_per_meter
+def _drawn(actors: Sequence[SceneActor], viewport: Viewport, least: float) -> list[str]:
+    places = viewport.place([(actor.x, actor.y) for actor in actors]).tolist() if actors else []
+    return [
+        _drawn_at(place, actor, index, viewport.pixels_per_meter, least)
+        for index, (place, actor) in enumerate(zip(places, actors, strict=True))
+    ]
+
+
+def _drawn_at(
+    place: Sequence[float], actor: SceneActor, index: int, scale: float, least: float
+) -> str:
+    x, y = place
     longest = max(actor.length, actor.width, 0.01) * scale
     enlarged = scale * max(1.0, least / longest)
     turn = f"translate({x:.2f} {y:.2f}) rotate({-math.degrees(actor.heading):.2f})"
@@ -78,7 +81,7 @@ def _drawn(actor: SceneActor, index: int, viewport: Viewport, least: float) -> s
     return element("g", title(_hint(actor)), *shape, transform=turn)
 
 
-def _shape(actor: SceneActor, index: int, scale: float) -> list[str]:
+def _shape(actor: SceneActor, index: int, scale: float) -> Sequence[str]:
     length, width = actor.length * scale, actor.width * scale
     kind, color = _plain(actor.kind), _color(actor)
     if kind in _CARS:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
@@ -19,13 +21,24 @@ def number(value: float) -> str:
 def element(tag: str, *children: str, **attributes: object) -> str:
     """`stroke_width=2` becomes `stroke-width="2"`; attributes that are None are left out."""
     shown = "".join(
-        f" {name.rstrip('_').replace('_', '-')}={quoteattr(_text_of(value))}"
-        for name, value in attributes.items()
-        if value is not None
+        [
+            _prefix(name) + _quoted(_text_of(value))
+            for name, value in attributes.items()
+            if value is not None
+        ]
     )
     if not children:
         return f"<{tag}{shown}/>"
     return f"<{tag}{shown}>{''.join(children)}</{tag}>"
+
+
+@lru_cache(maxsize=1024)
+def _prefix(name: str) -> str:
+    return f" {name.rstrip('_').replace('_', '-')}="
+
+
+def _quoted(value: str) -> str:
+    return f'"{value}"' if _PLAIN(value) else quoteattr(value)
 
 
 def group(children: Iterable[str], **attributes: object) -> str:
@@ -46,8 +59,25 @@ def title(content: str) -> str:
 
 def path_data(points: Floats, closed: bool = False) -> str:
     """The `d` of a polyline through (n, 2) points."""
-    pairs = [f"{number(x)} {number(y)}" for x, y in points.tolist()]
-    return "M" + "L".join(pairs) + ("Z" if closed else "")
+    return "M" + "L".join(_pairs(points)) + ("Z" if closed else "")
+
+
+def _pairs(points: Floats) -> list[str]:
+    """`x y` of each point (n, 2), the numbers as `number` writes them."""
+    import numpy as np
+
+    hundredths = points * 100.0
+    near = np.rint(hundredths)
+    # Halves that are not exact, and numbers without hundredths, are rounded as they are written.
+    unsure = np.abs(np.abs(hundredths - near) - 0.5) < _HALF
+    if not (np.abs(near) < _GREATEST).all() or unsure.any():
+        return [f"{number(x)} {number(y)}" for x, y in points.tolist()]
+    whole, rest = np.divmod(np.abs(near).astype(np.int64), 100)
+    parts = zip(
+        (near < 0.0).ravel().tolist(), whole.ravel().tolist(), rest.ravel().tolist(), strict=True
+    )
+    texts = iter([f"{_SIGNS[minus]}{left}{_ENDS[right]}" for minus, left, right in parts])
+    return [f"{x} {y}" for x, y in zip(texts, texts, strict=True)]
 
 
 def rho(value: float) -> str:
@@ -62,4 +92,12 @@ def _text_of(value: object) -> str:
 
 def _printable(content: str) -> str:
     # XML 1.0 has no way to write control characters.
+    if content.isprintable():
+        return content
     return "".join(char for char in content if char.isprintable())
+
+
+_PLAIN = re.compile(r"[^&<>\"\n\r\t]*\Z").match
+_SIGNS = ("", "-")
+_ENDS = ("", *(f".{part:02d}".rstrip("0") for part in range(1, 100)))
+_HALF, _GREATEST = 1e-6, 1e9

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -78,26 +79,33 @@ class Ribbon:
         inner = axis[(axis > start) & (axis < end)]
         places = np.concatenate([[start], inner, [end]])
         places = np.clip(places, axis[0], axis[-1])
-
-        def at(values: Floats) -> Floats:
-            return np.asarray(np.interp(places, axis, values))
-
-        def both(values: Floats) -> Floats:
-            return np.stack([at(values[:, 0]), at(values[:, 1])], axis=-1)
-
+        # As `np.interp`, of all columns at once.
+        before = np.minimum(np.searchsorted(axis, places, "right") - 1, len(axis) - 2)
+        table = self._table
+        slope = (table[before + 1] - table[before]) / np.diff(axis)[before, None]
+        found = slope * (places - axis[before])[:, None] + table[before]
+        found[places == axis[-1]] = table[-1]
         return Ribbon(
             name=self.name,
-            center=both(self.center),
-            left=both(self.left),
-            half=at(self.half),
-            borders=np.stack([at(border) for border in self.borders.T], axis=-1),
-            stations=at(self.stations),
-            reference=at(self.reference),
+            center=found[:, 0:2],
+            left=found[:, 2:4],
+            half=found[:, 4],
+            stations=found[:, 5],
+            reference=found[:, 6],
+            borders=found[:, 7:],
             lanes=self.lanes,
             markings=self.markings,
             closed=False,
             widened=self.widened,
         )
+
+    @cached_property
+    def _table(self) -> Floats:
+        """(n, 8 + L): everything that is interpolated."""
+        import numpy as np
+
+        single = (self.half, self.stations, self.reference)
+        return np.column_stack([self.center, self.left, *single, self.borders])
 
 
 def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:

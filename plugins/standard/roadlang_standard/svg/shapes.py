@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 from . import palette
 from .markup import element
@@ -57,7 +58,8 @@ def pedestrian(length: float, width: float, color: str) -> list[str]:
     ]  # fmt: skip
 
 
-def tree(size: float, variant: int) -> list[str]:
+@lru_cache(maxsize=4096)
+def tree(size: float, variant: int) -> tuple[str, ...]:
     """A crown of scalloped layers, turned by `variant` so that no two look the same."""
     radius = size / 2
     layers = zip(reversed(palette.LEAVES), (1.0, 0.7, 0.38), strict=True)
@@ -69,22 +71,28 @@ def tree(size: float, variant: int) -> list[str]:
         outline = {"stroke": palette.TRUNK, "stroke_width": 0.6} if layer == 0 else {}
         d = _scallops(center, radius * share, 9 - 2 * layer, angle)
         crown.append(element("path", d=d, fill=color, **outline))
-    return crown
+    return tuple(crown)
 
 
 def _scallops(center: tuple[float, float], radius: float, lobes: int, turn: float) -> str:
     """A closed line of `lobes` arcs that bulge out of a circle."""
+    x, y = center
     inner = 0.86 * radius
     corners = [
-        (
-            center[0] + inner * math.cos(turn + 2 * math.pi * i / lobes),
-            center[1] + inner * math.sin(turn + 2 * math.pi * i / lobes),
-        )
-        for i in range(lobes + 1)
+        part
+        for cosine, sine in _directions(lobes, turn)
+        for part in (x + inner * cosine, y + inner * sine)
     ]
     bulge = 1.15 * inner * math.sin(math.pi / lobes)
-    arcs = "".join(f"A{bulge:.2f} {bulge:.2f} 0 0 1 {x:.2f} {y:.2f}" for x, y in corners[1:])
-    return f"M{corners[0][0]:.2f} {corners[0][1]:.2f}{arcs}Z"
+    arc = f"A{bulge:.2f} {bulge:.2f} 0 0 1 %.2f %.2f"
+    return f"M%.2f %.2f{arc * lobes}Z" % tuple(corners)
+
+
+@lru_cache(maxsize=4096)
+def _directions(lobes: int, turn: float) -> list[tuple[float, float]]:
+    """Cosine and sine of the corners of a figure with so many, the first one twice."""
+    angles = [turn + 2 * math.pi * i / lobes for i in range(lobes + 1)]
+    return [(math.cos(angle), math.sin(angle)) for angle in angles]
 
 
 def building(length: float, width: float) -> list[str]:
