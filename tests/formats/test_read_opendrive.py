@@ -370,3 +370,11 @@ def test_links_to_roads_that_are_elsewhere_join_nothing(tmp_path: Path) -> None:
     assert found.remarks == (
         "road 1 (line 4) leads to road 2, which is 100 m away: they are not joined",
     )
+
+
+def test_a_lane_shorter_than_the_stations_are_apart_is_no_fault(tmp_path: Path) -> None:
+    short = section(20.2, [lane(1)], [lane(-1), lane(-2, 2.0, "shoulder")])
+    lanes = TWO_WAY + short + section(20.7, [lane(1)], [lane(-1)])
+    scene = sampled(tmp_path, xodr(straight(1, 0, 0, lanes=lanes)))
+    widths = {found.id: np.max(found.width) for found in scene.roads[0].lane_list}
+    assert widths == pytest.approx({1: 3.5, -1: 3.5, -2: 0.0}, abs=1e-5)

@@ -36,7 +36,7 @@ from tests.golden.map_views import (
 from tests.golden.mistake_views import edited_mistake_lines, mistake_lines, set_lines
 from tests.golden.object_views import scene_object_lines, search_object_lines
 from tests.golden.odd_kind_views import odd_kind_lines
-from tests.golden.random_views import random_lines, town_lines
+from tests.golden.random_views import mapped_lines, random_lines, town_lines
 from tests.golden.road_views import joined_lines, network_lines, section_lines
 from tests.golden.scene_views import (
     console_lines,
@@ -213,6 +213,7 @@ def _cases() -> Iterable[Case]:
         yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 24)))
     for first in (0, 24):
         yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 24)))
+    yield Case("towns", "towns.mapped", partial(mapped_lines, range(12)))
     yield Case("mistakes", "odd_kinds", odd_kind_lines)
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import tempfile
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any
 
 from roadlang import DiagnosticError, NoSceneError, testing
+from tests.golden.random_maps import opendrive_map, street_extract
 from tests.golden.random_scenes import RandomScene
 from tests.golden.random_towns import RandomTown
 from tests.golden.summaries import array, of_json, of_svg, plain
@@ -16,6 +19,21 @@ from tests.golden.traffic_views import agent_lines
 def town_lines(seeds: range) -> Iterator[str]:
     """Random towns: as `random_lines` has them, with routes, junctions and who goes first there."""
     yield from _lines((seed, RandomTown(seed).text()) for seed in seeds)
+
+
+def mapped_lines(seeds: range) -> Iterator[str]:
+    """Random maps of other tools as the networks of scenes, some of them perturbed."""
+    with tempfile.TemporaryDirectory() as place:
+        for seed in seeds:
+            osm = seed % 3 == 2
+            path = Path(place) / ("a.osm" if osm else "a.xodr")
+            path.write_text(street_extract(seed) if osm else opendrive_map(seed), encoding="utf-8")
+            block = ("", " { perturb with sine { amplitude: 0.3m, wavelength: 30m } }")[seed % 2]
+            agent = "agent a is car on town at random { route: random, drive with traffic }"
+            world = "world { traffic: left }\n" if seed % 4 == 3 and not osm else ""
+            text = f'{world}network town from "{path}"{block}\n{agent}\n'
+            lines = _lines([(seed, text)])
+            yield from (line.replace(str(path), "MAP") for line in lines)
 
 
 def random_lines(seeds: range) -> Iterator[str]:
@@ -46,7 +64,8 @@ def _lines(texts: Iterable[tuple[int, str]]) -> Iterator[str]:
 def _scene_lines(record: dict[str, Any]) -> Iterator[str]:
     yield f"  world {plain(json.dumps(record['world']))[:300]}"
     for road in record["roads"]:
-        columns = [v for key in ("x", "y", "width", "curvature") for v in road[key]]
+        keys = ("x", "y", "width", "curvature", "heading", "stations", "trim")
+        columns = [v for key in keys for v in road[key]]
         lanes = [(lane["id"], lane["kind"], lane["marking"]) for lane in road["lane_list"]]
         yield f"  road {road['name']}: {array(columns)} {lanes} {road['speed_limit']}"
     for thing in (*record["agents"], *record["objects"]):
@@ -58,8 +77,7 @@ def _scene_lines(record: dict[str, Any]) -> Iterator[str]:
         if thing.get("route"):
             yield from of_json(thing["route"], "    route")
     for network in record["networks"]:
-        for junction in network["junctions"]:
-            yield f"  junction {junction['id']} {plain(json.dumps(junction['control']))[:300]}"
+        yield from of_json(network, "  network")
     for kind in ("requirements", "expectations"):
         for one in record[kind]:
             profiles = [v for profile in one["profiles"] for v in profile["values"]]

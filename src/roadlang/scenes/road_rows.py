@@ -61,6 +61,10 @@ def road_rows(
     return [SceneRoad(**every, **dict(zip(_COLUMNS, row, strict=True))) for row in rows]
 
 
+_BARELY = 1e-6
+"""Meters: the width of a lane that no station shows."""
+
+
 def _arc_lengths(batch: RoadBatch, name: str) -> Floats:
     """(V, S) of the points, along each road."""
     apart = np.diff(batch.points, axis=1)
@@ -76,8 +80,10 @@ def _lane_lists(lanes: LaneBatch, width: Floats, stations: Floats) -> list[tuple
     """The lanes of each row of `width`, or of the lanes; one list where all are equal."""
     count = max(len(width), lanes.variants)
     widths = lanes.lane_widths(width, stations)  # (L, V, S)
-    if not ((widths >= 0.0).all() and widths.any(axis=2).all()):
+    if not (widths >= 0.0).all():
         raise GeometryError("a width must be positive")
+    # A lane that is shorter than the distance between two stations has no width at any.
+    widths = np.where(widths.any(axis=2, keepdims=True), widths, _BARELY)
     even: Booleans = (widths == widths[..., :1]).all(axis=2)
     columns = []
     for lane, across, is_even in zip(lanes.pattern.lanes, widths, even, strict=True):
