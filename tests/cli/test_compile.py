@@ -185,8 +185,10 @@ def test_a_plugin_that_changes_the_current_folder_changes_no_output(
         return files(self, scene)
 
     monkeypatch.setattr(Json, "files", wandering)
-    assert roadlang("compile", "scene.rl", "-o", "out", cwd=folder).returncode == 0
+    done = roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
+    assert done.returncode == 0
     assert "scene-0000.json" in files_of(folder / "out")
+    assert f"files in {Path('out')}\n" in done.stdout
 
 
 def test_an_output_folder_that_cannot_be_made_is_said(folder: Path) -> None:

@@ -104,8 +104,8 @@ def holding(satisfied: int, scenes: int) -> str:
 
 
 def shown(path: Path) -> str:
-    """A path as people write it: relative where it is below the current folder."""
-    try:
-        return str(path.relative_to(Path.cwd()))
-    except (ValueError, OSError):
-        return str(path)
+    """A path as people write it: relative if it is below the folder that the command began in."""
+    context = click.get_current_context(silent=True)
+    folder = context.meta.get("roadlang.folder") if context else None
+    below = folder is not None and path.is_relative_to(folder)
+    return str(path.relative_to(folder) if below else path)

@@ -50,6 +50,8 @@ from .standard_output import claim_standard_output
 def roadlang(context: click.Context, color: str) -> None:
     """A compiler for driving scenarios: from an image of a road to simulator-ready scenes."""
     context.meta["roadlang.color"] = color
+    with contextlib.suppress(OSError):  # it may be gone
+        context.meta["roadlang.folder"] = os.getcwd()  # before a plugin can change it
 
 
 def _leave_out(context: click.Context, names: tuple[str, ...]) -> None:
