@@ -112,21 +112,19 @@ def polygons_are_joined_in_one_package(house: House) -> Iterator[str]:
 
 
 def private_names_stay_in_their_file(house: House) -> Iterator[str]:
-    """A name with a leading underscore is used by the module that defines it alone."""
+    """A name with a leading underscore is used by the module that defines it alone: also a member
+    of a class, such as what it remembers."""
     for file in house.files.values():
-        modules = set()
         for found in file.imports:
-            if house.target(found) is None:
-                continue
             last = found.name or found.module
-            if re.search(r"(^|\.)_[a-z]", last):
+            if house.target(found) is not None and re.search(r"(^|\.)_[a-zA-Z]", last):
                 yield _at(file, found.line, f"imports the private {last}")
-            modules.add(last.split(".")[-1])
+        own = {"_exit", *_names_defined(file.tree)}  # `os._exit` is public
         for node in ast.walk(file.tree):
-            if not (isinstance(node, ast.Attribute) and re.match(r"_[a-z]", node.attr)):
+            if not (isinstance(node, ast.Attribute) and re.match(r"_[a-zA-Z]", node.attr)):
                 continue
-            if dotted(node.value) in modules:
-                yield _at(file, node.lineno, f"uses the private {dotted(node)}")
+            if node.attr not in own and dotted(node.value) not in ("self", "cls"):
+                yield _at(file, node.lineno, f"uses the private {dotted(node) or node.attr}")
 
 
 def no_circles(house: House) -> Iterator[str]:
@@ -153,10 +151,11 @@ def facades_are_few_and_explained(house: House) -> Iterator[str]:
 
 
 def no_clock_and_no_global_random_numbers(house: House) -> Iterator[str]:
-    """A pass is a pure function: not in the rooms (but `cli`), and not in the standard kinds."""
-    standard = [f for f in house.plugins if "roadlang_standard" in f.path]
+    """A pass is a pure function: not in the rooms (but `cli`), and not in the kinds that ship but
+    those of Godot, an engine that answers in its own time."""
+    shipped = [f for f in house.plugins if "roadlang_godot" not in f.path]
     core = (f for f in house.core if f.room != "cli" and f.path != CLOCK)
-    for file in (*core, *standard):
+    for file in (*core, *shipped):
         for found in file.imports:
             if found.module.split(".")[0] in _UNREPEATABLE_MODULES:
                 yield _at(file, found.line, f"imports {found.module}")
@@ -253,6 +252,17 @@ def _called(node: ast.Call) -> str:
     if isinstance(func, ast.Attribute):
         return dotted(func) or f"_.{func.attr}"
     return dotted(func)
+
+
+def _names_defined(tree: ast.Module) -> Iterator[str]:
+    """Functions, classes, variables and members that a file defines."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            yield node.name
+        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+            yield node.attr
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
 
 
 def _docstrings(tree: ast.Module) -> set[ast.AST]:

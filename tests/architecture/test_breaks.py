@@ -57,6 +57,12 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
         "scenes/roads.py",
         "from ..world import networks\nnetworks._root(None, None)",
     ),
+    (rules.private_names_stay_in_their_file, "scenes/roads.py", "from .actors import _CAR"),
+    (
+        rules.private_names_stay_in_their_file,
+        "search/attempts.py",
+        "def f(candidates):\n    return candidates._computed",
+    ),
     (rules.no_circles, "world/stations.py", "def f():\n    from .roads import road_batch"),
     (
         rules.no_circles,
@@ -75,6 +81,11 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     ),
     (rules.no_clock_and_no_global_random_numbers, "search/guiding.py", "import random"),
     (rules.no_clock_and_no_global_random_numbers, "world/roads.py", "np.random.normal(3)"),
+    (
+        rules.no_clock_and_no_global_random_numbers,
+        "plugins/formats/roadlang_formats/read_geojson.py",
+        "np.random.rand(3)",
+    ),
     (rules.no_clock_and_no_global_random_numbers, "world/roads.py", "np.random.default_rng()"),
     (rules.shipped_kinds_use_the_public_api, KIND, "from roadlang.ir.batch import RoadBatch"),
     (

@@ -106,6 +106,6 @@ def holding(satisfied: int, scenes: int) -> str:
 def shown(path: Path) -> str:
     """A path as people write it: relative if it is below the folder that the command began in."""
     context = click.get_current_context(silent=True)
-    folder = context.meta.get("roadlang.folder") if context else None
-    below = folder is not None and path.is_relative_to(folder)
+    folder = Path(context.meta.get("roadlang.folder", "/") if context else "/")
+    below = len(folder.parts) > 1 and path.is_relative_to(folder)
     return str(path.relative_to(folder) if below else path)

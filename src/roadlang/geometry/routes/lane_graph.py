@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any, TypeVar
 
 from ..cross_section import CrossSection
 from ..junctions.model import NO_JUNCTION, JunctionPlan, LaneEnd
 from ..network import Edge
 
+T = TypeVar("T")
 LANE_CHANGE = 20.0
 """Meters of road that a route leaves for each change of lane"""
 
@@ -65,7 +67,14 @@ class LaneGraph:
     sections: Mapping[int, CrossSection]
     """by edge, along its curve"""
     edges: Mapping[int, Edge]
-    _trees: dict[int, object] = field(default_factory=dict)
+    _searched: dict[int, Any] = field(default_factory=dict)
+
+    def searched(self, source: int, search: Callable[[LaneGraph, int], T]) -> T:
+        """What `search` finds from a lane on, searched for once."""
+        if source not in self._searched:
+            self._searched[source] = search(self, source)
+        found: T = self._searched[source]
+        return found
 
     def length(self, lane: int) -> float:
         """Meters from where traffic enters a lane to where it leaves it."""

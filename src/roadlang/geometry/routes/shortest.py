@@ -138,11 +138,7 @@ def _within_road(graph: LaneGraph, lane: int, station: float, goal: RoutePlace) 
 
 
 def _tree(graph: LaneGraph, source: int) -> _Tree:
-    if source not in graph._trees:
-        graph._trees[source] = _searched(graph, source)
-    found = graph._trees[source]
-    assert isinstance(found, _Tree)
-    return found
+    return graph.searched(source, _searched)
 
 
 def _searched(graph: LaneGraph, source: int) -> _Tree:
