@@ -128,3 +128,24 @@ def test_who_has_left_is_drawn_no_further() -> None:
     shapes = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
     paths = [line(shape) for shape in shapes.iter("polyline")][1:]
     assert max(x for path in paths for x, _ in path) == pytest.approx(24 + 40.0 * 10, abs=1.0)
+
+
+def test_an_agent_that_has_left_is_drawn_no_further() -> None:
+    present = np.array([1.0, 1.0, 1.0, 0.0, 0.0])
+    ego = replace(moving("ego"), present=present)
+    shown = figure_of(ego)
+    assert line(shown) == [(24 + 200 * i, 58) for i in range(3)]
+
+
+def test_an_agent_that_was_never_there_is_drawn_where_it_would_have_been() -> None:
+    ego = replace(moving("ego"), present=np.zeros(5))
+    assert line(figure_of(ego)) == [(24 + 200 * i, 58) for i in range(5)]
+
+
+def figure_of(ego: AgentTrace) -> ElementTree.Element:
+    """The path of one agent on the road."""
+    main = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400)
+    scene = replace(bend(), roads=(main,), objects=())
+    text = drive_figure(scene, Trace(ego.time, {"ego": ego}), "ego", None, "a < b", None)
+    root = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
+    return root.findall("polyline")[1]

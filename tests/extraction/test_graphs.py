@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.chains import chains, direction
+from roadlang_standard.extraction.chains import chains, direction, heading
 from roadlang_standard.extraction.dead_end_extension import extend_dead_ends
 from roadlang_standard.extraction.evidence_pruning import (
     discounted_length,
@@ -387,3 +387,25 @@ def test_two_rings_of_cells_are_two_roads() -> None:
 
 def test_a_cell_alone_is_no_road() -> None:
     assert roads_of_cells(picture("...\n.#.")).roads == ()
+
+
+@pytest.mark.parametrize("turned", [1.0, -1.0])
+@pytest.mark.parametrize("look", [12.0, 30.0])
+def test_a_bent_line_leaves_both_its_ends_along_its_tangents(turned: float, look: float) -> None:
+    """An arc of 1.4 rad around (0, 0): where it leaves its ends is known."""
+    angle = turned * np.linspace(0.3, 1.7, 330)
+    arc = 240.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    line = Line(0, 1, arc)
+    for side, at in ((0, angle[0]), (1, angle[-1])):
+        away = (1.0 if side == 0 else -1.0) * turned
+        tangent = away * np.array([-np.sin(at), np.cos(at)])
+        assert heading(line, side, look) @ tangent > np.cos(0.02)
+        assert direction(line, side, look) @ tangent > np.cos(0.2)
+        assert np.hypot(*heading(line, side, look)) == pytest.approx(1.0)
+
+
+def test_a_short_line_leaves_its_ends_toward_each_other() -> None:
+    line = Line(0, 1, np.array([[5.0, 1.0], [6.0, 2.0], [7.0, 3.0]]))
+    for side in (0, 1):
+        toward = np.array([1.0, 1.0]) / np.sqrt(2.0) * (1 - 2 * side)
+        assert heading(line, side, 20.0) == pytest.approx(toward)

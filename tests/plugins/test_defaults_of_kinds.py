@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+import pytest
 
 from roadlang import testing
 from roadlang.api import (
+    LENGTH,
+    Dimension,
     Distribution,
     DriveSignal,
     Integer,
@@ -18,9 +22,11 @@ from roadlang.api import (
     Number,
     Piece,
     Reader,
+    RoadName,
     Signal,
     option,
 )
+from roadlang.diagnostics import DiagnosticError
 from roadlang.geometry import Curve
 from tests.plugins.installed import install
 
@@ -118,6 +124,44 @@ def test_a_signal_may_have_any_number_without_a_unit() -> None:
 
 def test_a_drive_signal_is_a_member_that_may_look_at_all_of_the_drive() -> None:
     assert (Still.domain, Still.member, Still.looks_back) == ("drive", True, float("inf"))
+
+
+@dataclass(frozen=True)
+class PowerOfWidth(Signal):
+    """The width to a power, which says the dimension."""
+
+    name: ClassVar[str] = "power"
+    road: RoadName
+    power: Integer = option(2, help="exponent")
+
+    @classmethod
+    def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
+        return LENGTH ** options["power"]
+
+    def values(self) -> Any:
+        return self.road.width**self.power
+
+
+@pytest.mark.parametrize(
+    ("call", "limit", "fits"),
+    [
+        ("power(main)", "99m^2", True),
+        ("power(main)", "99m", False),
+        ("power(main, 1)", "99m", True),
+        ("power(main, 1)", "99m^2", False),
+        ("power(main, power: 3)", "999m^3", True),
+    ],
+)
+def test_the_dimension_of_a_signal_may_depend_on_an_option_and_its_default(
+    call: str, limit: str, fits: bool
+) -> None:
+    text = STREET.replace("LANES", "width: 7m") + f"require r: always ({call} < {limit})\n"
+    if fits:
+        assert len(testing.sample(text, kinds=[PowerOfWidth])) == 1
+        return
+    with pytest.raises(DiagnosticError) as caught:
+        testing.sample(text, kinds=[PowerOfWidth])
+    assert [found.code for found in caught.value.diagnostics] == ["RL205"]
 
 
 @dataclass(frozen=True)

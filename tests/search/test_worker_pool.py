@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import time
+from pathlib import Path
 
 import pytest
 
@@ -13,6 +15,18 @@ from roadlang.search.worker_pool import WorkerPool, Workers
 def shifted(state: int, job: int) -> tuple[int, int]:
     """The job plus the state, and the process that did it."""
     return state + job, os.getpid()
+
+
+def endless(folder: Path, job: str) -> str:
+    """`first` ends once `second` has begun, which goes on for long and leaves a file at its end."""
+    if job == "first":
+        while not (folder / "begun").exists():
+            time.sleep(0.01)
+        return job
+    (folder / "begun").touch()
+    time.sleep(10.0)
+    (folder / "ended").touch()
+    return job
 
 
 @pytest.fixture
@@ -45,6 +59,20 @@ def test_processes_end_where_the_work_fails(others: set[int | None]) -> None:
     with pytest.raises(KeyError):
         fail()
     assert left_behind(others) == set()
+
+
+def test_nobody_waits_for_what_is_worked_on_where_the_work_fails(
+    tmp_path: Path, others: set[int | None]
+) -> None:
+    def fail() -> None:
+        with WorkerPool(tmp_path, Workers(2)) as pool:
+            for result in pool.map(endless, ["first", "second"]):
+                raise KeyError(result)
+
+    with pytest.raises(KeyError, match="first"):
+        fail()
+    assert left_behind(others) == set()
+    assert not (tmp_path / "ended").exists()
 
 
 @pytest.mark.parametrize(("jobs", "fewest"), [([3], 2), ([1, 2, 3], 4)])
