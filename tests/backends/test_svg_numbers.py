@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from hypothesis import example, given
 from hypothesis import strategies as st
 
 from roadlang_standard.svg.markup import number, path_data
 from roadlang_standard.svg.ribbon import ribbon_of
-from roadlang_standard.svg.viewport import bounds, fitted
+from roadlang_standard.svg.viewport import BoundingBox, bounds, fitted
 from tests.backends.handmade_scenes import bend
 
 PIXELS = st.floats(-1e12, 1e12) | st.floats(-2000.0, 2000.0) | st.integers(-400, 400).map(
@@ -38,3 +40,8 @@ def test_a_part_of_a_ribbon_is_interpolated_between_its_stations() -> None:
             (ribbon.reference, part.reference),
         ):
             assert np.array_equal(found, np.interp(part.stations, ribbon.stations, whole))
+
+
+def test_of_a_scene_of_nothing_a_hectare_around_the_origin_is_shown() -> None:
+    nothing = replace(bend(), roads=(), agents=(), objects=())
+    assert bounds(nothing) == BoundingBox(-50.0, -50.0, 50.0, 50.0)

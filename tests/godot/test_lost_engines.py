@@ -135,9 +135,11 @@ def test_engines_that_never_start_are_no_fault_of_a_scene(
 ) -> None:
     started().stop()
     monkeypatch.setattr(restarted_engine, "MOST_KILLS", 2)
-    monkeypatch.setattr(engines, "start", Killed(2))
+    killed = Killed(2)
+    monkeypatch.setattr(engines, "start", killed)
     with pytest.raises(EngineError, match="RL505") as found:
         traces()
+    assert killed.left == 0
     assert "scene" not in str(found.value)
 
 

@@ -136,7 +136,7 @@ class PowerOfWidth(Signal):
 
     @classmethod
     def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
-        return LENGTH ** options["power"]
+        return LENGTH ** float(options["power"])
 
     def values(self) -> Any:
         return self.road.width**self.power
