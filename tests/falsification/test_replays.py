@@ -31,3 +31,10 @@ def test_a_failure_driven_alone_is_the_drive_of_the_search(problem: str, tmp_pat
         assert not again.satisfied
         assert again.verdicts["in_lane"].robustness == failure["robustness"]["in_lane"]
         assert again.to_csv() == file.with_suffix(".trace.csv").read_text()
+
+
+def test_the_scene_of_a_failure_made_alone_is_the_one_made_with_others() -> None:
+    found = roadlang.loads(SLIPPERY["rare"]).falsify(evaluations=60, seed=1)
+    assert len(found.failures) >= 2
+    for failure, drive in zip(found.failures, found.failure_drives, strict=True):
+        assert failure.scene.to_json() == drive.scene.to_json()

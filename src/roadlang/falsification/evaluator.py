@@ -21,7 +21,7 @@ from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.finding import entry_of
 from ..plugins.kinds import Axis
 from ..plugins.registry import Registry
-from ..scenes.instantiate import driven_scenes_or_faults, instantiate
+from ..scenes.instantiate import all_concrete_scenes, driven_scenes_or_faults
 from ..world.index import index_scenario
 from .axes import axes_of
 from .descriptors import descriptor, measures, moment_of, protagonist
@@ -133,11 +133,9 @@ class Evaluator:
         if not proposals:
             return []
         candidates = self._candidates(proposals)
-        singles = (candidates.take_recorded(np.array([row])) for row in range(len(proposals)))
-        return [
-            self._with_simulator(instantiate(single, proposal.index, self.task.overrides).scene)
-            for single, proposal in zip(singles, proposals, strict=True)
-        ]
+        numbers = [proposal.index for proposal in proposals]
+        made = all_concrete_scenes(candidates, numbers, self.task.overrides)
+        return [self._with_simulator(found.scene) for found in made]
 
     def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
         """What came of a drive. Raises DiagnosticError where an expectation has no verdict."""

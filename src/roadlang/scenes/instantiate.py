@@ -75,6 +75,17 @@ def concrete_scenes(
     ]
 
 
+def all_concrete_scenes(
+    candidates: CandidateBatch, numbers: Sequence[int], overrides: Mapping[str, str]
+) -> list[ConcreteScene]:
+    """As `concrete_scenes`, of any candidates: many at a time where they can be made together."""
+    if candidates.count > 1 and candidates.scenario.has_fixed_roots:
+        with suppress(DiagnosticError):
+            return concrete_scenes(candidates, numbers, overrides)
+    singles = (candidates.take_recorded(np.array([row])) for row in range(candidates.count))
+    return [instantiate(*each, overrides) for each in zip(singles, numbers, strict=True)]
+
+
 def driven_scenes(
     candidates: CandidateBatch, numbers: Sequence[int], overrides: Mapping[str, str]
 ) -> list[Scene]:
