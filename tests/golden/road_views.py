@@ -15,10 +15,10 @@ from roadlang.geometry.offsetting import offset
 from roadlang.geometry.paths import longest_path, nearest_place, shortest_path
 from roadlang.geometry.routes.lane_graph import LaneGraph, lane_graph
 from roadlang.geometry.routes.nearest_lanes import near_roads
+from roadlang.geometry.routes.random_routes import random_route
 from roadlang.geometry.routes.shortest import RoutePlace, shortest_route
 from roadlang.geometry.routes.walking import following_legs, parts_ahead, parts_behind, walked
 from roadlang.geometry.routes.walking import straight_route as straight
-from roadlang.geometry.routes.wandering import random_route
 from tests.golden.geometry_views import plain_value
 from tests.golden.summaries import array, of_json
 

@@ -11,9 +11,9 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
+from ..geometry.routes.random_routes import random_route
 from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from ..geometry.routes.walking import following_legs, straight_route
-from ..geometry.routes.wandering import random_route
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import element_of, kinds_of

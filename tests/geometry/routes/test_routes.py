@@ -15,8 +15,8 @@ from roadlang.geometry import RoadNetwork, network_of_polylines
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
 from roadlang.geometry.routes.lane_graph import LANE_CHANGE, LaneGraph, TravelLane, lane_graph
 from roadlang.geometry.routes.nearest_lanes import near_roads
+from roadlang.geometry.routes.random_routes import random_route
 from roadlang.geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
-from roadlang.geometry.routes.wandering import random_route
 from tests.geometry.junctions.crossings_of_roads import sections_of, star
 
 

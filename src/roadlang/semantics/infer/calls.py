@@ -20,9 +20,9 @@ from ..types.dimensions import common_dimension
 from ..types.expression_types import KindCallType, Quantity, SignalType, TypedExpression, unknown
 from .argument_binding import bind_arguments
 from .draws import draw_of
+from .group_copies import group_of, written_count
 from .habits import function_help
 from .kinds import find_kind, verbs_with
-from .numbered import group_of, written_count
 from .option_binding import BoundOptions, divided
 from .signals import measured
 

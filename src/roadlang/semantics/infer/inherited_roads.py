@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from .calls import dotted
-from .numbered import group_of
+from .group_copies import group_of
 
 
 def road_of(checker: Checker, statement: ast.Actor) -> ast.Expression | None:

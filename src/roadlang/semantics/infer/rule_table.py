@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from ...syntax.tree import nodes as ast
 from ..checker import Rule
 from ..types.dimensions import infer_number
-from . import calls, expressions, formulas, measures, members, numbered
+from . import calls, expressions, formulas, group_copies, measures, members
 
 RULES: Mapping[type, Rule] = {
     ast.NumberLiteral: infer_number,
@@ -16,7 +16,7 @@ RULES: Mapping[type, Rule] = {
     ast.Boolean: expressions.infer_boolean,
     ast.Name: expressions.infer_name,
     ast.Member: members.infer_member,
-    ast.Numbered: numbered.infer_numbered,
+    ast.Numbered: group_copies.infer_numbered,
     ast.CallExpression: calls.infer_call,
     ast.NegateExpression: expressions.infer_negation,
     ast.ArithmeticExpression: expressions.infer_arithmetic,
