@@ -44,6 +44,10 @@ def test_every_member_has_a_number_for_each_time() -> None:
     assert {name: getattr(agent, name).shape for name in ARRAYS} == dict.fromkeys(ARRAYS, (21,))
 
 
+def test_times_are_written_with_their_decimals_alone() -> None:
+    assert [float(time) for time in driven().time] == [number / 10 for number in range(21)]
+
+
 def test_members_cannot_be_written_to() -> None:
     agent = driven()
     assert not any(getattr(agent, name).flags.writeable for name in ARRAYS)

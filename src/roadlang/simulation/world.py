@@ -88,8 +88,8 @@ class World:
 
     @property
     def time(self) -> float:
-        """Seconds since the start."""
-        return self.tick * self.dt
+        """Seconds since the start, as one would write them: 0.3, not 0.30000000000000004."""
+        return round(self.tick * self.dt, 9)
 
     @property
     def age(self) -> Floats:
