@@ -36,7 +36,7 @@ def _score(one: Agreement, grip: float) -> tuple[float, float, float]:
 def main() -> int:
     """Print the agreement; 1 if a bar is missed."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--fit", type=int, default=12, help="scenes to fit on")
+    parser.add_argument("--fit", type=int, default=20, help="scenes to fit on")
     parser.add_argument("--unseen", type=int, default=20, help="scenes to report on")
     parser.add_argument("--each", action="store_true", help="a line for each scene")
     given = parser.parse_args()
